@@ -270,8 +270,8 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "Check that no slices of the series are missing."},
     // Presentation states.
     {key::kPresentationState, kInfo, 0,
-     "Presentation states of 3D views: {count}; they are no images, and say how a series is shown.",
-     "Open its series, and in the window File, Open Presentation State, or give it to macula render."},
+     "Presentation states: {count}; they are no images, and say how a series is shown.",
+     "Open one of them in the list of studies; macula render draws those of 3D views."},
     {key::kPresentationLeftOut, kWarning, 0, "The presentation state has {what}, which cannot be shown.",
      "Compare with what the program shows that made it."},
     {key::kPresentationApproximated, kWarning, 0, "The presentation state has {what}; {how}.",

@@ -215,7 +215,7 @@ void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeat
         std::set<std::string> kinds;
         std::size_t presentations = 0;
         for (const OtherObject& object : series.objects) {
-            if (object.sopClassUid == sop_class::kVolumePresentationState) {
+            if (object.presentation) {
                 ++presentations;
             } else {
                 kinds.insert(object.kind);

@@ -3,6 +3,7 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <utility>
 
 #include "app/camera/view_directions.h"
 #include "pipeline/trace/settings.h"
@@ -71,6 +72,20 @@ Result<Language> parseLanguage(const QString& text) {
     return usage(QStringLiteral("There is no language '%1'.").arg(text), "The languages are en and de.");
 }
 
+Result<CommandLine::Script> parseScript(const QString& text) {
+    using Script = CommandLine::Script;
+    constexpr std::pair<const char*, Script> kScripts[] = {{"orbit", Script::orbit},
+                                                           {"changes", Script::changes},
+                                                           {"session", Script::session},
+                                                           {"opening", Script::opening},
+                                                           {"stations", Script::stations}};
+    for (const auto& [name, script] : kScripts) {
+        if (text == QLatin1String(name)) return script;
+    }
+    return usage(QStringLiteral("There is no script '%1'.").arg(text),
+                 "The scripts are 'orbit', 'changes', 'session', 'opening' and 'stations'.");
+}
+
 Result<double> parseFontScale(const QString& text) {
     bool isNumber = false;
     const double scale = text.toDouble(&isNumber);
@@ -115,12 +130,15 @@ struct Options {
         "script",
         "Drive the window, measure it, print JSON, quit. 'orbit': turn the volume, "
         "then rest. 'changes': preset, clip, lights, look, study and size in quick "
-        "turns.",
+        "turns. 'session': a day's work with cold files, and a table. 'opening': open it only. "
+        "'stations': screenshots of panels, tools and dialogs.",
         "NAME"};
     const QCommandLineOption screenshots{"screenshots", "Where the script writes its screenshots.", "FOLDER"};
+    const QCommandLineOption until{"until", "The last station of the script 'stations', e.g. open.", "NAME"};
     const QCommandLineOption withPatient{
         "with-patient", "Screenshots name patient and study; without this, nothing in the window does."};
-    const QCommandLineOption wait{"wait", "How long the model learns before the script orbits.", "S", "0"};
+    const QCommandLineOption wait{
+        "wait", "How long the model learns before the script orbits, or a station converges.", "S", "0"};
     const QCommandLineOption seconds{"seconds", "How long the script orbits, at least, or makes changes.",
                                      "S", "8"};
     const QCommandLineOption turn{"turn", "In how long it orbits once around the patient.", "S", "8"};
@@ -131,7 +149,7 @@ struct Options {
         parser.addOptions({calibrate, preset,    lights,       view,      device,      size,
                            layout,    language,  highContrast, fontScale, samples,     noModel,
                            sessions,  noSession, keepDays,     script,    screenshots, withPatient,
-                           wait,      turn,      seconds,      rest});
+                           wait,      turn,      seconds,      rest,      until});
     }
 };
 
@@ -162,21 +180,20 @@ Result<void> readScript(const QCommandLineParser& parser, const Options& options
     MACULA_TRY(result.seconds, parseSeconds(parser.value(options.seconds), kShortestScriptSeconds));
     MACULA_TRY(result.restSeconds, parseSeconds(parser.value(options.rest), kShortestScriptSeconds));
     if (parser.isSet(options.script)) {
-        const QString name = parser.value(options.script);
-        if (name == QLatin1String("orbit"))
-            result.script = CommandLine::Script::orbit;
-        else if (name == QLatin1String("changes"))
-            result.script = CommandLine::Script::changes;
-        else
-            return usage(QStringLiteral("There is no script '%1'.").arg(name),
-                         "The scripts are 'orbit' and 'changes'.");
+        MACULA_TRY(result.script, parseScript(parser.value(options.script)));
     }
+    using Script = CommandLine::Script;
     // Its size is that of the volume's picture.
-    if (result.script != CommandLine::Script::none && !parser.isSet(options.layout))
-        result.layout = app::Layout::volume;
+    const bool isOfVolume = result.script == Script::orbit || result.script == Script::changes;
+    if (isOfVolume && !parser.isSet(options.layout)) result.layout = app::Layout::volume;
     result.screenshots = parser.value(options.screenshots);
-    if (!result.screenshots.isEmpty() && result.script != CommandLine::Script::orbit)
-        return usage(QStringLiteral("--screenshots needs --script orbit."));
+    if (!result.screenshots.isEmpty() && result.script != Script::orbit && result.script != Script::stations)
+        return usage(QStringLiteral("--screenshots needs --script orbit or stations."));
+    if (result.screenshots.isEmpty() && result.script == Script::stations)
+        return usage(QStringLiteral("--script stations needs --screenshots FOLDER."));
+    result.lastStation = parser.value(options.until);
+    if (!result.lastStation.isEmpty() && result.script != Script::stations)
+        return usage(QStringLiteral("--until needs --script stations."));
     result.namesPatient = result.screenshots.isEmpty() || parser.isSet(options.withPatient);
     return {};
 }

@@ -34,8 +34,10 @@ struct CommandLine {
     std::optional<int> keepDays;      // what was not opened for so long is deleted; none: never
     bool calibrates = false;          // only measures this machine, and says how fast it is
     bool choosesView = false;         // the command line says how the study is shown
-    enum class Script { none, orbit, changes } script = Script::none;
+    // `opening` is what `session` starts by itself.
+    enum class Script { none, orbit, changes, session, opening, stations } script = Script::none;
     QString screenshots;
+    QString lastStation;       // of the script `stations`; empty: all of them
     bool namesPatient = true;  // on screen; in screenshots only where that was asked for
     double waitSeconds = 0.0;
     double turnSeconds = 8.0;

@@ -2,9 +2,12 @@
 #include "viewer/main_window.h"  // before Qt, see vulkan_window.h
 
 #include <QApplication>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QMessageBox>
 #include <QScreen>
 #include <QSettings>
+#include <QTemporaryDir>
 #include <clocale>
 #include <cstdio>
 #include <filesystem>
@@ -23,6 +26,8 @@
 #include "viewer/changes_script.h"
 #include "viewer/command_line.h"
 #include "viewer/display_check.h"
+#include "viewer/driven/session_script.h"
+#include "viewer/driven/stations_script.h"
 #include "viewer/language/core_words.h"
 #include "viewer/language/language.h"
 #include "viewer/orbit_script.h"
@@ -67,9 +72,9 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
             line.sessions ? std::filesystem::path(line.sessions->toStdString()) : session::defaultFolder();
     options.keepDays = line.keepDays;
     options.calibrates = line.script == CommandLine::Script::none;
-    options.restores = line.script != CommandLine::Script::none ? Restores::nothing
-                       : line.choosesView                       ? Restores::work
-                                                                : Restores::all;
+    using Script = CommandLine::Script;
+    const bool asLeft = line.script == Script::none || line.script == Script::opening;
+    options.restores = !asLeft ? Restores::nothing : line.choosesView ? Restores::work : Restores::all;
     options.keepsLayout = line.choosesLayout;
     return options;
 }
@@ -119,7 +124,9 @@ int calibrate(const CommandLine& line) {
     return app::kExitDone;
 }
 
-int run(QApplication& application, const CommandLine& line, const ReadSettings& read) {
+// `report`: of the script `session`, where that is wanted; of `opening` it goes to standard output.
+int run(QApplication& application, const CommandLine& line, const ReadSettings& read,
+        QJsonObject* report = nullptr) {
     Result<MainWindowOptions> options = windowOptions(line);
     if (!options) return fail(options.error());
     options->settings = read.settings;
@@ -138,6 +145,8 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
         line.folder ? app::StudySource(line.folder->toStdString()) : app::StudySource();
     std::optional<OrbitScript> orbit;
     std::optional<ChangesScript> changes;
+    std::optional<SessionScript> session;
+    std::optional<StationsScript> stations;
     const auto begin = [&](auto& script) {
         using Script = std::decay_t<decltype(*script)>;
         QObject::connect(&*script, &Script::finished, &application,
@@ -154,11 +163,59 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
     } else if (line.script == CommandLine::Script::changes) {
         changes.emplace(window, ChangesScriptOptions{.study = source, .seconds = line.seconds});
         begin(changes);
+    } else if (line.script == CommandLine::Script::session || line.script == CommandLine::Script::opening) {
+        SessionScriptOptions wanted;
+        wanted.study = source;
+        wanted.opensOnly = line.script == CommandLine::Script::opening;
+        wanted.work.orbitSeconds = line.seconds;
+        wanted.work.turnSeconds = line.turnSeconds;
+        if (!line.usesModel) wanted.modelSeconds = 0.0;
+        session.emplace(window, std::move(wanted));
+        begin(session);
+    } else if (line.script == CommandLine::Script::stations) {
+        StationsScriptOptions wanted;
+        wanted.folder = line.screenshots;
+        wanted.until = line.lastStation;
+        if (line.waitSeconds > 0.0) wanted.waitSeconds = line.waitSeconds;
+        stations.emplace(window, std::move(wanted));
+        begin(stations);
     }
     window.show();
     if (read.error) window.tell(*read.error);
     window.open(source);
-    return application.exec();
+    const int code = application.exec();
+    if (session && report != nullptr) {
+        *report = session->report();
+    } else if (session) {
+        std::fputs(QJsonDocument(session->report()).toJson().constData(), stdout);
+    }
+    return code;
+}
+
+// The window is gone, and has saved what was learnt, before the study is opened again.
+int runSession(QApplication& application, CommandLine line, const ReadSettings& read) {
+    const QTemporaryDir own;
+    if (!line.keepsSessions) {
+        if (!own.isValid())
+            return fail({ErrorCode::outputNotWritable,
+                         "There is no folder for what the session keeps.",
+                         {},
+                         "Say --sessions FOLDER, or set TMPDIR."});
+        line.sessions = own.path();
+        line.keepsSessions = true;
+    }
+    QJsonObject report;
+    const int code = run(application, line, read, &report);
+    QStringList again;
+    if (line.folder) again << *line.folder;
+    again << QStringLiteral("--script") << QStringLiteral("opening") << QStringLiteral("--sessions")
+          << *line.sessions;
+    if (!line.device.isEmpty()) again << QStringLiteral("--device") << line.device;
+    if (line.size)
+        again << QStringLiteral("--size")
+              << QStringLiteral("%1x%2").arg(line.size->width()).arg(line.size->height());
+    if (!line.usesModel) again << QStringLiteral("--no-model");
+    return reportSession(code, report, again);
 }
 
 }  // namespace
@@ -195,5 +252,6 @@ int main(int argc, char** argv) {
     useLanguage(wanted.language.value_or(isScript ? Language::english : desktopLanguage()));
     applyTheme(application, {.highContrast = wanted.highContrast, .fontScale = wanted.fontScale});
     display.reset();
+    if (wanted.script == CommandLine::Script::session) return runSession(application, wanted, read);
     return run(application, wanted, read);
 }

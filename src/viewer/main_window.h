@@ -19,6 +19,7 @@
 #include "app/quality/calibration.h"
 #include "app/session/model_keeper.h"
 #include "app/state/study_state.h"
+#include "app/study/study_tree.h"
 #include "slices/slice_plane.h"
 #include "viewer/background_job.h"
 #include "viewer/choice_menu.h"
@@ -38,7 +39,8 @@ class QMenu;
 
 namespace macula::app {
 struct PresentationWish;
-}
+struct SoftcopyOnSlices;
+}  // namespace macula::app
 
 namespace macula::viewer {
 
@@ -227,6 +229,10 @@ class MainWindow : public QMainWindow {
     void connectPick();
     void addPresentationsTo(QMenu& file);
     void askForPresentation();
+    void openPresentation(const std::filesystem::path& path);  // of the 3D view of what is open
+    void connectListedPresentations();
+    void showListed(const app::StudyRow::Presentation& listed);
+    void showOnSlices(const app::SoftcopyOnSlices& shown, const QStringList& notes);
     void askHowToSavePresentation();
     void askWhereToSavePresentation(app::PresentationWish wish);
     void askForPicture();
@@ -316,6 +322,12 @@ class MainWindow : public QMainWindow {
     WorkBar* segmenting_ = nullptr;  // segments are loaded
     PictureExport* export_ = nullptr;
     PresentationFiles* presentations_ = nullptr;
+    // To be shown once its series is there.
+    struct AwaitedPresentation {
+        std::shared_ptr<const app::FoundVolumes> found;
+        app::StudyRow::Presentation listed;
+    };
+    std::optional<AwaitedPresentation> awaiting_;
     WorkBar* exporting_ = nullptr;
     AnatomyPick* pick_ = nullptr;
     OwnWindowList* ownWindows_ = nullptr;

@@ -15,6 +15,7 @@ void MainWindow::connectBrowser() {
         loader_.open(browser_->found(), index);
         focusPicture();
     });
+    connectListedPresentations();
     recent_ = new RecentMenu(this);
     connect(recent_, &RecentMenu::chosen, this, [this](const QString& path) { open(path.toStdString()); });
 

@@ -5,10 +5,12 @@
 #include <utility>
 
 #include "app/study/found_volumes.h"
+#include "viewer/browser/study_browser.h"
 #include "viewer/keys.h"
 #include "viewer/main_window.h"
 #include "viewer/output/presentation_dialog.h"
 #include "viewer/output/presentation_files.h"
+#include "viewer/slices/slice_view.h"
 
 namespace macula::viewer {
 
@@ -38,6 +40,7 @@ void MainWindow::addPresentationsTo(QMenu& file) {
                     messages_->showNote(notes.join(QLatin1Char(' ')));
                 }
             });
+    connect(presentations_, &PresentationFiles::openedOnSlices, this, &MainWindow::showOnSlices);
     connect(presentations_, &PresentationFiles::failed, this, [this](const Error& error) {
         messages_->showError(error);
         emit failed(error);
@@ -53,13 +56,76 @@ void MainWindow::askForPresentation() {
     auto* dialog = new QFileDialog(this, tr("Open a presentation state"), lastFolder_,
                                    tr("DICOM files (*.dcm);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    ask(dialog, [this](const QString& path) {
-        const app::OpenedStudy& shown = study();
-        std::vector<std::string> images;
-        if (shown.found) images = app::imageUidsOf(*shown.found->volumes().at(shown.volumeIndex).stack);
-        presentations_->open(path.toStdString(), shown.volume, shown.seriesDigest, std::move(images), state(),
-                             viewport_->aspect());
+    ask(dialog, [this](const QString& path) { openPresentation(path.toStdString()); });
+}
+
+void MainWindow::openPresentation(const std::filesystem::path& path) {
+    const app::OpenedStudy& shown = study();
+    std::vector<std::string> images;
+    if (shown.found) images = app::imageUidsOf(*shown.found->volumes().at(shown.volumeIndex).stack);
+    app::StudyState usual = state();
+    // It is of the 3D view, which may be hidden.
+    if (usual.layout != app::Layout::volume) usual.layout = app::Layout::fourPanes;
+    presentations_->open(path, shown.volume, shown.seriesDigest, std::move(images), std::move(usual),
+                         viewport_->aspect());
+}
+
+// Those of the list of studies: their series is opened first, unless it is on screen.
+void MainWindow::connectListedPresentations() {
+    connect(browser_, &StudyBrowser::presentationChosen, this,
+            [this](const app::StudyRow::Presentation& chosen) {
+                const auto found = browser_->found();
+                if (study().found == found && study().volumeIndex == chosen.volume && !loading())
+                    return showListed(chosen);
+                keepState();  // as in open()
+                loader_.open(found, chosen.volume);
+                awaiting_ = AwaitedPresentation{found, chosen};
+                focusPicture();
+            });
+    connect(browser_, &StudyBrowser::presentationRefused, this, [this](const std::string& whyNot) {
+        messages_->showError(
+            {ErrorCode::inputNotUsable,
+             whyNot,
+             {},
+             tr("Choose another one, or open the folder that its series is in.").toStdString()});
     });
+    connect(&loader_, &StudyLoader::began, this, [this] { awaiting_.reset(); });
+    connect(&loader_, &StudyLoader::cancelled, this, [this] { awaiting_.reset(); });
+    connect(&loader_, &StudyLoader::failed, this, [this] { awaiting_.reset(); });
+    connect(this, &MainWindow::studyShown, this, [this] {
+        presentations_->cancelOpening();
+        const auto awaited = std::exchange(awaiting_, {});
+        if (awaited && awaited->found == study().found && awaited->listed.volume == study().volumeIndex)
+            showListed(awaited->listed);
+    });
+}
+
+void MainWindow::showListed(const app::StudyRow::Presentation& listed) {
+    if (listed.isOfSlices) {
+        presentations_->openOnSlices(listed.file, study(), session_.state().slices);
+    } else {
+        openPresentation(listed.file);
+    }
+}
+
+// Zoom and place are of the pane, and no part of what can be undone.
+void MainWindow::showOnSlices(const app::SoftcopyOnSlices& shown, const QStringList& notes) {
+    session_.change(tr("Presentation state"), [&](app::StudyState& next) {
+        next.slices = shown.slices;
+        if (next.layout == app::Layout::volume) next.layout = app::Layout::fourPanes;
+    });
+    for (SliceView* pane : slices_) {
+        if (shown.area && shown.area->orientation == pane->orientation()) {
+            pane->showArea(*shown.area);
+        } else {
+            pane->fit();
+        }
+    }
+    if (notes.isEmpty()) {
+        messages_->hide();
+    } else {
+        messages_->showNote(notes.join(QLatin1Char(' ')));
+    }
 }
 
 void MainWindow::askHowToSavePresentation() {

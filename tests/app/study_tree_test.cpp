@@ -6,6 +6,8 @@
 #include <set>
 
 #include "app/found_by_hand.h"
+#include "dicom/read/sop_class.h"
+#include "dicom/uid.h"
 
 namespace macula::app {
 namespace {
@@ -258,6 +260,109 @@ TEST(StudyTree, OfAGlimpseNothingCanBeOpenedAndNothingIsRefused) {
     EXPECT_EQ(row.whyNot, "");
     EXPECT_EQ(row.picture, nullptr);
     EXPECT_FALSE(row.volume);
+}
+
+dicom::OtherObject presentationOf(const std::string& label, const std::string& date,
+                                  std::vector<std::string> series, std::string_view sopClass) {
+    dicom::OtherObject object{.file = "/doe/" + label,
+                              .sopClassUid = std::string(sopClass),
+                              .kind = "Presentation state",
+                              .referencedSeriesUids = std::move(series),
+                              .label = label};
+    object.presentation = dicom::PresentationHeading{
+        label, "Of Jane, " + label, date, "101112", "READER^NIGHT", std::vector<std::string>{"1.1"}};
+    return object;
+}
+
+// One series of images, "1.2"; another one of a second patient, "1.3"; and presentation states of both.
+std::shared_ptr<const FoundVolumes> withPresentations(std::vector<dicom::OtherObject> objects) {
+    dicom::Scan scan;
+    dicom::Series images = test::seriesOf(2, "Thorax", {test::volumeOf(4)});
+    images.seriesInstanceUid = "1.2";
+    dicom::Series others = test::seriesOf(3, "Knee", {test::volumeOf(4)});
+    others.seriesInstanceUid = "1.3";
+    dicom::Series states = test::seriesOf(9, "Views", {}, "PR");
+    states.objects = std::move(objects);
+    scan.studies.push_back(
+        test::studyOf(0, "DOE^JANE", "20210405", "Chest", {std::move(images), std::move(states)}));
+    scan.studies.push_back(test::studyOf(1, "ROE^RICHARD", "20200405", "Leg", {std::move(others)}));
+    scan.patients = 2;
+    return std::make_shared<const FoundVolumes>(std::move(scan));
+}
+
+namespace sop = dicom::sop_class;
+
+TEST(PresentationRows, StandBelowTheirSeriesTheNewestFirst) {
+    const auto found =
+        withPresentations({presentationOf("OLD", "20200101", {"1.2"}, sop::kVolumePresentationState),
+                           presentationOf("NEW", "20240229", {"1.2"}, sop::kSoftcopyPresentationState)});
+    const StudyTree tree = studyTree(*found);
+    const StudyRow& series = tree.rows[rowTitled(tree, "Series 9: Views")];
+    EXPECT_TRUE(series.whyNot.empty()) << "what is in it can be opened";
+    EXPECT_EQ(titlesOf(tree, series.children), (Texts{"View of slices: NEW", "3D view: OLD"}));
+    const StudyRow& newest = tree.rows[series.children[0]];
+    EXPECT_EQ(newest.kind, Kind::presentation);
+    EXPECT_EQ(newest.details, Texts{"Of Jane, NEW \u00b7 2024-02-29 \u00b7 READER, NIGHT"});
+    EXPECT_EQ(newest.detailOfFile, 0u);
+    ASSERT_TRUE(newest.presentation);
+    EXPECT_TRUE(newest.presentation->isOfSlices);
+    EXPECT_EQ(newest.presentation->file, "/doe/NEW");
+    EXPECT_EQ(found->volumes().at(newest.presentation->volume).series->seriesInstanceUid, "1.2");
+    EXPECT_FALSE(newest.volume) << "it is no volume, and is never what is open";
+    const StudyRow& older = tree.rows[series.children[1]];
+    ASSERT_TRUE(older.presentation);
+    EXPECT_FALSE(older.presentation->isOfSlices);
+    EXPECT_EQ(shownFor(tree, "jane old").back(), "3D view: OLD");
+}
+
+TEST(PresentationRows, SayWhyTheyCannotBeShown) {
+    const auto found = withPresentations({presentationOf("A", "4", {"1.3"}, sop::kVolumePresentationState),
+                                          presentationOf("B", "3", {"7.7"}, sop::kVolumePresentationState),
+                                          presentationOf("C", "2", {}, sop::kSoftcopyPresentationState),
+                                          presentationOf("D", "1", {"1.2"}, "1.2.840.10008.5.1.4.1.1.11.2")});
+    const StudyTree tree = studyTree(*found);
+    const StudyRow& series = tree.rows[rowTitled(tree, "Series 9: Views")];
+    ASSERT_EQ(series.children.size(), 4u);
+    const auto whyNot = [&](std::size_t child) { return tree.rows[series.children[child]].whyNot; };
+    EXPECT_NE(whyNot(0).find("another patient"), std::string::npos) << whyNot(0);
+    EXPECT_NE(whyNot(1).find("not in this folder"), std::string::npos) << whyNot(1);
+    EXPECT_NE(whyNot(2).find("not in this folder"), std::string::npos) << whyNot(2);
+    EXPECT_NE(whyNot(3).find("of this kind"), std::string::npos) << whyNot(3);
+    for (const std::size_t child : series.children) EXPECT_FALSE(tree.rows[child].presentation);
+}
+
+// Of nobody: the UIDs are made anew, and say of which series it is to who has that.
+TEST(PresentationRows, WithoutAPatientAreOfTheOneSeriesThatTheirUidsWereMadeOf) {
+    dicom::Scan scan;
+    dicom::Series images = test::seriesOf(2, "Thorax", {test::volumeOf(4)});
+    images.seriesInstanceUid = "1.2";
+    dicom::Series states = test::seriesOf(9, "Views", {}, "PR");
+    states.objects.push_back(
+        presentationOf("ANON", "20240229", {dicom::uidFrom("1.2")}, sop::kVolumePresentationState));
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20210405", "Chest", {std::move(images)}));
+    scan.studies.push_back(test::studyOf(1, "ANONYMOUS", "20210405", "", {std::move(states)}));
+    scan.patients = 2;
+    const FoundVolumes found(std::move(scan));
+    const StudyTree tree = studyTree(found);
+    const StudyRow& row = tree.rows[rowTitled(tree, "3D view: ANON")];
+    ASSERT_TRUE(row.presentation);
+    EXPECT_EQ(row.presentation->volume, 0u);
+}
+
+TEST(PresentationRows, WithoutNamesNothingOfTheFileIsLeftButTheDate) {
+    const auto found =
+        withPresentations({presentationOf("JANE", "20240229", {"1.2"}, sop::kVolumePresentationState),
+                           presentationOf("JANE", "by JANE", {"1.2"}, sop::kVolumePresentationState)});
+    const StudyTree tree = studyTree(*found, Names::hidden);
+    std::size_t seen = 0;
+    for (const StudyRow& row : tree.rows) {
+        if (row.kind != Kind::presentation) continue;
+        ++seen;
+        EXPECT_EQ(row.title, "3D view");
+        EXPECT_TRUE(row.details.empty() || row.details == Texts{"2024-02-29"});
+        EXPECT_EQ(row.searched.find("jane"), std::string::npos);
+    }
+    EXPECT_EQ(seen, 2u);
 }
 
 }  // namespace

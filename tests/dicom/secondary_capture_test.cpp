@@ -12,6 +12,7 @@
 #include "dicom/scan.h"
 #include "dicom/series_writer.h"
 #include "edit.h"
+#include "opens_in_dcmtk.h"
 #include "support.h"
 
 namespace macula::dicom::test {
@@ -168,6 +169,14 @@ TEST_F(SecondaryCaptureTest, aFolderThatIsGoneIsAnError) {
     const Result<void> done = writeSecondaryCapture(folder_.path() / "gone" / "capture.dcm", capture_);
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().code, ErrorCode::outputNotWritable);
+}
+
+TEST_F(SecondaryCaptureTest, dcmtkOpensIt) {
+    for (const bool isDeidentified : {false, true}) {
+        capture_.isDeidentified = isDeidentified;
+        ASSERT_TRUE(writeSecondaryCapture(path_, capture_).ok());
+        expectOpensInDcmtk(path_);
+    }
 }
 
 TEST_F(SecondaryCaptureTest, theCheckerFindsNoError) {

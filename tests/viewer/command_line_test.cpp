@@ -80,6 +80,18 @@ TEST(CommandLine, APersonSeesFourPanesAndAScriptTheVolume) {
     EXPECT_EQ(parse({})->layout, app::Layout::fourPanes);
     EXPECT_EQ(parse({"--script", "orbit"})->layout, app::Layout::volume);
     EXPECT_EQ(parse({"--script", "orbit", "--layout", "fourPanes"})->layout, app::Layout::fourPanes);
+    // These are of the window as a person has it.
+    for (const char* name : {"session", "opening"})
+        EXPECT_EQ(parse({"--script", name})->layout, app::Layout::fourPanes) << name;
+    const auto stations = parse({"--script", "stations", "--screenshots", "x"});
+    ASSERT_TRUE(stations.ok());
+    EXPECT_EQ(stations->script, CommandLine::Script::stations);
+    EXPECT_FALSE(stations->namesPatient);
+    EXPECT_FALSE(parse({"--script", "stations"}).ok()) << "there is no folder for them";
+    EXPECT_FALSE(parse({"--script", "session", "--screenshots", "x"}).ok());
+    EXPECT_FALSE(parse({"--until", "open"}).ok());
+    EXPECT_EQ(parse({"--script", "stations", "--screenshots", "x", "--until", "open"})->lastStation,
+              QStringLiteral("open"));
 }
 
 // A script measures: what was learnt before would be in its figures.

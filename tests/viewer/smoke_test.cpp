@@ -83,6 +83,36 @@ TEST_F(ViewerProgram, OrbitsThePhantomTakesScreenshotsAndMeasuresItself) {
     }
 }
 
+TEST_F(ViewerProgram, OpensTheStudyAndSaysHowSoon) {
+    const Outcome outcome =
+        runViewer({"--script", "opening", "--no-model", "--spp", "2", "--size", "480x300"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+    const QJsonObject json = QJsonDocument::fromJson(outcome.output).object();
+    const QJsonObject opening = json["opening"].toObject();
+    for (const char* what : {"windowMs", "studyReadMs", "sliceMs", "pictureMs"})
+        EXPECT_GE(opening[QLatin1String(what)].toDouble(-1.0), 0.0) << what;
+    EXPECT_GE(json["startMs"].toDouble(), 0.0);
+    EXPECT_TRUE(json["longestUiStallMs"].isDouble());
+    EXPECT_FALSE(json.contains("orbit"));
+}
+
+TEST_F(ViewerProgram, TakesPicturesOfStations) {
+    QTemporaryDir folder;
+    const Outcome outcome = runViewer({"--script", "stations", "--until", "studies", "--wait", "1",
+                                       "--no-model", "--spp", "2", "--screenshots", folder.path()});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
+    const QImage open(folder.filePath("open.png"));
+    const QImage studies(folder.filePath("studies.png"));
+    ASSERT_FALSE(open.isNull());
+    ASSERT_FALSE(studies.isNull());
+    EXPECT_EQ(open.size(), studies.size());
+    EXPECT_NE(open, studies) << "a panel is shown";
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 2);
+    EXPECT_EQ(
+        runViewer({"--script", "stations", "--until", "nowhere", "--screenshots", folder.path()}).exitCode,
+        2);
+}
+
 TEST_F(ViewerProgram, ExitCodesTellWhatWasWrong) {
     const auto expectSentence = [](const Outcome& outcome, int code) {
         EXPECT_EQ(outcome.exitCode, code) << outcome.errors.toStdString();

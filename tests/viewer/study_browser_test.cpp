@@ -486,5 +486,76 @@ TEST_F(StudyBrowserTest, TheMenuOfWhatWasOpenedHasTheLastFirst) {
     EXPECT_FALSE(menu.isEnabled());
 }
 
+// A series, a presentation state of it, and one of another series.
+std::shared_ptr<const app::FoundVolumes> withPresentations() {
+    dicom::Scan scan;
+    dicom::Series images = app::test::seriesOf(2, "Thorax", {app::test::volumeOf(4)});
+    images.seriesInstanceUid = "1.2";
+    dicom::Series states = app::test::seriesOf(9, "Views", {}, "PR");
+    for (const std::string uid : {"1.2", "7.7"}) {
+        dicom::OtherObject object{.file = "/doe/" + uid,
+                                  .sopClassUid = "1.2.840.10008.5.1.4.1.1.11.9",
+                                  .kind = "Presentation state of a 3D view",
+                                  .referencedSeriesUids = {uid},
+                                  .label = "OF " + uid};
+        object.presentation =
+            dicom::PresentationHeading{"OF " + uid, "Of <b>Jane</b>", "20240229", "", "", {}};
+        states.objects.push_back(std::move(object));
+    }
+    scan.studies.push_back(
+        app::test::studyOf(0, "DOE^JANE", "20210405", "Chest", {std::move(images), std::move(states)}));
+    scan.patients = 1;
+    return std::make_shared<const app::FoundVolumes>(std::move(scan));
+}
+
+TEST_F(StudyBrowserTest, APresentationStateIsChosenByMouseAndKeys) {
+    std::vector<std::string> presented;
+    std::vector<std::string> refused;
+    QObject::connect(&*browser_, &StudyBrowser::presentationChosen, &*browser_,
+                     [&](const app::StudyRow::Presentation& chosen) {
+                         presented.push_back(chosen.file.string());
+                         EXPECT_EQ(chosen.volume, 0u);
+                     });
+    QObject::connect(&*browser_, &StudyBrowser::presentationRefused, &*browser_,
+                     [&](const std::string& whyNot) { refused.push_back(whyNot); });
+    browser_->setFound(withPresentations(), std::nullopt);
+    settle();
+    const QModelIndex known = rowTitled(QStringLiteral("3D view: OF 1.2"));
+    const QModelIndex lost = rowTitled(QStringLiteral("3D view: OF 7.7"));
+    ASSERT_TRUE(known.isValid() && lost.isValid());
+    EXPECT_TRUE(tree_->isExpanded(known.parent())) << "they are all that is in their series";
+    QTest::mouseDClick(tree_->viewport(), Qt::LeftButton, {}, middleOf(known));
+    EXPECT_EQ(presented, std::vector<std::string>{"/doe/1.2"});
+    // By keys alone: down from the one to the other.
+    tree_->setFocus();
+    tree_->setCurrentIndex(known);
+    QTest::keyClick(tree_, Qt::Key_Return);
+    EXPECT_EQ(presented.size(), 2u);
+    tree_->setCurrentIndex(lost);
+    QTest::keyClick(tree_, Qt::Key_Enter);
+    ASSERT_EQ(refused.size(), 1u);
+    EXPECT_NE(refused[0].find("not in this folder"), std::string::npos);
+    EXPECT_TRUE(chosen_.empty()) << "no volume was asked for";
+    EXPECT_FALSE(browser_->selectedOther()) << "and none can stand beside";
+}
+
+TEST_F(StudyBrowserTest, APresentationStateIsSpokenAndSaysWhatOpensIt) {
+    browser_->setFound(withPresentations(), 0);
+    const QModelIndex known = rowTitled(QStringLiteral("3D view: OF 1.2"));
+    EXPECT_FALSE(isOpen(known)) << "the volume is, and not the view";
+    EXPECT_EQ(known.data(Qt::AccessibleTextRole).toString(),
+              QStringLiteral("3D view: OF 1.2, Of <b>Jane</b> \u00b7 2024-02-29"));
+    const QString tip = known.data(Qt::ToolTipRole).toString();
+    EXPECT_TRUE(tip.contains(QStringLiteral("opens its series")));
+    EXPECT_FALSE(tip.contains(QStringLiteral("<b>")));
+    const QModelIndex lost = rowTitled(QStringLiteral("3D view: OF 7.7"));
+    EXPECT_TRUE(lost.data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("not in this folder")));
+    browser_->showNames(false);
+    for (const QModelIndex& index : allRows()) {
+        EXPECT_FALSE(index.data(Qt::AccessibleTextRole).toString().contains(QStringLiteral("Jane")));
+        EXPECT_FALSE(index.data(Qt::ToolTipRole).toString().contains(QStringLiteral("OF ")));
+    }
+}
+
 }  // namespace
 }  // namespace macula::viewer

@@ -7,8 +7,10 @@
 #include <map>
 #include <utility>
 
+#include "app/study/presented_volume.h"
 #include "app/study/search_text.h"
 #include "base/parsing.h"
+#include "dicom/read/sop_class.h"
 
 namespace macula::app {
 
@@ -174,11 +176,11 @@ class Builder {
         // Not the modalities: all series of the study would be found by that of one.
         const std::size_t index = add(std::move(row), {identity.studyDate});
         for (const dicom::Series& series : study.series) {
-            if (isListed(series)) addSeries(series, index);
+            if (isListed(series)) addSeries(series, study.patient, index);
         }
     }
 
-    void addSeries(const dicom::Series& series, std::size_t parent) {
+    void addSeries(const dicom::Series& series, int patient, std::size_t parent) {
         StudyRow row{.kind = StudyRow::Kind::series, .parent = parent};
         row.title =
             series.number ? fmt::format("Series {}", *series.number) : std::string("Series without a number");
@@ -198,33 +200,67 @@ class Builder {
         if (!series.objects.empty()) facts.push_back(counted(series.objects.size(), "object", "objects"));
         if (series.stacks.size() > 1) facts.push_back(counted(volumes.size(), "volume", "volumes"));
         row.details = {joined(facts, kBetween)};
-        if (!hides_) addLabels(series, row);
         const bool isOne = series.stacks.size() == 1;
         if (volumes.size() == 1) row.volume = volumes_.at(volumes.front());
         if (isOne || volumes.size() == 1) {
             const dicom::Stack& stack = isOne ? series.stacks.front() : *volumes.front();
             row.details.push_back(joined({sizeText(stack), voxelText(stack)}, kBetween));
         }
-        if (volumes.empty() && found_.isWhole()) row.whyNot = whyNoVolume(series);
+        const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
+        // Where presentation states are all that there is, they are what is opened.
+        const bool isOfPresentations = !presentations.empty() && series.stacks.empty();
+        if (volumes.empty() && found_.isWhole() && !isOfPresentations) row.whyNot = whyNoVolume(series);
         addMessages(series.messages, row);
         if (isOne) addMessages(series.stacks.front().messages, row);
         row.picture = pictureOf(series);
         const std::size_t index = add(std::move(row), {series.modality});
+        for (const dicom::OtherObject* object : presentations) addPresentation(*object, patient, index);
         if (isOne) return;
         for (std::size_t i = 0; i < series.stacks.size(); ++i) addStack(series.stacks[i], i, index);
     }
 
-    // What presentation states call themselves, each once.
-    static void addLabels(const dicom::Series& series, StudyRow& row) {
-        std::vector<std::string> labels;
+    // The newest first.
+    static std::vector<const dicom::OtherObject*> presentationsOf(const dicom::Series& series) {
+        std::vector<const dicom::OtherObject*> all;
         for (const dicom::OtherObject& object : series.objects) {
-            if (!object.label.empty() &&
-                std::find(labels.begin(), labels.end(), object.label) == labels.end())
-                labels.push_back(object.label);
+            if (object.presentation) all.push_back(&object);
         }
-        if (labels.empty()) return;
-        row.detailOfFile = row.details.size();
-        row.details.push_back(joined(labels, kBetween));
+        std::ranges::stable_sort(all, std::ranges::greater(), [](const dicom::OtherObject* object) {
+            return std::pair(object->presentation->date, object->presentation->time);
+        });
+        return all;
+    }
+
+    void addPresentation(const dicom::OtherObject& object, int patient, std::size_t parent) {
+        const dicom::PresentationHeading& heading = *object.presentation;
+        const bool isOfSlices = object.sopClassUid == dicom::sop_class::kSoftcopyPresentationState;
+        const bool isOf3d = object.sopClassUid == dicom::sop_class::kVolumePresentationState;
+        StudyRow row{.kind = StudyRow::Kind::presentation, .parent = parent};
+        row.title = isOf3d ? "3D view" : isOfSlices ? "View of slices" : object.kind;
+        const std::string date(trimmed(heading.date));
+        std::vector<std::string> words;
+        if (!hides_) {
+            if (const auto label = trimmed(heading.label); !label.empty())
+                row.titleOfFile = ": " + std::string(label);
+            words = {std::string(trimmed(heading.description)), dateForPeople(date),
+                     nameForPeople(heading.creator)};
+            row.detailOfFile = 0;
+        } else if (isDate(date)) {
+            words = {dateForPeople(date)};
+        }
+        row.title += row.titleOfFile;
+        if (std::string line = joined(words, kBetween); !line.empty()) {
+            row.details = {std::move(line)};
+        } else {
+            row.detailOfFile = kNoRow;
+        }
+        PresentedVolume shown = presentedVolume(object, patient, found_);
+        if (shown.index) {
+            row.presentation = StudyRow::Presentation{object.file, *shown.index, isOfSlices};
+        } else {
+            row.whyNot = std::move(shown.whyNot);
+        }
+        add(std::move(row), words);
     }
 
     void addStack(const dicom::Stack& stack, std::size_t place, std::size_t parent) {

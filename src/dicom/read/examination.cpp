@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "dicom/presentation/presentation_tags.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/read/transfer_syntax.h"
 
@@ -48,19 +49,57 @@ bool hasInvalidFrameCount(const Dataset& header) {
     return !header.integer(tag::kNumberOfFrames);
 }
 
+// The items of Referenced Series Sequence, and those of Studies Containing Other Referenced Instances.
+std::vector<Dataset> referencedSeriesOf(const Dataset& header) {
+    std::vector<Dataset> all = header.items(tag::kReferencedSeries);
+    for (const Dataset& study : header.items(presentation_tag::kStudiesContainingOtherInstances)) {
+        for (const Dataset& item : study.items(tag::kReferencedSeries)) all.push_back(item);
+    }
+    return all;
+}
+
+template <class T>
+void sortOut(std::vector<T>& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+PresentationHeading headingOf(const Dataset& header, const std::vector<Dataset>& referencedSeries) {
+    namespace tags = presentation_tag;
+    PresentationHeading heading{.label = header.shortText(tags::kContentLabel),
+                                .description = header.shortText(tags::kContentDescription),
+                                .date = header.shortText(tags::kCreationDate),
+                                .time = header.shortText(tags::kCreationTime),
+                                .creator = header.text(tags::kContentCreatorName).value_or(""),
+                                .imageUids = {}};
+    for (const Dataset& series : referencedSeries) {
+        // Those of slices name them so, those of volumes as instances (PS3.3 C.11.11 and C.12.2).
+        for (const Tag images : {tags::kReferencedImages, tags::kReferencedInstances}) {
+            for (const Dataset& image : series.items(images)) {
+                if (auto uid = image.text(tags::kReferencedSopInstanceUid))
+                    heading.imageUids.push_back(std::move(*uid));
+            }
+        }
+    }
+    sortOut(heading.imageUids);
+    return heading;
+}
+
 OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
                        const std::string& sopClass) {
     OtherObject object{.file = file, .sopClassUid = sopClass, .kind = describeSopClass(sopClass)};
-    for (const Dataset& item : header.items(tag::kReferencedSeries)) {
+    const bool isPresentation = isPresentationState(sopClass);
+    const std::vector<Dataset> series =
+        isPresentation ? referencedSeriesOf(header) : header.items(tag::kReferencedSeries);
+    for (const Dataset& item : series) {
         if (auto uid = item.text(tag::kSeriesInstanceUid))
             object.referencedSeriesUids.push_back(std::move(*uid));
     }
-    std::sort(object.referencedSeriesUids.begin(), object.referencedSeriesUids.end());
-    if (sopClass == sop_class::kVolumePresentationState) {
-        constexpr Tag kContentLabel{0x0070, 0x0080};
-        constexpr Tag kContentDescription{0x0070, 0x0081};
-        object.label = header.shortText(kContentDescription);
-        if (object.label.empty()) object.label = header.shortText(kContentLabel);
+    sortOut(object.referencedSeriesUids);
+    if (isPresentation) {
+        object.presentation = headingOf(header, series);
+        const PresentationHeading& heading = *object.presentation;
+        object.label = heading.description.empty() ? heading.label : heading.description;
     }
     return object;
 }

@@ -33,6 +33,7 @@ constexpr std::array kKinds = std::to_array<Kind>({
     {"1.2.840.10008.5.1.4.1.1.6.1", "Ultrasound image", false},
     {"1.2.840.10008.5.1.4.1.1.88.59", "Key object selection", false},
     {"1.2.840.10008.5.1.4.1.1.88.", "Structured report", false},
+    {"1.2.840.10008.5.1.4.1.1.11.1", "Presentation state of slices", false},
     {"1.2.840.10008.5.1.4.1.1.11.9", "Presentation state of a 3D view", false},
     {"1.2.840.10008.5.1.4.1.1.11.", "Presentation state", false},
     {"1.2.840.10008.5.1.4.1.1.9.", "Waveform", false},
@@ -65,6 +66,10 @@ const Kind* kindOf(std::string_view uid) {
 
 bool isSegmentation(std::string_view sopClassUid) {
     return sopClassUid == sop_class::kSegmentation || sopClassUid == sop_class::kLabelMapSegmentation;
+}
+
+bool isPresentationState(std::string_view sopClassUid) {
+    return sopClassUid.starts_with("1.2.840.10008.5.1.4.1.1.11.");
 }
 
 bool isImage(std::string_view sopClassUid) {

@@ -14,11 +14,16 @@ inline constexpr std::string_view kLegacyConvertedEnhancedCtImage = "1.2.840.100
 inline constexpr std::string_view kMrSpectroscopy = "1.2.840.10008.5.1.4.1.1.4.2";  // has rows, and spectra
 inline constexpr std::string_view kSegmentation = "1.2.840.10008.5.1.4.1.1.66.4";
 inline constexpr std::string_view kLabelMapSegmentation = "1.2.840.10008.5.1.4.1.1.66.7";
+inline constexpr std::string_view kSoftcopyPresentationState =
+    "1.2.840.10008.5.1.4.1.1.11.1";  // of grey slices
 inline constexpr std::string_view kVolumePresentationState = "1.2.840.10008.5.1.4.1.1.11.9";  // of a 3D view
 }  // namespace sop_class
 
 // Has pixels, and is no image of the patient.
 bool isSegmentation(std::string_view sopClassUid);
+
+// Says how images are shown, whatever the kind of images and of showing.
+bool isPresentationState(std::string_view sopClassUid);
 
 // Images of the patient, in slices or otherwise: an object of these without rows and columns has lost them.
 bool isImage(std::string_view sopClassUid);

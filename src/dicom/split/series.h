@@ -10,13 +10,26 @@
 
 namespace macula::dicom {
 
+// What a presentation state says of itself, each as in the file, and which images it is of.
+struct PresentationHeading {
+    std::string label;
+    std::string description;
+    std::string date;                    // YYYYMMDD
+    std::string time;                    // HHMMSS
+    std::string creator;                 // components separated by ^
+    std::vector<std::string> imageUids;  // sorted, each once
+
+    bool operator==(const PresentationHeading&) const = default;
+};
+
 // DICOM, but no image to show: a report, a structure set, a segmentation, a presentation state.
 struct OtherObject {
     std::filesystem::path file;
     std::string sopClassUid;
     std::string kind;                               // "Segmentation"; for a person
-    std::vector<std::string> referencedSeriesUids;  // of a segmentation; sorted
-    std::string label;  // of a presentation state of a 3D view: its own, or its description; may be empty
+    std::vector<std::string> referencedSeriesUids;  // of a segmentation or presentation state; sorted
+    std::string label;  // of a presentation state: its description, or its own; may be empty
+    std::optional<PresentationHeading> presentation = {};  // of a presentation state of any kind
 };
 
 // Descriptions, numbers and UIDs may name a patient: for the screen, never for the log.

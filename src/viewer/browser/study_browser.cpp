@@ -23,8 +23,11 @@ QImage asImage(const app::Thumbnail& thumbnail) {
     return borrowed.copy();
 }
 
-bool startsExpanded(app::StudyRow::Kind kind) {
-    return kind == app::StudyRow::Kind::patient || kind == app::StudyRow::Kind::study;
+// A series of presentation states too: they are all that can be opened there.
+bool startsExpanded(const app::StudyTree& tree, const app::StudyRow& row) {
+    if (row.kind == app::StudyRow::Kind::patient || row.kind == app::StudyRow::Kind::study) return true;
+    return row.kind == app::StudyRow::Kind::series && row.picture == nullptr && !row.children.empty() &&
+           tree.rows[row.children.front()].kind == app::StudyRow::Kind::presentation;
 }
 
 }  // namespace
@@ -75,7 +78,8 @@ void StudyBrowser::makeTree() {
     tree_->setAccessibleName(tr("Studies, series and volumes of the folder"));
     tree_->setToolTip(
         tr("What is in the folder; sizes of voxels are in mm. One click selects; a double click or Enter "
-           "opens. The files are only read, and stay where they are."));
+           "opens, be it a volume or a view of one that was kept. The files are only read, and stay where "
+           "they are."));
     tree_->setModel(model_);
     tree_->setItemDelegate(new StudyRowDelegate(tree_));
     tree_->setHeaderHidden(true);
@@ -118,7 +122,8 @@ void StudyBrowser::setFound(std::shared_ptr<const app::FoundVolumes> found, std:
     model_->setTree(makeRows());
     model_->setRowsShown(app::rowsThatMatch(model_->tree(), search_->text().toStdString()));
     expanded_.clear();
-    for (const app::StudyRow& row : model_->tree().rows) expanded_.push_back(startsExpanded(row.kind));
+    for (const app::StudyRow& row : model_->tree().rows)
+        expanded_.push_back(startsExpanded(model_->tree(), row));
     model_->setOpen(open);
     layOut(app::kNoRow);
     revealOpen();
@@ -189,7 +194,7 @@ bool StudyBrowser::isExpanded(std::size_t row) const {
     if (words_.empty()) return expanded_[row];
     const app::StudyRow& shown = model_->tree().rows[row];
     // Rows that were found themselves need not be told by what is below them.
-    return startsExpanded(shown.kind) || !app::holdsAll(shown.searched, words_);
+    return startsExpanded(model_->tree(), shown) || !app::holdsAll(shown.searched, words_);
 }
 
 void StudyBrowser::rememberExpanded(const QModelIndex& index, bool isExpanded) {
@@ -234,6 +239,10 @@ std::size_t StudyBrowser::rowToSelect(std::size_t wanted) const {
 void StudyBrowser::openRow(const QModelIndex& index) {
     if (!index.isValid()) return;
     const app::StudyRow& row = model_->tree().rows[StudyTreeModel::rowOf(index)];
+    // Copies: who hears of it may give the browser another folder.
+    if (const auto presentation = row.presentation) return emit presentationChosen(*presentation);
+    if (row.kind == app::StudyRow::Kind::presentation)
+        return emit presentationRefused(std::string(row.whyNot));
     if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));
     if (row.volume != model_->open()) emit chosen(*row.volume);
 }

@@ -47,6 +47,10 @@ class StudyBrowser : public QWidget {
   signals:
     void chosen(std::size_t index);       // another volume than the one that is open
     void besideAsked(std::size_t index);  // the same, to be shown beside it
+    // A volume, open or not, as the presentation state of that row says.
+    void presentationChosen(const macula::app::StudyRow::Presentation& presentation);
+    // A presentation state that cannot be shown, and why: a sentence as in app::StudyRow::whyNot.
+    void presentationRefused(const std::string& whyNot);
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

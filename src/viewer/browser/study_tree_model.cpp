@@ -148,6 +148,8 @@ QString StudyTreeModel::toolTip(std::size_t row) const {
     for (const std::string& message : shown.messages) lines << inWindowsLanguage(shownText(message));
     if (!shown.whyNot.empty()) {
         lines << tr("This cannot be opened.");
+    } else if (shown.presentation) {
+        lines << tr("A double click or Enter opens its series, and shows it so.");
     } else if (shown.volume && !isOpen(row)) {
         lines << tr("A double click or Enter opens it.");
     }

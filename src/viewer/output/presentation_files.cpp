@@ -59,7 +59,16 @@ PresentationFiles::PresentationFiles(QObject* parent)
                               } else {
                                   emit failed(presented.error());
                               }
-                          }}) {}
+                          }}),
+      openingOnSlices_(this, {.progressed = [](const ProgressUpdate&) {},
+                              .ended =
+                                  [this](const auto& shown) {
+                                      if (shown) {
+                                          emit openedOnSlices(*shown, listOf(shown->notes));
+                                      } else {
+                                          emit failed(shown.error());
+                                      }
+                                  }}) {}
 
 void PresentationFiles::save(const std::filesystem::path& path, app::PresentationWish wish) {
     path_ = QString::fromStdString(path.string());
@@ -91,6 +100,26 @@ void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<
             return notRead();
         }
     });
+}
+
+void PresentationFiles::openOnSlices(const std::filesystem::path& path, app::OpenedStudy study,
+                                     app::SliceState usual) {
+    opening_.cancel();
+    openingOnSlices_.start([path, study = std::move(study),
+                            usual = std::move(usual)](Progress&) -> Result<app::SoftcopyOnSlices> {
+        try {
+            return app::openSoftcopy(path, study, usual);
+        } catch (const std::bad_alloc&) {
+            return tooLarge();
+        } catch (const std::exception&) {
+            return notRead();
+        }
+    });
+}
+
+void PresentationFiles::cancelOpening() {
+    opening_.cancel();
+    openingOnSlices_.cancel();
 }
 
 }  // namespace macula::viewer

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/presentation/presentation_file.h"
+#include "app/presentation/softcopy_on_slices.h"
 #include "app/presentation/state_of_presentation.h"
 #include "viewer/background_job.h"
 
@@ -29,17 +30,23 @@ class PresentationFiles : public QObject {
     void open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
               std::string seriesDigest, std::vector<std::string> imageUids, app::StudyState usual,
               double aspectWidthOverHeight = 0.0);
+    // One of slices, for the study that is open; what the file does not say is as in `usual`.
+    void openOnSlices(const std::filesystem::path& path, app::OpenedStudy study, app::SliceState usual);
+    // What is being opened is of a study that is not on screen any more: nothing is told of it.
+    void cancelOpening();
 
   signals:
     // `notes` are what other programs will show otherwise, and what is shown otherwise here.
     void saved(const QString& path, const QStringList& notes);
     void opened(const macula::app::StudyState& state, const QStringList& notes);
+    void openedOnSlices(const macula::app::SoftcopyOnSlices& shown, const QStringList& notes);
     void failed(const macula::Error& error);
 
   private:
     QString path_;
     BackgroundJob<std::vector<std::string>> saving_;
     BackgroundJob<app::PresentedState> opening_;
+    BackgroundJob<app::SoftcopyOnSlices> openingOnSlices_;
 };
 
 }  // namespace macula::viewer

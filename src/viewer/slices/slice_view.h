@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "app/clip/clip_handles.h"
+#include "app/presentation/softcopy_on_slices.h"
 #include "slices/slice_plane.h"
 #include "viewer/session/viewer_session.h"
 #include "viewer/slices/clip_on_slice.h"
@@ -59,6 +60,9 @@ class SliceView : public QWidget {
     void setSecond(std::shared_ptr<const SecondSeries> second);
     void setPaneView(const PaneView& view);  // as a pane beside it has it
 
+    // All of that is seen, as large as the pane allows, until a hand zooms or pans; of its own orientation.
+    // Nothing where there is no study, or the area is none.
+    void showArea(const app::SliceArea& area);
     void fit();                   // the volume fits the pane, and stays so until a hand zooms or pans
     void applyWindow(int digit);  // of app::windowPresets; nothing where there is none
     // Of one's own; null: none are kept. They outlive it.

@@ -1,4 +1,5 @@
 // What a pane does with a second volume, in the place of the study or over it.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,6 +29,14 @@ void SliceView::setPaneView(const PaneView& view) {
     told_ = view;
     isFitted_ = false;
     request();
+}
+
+void SliceView::showArea(const app::SliceArea& area) {
+    if (!steps_ || area.orientation != orientation_ || width() < 1 || height() < 1) return;
+    const glm::dvec2 mmPerPx = area.sizeMm / glm::dvec2(width(), height());
+    const double coarser = std::max(mmPerPx.x, mmPerPx.y);
+    if (!(coarser > 0.0) || !std::isfinite(coarser)) return;
+    setPaneView({.centreMm = area.centreMm, .mmPerPx = coarser});
 }
 
 // Null unless the second volume that is there is the one of the state.

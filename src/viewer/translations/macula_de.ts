@@ -1935,6 +1935,14 @@
         <source>The same millimetres for each pixel at every depth</source>
         <translation>In jeder Tiefe gleich viele Millimeter je Pixel</translation>
     </message>
+    <message>
+        <source>Choose another one, or open the folder that its series is in.</source>
+        <translation>Wählen Sie einen anderen, oder öffnen Sie den Ordner mit der Serie dazu.</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::MessageBar</name>
@@ -3403,10 +3411,6 @@
         <translation>Studien, Serien und Volumen des Ordners</translation>
     </message>
     <message>
-        <source>What is in the folder; sizes of voxels are in mm. One click selects; a double click or Enter opens. The files are only read, and stay where they are.</source>
-        <translation>Was im Ordner ist; Voxelgrößen sind in mm. Ein Klick wählt aus; ein Doppelklick oder Eingabe öffnet. Die Dateien werden nur gelesen und bleiben, wo sie sind.</translation>
-    </message>
-    <message>
         <source>No folder of images is open.</source>
         <translation>Kein Ordner mit Bildern ist offen.</translation>
     </message>
@@ -3430,6 +3434,10 @@
         <source>Show this volume beside the study that is open</source>
         <translation>Dieses Volumen neben der offenen Studie zeigen</translation>
     </message>
+    <message>
+        <source>What is in the folder; sizes of voxels are in mm. One click selects; a double click or Enter opens, be it a volume or a view of one that was kept. The files are only read, and stay where they are.</source>
+        <translation>Was im Ordner ist; Voxelgrößen sind in mm. Ein Klick wählt aus; ein Doppelklick oder Eingabe öffnet, sei es ein Volumen oder eine Ansicht davon, die aufgehoben wurde. Die Dateien werden nur gelesen und bleiben, wo sie sind.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::StudyTreeModel</name>
@@ -3452,6 +3460,10 @@
     <message>
         <source>Cannot be opened: %1</source>
         <translation>Kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>A double click or Enter opens its series, and shows it so.</source>
+        <translation>Ein Doppelklick oder die Eingabetaste öffnet die Serie dazu und zeigt sie so.</translation>
     </message>
 </context>
 <context>

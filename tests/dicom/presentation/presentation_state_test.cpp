@@ -18,6 +18,7 @@
 #include "dicom/scan.h"
 #include "dicom/series_writer.h"
 #include "dicom/uid.h"
+#include "opens_in_dcmtk.h"
 #include "support.h"
 
 namespace macula::dicom::test {
@@ -280,6 +281,14 @@ TEST_F(PresentationStateTest, hasWhatItsModulesAskFor) {
                     .findAndGetUint16(DCM_CroppingSpecificationNumber, number)
                     .good());
     EXPECT_EQ(number, 2);
+}
+
+TEST_F(PresentationStateTest, dcmtkOpensIt) {
+    for (const bool isDeidentified : {false, true}) {
+        owner_.isDeidentified = isDeidentified;
+        readBack();
+        expectOpensInDcmtk(path_);
+    }
 }
 
 TEST_F(PresentationStateTest, theCheckerFindsNoError) {

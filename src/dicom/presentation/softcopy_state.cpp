@@ -1,0 +1,136 @@
+#include "dicom/presentation/softcopy_state.h"
+
+#include <cmath>
+#include <new>
+#include <utility>
+
+#include "dicom/presentation/presentation_tags.h"
+#include "dicom/read/dataset.h"
+#include "dicom/read/sop_class.h"
+
+namespace macula::dicom {
+
+namespace {
+
+namespace tags = presentation_tag;
+
+constexpr Tag kShutterShape{0x0018, 0x1600};
+constexpr Tag kSoftcopyVoiLuts{0x0028, 0x3110};
+constexpr Tag kMaskSubtraction{0x0028, 0x6100};
+constexpr Tag kFlip{0x0070, 0x0041};
+constexpr Tag kRotation{0x0070, 0x0042};
+constexpr Tag kTopLeft{0x0070, 0x0052};
+constexpr Tag kBottomRight{0x0070, 0x0053};
+constexpr Tag kDisplayedAreas{0x0070, 0x005A};
+constexpr Tag kPresentationLuts{0x2050, 0x0010};
+constexpr Tag kPresentationLutShape{0x2050, 0x0020};
+constexpr int kLargestPixel = 65536;
+
+std::vector<std::string> imagesOf(const Dataset& item) {
+    std::vector<std::string> uids;
+    for (const Dataset& image : item.items(tags::kReferencedImages)) {
+        if (auto uid = image.text(tags::kReferencedSopInstanceUid)) uids.push_back(std::move(*uid));
+    }
+    return uids;
+}
+
+// Nothing: it says no window, or one that shows no value.
+std::optional<DisplayWindow> windowOf(const Dataset& item) {
+    const std::vector<double> centres = item.shortNumbers(tags::kWindowCenter);
+    const std::vector<double> widths = item.shortNumbers(tags::kWindowWidth);
+    if (centres.empty() || widths.empty()) return {};
+    const std::string function = item.shortText(tags::kVoiLutFunction);
+    const double least = function.empty() || function == "LINEAR" ? 1.0 : 0.0;
+    const bool isKnown =
+        function.empty() || function == "LINEAR" || function == "LINEAR_EXACT" || function == "SIGMOID";
+    const bool isUsable = widths.front() > 0.0 && widths.front() >= least;
+    if (!isKnown || !isUsable || !std::isfinite(centres.front())) return {};
+    return DisplayWindow{
+        .center = centres.front(), .width = widths.front(), .explanation = {}, .function = function};
+}
+
+void readReferences(const Dataset& file, SoftcopyState& state) {
+    for (const Dataset& series : file.items(tag::kReferencedSeries)) {
+        if (auto uid = series.text(tag::kSeriesInstanceUid)) state.seriesUids.push_back(std::move(*uid));
+        for (std::string& uid : imagesOf(series)) state.imageUids.push_back(std::move(uid));
+    }
+}
+
+void readValues(const Dataset& file, SoftcopyState& state) {
+    state.hasModalityTable = !file.items(tag::kModalityLutSequence).empty();
+    state.slope = file.number(tag::kRescaleSlope).value_or(1.0);
+    state.intercept = file.number(tag::kRescaleIntercept).value_or(0.0);
+    for (const Dataset& item : file.items(kSoftcopyVoiLuts)) {
+        SoftcopyWindow window{imagesOf(item), windowOf(item)};
+        if (window.window || !item.items(tags::kVoiLutSequence).empty())
+            state.windows.push_back(std::move(window));
+    }
+    state.isInverse = file.text(kPresentationLutShape) == "INVERSE";
+    if (!file.items(kPresentationLuts).empty()) state.leftOut.emplace_back("a table of greys");
+}
+
+void readPlace(const Dataset& file, SoftcopyState& state) {
+    state.rotationDeg = file.integer(kRotation).value_or(0);
+    state.isFlipped = file.text(kFlip) == "Y";
+    for (const Dataset& item : file.items(kDisplayedAreas)) {
+        const auto first = item.numbers(kTopLeft, 2);
+        const auto last = item.numbers(kBottomRight, 2);
+        if (!first || !last) continue;
+        DisplayedArea area{.images = imagesOf(item)};
+        bool isUsable = true;
+        for (int axis = 0; axis < 2; ++axis) {
+            const double low = (*first)[std::size_t(axis)];
+            const double high = (*last)[std::size_t(axis)];
+            // May lie beyond the image; corners the other way round would mirror it.
+            isUsable = isUsable && low >= -kLargestPixel && high <= kLargestPixel && low <= high;
+            if (!isUsable) break;
+            area.topLeft[axis] = int(low);
+            area.bottomRight[axis] = int(high);
+        }
+        if (isUsable) {
+            state.areas.push_back(std::move(area));
+        } else {
+            state.leftOut.emplace_back("a displayed area that is none");
+        }
+    }
+}
+
+void noteTheRest(const Dataset& file, SoftcopyState& state) {
+    if (!file.items(tags::kGraphicAnnotations).empty()) state.leftOut.emplace_back("annotations");
+    if (file.has(kShutterShape)) state.leftOut.emplace_back("a shutter");
+    if (!file.items(kMaskSubtraction).empty()) state.leftOut.emplace_back("a subtraction of images");
+    for (std::uint16_t group = 0x6000; group <= 0x601E; group += 2) {
+        if (!file.has(Tag{group, 0x3000})) continue;
+        state.leftOut.emplace_back("an overlay");
+        break;
+    }
+}
+
+}  // namespace
+
+Result<SoftcopyState> readSoftcopyState(const std::filesystem::path& path) try {
+    const HeaderFile read = readHeader(path);
+    const auto notUsable = [&](std::string message, std::string hint) {
+        return Error{ErrorCode::inputNotUsable, std::move(message), path.string(), std::move(hint)};
+    };
+    if (!read.header)
+        return notUsable("The presentation state cannot be read.", "Copy the file again from its source.");
+    const Dataset& file = *read.header;
+    if (file.text(tag::kSopClassUid) != sop_class::kSoftcopyPresentationState)
+        return notUsable("The file is no presentation state of grey slices.",
+                         "Choose a file of the kind Grayscale Softcopy Presentation State.");
+    SoftcopyState state;
+    readReferences(file, state);
+    if (state.seriesUids.empty() || state.imageUids.empty())
+        return notUsable("The presentation state does not say which images it is of.",
+                         "Copy the file again from its source, or choose another presentation state.");
+    readValues(file, state);
+    readPlace(file, state);
+    noteTheRest(file, state);
+    return state;
+} catch (const std::bad_alloc&) {
+    return Error{ErrorCode::outOfMemory, "There is not enough memory for the presentation state.",
+                 path.string(), "Close other programs."};
+}
+
+}  // namespace macula::dicom

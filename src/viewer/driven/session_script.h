@@ -1,0 +1,75 @@
+// The bench of the window: how soon a study is there, how deaf the user interface is over a day's work, and
+// how well the picture follows.
+#pragma once
+
+#include "viewer/main_window.h"  // before Qt, see vulkan_window.h
+
+#include <QJsonObject>
+#include <QObject>
+#include <QStringList>
+#include <memory>
+
+#include "viewer/driven/cold_files.h"
+#include "viewer/driven/driven_hand.h"
+#include "viewer/driven/driven_steps.h"
+#include "viewer/driven/orbit_gauge.h"
+#include "viewer/driven/session_steps.h"
+#include "viewer/opening_times.h"
+
+namespace macula::viewer {
+
+struct SessionScriptOptions {
+    app::StudySource study;
+    bool opensOnly = false;  // ends once slice, picture and model are there
+    SessionWork work;
+    double modelSeconds = 60.0;  // for the first frame of splats, at most
+};
+
+// The files of the study are taken out of the system's cache first. `finished` carries the exit code: 0, that
+// of the error when the study could not be opened or the device used, or no picture came in time; kExitFault
+// when a step was not done, or something to be used was not there: then less was measured than the report
+// says.
+class SessionScript : public QObject {
+    Q_OBJECT
+
+  public:
+    SessionScript(MainWindow& window, SessionScriptOptions options, QObject* parent = nullptr);
+
+    void start();  // before the window is shown and the study opened
+    // After the end: "device", "cold", "startMs" (of the process before start()), "opening" (OpeningTimes),
+    // "orbit" (OrbitGauge), "steps" (DrivenSteps), "longestUiStallMs", "missing" (DrivenHand).
+    QJsonObject report() const;
+
+  signals:
+    void finished(int exitCode);
+
+  private:
+    std::vector<DrivenStep> steps();
+    void fail(const Error& error);
+    void finish(int exitCode);
+
+    MainWindow& window_;
+    SessionScriptOptions options_;
+    OpeningTimes opening_;
+    DrivenHand hand_;
+    OrbitGauge orbit_;
+    std::unique_ptr<DrivenSteps> steps_;
+    ColdFiles cold_;
+    double startMs_ = 0.0;
+    QString device_;
+    bool isDone_ = false;
+};
+
+// How long ago this process was started; -1 where the system does not say.
+double processAgeMs();
+
+// The table of what the bench wants and what was measured, for a person. `resumed` is the report of the same
+// study opened again by another process, as it was left; empty: it was not.
+QString sessionTable(const QJsonObject& session, const QJsonObject& resumed);
+
+// Opens the study again in another process, with these arguments of the command line, and prints both: JSON
+// to standard output, the table to standard error. Returns the exit code, which is `code` where that is not
+// 0.
+int reportSession(int code, const QJsonObject& session, const QStringList& arguments);
+
+}  // namespace macula::viewer
