@@ -47,6 +47,7 @@ Result<Functions> Loader::functionsOf(XrInstance instance) const {
     if (!find(*this, instance, "xr" #name, functions.name)) return brokenRuntime();
 #include "xr/functions.inl"
 #undef MACULA_XR_FUNCTION
+    find(*this, instance, "xrGetVisibilityMaskKHR", functions.GetVisibilityMaskKHR);
     return functions;
 }
 

@@ -13,6 +13,7 @@ struct Functions {
 #define MACULA_XR_FUNCTION(name) PFN_xr##name name = nullptr;
 #include "xr/functions.inl"
 #undef MACULA_XR_FUNCTION
+    PFN_xrGetVisibilityMaskKHR GetVisibilityMaskKHR = nullptr;  // null where the extension is not on
 };
 
 // Stays in memory until the program ends, as it keeps what it has found.
