@@ -69,6 +69,8 @@ class Headset {
     const FrameTimes& times() const { return times_; }
     const Governor& governor() const { return governor_; }
     const Session& session() const { return session_; }
+    // Of the picture for each eye, at most.
+    const glm::ivec2& eyePx() const { return lent_.eyes.sizePx(); }
 
   private:
     using Views = std::vector<XrCompositionLayerProjectionView>;

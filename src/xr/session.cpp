@@ -44,7 +44,9 @@ Session::Session(Session&& other) noexcept
       blend_(other.blend_),
       phase_(other.phase_),
       wasRecentred_(other.wasRecentred_),
-      hasNewMasks_(other.hasNewMasks_) {}
+      hasNewMasks_(other.hasNewMasks_),
+      framesBegun_(other.framesBegun_),
+      framesEnded_(other.framesEnded_) {}
 
 Session::~Session() {
     if (!session_) return;
@@ -186,6 +188,7 @@ Result<FrameTime> Session::beginFrame() {
     MACULA_XR_TRY(runtime_->call().WaitFrame(session_, &wait, &state), "tell when it shows a picture");
     const XrFrameBeginInfo begin{XR_TYPE_FRAME_BEGIN_INFO};
     MACULA_XR_TRY(runtime_->call().BeginFrame(session_, &begin), "begin a picture");
+    ++framesBegun_;
     return FrameTime{state.predictedDisplayTime, double(state.predictedDisplayPeriod) * 1e-6,
                      state.shouldRender == XR_TRUE};
 }
@@ -229,6 +232,7 @@ Result<void> Session::endFrame(const FrameTime& time,
     info.layerCount = views.empty() ? 0 : 1;
     info.layers = layers;
     MACULA_XR_TRY(runtime_->call().EndFrame(session_, &info), "show a picture");
+    ++framesEnded_;
     return {};
 }
 

@@ -77,6 +77,9 @@ class Session {
     // Where a space is in the stage; nothing while nobody knows, likewise.
     Result<std::optional<Pose>> locate(XrSpace space, XrTime time) const;
 
+    // Frames that were begun and never came to be submitted.
+    std::uint64_t unsubmitted() const { return framesBegun_ - framesEnded_; }
+
     XrSession handle() const { return session_; }
     const Runtime& runtime() const { return *runtime_; }
     const std::shared_ptr<Runtime>& sharedRuntime() const { return runtime_; }
@@ -98,6 +101,8 @@ class Session {
     Phase phase_ = Phase::waiting;
     bool wasRecentred_ = false;
     bool hasNewMasks_ = true;
+    std::uint64_t framesBegun_ = 0;
+    std::uint64_t framesEnded_ = 0;
 };
 
 }  // namespace macula::xr
