@@ -7,6 +7,8 @@ namespace macula::xr {
 
 namespace {
 
+constexpr int kMostBands = 64;
+
 bool hasSameField(const Eye& a, const Eye& b) {
     return a.left == b.left && a.right == b.right && a.up == b.up && a.down == b.down;
 }
@@ -45,7 +47,8 @@ std::vector<std::vector<VisiblePart>> EyeMasks::partsOf(const EyePictures& pictu
         if (!hasSameField(view.shown, picture.eye) || view.shownPx != picture.partPx) {
             view.shown = picture.eye;
             view.shownPx = picture.partPx;
-            view.visible = bandsOf(view.mask.rowsOf(picture.eye, picture.partPx));
+            view.visible = bandsOf(view.mask.rowsOf(picture.eye, picture.partPx),
+                                   (picture.partPx.y + kMostBands - 1) / kMostBands);
             // A headset that shows nothing does not mean it.
             if (view.visible.empty()) view.visible = {{glm::ivec2(0), picture.partPx}};
         }

@@ -38,9 +38,12 @@ void Governor::change(std::size_t level) {
     withRoom_ = 0;
 }
 
-void Governor::noteFrame(double periodMs, double drawnMs) {
+void Governor::notePeriod(double periodMs) {
     ++frames_;
     if (isTime(periodMs) && periodMs > 0.0) periodMs_ = std::clamp(periodMs, kLeastPeriodMs, kMostPeriodMs);
+}
+
+void Governor::noteFrame(double drawnMs) {
     if (!isTime(drawnMs) || !(periodMs_ > 0.0)) return;
     latePeriods_ = std::min(latePeriods_ + kLateShare, kMostSavedPeriods);
     drawnMs = std::min(drawnMs, kMostPeriodsOfFrame * periodMs_);

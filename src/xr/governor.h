@@ -50,9 +50,11 @@ class Governor {
     std::uint64_t stepsDown() const { return stepsDown_; }
     std::uint64_t stepsUp() const { return stepsUp_; }
 
-    // A frame with pictures: from when it was begun to when the device had drawn it. Times that are none are
-    // passed over; of a pause of seconds no more is believed than that the frame was late.
-    void noteFrame(double periodMs, double drawnMs);
+    // Of each frame with pictures: the time between two of them, and then from when it was begun to when the
+    // device had drawn it. Times that are none are passed over; of a pause of seconds no more is believed
+    // than that the frame was late.
+    void notePeriod(double periodMs);
+    void noteFrame(double drawnMs);
 
     // How long the next piece of work may be told to take, `usedMs` after the frame was begun; nothing: it
     // would make the next frame late. Once for each frame and kind.

@@ -14,6 +14,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kEyes = 2;
+// The first ones are late because shaders are compiled for them: that says nothing of later ones.
+constexpr std::uint64_t kFramesAtFirst = 10;
 
 double msSince(Clock::time_point begun) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
@@ -67,7 +69,7 @@ Result<Headset> Headset::open(std::shared_ptr<Runtime> runtime, std::shared_ptr<
     MACULA_TRY(Session session, Session::begin(std::move(runtime), std::move(device), options.session));
     MACULA_TRY(Hands hands, Hands::create(session));
     MACULA_TRY(Lent lent, lend(session, options));
-    return Headset(std::move(session), std::move(hands), std::move(lent), view, placed);
+    return Headset(std::move(session), std::move(hands), std::move(lent), view, placed, options.holdsRate);
 }
 
 Result<Headset::Lent> Headset::lend(const Session& session, const HeadsetOptions& options) {
@@ -110,7 +112,8 @@ Result<Headset::Step> Headset::step() {
     MACULA_TRY([[maybe_unused]] const bool isDrawn, device->waitFor(device->submittedTicket()));
     times_.deviceMs = laps.next();
     times_.drawnMs = msSince(begun);
-    governor_.noteFrame(time.periodMs, times_.drawnMs);
+    governor_.notePeriod(time.periodMs);
+    if (++framesShown_ > kFramesAtFirst && holdsRate_) governor_.noteFrame(times_.drawnMs);
     MACULA_TRY_VOID(workUntilNext(times_.drawnMs));
     times_.workMs = laps.next();
     return Step::shown;
@@ -121,7 +124,7 @@ Result<void> Headset::workUntilNext(double begunAgoMs) {
     const Work turn = view_->nextWork();
     for (const Work work : {turn, turn == Work::fovea ? Work::model : Work::fovea}) {
         if (!view_->wants(work)) continue;
-        const std::optional<double> budgetMs = governor_.timeFor(work, begunAgoMs);
+        const std::optional<double> budgetMs = timeFor(work, begunAgoMs);
         if (!budgetMs) continue;
         const Clock::time_point begun = Clock::now();
         MACULA_TRY_VOID(view_->work(work, shown_->eyes,
@@ -133,6 +136,11 @@ Result<void> Headset::workUntilNext(double begunAgoMs) {
         return {};
     }
     return {};
+}
+
+std::optional<double> Headset::timeFor(Work work, double begunAgoMs) {
+    if (holdsRate_) return governor_.timeFor(work, begunAgoMs);
+    return std::max(Governor::kOurShare * times_.periodMs - begunAgoMs, Governor::kLeastWorkMs);
 }
 
 // The eyes are located twice: at first for where the anatomy stands and what hands do to it, and again when

@@ -30,6 +30,7 @@ namespace macula::xr {
 struct HeadsetOptions {
     SessionWish session = {};
     glm::ivec2 eyePx{0};  // of the picture for each eye; 0: as the headset wants it
+    bool holdsRate = true;  // false: nothing is left out, however late frames are
 };
 
 // Used by one thread, the one that uses the device.
@@ -83,11 +84,13 @@ class Headset {
         std::optional<DepthLayer> insetDepths;
     };
 
-    Headset(Session session, Hands hands, Lent lent, RoomView& view, const std::optional<glm::dmat4>& placed)
+    Headset(Session session, Hands hands, Lent lent, RoomView& view, const std::optional<glm::dmat4>& placed,
+            bool holdsRate)
         : session_(std::move(session)),
           hands_(std::move(hands)),
           lent_(std::move(lent)),
           view_(&view),
+          holdsRate_(holdsRate),
           stageFromWorld_(placed) {}
     static Result<Lent> lend(const Session& session, const HeadsetOptions& options);
     Result<Views> draw(const FrameTime& time);
@@ -99,6 +102,7 @@ class Headset {
     Result<Views> drawFor(Shown& shown);
     Result<void> addDepths(const Shown& shown, std::span<const gpu::Buffer* const> depths, Views& views);
     Result<void> workUntilNext(double begunAgoMs);
+    std::optional<double> timeFor(Work work, double begunAgoMs);
     Result<void> useHands(const TwoHands& hands);
 
     Session session_;
@@ -106,7 +110,9 @@ class Headset {
     Lent lent_;    // likewise
     EyeMasks masks_;
     RoomView* view_;
+    bool holdsRate_;
     Governor governor_;
+    std::uint64_t framesShown_ = 0;
     FrameTimes times_;
     Grasp grasp_;
     std::optional<glm::dmat4> stageFromWorld_;

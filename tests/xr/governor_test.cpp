@@ -12,6 +12,11 @@ namespace {
 
 constexpr double kPeriodMs = 1000.0 / 30.0;
 
+void note(Governor& governor, double periodMs, double drawnMs) {
+    governor.notePeriod(periodMs);
+    governor.noteFrame(drawnMs);
+}
+
 // A device that takes so long for pictures of full size, and always a little.
 struct Device {
     double fullMs = 0.0;
@@ -22,7 +27,7 @@ struct Device {
 };
 
 void run(Governor& governor, const Device& device, int frames) {
-    for (int i = 0; i < frames; ++i) governor.noteFrame(kPeriodMs, device.drawMs(governor));
+    for (int i = 0; i < frames; ++i) note(governor, kPeriodMs, device.drawMs(governor));
 }
 
 TEST(Governor, LowersTheFoveaBeforeThePictures) {
@@ -40,9 +45,9 @@ TEST(Governor, LowersTheFoveaBeforeThePictures) {
     Governor governor;
     EXPECT_EQ(governor.quality(), Governor::kLevels[0]);
     // A little too slow: one level after two late frames, and the picture keeps its size.
-    governor.noteFrame(kPeriodMs, 0.8 * kPeriodMs);
+    note(governor, kPeriodMs, 0.8 * kPeriodMs);
     EXPECT_EQ(governor.level(), 0u) << "one late frame says little";
-    governor.noteFrame(kPeriodMs, 0.8 * kPeriodMs);
+    note(governor, kPeriodMs, 0.8 * kPeriodMs);
     EXPECT_EQ(governor.level(), 1u);
     EXPECT_EQ(governor.quality().scale, 1.0);
     EXPECT_EQ(governor.stepsDown(), 1u);
@@ -57,7 +62,7 @@ TEST(Governor, ASlowDeviceIsInTimeAfterAFewFrames) {
         int late = 0;
         for (int i = 0; i < 2000; ++i) {
             late += device.drawMs(governor) > kPeriodMs ? 1 : 0;
-            governor.noteFrame(kPeriodMs, device.drawMs(governor));
+            note(governor, kPeriodMs, device.drawMs(governor));
         }
         EXPECT_LE(late, 20) << fullMs;
     }
@@ -98,7 +103,7 @@ TEST(Governor, ABetterLevelThatDoesNotLastIsTriedMoreSeldom) {
     const auto play = [&](int frames) {
         const std::uint64_t before = governor.stepsUp();
         for (int i = 0; i < frames; ++i)
-            governor.noteFrame(kPeriodMs, governor.level() < 2 ? 0.9 * kPeriodMs : 0.2 * kPeriodMs);
+            note(governor, kPeriodMs, governor.level() < 2 ? 0.9 * kPeriodMs : 0.2 * kPeriodMs);
         return governor.stepsUp() - before;
     };
     play(20);
@@ -111,7 +116,7 @@ TEST(Governor, ABetterLevelThatDoesNotLastIsTriedMoreSeldom) {
 
 TEST(Governor, ALateFrameNowAndThenChangesNothing) {
     Governor governor;
-    for (int i = 0; i < 1000; ++i) governor.noteFrame(kPeriodMs, i % 20 == 0 ? 3.0 * kPeriodMs : 5.0);
+    for (int i = 0; i < 1000; ++i) note(governor, kPeriodMs, i % 20 == 0 ? 3.0 * kPeriodMs : 5.0);
     EXPECT_EQ(governor.level(), 0u);
 }
 
@@ -122,10 +127,10 @@ TEST(Governor, TimesThatAreNoneArePassedOver) {
     EXPECT_EQ(governor.timeFor(Work::model, 0.0), std::nullopt) << "nobody knows the pace yet";
     for (const double wrong : {nan, infinite, -infinite, -1.0}) {
         for (int i = 0; i < 20; ++i) {
-            governor.noteFrame(wrong, wrong);
-            governor.noteFrame(kPeriodMs, wrong);
-            governor.noteFrame(wrong, 5.0);
-            governor.noteFrame(0.0, 5.0);
+            note(governor, wrong, wrong);
+            note(governor, kPeriodMs, wrong);
+            note(governor, wrong, 5.0);
+            note(governor, 0.0, 5.0);
             governor.noteWork(Work::fovea, wrong, 5.0);
             governor.noteWork(Work::fovea, 5.0, wrong);
         }
@@ -136,9 +141,9 @@ TEST(Governor, TimesThatAreNoneArePassedOver) {
     ASSERT_TRUE(left);
     EXPECT_NEAR(*left, Governor::kOurShare * kPeriodMs - 5.0, 1e-9);
     // Hours are a late frame, and no more: it goes down by no more than four periods want.
-    governor.noteFrame(kPeriodMs, 1e9);
+    note(governor, kPeriodMs, 1e9);
     EXPECT_EQ(governor.level(), 0u);
-    governor.noteFrame(1e12, 5.0);  // and a period of years is a second
+    note(governor, 1e12, 5.0);  // and a period of years is a second
     ASSERT_TRUE(governor.timeFor(Work::model, 0.0));
     EXPECT_LE(*governor.timeFor(Work::model, 0.0), 1000.0);
 }
@@ -148,7 +153,7 @@ TEST(Governor, AnyTimesLeaveItWithinItsLevels) {
     std::uniform_real_distribution<double> exponent(-8.0, 12.0);
     Governor governor;
     for (int i = 0; i < 20000; ++i) {
-        governor.noteFrame(std::pow(10.0, exponent(random)), std::pow(10.0, exponent(random)));
+        note(governor, std::pow(10.0, exponent(random)), std::pow(10.0, exponent(random)));
         ASSERT_LT(governor.level(), Governor::kLevels.size());
         const auto told = governor.timeFor(i % 2 == 0 ? Work::model : Work::fovea,
                                            std::pow(10.0, exponent(random)));
@@ -168,7 +173,7 @@ TEST(Governor, WorkThatDoesNotFitIsDoneSeldomAndNotNever) {
     double latePeriods = 0.0;
     constexpr int kFrames = 2000;
     for (int i = 0; i < kFrames; ++i) {
-        governor.noteFrame(kPeriodMs, kDrawMs);
+        note(governor, kPeriodMs, kDrawMs);
         const auto told = governor.timeFor(Work::model, kDrawMs);
         if (!told) continue;
         ++pieces;
@@ -183,7 +188,7 @@ TEST(Governor, WorkThatDoesNotFitIsDoneSeldomAndNotNever) {
 TEST(Governor, WorkThatFitsIsDoneInEveryFrame) {
     Governor governor;
     for (int i = 0; i < 200; ++i) {
-        governor.noteFrame(kPeriodMs, 8.0);
+        note(governor, kPeriodMs, 8.0);
         const auto told = governor.timeFor(Work::model, 8.0);
         ASSERT_TRUE(told) << i;
         const double tookMs = std::ceil(*told / 3.0) * 3.0;  // in pieces of 3 ms
@@ -198,7 +203,7 @@ TEST(Governor, TheFoveaIsTracedInEverySoManiethFrame) {
     ASSERT_EQ(governor.quality().framesPerFovea, 4);
     int traced = 0;
     for (int i = 0; i < 40; ++i) {
-        governor.noteFrame(kPeriodMs, 12.0);
+        note(governor, kPeriodMs, 12.0);
         traced += governor.timeFor(Work::fovea, 1.0) ? 1 : 0;
     }
     EXPECT_EQ(traced, 10);
