@@ -77,7 +77,7 @@ TEST_F(XrCommand, CheckTellsWhatElseIsOffered) {
     const Ran ran =
         runMacula({"xr", "--check"}, {kScripted, "MACULA_XR_SCRIPT=insets,depth,mask,room,eye=80x72"});
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
-    for (const char* words : {"80x72 pixels", "48x48 pixels", "taken", "what they hide is told", "can be seen"})
+    for (const char* words : {"80x72 pixels", "48x48 pixels", "Depths:   taken", "what they hide is told", "Room:     can be seen"})
         EXPECT_NE(ran.out.find(words), std::string::npos) << words << " is not in:\n" << ran.out;
     const Ran few = runMacula({"xr", "--check"}, {kScripted});
     for (const char* words : {"not taken", "is not told", "cannot be seen"})
