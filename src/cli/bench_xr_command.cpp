@@ -79,10 +79,11 @@ Result<void> benchXr(Options options) {
         fmt::print("{}\n", jsonText(jsonOf(figures)));
         return {};
     }
-    fmt::print("{}, {}, {}x{} pixels for each eye\n{}\nGovernor: {} steps down, {} up\nLost:     {} frames "
-               "were begun and not submitted\n",
-               figures.headset, figures.device, figures.eyePx.x, figures.eyePx.y, xr::textOf(figures.times),
-               figures.stepsDown, figures.stepsUp, figures.unsubmitted);
+    fmt::print(
+        "{}, {}, {}x{} pixels for each eye\n{}\nGovernor: {} steps down, {} up\nLost:     {} frames "
+        "were begun and not submitted\n",
+        figures.headset, figures.device, figures.eyePx.x, figures.eyePx.y, xr::textOf(figures.times),
+        figures.stepsDown, figures.stepsUp, figures.unsubmitted);
     return {};
 }
 
@@ -92,7 +93,8 @@ void addBenchXr(CLI::App& bench, Action& action) {
     auto options = std::make_shared<Options>();
     Options& o = *options;
     auto* command = bench.add_subcommand(
-        "xr", "Frames in a headset (OpenXR), while the model learns: how many are in time, and what they take");
+        "xr",
+        "Frames in a headset (OpenXR), while the model learns: how many are in time, and what they take");
     addStudyAsOfRender(*command, o.wish.path, o.wish.series, o.wish.how);
     command->add_option("--preset", o.wish.state.preset, "As of render");
     command->add_option("--lights", o.wish.lights, "Name from macula presets");

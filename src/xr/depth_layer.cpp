@@ -11,11 +11,11 @@ namespace macula::xr {
 namespace {
 
 constexpr double kMPerMm = 1e-3;
-constexpr SwapchainPair::Kind kDepths{
-    .format = VK_FORMAT_D32_SFLOAT,
-    .usage = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT |
-             XR_SWAPCHAIN_USAGE_SAMPLED_BIT,
-    .layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
+constexpr SwapchainPair::Kind kDepths{.format = VK_FORMAT_D32_SFLOAT,
+                                      .usage = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                               XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT |
+                                               XR_SWAPCHAIN_USAGE_SAMPLED_BIT,
+                                      .layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
 
 }  // namespace
 

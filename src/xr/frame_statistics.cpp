@@ -13,9 +13,9 @@ constexpr double kMsPerNs = 1e-6;
 // A gap of more than that is no late frame: the computer slept.
 constexpr double kMostMissed = 1000.0;
 
-constexpr double FrameTimes::*kStages[] = {&FrameTimes::waitMs,   &FrameTimes::lookMs,   &FrameTimes::lendMs,
-                                           &FrameTimes::drawMs,   &FrameTimes::submitMs, &FrameTimes::deviceMs,
-                                           &FrameTimes::workMs,   &FrameTimes::drawnMs};
+constexpr double FrameTimes::*kStages[] = {&FrameTimes::waitMs, &FrameTimes::lookMs,   &FrameTimes::lendMs,
+                                           &FrameTimes::drawMs, &FrameTimes::submitMs, &FrameTimes::deviceMs,
+                                           &FrameTimes::workMs, &FrameTimes::drawnMs};
 
 double finite(double ms) {
     return std::isfinite(ms) ? std::max(ms, 0.0) : 0.0;
@@ -66,9 +66,9 @@ std::string textOf(const FrameFigures& figures) {
         "ones\nDrawn in: {:.1f} ms, the longest in {:.1f} ms\nOf that:  look {:.1f}, images {:.1f}, tell "
         "{:.1f}, submit {:.1f}, device {:.1f} ms; then {:.1f} ms of work for later frames\nLeft out: level "
         "{} at the end, {} at most",
-        figures.inTimePercent(), figures.frames, figures.periodMs, figures.missed, figures.late,
-        mean.drawnMs, figures.longestMs, mean.lookMs, mean.lendMs, mean.drawMs, mean.submitMs, mean.deviceMs,
-        mean.workMs, figures.lastLevel, figures.worstLevel);
+        figures.inTimePercent(), figures.frames, figures.periodMs, figures.missed, figures.late, mean.drawnMs,
+        figures.longestMs, mean.lookMs, mean.lendMs, mean.drawMs, mean.submitMs, mean.deviceMs, mean.workMs,
+        figures.lastLevel, figures.worstLevel);
 }
 
 }  // namespace macula::xr

@@ -49,9 +49,8 @@ double excessOf(const glm::ivec2& wholePx, const glm::ivec2& partPx) {
 Pose throughMiddle(std::span<const Eye> insets) {
     glm::dvec3 look(0.0);
     for (const Eye& inset : insets)
-        look += glm::normalize(
-            inset.pose.orientation *
-            glm::dvec3(0.5 * (inset.left + inset.right), 0.5 * (inset.up + inset.down), -1.0));
+        look += glm::normalize(inset.pose.orientation * glm::dvec3(0.5 * (inset.left + inset.right),
+                                                                   0.5 * (inset.up + inset.down), -1.0));
     if (!(glm::length(look) > 1e-6)) return insets.front().pose;
     return {insets.front().pose.positionM, glm::dquat(glm::dvec3(0.0, 0.0, -1.0), glm::normalize(look))};
 }

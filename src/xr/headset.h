@@ -29,7 +29,7 @@ namespace macula::xr {
 
 struct HeadsetOptions {
     SessionWish session = {};
-    glm::ivec2 eyePx{0};  // of the picture for each eye; 0: as the headset wants it
+    glm::ivec2 eyePx{0};    // of the picture for each eye; 0: as the headset wants it
     bool holdsRate = true;  // false: nothing is left out, however late frames are
 };
 
@@ -46,7 +46,7 @@ class Headset {
     struct Shown {
         EyePictures eyes;
         std::optional<EyePictures> insets;  // where the headset has them; smaller and finer
-        hybrid::Frame frame;  // its pictures (of eyes, then of insets) are valid until the next step
+        hybrid::Frame frame;    // its pictures (of eyes, then of insets) are valid until the next step
         glm::dvec2 gaze{0.0};   // in the picture of the centre eye; of the insets where it is not followed
         double fineness = 1.0;  // of the pixels of insets over those of eyes
         XrTime displayed = 0;

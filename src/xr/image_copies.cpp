@@ -48,12 +48,12 @@ void copyVisible(gpu::Recorder& recorder, const gpu::Image& from, const glm::ive
         MACULA_CHECK(at.x >= 0 && at.y >= 0 && part.sizePx.x > 0 && part.sizePx.y > 0);
         MACULA_CHECK_LE(at.x + part.sizePx.x, static_cast<int>(from.extent().width));
         MACULA_CHECK_LE(at.y + part.sizePx.y, static_cast<int>(from.extent().height));
-        regions.push_back({{kColour, 0, 0, 1},
-                           {at.x, at.y, 0},
-                           {kColour, 0, to.layer, 1},
-                           {part.firstPx.x, part.firstPx.y, 0},
-                           {static_cast<std::uint32_t>(part.sizePx.x),
-                            static_cast<std::uint32_t>(part.sizePx.y), 1}});
+        regions.push_back(
+            {{kColour, 0, 0, 1},
+             {at.x, at.y, 0},
+             {kColour, 0, to.layer, 1},
+             {part.firstPx.x, part.firstPx.y, 0},
+             {static_cast<std::uint32_t>(part.sizePx.x), static_cast<std::uint32_t>(part.sizePx.y), 1}});
     }
     if (!regions.empty())
         vkCmdCopyImage(commands, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,

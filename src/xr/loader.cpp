@@ -47,8 +47,13 @@ Result<Functions> Loader::functionsOf(XrInstance instance) const {
     if (!find(*this, instance, "xr" #name, functions.name)) return brokenRuntime();
 #include "xr/functions.inl"
 #undef MACULA_XR_FUNCTION
-    find(*this, instance, "xrGetVisibilityMaskKHR", functions.GetVisibilityMaskKHR);
     return functions;
+}
+
+PFN_xrGetVisibilityMaskKHR Loader::maskFunctionOf(XrInstance instance) const {
+    PFN_xrGetVisibilityMaskKHR function = nullptr;
+    find(*this, instance, "xrGetVisibilityMaskKHR", function);
+    return function;
 }
 
 }  // namespace macula::xr

@@ -27,6 +27,8 @@ struct Loader {
 
     // deviceNotUsable when one is missing.
     Result<Functions> functionsOf(XrInstance instance) const;
+    // Of an instance with XR_KHR_visibility_mask; null when it is missing.
+    PFN_xrGetVisibilityMaskKHR maskFunctionOf(XrInstance instance) const;
 };
 
 }  // namespace macula::xr

@@ -115,8 +115,7 @@ Result<RoomPictures> RoomView::draw(const EyePictures& eyes, const EyePictures* 
     splats.draw = [&](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
         MACULA_TRY(const hybrid::DrawnSplats drawn, drawSplats(eye, sizePx));
         if (look.depths && drawn.depthSums != nullptr) {
-            MACULA_TRY(const gpu::Buffer* depths,
-                       depths_->make(pictures.depths.size(), drawn, *look.depths));
+            MACULA_TRY(const gpu::Buffer* depths, depths_->make(pictures.depths.size(), drawn, *look.depths));
             pictures.depths.push_back(depths);
         }
         return drawn;

@@ -28,7 +28,7 @@ struct RoomScene {
 
 // How eyes are shown it.
 struct RoomLook {
-    bool keepsCoverage = false;                       // the room is seen behind it
+    bool keepsCoverage = false;                     // the room is seen behind it
     std::optional<hybrid::DepthRange> depths = {};  // in which depths are told; nothing: none are
 };
 

@@ -78,6 +78,8 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
     auto functions = runtime->loader_.functionsOf(runtime->instance_);
     if (!functions) return functions.error();  // the instance goes with what cannot be called
     runtime->call_ = *functions;
+    if (runtime->isOn(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
+        runtime->call_.GetVisibilityMaskKHR = runtime->loader_.maskFunctionOf(runtime->instance_);
 
     XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
     MACULA_XR_TRY(runtime->call_.GetInstanceProperties(runtime->instance_, &properties),
@@ -146,9 +148,9 @@ Result<void> Runtime::askForViews() {
 
 Result<void> Runtime::askForBlendModes() {
     std::uint32_t count = 0;
-    MACULA_XR_TRY(call_.EnumerateEnvironmentBlendModes(instance_, system_, viewConfiguration(), 0, &count,
-                                                       nullptr),
-                  "tell how it shows pictures");
+    MACULA_XR_TRY(
+        call_.EnumerateEnvironmentBlendModes(instance_, system_, viewConfiguration(), 0, &count, nullptr),
+        "tell how it shows pictures");
     blendModes_.resize(count);
     MACULA_XR_TRY(call_.EnumerateEnvironmentBlendModes(instance_, system_, viewConfiguration(), count, &count,
                                                        blendModes_.data()),

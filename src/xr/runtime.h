@@ -20,12 +20,12 @@ struct Offer {
     std::string headset;  // empty: none is there
     glm::ivec2 eyePx{0};  // of the picture for each eye, as the headset wants it
     bool hasGaze = false;
-    bool takesDepth = false;     // a depth layer (XR_KHR_composition_layer_depth)
-    bool hasMask = false;        // says what no lens shows (XR_KHR_visibility_mask)
-    bool hasInsets = false;      // two more views, finer and smaller (XR_VARJO_quad_views)
-    glm::ivec2 insetPx{0};       // of the picture for each of these
-    bool showsRoom = false;      // the room may be seen behind what is shown
-    bool isSeeThrough = false;   // and is always seen: what is black is clear
+    bool takesDepth = false;    // a depth layer (XR_KHR_composition_layer_depth)
+    bool hasMask = false;       // says what no lens shows (XR_KHR_visibility_mask)
+    bool hasInsets = false;     // two more views, finer and smaller (XR_VARJO_quad_views)
+    glm::ivec2 insetPx{0};      // of the picture for each of these
+    bool showsRoom = false;     // the room may be seen behind what is shown
+    bool isSeeThrough = false;  // and is always seen: what is black is clear
     std::vector<std::string> extensions;
 };
 

@@ -75,8 +75,8 @@ void Session::chooseBlendMode(const SessionWish& wish) {
         if (isOffered) blend_ = mode;
         return isOffered;
     };
-    if (wish.showsRoom && (choose(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND) ||
-                           choose(XR_ENVIRONMENT_BLEND_MODE_ADDITIVE)))
+    if (wish.showsRoom &&
+        (choose(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND) || choose(XR_ENVIRONMENT_BLEND_MODE_ADDITIVE)))
         return;
     if (!choose(XR_ENVIRONMENT_BLEND_MODE_OPAQUE) && !modes.empty()) blend_ = modes.front();
 }

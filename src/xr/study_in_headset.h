@@ -23,9 +23,9 @@ struct HeadsetWish {
     app::StateWish state;
     std::string lights;  // a built-in name
     dicom::ScanOptions how;
-    std::uint64_t frames = 0;  // after which it ends; 0: when who wears it ends it
-    bool showsRoom = false;    // behind the anatomy, where the headset can
-    glm::ivec2 eyePx{0};       // of the picture for each eye; 0: as the headset wants it
+    std::uint64_t frames = 0;        // after which it ends; 0: when who wears it ends it
+    bool showsRoom = false;          // behind the anatomy, where the headset can
+    glm::ivec2 eyePx{0};             // of the picture for each eye; 0: as the headset wants it
     std::uint64_t warmUpFrames = 0;  // that the figures of time leave out
 };
 

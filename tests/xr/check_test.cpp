@@ -77,7 +77,8 @@ TEST_F(XrCommand, CheckTellsWhatElseIsOffered) {
     const Ran ran =
         runMacula({"xr", "--check"}, {kScripted, "MACULA_XR_SCRIPT=insets,depth,mask,room,eye=80x72"});
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
-    for (const char* words : {"80x72 pixels", "48x48 pixels", "Depths:   taken", "what they hide is told", "Room:     can be seen"})
+    for (const char* words : {"80x72 pixels", "48x48 pixels", "Depths:   taken", "what they hide is told",
+                              "Room:     can be seen"})
         EXPECT_NE(ran.out.find(words), std::string::npos) << words << " is not in:\n" << ran.out;
     const Ran few = runMacula({"xr", "--check"}, {kScripted});
     for (const char* words : {"not taken", "is not told", "cannot be seen"})
@@ -97,9 +98,9 @@ TEST_F(XrCommand, TheRoomThatCannotBeShownIsTold) {
 
 TEST_F(XrCommand, BenchTellsWhetherFramesAreInTime) {
     const std::string paced = "MACULA_XR_SCRIPT=paced,no-pictures,rate=30";
-    const Ran ran = runMacula({"bench", "xr", writeBall(), "--frames", "30", "--warm-up", "10", "--size",
-                               "96x64", "--json"},
-                              {kScripted, paced});
+    const Ran ran = runMacula(
+        {"bench", "xr", writeBall(), "--frames", "30", "--warm-up", "10", "--size", "96x64", "--json"},
+        {kScripted, paced});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const auto json = nlohmann::json::parse(ran.out);
     EXPECT_EQ(json["benchmark"], "xr");
@@ -121,7 +122,8 @@ TEST_F(XrCommand, BenchTellsWhetherFramesAreInTime) {
 
     const Ran lines = runMacula({"bench", "xr", writeBall(), "--frames", "5", "--warm-up", "0"}, {kScripted});
     EXPECT_EQ(lines.exitCode, 0) << lines.err;
-    for (const char* words : {"In time:", "of 5 frames", "Governor:", "0 frames were begun and not submitted"})
+    for (const char* words :
+         {"In time:", "of 5 frames", "Governor:", "0 frames were begun and not submitted"})
         EXPECT_NE(lines.out.find(words), std::string::npos) << words << " is not in:\n" << lines.out;
 }
 

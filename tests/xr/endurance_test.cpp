@@ -88,9 +88,8 @@ class EnduranceTest : public ScriptedRoom {
         opened_.reset();
         runtime_.reset();
         connect(script);
-        view_.emplace(expectOk(RoomView::create(opened_->device, kept,
-                                                std::make_shared<hybrid::ModelShelf>(1),
-                                                {.model = {}, .learns = false})));
+        view_.emplace(expectOk(RoomView::create(
+            opened_->device, kept, std::make_shared<hybrid::ModelShelf>(1), {.model = {}, .learns = false})));
     }
 };
 
@@ -160,14 +159,27 @@ TEST_F(EnduranceTest, SessionsBeginAndEndWithoutALeak) {
 
 TEST_F(EnduranceTest, LossesAtRandomCallsLeaveNothingAndLoseNothing) {
     const std::uint64_t wanted = wantedCount("MACULA_XR_LOSSES", 12);
-    constexpr const char* kCalls[] = {
-        "xrCreateSession",     "xrCreateReferenceSpace",      "xrCreateActionSet",
-        "xrCreateAction",      "xrCreateActionSpace",         "xrAttachSessionActionSets",
-        "xrCreateSwapchain",   "xrEnumerateSwapchainFormats", "xrBeginSession",
-        "xrPollEvent",         "xrWaitFrame",                 "xrBeginFrame",
-        "xrSyncActions",       "xrLocateViews",               "xrLocateSpace",
-        "xrGetActionStateFloat", "xrGetVisibilityMaskKHR",    "xrAcquireSwapchainImage",
-        "xrWaitSwapchainImage", "xrReleaseSwapchainImage",    "xrEndFrame"};
+    constexpr const char* kCalls[] = {"xrCreateSession",
+                                      "xrCreateReferenceSpace",
+                                      "xrCreateActionSet",
+                                      "xrCreateAction",
+                                      "xrCreateActionSpace",
+                                      "xrAttachSessionActionSets",
+                                      "xrCreateSwapchain",
+                                      "xrEnumerateSwapchainFormats",
+                                      "xrBeginSession",
+                                      "xrPollEvent",
+                                      "xrWaitFrame",
+                                      "xrBeginFrame",
+                                      "xrSyncActions",
+                                      "xrLocateViews",
+                                      "xrLocateSpace",
+                                      "xrGetActionStateFloat",
+                                      "xrGetVisibilityMaskKHR",
+                                      "xrAcquireSwapchainImage",
+                                      "xrWaitSwapchainImage",
+                                      "xrReleaseSwapchainImage",
+                                      "xrEndFrame"};
     std::mt19937 random(31);
     Script still = moving();
     still.hand = {};  // nobody moves or cuts it meanwhile

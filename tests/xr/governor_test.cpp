@@ -155,8 +155,8 @@ TEST(Governor, AnyTimesLeaveItWithinItsLevels) {
     for (int i = 0; i < 20000; ++i) {
         note(governor, std::pow(10.0, exponent(random)), std::pow(10.0, exponent(random)));
         ASSERT_LT(governor.level(), Governor::kLevels.size());
-        const auto told = governor.timeFor(i % 2 == 0 ? Work::model : Work::fovea,
-                                           std::pow(10.0, exponent(random)));
+        const auto told =
+            governor.timeFor(i % 2 == 0 ? Work::model : Work::fovea, std::pow(10.0, exponent(random)));
         if (!told) continue;
         ASSERT_GE(*told, Governor::kLeastWorkMs);
         ASSERT_LE(*told, 1000.0);

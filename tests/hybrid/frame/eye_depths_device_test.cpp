@@ -28,8 +28,7 @@ class EyeDepthsTest : public trace::DeviceTest {
             pixels[i].w = coverages[i];
             sums[i] = coverages[i] * mm[i];
         }
-        const auto picture =
-            splat::DevicePicture::upload(device(), "splats", sizePx.x, sizePx.y, pixels);
+        const auto picture = splat::DevicePicture::upload(device(), "splats", sizePx.x, sizePx.y, pixels);
         auto buffer = gpu::Buffer::create(device(), {.bytes = sums.size() * sizeof(float)});
         EXPECT_TRUE(picture.ok() && buffer.ok());
         EXPECT_TRUE(gpu::uploadTo<float>(*buffer, sums).ok());

@@ -17,9 +17,8 @@ XrResult XRAPI_CALL getMask(XrSession session, XrViewConfigurationType type, std
     if (mask->type != XR_TYPE_VISIBILITY_MASK_KHR)
         return wrong(XR_ERROR_VALIDATION_FAILURE, "xrGetVisibilityMaskKHR: type");
     const std::vector<glm::dvec2>& hidden = state().script.hidden;
-    const auto count = kind == XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR
-                           ? std::uint32_t(hidden.size())
-                           : 0u;
+    const auto count =
+        kind == XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR ? std::uint32_t(hidden.size()) : 0u;
     mask->vertexCountOutput = count;
     mask->indexCountOutput = count;
     if (mask->vertexCapacityInput == 0 && mask->indexCapacityInput == 0) return XR_SUCCESS;

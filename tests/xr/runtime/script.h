@@ -48,8 +48,8 @@ struct Script {
     bool hasHeadset = true;
     bool offersVulkan2 = true;
     bool offersGaze = true;
-    bool takesLayers = true;  // swapchains of two array layers
-    bool hasStage = true;     // a STAGE space
+    bool takesLayers = true;    // swapchains of two array layers
+    bool hasStage = true;       // a STAGE space
     bool offersDepth = false;   // XR_KHR_composition_layer_depth, and D32_SFLOAT for it
     bool offersMask = false;    // XR_KHR_visibility_mask: `hidden`
     bool offersInsets = false;  // XR_VARJO_quad_views
@@ -66,7 +66,7 @@ struct Script {
     double framesPerS = 30.0;
     std::array<Field, 2> fields{};
     double eyesApartM = 0.064;
-    std::function<Pose(double seconds)> head;                           // empty: stands still
+    std::function<Pose(double seconds)> head;  // empty: stands still
     // How far off the head is foreseen to be, to its right, when it is asked for so many times before in the
     // same frame; empty: it is foreseen as it will be.
     std::function<double(int asked)> foreseenAsideM;
@@ -113,7 +113,7 @@ struct Record {
     std::uint64_t begun = 0;             // and so on
     std::uint64_t ended = 0;
     std::uint64_t missed = 0;  // times of a paced headset for which there was no frame
-    int instances = 0;  // that there are now
+    int instances = 0;         // that there are now
     int sessions = 0;
     int swapchains = 0;
     int spaces = 0;

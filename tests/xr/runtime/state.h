@@ -60,9 +60,9 @@ struct SessionState {
     bool isAttached = false;
     XrTime synced = 0;
     bool isLost = false;
-    std::uint64_t slot = 0;  // of a paced one: at which of its times this frame is begun
+    std::uint64_t slot = 0;     // of a paced one: at which of its times this frame is begun
     std::uint64_t shownAt = 0;  // and at which the one before was shown
-    int located = 0;  // how often views were asked for in this frame
+    int located = 0;            // how often views were asked for in this frame
     std::optional<std::chrono::steady_clock::time_point> begunAt;  // of a paced one: its first frame
 };
 
@@ -108,7 +108,7 @@ XrResult wrong(XrResult result, const std::string& what);  // notes it as a viol
 
 void goTo(XrSessionState to);  // and tells the application
 XrSession sessionHandle();
-void endSession();             // all that belongs to it is gone
+void endSession();  // all that belongs to it is gone
 std::string pathText(XrPath path);
 std::optional<Pose> poseOfAction(const SpaceState& space, double seconds);
 Pose toPose(const XrPosef& pose);

@@ -40,8 +40,8 @@ class Compositor {
     static Result<Compositor> create(const std::shared_ptr<gpu::Device>& device);
 
     // Mixed as light (shaders/lib/compose.glsl), laid over the background, exposed, tone mapped and encoded
-    // as PathTracer::display: RGBA8, opaque unless coverage is kept, in layout GENERAL, valid until the next one of another size.
-    // outOfMemory.
+    // as PathTracer::display: RGBA8, opaque unless coverage is kept, in layout GENERAL, valid until the next
+    // one of another size. outOfMemory.
     Result<const gpu::Image*> compose(const Layers& layers, const Display& display);
 
   private:

@@ -27,17 +27,13 @@ Result<const gpu::Buffer*> EyeDepths::make(std::size_t eye, const DrawnSplats& s
         depths_.push_back(std::move(buffer));
     }
     if (depths_[eye].bytes() < bytes) {
-        MACULA_TRY(depths_[eye],
-                   gpu::Buffer::create(device_, {.label = "depths of an eye", .bytes = bytes}));
+        MACULA_TRY(depths_[eye], gpu::Buffer::create(device_, {.label = "depths of an eye", .bytes = bytes}));
     }
-    const shared::EyeDepthPush push{.size = sizePx,
-                                    .unitsPerMm = range.unitsPerMm,
-                                    .nearest = range.nearest,
-                                    .farthest = range.farthest};
+    const shared::EyeDepthPush push{
+        .size = sizePx, .unitsPerMm = range.unitsPerMm, .nearest = range.nearest, .farthest = range.farthest};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "depths of an eye"));
-    recorder.dispatch(kernel_,
-                      {static_cast<std::uint32_t>(sizePx.x), static_cast<std::uint32_t>(sizePx.y)}, push,
-                      {splats.picture->texels, *splats.depthSums, depths_[eye]});
+    recorder.dispatch(kernel_, {static_cast<std::uint32_t>(sizePx.x), static_cast<std::uint32_t>(sizePx.y)},
+                      push, {splats.picture->texels, *splats.depthSums, depths_[eye]});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return &depths_[eye];
 }
