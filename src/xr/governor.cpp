@@ -15,7 +15,8 @@ constexpr double kMostPeriodsOfFrame = 4.0;
 constexpr int kLateFrames = 2;
 constexpr int kForgetsLate = 8;
 constexpr double kMostSavedPeriods = 2.0;
-constexpr double kForgetsOverrun = 0.5;
+constexpr double kForgetsOverrun = 0.5;          // with each piece of work
+constexpr double kForgetsOverrunOfFrame = 0.98;  // with each frame, once what was late is made good
 
 bool isTime(double ms) {
     return std::isfinite(ms) && ms >= 0.0;
@@ -46,6 +47,8 @@ void Governor::notePeriod(double periodMs) {
 void Governor::noteFrame(double drawnMs) {
     if (!isTime(drawnMs) || !(periodMs_ > 0.0)) return;
     latePeriods_ = std::min(latePeriods_ + kLateShare, kMostSavedPeriods);
+    if (latePeriods_ >= 0.0)
+        for (Habit& habit : habits_) habit.overrunMs *= kForgetsOverrunOfFrame;
     drawnMs = std::min(drawnMs, kMostPeriodsOfFrame * periodMs_);
     if (sinceStepUp_ >= 0 && ++sinceStepUp_ > 2 * kFramesWithRoom) {  // it has lasted
         sinceStepUp_ = -1;

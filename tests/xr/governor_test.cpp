@@ -185,6 +185,24 @@ TEST(Governor, WorkThatDoesNotFitIsDoneSeldomAndNotNever) {
     EXPECT_EQ(governor.level(), 0u) << "drawing is fast";
 }
 
+// As that of a fovea, whose last slice also filters the picture.
+TEST(Governor, WorkThatIsLongNowAndThenIsSoonDoneAgain) {
+    Governor governor;
+    double latePeriods = 0.0;
+    int pieces = 0;
+    constexpr int kFrames = 3000;
+    for (int i = 0; i < kFrames; ++i) {
+        note(governor, kPeriodMs, 8.0);
+        const auto told = governor.timeFor(Work::fovea, 8.0);
+        if (!told) continue;
+        const double tookMs = ++pieces % 12 == 0 ? 60.0 : *told + 1.0;
+        governor.noteWork(Work::fovea, *told, tookMs);
+        latePeriods += std::max(std::ceil((8.0 + tookMs) / kPeriodMs) - 1.0, 0.0);
+    }
+    EXPECT_GT(pieces, kFrames / 10);
+    EXPECT_LE(latePeriods, 0.045 * kFrames);
+}
+
 TEST(Governor, WorkThatFitsIsDoneInEveryFrame) {
     Governor governor;
     for (int i = 0; i < 200; ++i) {
