@@ -38,7 +38,9 @@ Result<void> check() {
                  fmt::format("{}x{} pixels for each eye", found.offer.insetPx.x, found.offer.insetPx.y));
         tell("Depths:", found.offer.takesDepth ? "taken" : "not taken");
         tell("Lenses:", found.offer.hasMask ? "what they hide is told" : "what they hide is not told");
-        tell("Room:", found.offer.showsRoom ? "can be seen behind what is shown" : "cannot be seen");
+        tell("Room:", found.offer.isSeeThrough ? "is always seen behind what is shown"
+                      : found.offer.showsRoom  ? "can be seen behind what is shown"
+                                               : "cannot be seen");
         fmt::print("Studies can be shown in it.\n");
         return {};
     }

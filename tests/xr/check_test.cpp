@@ -84,6 +84,8 @@ TEST_F(XrCommand, CheckTellsWhatElseIsOffered) {
     for (const char* words : {"not taken", "is not told", "cannot be seen"})
         EXPECT_NE(few.out.find(words), std::string::npos) << words << " is not in:\n" << few.out;
     EXPECT_EQ(few.out.find("Insets"), std::string::npos);
+    const Ran glass = runMacula({"xr", "--check"}, {kScripted, "MACULA_XR_SCRIPT=see-through"});
+    EXPECT_NE(glass.out.find("is always seen"), std::string::npos) << glass.out;
 }
 
 TEST_F(XrCommand, TheRoomThatCannotBeShownIsTold) {
