@@ -16,6 +16,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 0) const bool kHasSplats = true;
 layout(constant_id = 1) const bool kHasFovea = true;
 layout(constant_id = 2) const bool kHasTraced = true;
+layout(constant_id = 3) const bool kKeepsCoverage = false;
 
 layout(binding = 0) uniform samplerBuffer splats;
 layout(binding = 1) uniform samplerBuffer fovea;
@@ -31,6 +32,16 @@ layout(push_constant, scalar) uniform Push {
     ComposePush push;
 };
 
+// As linear light behind the tone map, so that it may be laid over something: what covers half of a pixel is half as bright
+// as where it covers all.
+vec4 displayCovering(vec4 light, float exposure) {
+    float coverage = clamp(light.w, 0.0, 1.0);
+    if (!(coverage > 0.0)) return vec4(0.0);
+    vec3 shown = displayColour(vec4(light.xyz / coverage, 1.0), vec3(0.0), exposure);
+    return vec4(encodeSrgb(decodeSrgb(shown.x) * coverage), encodeSrgb(decodeSrgb(shown.y) * coverage),
+                encodeSrgb(decodeSrgb(shown.z) * coverage), coverage);
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     ivec2 size = imageSize(picture);
@@ -43,5 +54,7 @@ void main() {
         vec4 ofTracer = traced[index] / (push.tracedAreMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
         light = composed(light, ofTracer, push.tracedShare);
     }
-    imageStore(picture, pixel, vec4(displayColour(light, push.background, push.exposure), 1.0));
+    imageStore(picture, pixel,
+               kKeepsCoverage ? displayCovering(light, push.exposure)
+                              : vec4(displayColour(light, push.background, push.exposure), 1.0));
 }

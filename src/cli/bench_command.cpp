@@ -69,6 +69,7 @@ void addBench(CLI::App& app, Action& action) {
     addBenchLoad(*bench, action);
     addBenchTrain(*bench, action);
     addBenchSession(*bench, action);
+    addBenchXr(*bench, action);
 }
 
 }  // namespace macula::cli

@@ -36,6 +36,7 @@ void addBenchLoad(CLI::App& bench, Action& action);                  // likewise
 void addBenchSession(CLI::App& bench, Action& action);               // likewise
 void addBenchTradeoff(CLI::App& bench, Action& action);              // likewise
 void addBenchTrain(CLI::App& bench, Action& action);                 // likewise
+void addBenchXr(CLI::App& bench, Action& action);                    // likewise
 void addSessionsVerify(CLI::App& sessions, Action& action);          // a subcommand of sessions
 void addSessionsGc(CLI::App& sessions, Action& action);              // likewise
 void addSessionsExport(CLI::App& sessions, Action& action);          // likewise

@@ -33,6 +33,14 @@ Result<void> check() {
     if (!found.missing) {
         fmt::print("{:<10}{}x{} pixels for each eye\n{:<10}{}\n", "Pictures:", found.offer.eyePx.x,
                    found.offer.eyePx.y, "Gaze:", found.offer.hasGaze ? "followed" : "not followed");
+        if (found.offer.hasInsets)
+            tell("Insets:",
+                 fmt::format("{}x{} pixels for each eye", found.offer.insetPx.x, found.offer.insetPx.y));
+        tell("Depths:", found.offer.takesDepth ? "taken" : "not taken");
+        tell("Lenses:", found.offer.hasMask ? "what they hide is told" : "what they hide is not told");
+        tell("Room:", found.offer.isSeeThrough ? "is always seen behind what is shown"
+                      : found.offer.showsRoom  ? "can be seen behind what is shown"
+                                               : "cannot be seen");
         fmt::print("Studies can be shown in it.\n");
         return {};
     }
@@ -63,6 +71,8 @@ void addXr(CLI::App& app, Action& action) {
     command->add_option("--lights", o.lights, "Name from macula presets");
     command->add_option("--clip", o.state.clip, "As of render");
     command->add_flag("--remove-table", o.state.removeTable, "As of render");
+    command->add_flag("--room", o.showsRoom,
+                      "Show the room behind the anatomy (passthrough), where the headset can");
     command->add_option("--frames", o.frames, "End after so many frames (default: when it is ended there)");
     for (CLI::Option* option : command->get_options())
         if (option != only && option != command->get_help_ptr()) only->excludes(option);

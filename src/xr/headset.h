@@ -11,15 +11,27 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "base/result.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
+#include "xr/depth_layer.h"
+#include "xr/eye_masks.h"
+#include "xr/frame_statistics.h"
+#include "xr/governor.h"
 #include "xr/hands.h"
 #include "xr/room_view.h"
 #include "xr/session.h"
 #include "xr/swapchains.h"
 
 namespace macula::xr {
+
+struct HeadsetOptions {
+    SessionWish session = {};
+    glm::ivec2 eyePx{0};    // of the picture for each eye; 0: as the headset wants it
+    bool holdsRate = true;  // false: nothing is left out, however late frames are
+};
 
 // Used by one thread, the one that uses the device.
 class Headset {
@@ -33,15 +45,18 @@ class Headset {
     // What was shown last.
     struct Shown {
         EyePictures eyes;
-        hybrid::Frame frame;  // its pictures are valid until the next step
-        glm::dvec2 gaze{0.0};
+        std::optional<EyePictures> insets;  // where the headset has them; smaller and finer
+        hybrid::Frame frame;    // its pictures (of eyes, then of insets) are valid until the next step
+        glm::dvec2 gaze{0.0};   // in the picture of the centre eye; of the insets where it is not followed
+        double fineness = 1.0;  // of the pixels of insets over those of eyes
         XrTime displayed = 0;
     };
 
     // `view` outlives it. `placed`: stageFromWorld; nothing: before who wears it, once it is known where that
     // is.
     static Result<Headset> open(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
-                                RoomView& view, const std::optional<glm::dmat4>& placed = {});
+                                RoomView& view, const std::optional<glm::dmat4>& placed = {},
+                                const HeadsetOptions& options = {});
 
     // A frame: waits for its time, draws, submits, and uses what is left of its time for what will be better
     // in later ones. A frame that was begun is submitted, also when drawing fails.
@@ -51,24 +66,54 @@ class Headset {
 
     const std::optional<glm::dmat4>& placed() const { return stageFromWorld_; }
     const std::optional<Shown>& shown() const { return shown_; }
+    // Of the last frame that was submitted.
+    const FrameTimes& times() const { return times_; }
+    const Governor& governor() const { return governor_; }
+    const Session& session() const { return session_; }
+    // Of the picture for each eye, at most.
+    const glm::ivec2& eyePx() const { return lent_.eyes.sizePx(); }
 
   private:
     using Views = std::vector<XrCompositionLayerProjectionView>;
 
-    Headset(Session session, Hands hands, Swapchains swapchains, RoomView& view,
-            const std::optional<glm::dmat4>& placed)
+    // What the headset lends: dropped before the session.
+    struct Lent {
+        Swapchains eyes;
+        std::optional<Swapchains> insets;
+        std::optional<DepthLayer> depths;  // of eyes
+        std::optional<DepthLayer> insetDepths;
+    };
+
+    Headset(Session session, Hands hands, Lent lent, RoomView& view, const std::optional<glm::dmat4>& placed,
+            bool holdsRate)
         : session_(std::move(session)),
           hands_(std::move(hands)),
-          swapchains_(std::move(swapchains)),
+          lent_(std::move(lent)),
           view_(&view),
+          holdsRate_(holdsRate),
           stageFromWorld_(placed) {}
+    static Result<Lent> lend(const Session& session, const HeadsetOptions& options);
     Result<Views> draw(const FrameTime& time);
+    // Where it is to stand, and what hands do to it.
+    Result<void> place(const std::vector<Eye>& eyes, const TwoHands& hands);
+    Result<void> acquire();
+    // Where eyes are by now, and so what they are shown; false: nobody knows.
+    Result<bool> aim(std::vector<Eye> eyes, const std::optional<Pose>& gaze, Shown& shown);
+    Result<Views> drawFor(Shown& shown);
+    Result<void> addDepths(const Shown& shown, std::span<const gpu::Buffer* const> depths, Views& views);
+    Result<void> workUntilNext(double begunAgoMs);
+    std::optional<double> timeFor(Work work, double begunAgoMs);
     Result<void> useHands(const TwoHands& hands);
 
     Session session_;
-    Hands hands_;            // dropped before the session
-    Swapchains swapchains_;  // likewise
+    Hands hands_;  // dropped before the session
+    Lent lent_;    // likewise
+    EyeMasks masks_;
     RoomView* view_;
+    bool holdsRate_;
+    Governor governor_;
+    std::uint64_t framesShown_ = 0;
+    FrameTimes times_;
     Grasp grasp_;
     std::optional<glm::dmat4> stageFromWorld_;
     std::optional<Shown> shown_;

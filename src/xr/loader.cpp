@@ -50,4 +50,10 @@ Result<Functions> Loader::functionsOf(XrInstance instance) const {
     return functions;
 }
 
+PFN_xrGetVisibilityMaskKHR Loader::maskFunctionOf(XrInstance instance) const {
+    PFN_xrGetVisibilityMaskKHR function = nullptr;
+    find(*this, instance, "xrGetVisibilityMaskKHR", function);
+    return function;
+}
+
 }  // namespace macula::xr

@@ -13,6 +13,7 @@ struct Functions {
 #define MACULA_XR_FUNCTION(name) PFN_xr##name name = nullptr;
 #include "xr/functions.inl"
 #undef MACULA_XR_FUNCTION
+    PFN_xrGetVisibilityMaskKHR GetVisibilityMaskKHR = nullptr;  // null where the extension is not on
 };
 
 // Stays in memory until the program ends, as it keeps what it has found.
@@ -26,6 +27,8 @@ struct Loader {
 
     // deviceNotUsable when one is missing.
     Result<Functions> functionsOf(XrInstance instance) const;
+    // Of an instance with XR_KHR_visibility_mask; null when it is missing.
+    PFN_xrGetVisibilityMaskKHR maskFunctionOf(XrInstance instance) const;
 };
 
 }  // namespace macula::xr

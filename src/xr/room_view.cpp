@@ -17,10 +17,11 @@ using Clock = std::chrono::steady_clock;
 
 // Of the picture, in which -1 to 1 is all: who looks elsewhere does not wait for what was begun.
 constexpr double kLooksElsewhere = 0.25;
-// While neither head nor eyes move, the fovea is traced anew with twice the samples, up to these.
-constexpr std::uint32_t kMostSamples = 16;
 constexpr int kLeastSidePx = 32;
 constexpr double kWidestFieldDeg = 150.0;
+constexpr std::size_t kMostSizes = 2;  // of pictures at a time: of eyes and of insets
+// A frame waits for one of these, and a headset for the frame.
+constexpr double kDispatchMs = 8.0;
 constexpr std::uint64_t kScene = 1;  // there is one study in the room
 
 Result<void> checkDrawing(const app::Drawing& drawing) {
@@ -48,9 +49,10 @@ Result<RoomView> RoomView::create(const std::shared_ptr<gpu::Device>& device, Ro
     MACULA_TRY_VOID(tracer.setSettings(scene.drawing.settings));
     MACULA_TRY_VOID(tracer.setView({.width = 64, .height = 64}));  // whoever asks what is seen needs one
     MACULA_TRY(hybrid::HybridFrame hybrid, hybrid::HybridFrame::create(device, tracer));
+    hybrid::LiveModelOptions modelOptions = options.model.value_or(hybrid::liveModelOptions(*device));
+    if (!modelOptions.dispatchMs) modelOptions.dispatchMs = kDispatchMs;
     MACULA_TRY(hybrid::LiveModel model,
-               hybrid::LiveModel::create(device, tracer, std::move(shelf), nullptr,
-                                         options.model.value_or(hybrid::liveModelOptions(*device))));
+               hybrid::LiveModel::create(device, tracer, std::move(shelf), nullptr, modelOptions));
     RoomView view(device, std::move(scene), options, std::move(tracer), std::move(hybrid), std::move(model));
     MACULA_TRY_VOID(view.applyScene());
     return view;
@@ -75,13 +77,15 @@ Result<hybrid::DrawnSplats> RoomView::drawSplats(const Camera& eye, const glm::i
         if (picture.error().code != ErrorCode::outOfMemory) return picture.error();
         log::warning("There is no room for the peripheral model beside the pictures of the headset.");
     }
-    if (!nothing_ || nothing_->width != sizePx.x || nothing_->height != sizePx.y) {
-        const std::vector<glm::vec4> pixels(std::size_t(sizePx.x) * std::size_t(sizePx.y), glm::vec4(0.0f));
-        nothing_.reset();
-        MACULA_TRY(nothing_,
-                   splat::DevicePicture::upload(device_, "nothing learnt", sizePx.x, sizePx.y, pixels));
-    }
-    return hybrid::DrawnSplats{&*nothing_, nullptr};
+    for (const splat::DevicePicture& nothing : nothing_)
+        if (nothing.width == sizePx.x && nothing.height == sizePx.y)
+            return hybrid::DrawnSplats{&nothing, nullptr};
+    if (nothing_.size() >= kMostSizes) nothing_.erase(nothing_.begin());
+    const std::vector<glm::vec4> pixels(std::size_t(sizePx.x) * std::size_t(sizePx.y), glm::vec4(0.0f));
+    MACULA_TRY(splat::DevicePicture made,
+               splat::DevicePicture::upload(device_, "nothing learnt", sizePx.x, sizePx.y, pixels));
+    nothing_.push_back(std::move(made));
+    return hybrid::DrawnSplats{&nothing_.back(), nullptr};
 }
 
 hybrid::Periphery RoomView::periphery() {
@@ -89,25 +93,53 @@ hybrid::Periphery RoomView::periphery() {
             .gain = static_cast<float>(model_.gain())};
 }
 
-Result<hybrid::Frame> RoomView::draw(const EyePictures& eyes) {
+Result<RoomPictures> RoomView::draw(const EyePictures& eyes, const EyePictures* insets,
+                                    const RoomLook& look) {
     hybrid::FrameRequest request;
-    for (const EyePicture& eye : eyes.eyes) request.eyes.push_back(eye.camera);
+    for (const EyePictures* pictures : {&eyes, insets}) {
+        if (!pictures) continue;
+        for (const EyePicture& eye : pictures->eyes) {
+            request.eyes.push_back(eye.camera);
+            request.sizesPx.push_back(pictures->sizePx);
+        }
+    }
     request.sizePx = eyes.sizePx;
     request.display.exposure = static_cast<float>(scene_.drawing.settings.exposure);
-    return hybrid_.draw(request, periphery());
+    request.display.keepsCoverage = look.keepsCoverage;
+    if (look.depths && !depths_) {
+        MACULA_TRY(depths_, hybrid::EyeDepths::create(device_));
+    }
+    RoomPictures pictures;
+    hybrid::Periphery splats = periphery();
+    // Depths of splats are there until those of the next eye are drawn.
+    splats.draw = [&](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
+        MACULA_TRY(const hybrid::DrawnSplats drawn, drawSplats(eye, sizePx));
+        if (look.depths && drawn.depthSums != nullptr) {
+            MACULA_TRY(const gpu::Buffer* depths, depths_->make(pictures.depths.size(), drawn, *look.depths));
+            pictures.depths.push_back(depths);
+        }
+        return drawn;
+    };
+    MACULA_TRY(pictures.frame, hybrid_.draw(request, splats));
+    if (pictures.depths.size() != request.eyes.size()) pictures.depths.clear();
+    return pictures;
 }
 
-Result<void> RoomView::work(const EyePictures& eyes, const glm::dvec2& gaze, double budgetMs) {
-    const auto end = Clock::now() + std::chrono::duration<double, std::milli>(budgetMs);
-    const std::function<bool()> keepGoing = [end] { return Clock::now() < end; };
-    const bool wantsModel = options_.learns && model_.hasWork();
+Work RoomView::nextWork() const {
     // The first thing to be seen is traced.
-    isTurnOfModel_ = wantsModel && hybrid_.hasFovea() && !isTurnOfModel_;
-    return isTurnOfModel_ ? model_.work(budgetMs, keepGoing) : traceFovea(eyes, gaze, keepGoing);
+    return wants(Work::model) && hybrid_.hasFovea() && !wasTurnOfModel_ ? Work::model : Work::fovea;
 }
 
-Result<void> RoomView::traceFovea(const EyePictures& eyes, const glm::dvec2& gaze,
+Result<void> RoomView::work(Work work, const EyePictures& eyes, const WorkWish& wish) {
+    const auto end = Clock::now() + std::chrono::duration<double, std::milli>(wish.budgetMs);
+    const std::function<bool()> keepGoing = [end] { return Clock::now() < end; };
+    wasTurnOfModel_ = work == Work::model;
+    return wasTurnOfModel_ ? model_.work(wish.budgetMs, keepGoing) : traceFovea(eyes, wish, keepGoing);
+}
+
+Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkWish& wish,
                                   const std::function<bool()>& keepGoing) {
+    const glm::dvec2& gaze = wish.gaze;
     const bool isOverModel = model_.canBeDrawn();
     const bool isSameKind = aimed_ && aimed_->isOverModel == isOverModel;
     // The coarse picture of all would lie over what was learnt.
@@ -118,9 +150,10 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const glm::dvec2& gaz
         const bool isSame = isSameKind && aimed_->aim.whole.camera == eyes.centre && aimed_->gaze == gaze &&
                             hybrid_.isFoveaOf(eyes.centre);
         Aimed next{
-            .aim = isSame ? aimed_->aim : newFovea(eyes, gaze), .gaze = gaze, .isOverModel = isOverModel};
+            .aim = isSame ? aimed_->aim : newFovea(eyes, wish), .gaze = gaze, .isOverModel = isOverModel};
         if (isSame) {
-            if (next.aim.samplesPerPixel >= kMostSamples) return {};
+            // While neither head nor eyes move it is traced anew with twice the samples.
+            if (next.aim.samplesPerPixel >= wish.mostSamples) return {};
             next.aim.samplesPerPixel *= 2;
         }
         MACULA_TRY_VOID(hybrid_.aim(next.aim));
@@ -131,12 +164,15 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const glm::dvec2& gaz
 }
 
 // While there is no model, a coarse picture of all that is seen, straight ahead.
-hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const glm::dvec2& gaze) const {
+hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const WorkWish& wish) const {
     const double msPerSample = hybrid_.foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
     const double budgetMs =
         std::max(hybrid_.foveaBudgetMs(hybrid::kFoveaBudgetMs), hybrid::kLeastFoveaBudgetMs);
+    const glm::ivec2 finePx = glm::ivec2(glm::round(glm::dvec2(eyes.sizePx) * std::max(wish.fineness, 1.0)));
+    if (model_.canBeDrawn())
+        return hybrid::affordableFovea({.camera = eyes.centre, .width = finePx.x, .height = finePx.y},
+                                       wish.gaze, msPerSample, budgetMs);
     const trace::View whole{.camera = eyes.centre, .width = eyes.sizePx.x, .height = eyes.sizePx.y};
-    if (model_.canBeDrawn()) return hybrid::affordableFovea(whole, gaze, msPerSample, budgetMs);
     const double halfHeight = std::tan(0.5 * glm::radians(eyes.centre.verticalFovDeg));
     const double half = halfHeight * std::max(1.0, double(eyes.sizePx.x) / eyes.sizePx.y);
     const int mostPx = std::max(eyes.sizePx.x, eyes.sizePx.y);

@@ -4,23 +4,46 @@
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/frame/drawing.h"
 #include "app/frame/scene_names.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/frame/eye_depths.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "pipeline/hybrid/model/live_model.h"
 #include "pipeline/hybrid/model/model_shelf.h"
 #include "pipeline/trace/path_tracer.h"
 #include "xr/eyes.h"
+#include "xr/governor.h"
 
 namespace macula::xr {
 
 struct RoomScene {
     std::shared_ptr<const Volume> volume;  // in 16 bits
     app::Drawing drawing;                  // complete
+};
+
+// How eyes are shown it.
+struct RoomLook {
+    bool keepsCoverage = false;                     // the room is seen behind it
+    std::optional<hybrid::DepthRange> depths = {};  // in which depths are told; nothing: none are
+};
+
+struct RoomPictures {
+    hybrid::Frame frame;
+    // Of each of its pictures (EyeDepths::make); none while they are not known.
+    std::vector<const gpu::Buffer*> depths;
+};
+
+// What is done for later frames.
+struct WorkWish {
+    double budgetMs = 0.0;
+    glm::dvec2 gaze{0.0};            // in the picture of the centre eye
+    double fineness = 1.0;           // of pixels where they look, over that of the pictures
+    std::uint32_t mostSamples = 16;  // of each pixel, while neither head nor eyes move
 };
 
 struct RoomOptions {
@@ -41,11 +64,14 @@ class RoomView {
     const Box& seenMm() const { return seenMm_; }
     const RoomScene& scene() const { return scene_; }
 
-    // Waits for nothing. Pictures are valid until the next call.
-    Result<hybrid::Frame> draw(const EyePictures& eyes);
-    // About so long, at least a dispatch of some 12 ms: in turns the fovea, where the eyes look, and what the
-    // model learns.
-    Result<void> work(const EyePictures& eyes, const glm::dvec2& gaze, double budgetMs);
+    // Waits for nothing. Pictures are valid until the next call: of both eyes, then of both insets.
+    Result<RoomPictures> draw(const EyePictures& eyes, const EyePictures* insets = nullptr,
+                              const RoomLook& look = {});
+    // Whose turn it is: fovea, where the eyes look, and what the model learns take turns.
+    Work nextWork() const;
+    bool wants(Work work) const { return work == Work::fovea || (options_.learns && model_.hasWork()); }
+    // About as long as is wished, at least a dispatch of some 12 ms or a step of learning.
+    Result<void> work(Work work, const EyePictures& eyes, const WorkWish& wish);
 
     // Removes what is not kept too. False, and nothing happens, when nothing would be left, or the clip has
     // all the planes that it may have.
@@ -66,9 +92,9 @@ class RoomView {
           model_(std::move(model)) {}
     Result<void> applyScene();
     Result<hybrid::DrawnSplats> drawSplats(const Camera& eye, const glm::ivec2& sizePx);
-    Result<void> traceFovea(const EyePictures& eyes, const glm::dvec2& gaze,
+    Result<void> traceFovea(const EyePictures& eyes, const WorkWish& wish,
                             const std::function<bool()>& keepGoing);
-    hybrid::FoveaAim newFovea(const EyePictures& eyes, const glm::dvec2& gaze) const;
+    hybrid::FoveaAim newFovea(const EyePictures& eyes, const WorkWish& wish) const;
 
     std::shared_ptr<gpu::Device> device_;
     RoomScene scene_;
@@ -78,14 +104,15 @@ class RoomView {
     hybrid::HybridFrame hybrid_;
     hybrid::LiveModel model_;
     Box seenMm_;
-    std::optional<splat::DevicePicture> nothing_;  // instead of splats while there are none
+    std::vector<splat::DevicePicture> nothing_;  // instead of splats while there are none, of each size
+    std::optional<hybrid::EyeDepths> depths_;
     struct Aimed {
         hybrid::FoveaAim aim;
         glm::dvec2 gaze{0.0};
         bool isOverModel = false;
     };
     std::optional<Aimed> aimed_;  // the last one
-    bool isTurnOfModel_ = false;
+    bool wasTurnOfModel_ = false;
 };
 
 }  // namespace macula::xr

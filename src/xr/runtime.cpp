@@ -37,6 +37,11 @@ Result<std::vector<std::string>> extensionsOf(const Loader& loader) {
     return names;
 }
 
+// Used where they are offered.
+constexpr const char* kOptional[] = {
+    XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME,
+    XR_KHR_VISIBILITY_MASK_EXTENSION_NAME, XR_VARJO_QUAD_VIEWS_EXTENSION_NAME};
+
 bool contains(const std::vector<std::string>& names, const char* wanted) {
     return std::find(names.begin(), names.end(), wanted) != names.end();
 }
@@ -58,9 +63,8 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
                      "(XR_KHR_vulkan_enable2).",
                      "", "Update it, or use another OpenXR runtime."};
     std::vector<const char*> extensions{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
-    const bool mayFollowEyes =
-        contains(runtime->offer_.extensions, XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
-    if (mayFollowEyes) extensions.push_back(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
+    for (const char* name : kOptional)
+        if (runtime->isOn(name)) extensions.push_back(name);
 
     XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
     std::snprintf(info.applicationInfo.applicationName, XR_MAX_APPLICATION_NAME_SIZE, "Macula");
@@ -74,6 +78,8 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
     auto functions = runtime->loader_.functionsOf(runtime->instance_);
     if (!functions) return functions.error();  // the instance goes with what cannot be called
     runtime->call_ = *functions;
+    if (runtime->isOn(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
+        runtime->call_.GetVisibilityMaskKHR = runtime->loader_.maskFunctionOf(runtime->instance_);
 
     XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
     MACULA_XR_TRY(runtime->call_.GetInstanceProperties(runtime->instance_, &properties),
@@ -93,25 +99,68 @@ Result<void> Runtime::findHeadset() {
     MACULA_XR_TRY(call_.GetSystem(instance_, &info, &system_), "be found");
     XrSystemEyeGazeInteractionPropertiesEXT gaze{XR_TYPE_SYSTEM_EYE_GAZE_INTERACTION_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
-    const bool mayFollowEyes = contains(offer_.extensions, XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
+    const bool mayFollowEyes = isOn(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
     if (mayFollowEyes) properties.next = &gaze;
     MACULA_XR_TRY(call_.GetSystemProperties(instance_, system_, &properties), "tell its name");
     offer_.headset = properties.systemName;
     offer_.hasGaze = mayFollowEyes && gaze.supportsEyeGazeInteraction == XR_TRUE;
+    offer_.takesDepth = isOn(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
+    offer_.hasMask = isOn(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME) && call_.GetVisibilityMaskKHR != nullptr;
+    MACULA_TRY_VOID(askForViews());
+    return askForBlendModes();
+}
 
+bool Runtime::isOn(const char* extension) const {
+    return contains(offer_.extensions, extension);
+}
+
+XrViewConfigurationType Runtime::viewConfiguration() const {
+    return offer_.hasInsets ? XR_VIEW_CONFIGURATION_TYPE_PRIMARY_QUAD_VARJO
+                            : XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+}
+
+Result<void> Runtime::askForViews() {
     std::uint32_t count = 0;
-    std::vector<XrViewConfigurationView> views(2, {XR_TYPE_VIEW_CONFIGURATION_VIEW});
-    MACULA_XR_TRY(call_.EnumerateViewConfigurationViews(
-                      instance_, system_, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 2, &count, views.data()),
+    MACULA_XR_TRY(call_.EnumerateViewConfigurations(instance_, system_, 0, &count, nullptr),
                   "show a picture to each eye");
-    offer_.eyePx = {0, 0};
-    for (const XrViewConfigurationView& view : views) {
-        offer_.eyePx.x = std::max(offer_.eyePx.x, static_cast<int>(view.recommendedImageRectWidth));
-        offer_.eyePx.y = std::max(offer_.eyePx.y, static_cast<int>(view.recommendedImageRectHeight));
+    std::vector<XrViewConfigurationType> types(count);
+    MACULA_XR_TRY(call_.EnumerateViewConfigurations(instance_, system_, count, &count, types.data()),
+                  "show a picture to each eye");
+    offer_.hasInsets =
+        isOn(XR_VARJO_QUAD_VIEWS_EXTENSION_NAME) &&
+        std::find(types.begin(), types.end(), XR_VIEW_CONFIGURATION_TYPE_PRIMARY_QUAD_VARJO) != types.end();
+    std::vector<XrViewConfigurationView> views(viewCount(), {XR_TYPE_VIEW_CONFIGURATION_VIEW});
+    MACULA_XR_TRY(call_.EnumerateViewConfigurationViews(instance_, system_, viewConfiguration(), viewCount(),
+                                                        &count, views.data()),
+                  "show a picture to each eye");
+    offer_.eyePx = offer_.insetPx = {0, 0};
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        glm::ivec2& sizePx = i < 2 ? offer_.eyePx : offer_.insetPx;
+        sizePx.x = std::max(sizePx.x, static_cast<int>(views[i].recommendedImageRectWidth));
+        sizePx.y = std::max(sizePx.y, static_cast<int>(views[i].recommendedImageRectHeight));
     }
-    if (count != 2 || offer_.eyePx.x < 2 || offer_.eyePx.y < 2)
+    const auto isPicture = [](const glm::ivec2& sizePx) { return sizePx.x >= 2 && sizePx.y >= 2; };
+    if (count != viewCount() || !isPicture(offer_.eyePx) || (offer_.hasInsets && !isPicture(offer_.insetPx)))
         return Error{ErrorCode::deviceNotUsable, "The headset does not say how large its pictures are.", "",
                      "Update the software of the headset."};
+    return {};
+}
+
+Result<void> Runtime::askForBlendModes() {
+    std::uint32_t count = 0;
+    MACULA_XR_TRY(
+        call_.EnumerateEnvironmentBlendModes(instance_, system_, viewConfiguration(), 0, &count, nullptr),
+        "tell how it shows pictures");
+    blendModes_.resize(count);
+    MACULA_XR_TRY(call_.EnumerateEnvironmentBlendModes(instance_, system_, viewConfiguration(), count, &count,
+                                                       blendModes_.data()),
+                  "tell how it shows pictures");
+    const auto offers = [&](XrEnvironmentBlendMode mode) {
+        return std::find(blendModes_.begin(), blendModes_.end(), mode) != blendModes_.end();
+    };
+    offer_.showsRoom =
+        offers(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND) || offers(XR_ENVIRONMENT_BLEND_MODE_ADDITIVE);
+    offer_.isSeeThrough = offer_.showsRoom && !offers(XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
     return {};
 }
 

@@ -20,6 +20,12 @@ struct Offer {
     std::string headset;  // empty: none is there
     glm::ivec2 eyePx{0};  // of the picture for each eye, as the headset wants it
     bool hasGaze = false;
+    bool takesDepth = false;    // a depth layer (XR_KHR_composition_layer_depth)
+    bool hasMask = false;       // says what no lens shows (XR_KHR_visibility_mask)
+    bool hasInsets = false;     // two more views, finer and smaller (XR_VARJO_quad_views)
+    glm::ivec2 insetPx{0};      // of the picture for each of these
+    bool showsRoom = false;     // the room may be seen behind what is shown
+    bool isSeeThrough = false;  // and is always seen: what is black is clear
     std::vector<std::string> extensions;
 };
 
@@ -40,15 +46,23 @@ class Runtime {
     const Functions& call() const { return call_; }
     XrInstance instance() const { return instance_; }
     XrSystemId system() const { return system_; }  // after findHeadset
+    // With insets four views, the two insets last; else one for each eye. After findHeadset.
+    XrViewConfigurationType viewConfiguration() const;
+    std::uint32_t viewCount() const { return offer_.hasInsets ? 4 : 2; }
+    const std::vector<XrEnvironmentBlendMode>& blendModes() const { return blendModes_; }
     Result<XrPath> path(const std::string& text) const;
 
   private:
     Runtime() = default;
+    bool isOn(const char* extension) const;
+    Result<void> askForViews();
+    Result<void> askForBlendModes();
 
     Loader loader_;
     Functions call_;
     XrInstance instance_ = XR_NULL_HANDLE;
     XrSystemId system_ = XR_NULL_SYSTEM_ID;
+    std::vector<XrEnvironmentBlendMode> blendModes_;  // the first is what the headset likes best
     Offer offer_;
 };
 

@@ -12,7 +12,6 @@ namespace macula::xr {
 
 namespace {
 
-constexpr std::uint32_t kEyes = 2;
 const XrPosef kHere{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
 
 }  // namespace
@@ -28,9 +27,11 @@ Pose fromXr(const XrPosef& pose) {
     return {{pose.position.x, pose.position.y, pose.position.z}, glm::dquat(q.w, q.x, q.y, q.z)};
 }
 
-Result<Session> Session::begin(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device) {
+Result<Session> Session::begin(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
+                               const SessionWish& wish) {
     Session session(std::move(runtime), std::move(device));
     MACULA_TRY_VOID(session.create());
+    session.chooseBlendMode(wish);
     MACULA_TRY_VOID(session.makeStage());
     return session;
 }
@@ -42,7 +43,10 @@ Session::Session(Session&& other) noexcept
       stage_(std::exchange(other.stage_, XR_NULL_HANDLE)),
       blend_(other.blend_),
       phase_(other.phase_),
-      wasRecentred_(other.wasRecentred_) {}
+      wasRecentred_(other.wasRecentred_),
+      hasNewMasks_(other.hasNewMasks_),
+      framesBegun_(other.framesBegun_),
+      framesEnded_(other.framesEnded_) {}
 
 Session::~Session() {
     if (!session_) return;
@@ -60,21 +64,21 @@ Result<void> Session::create() {
     XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, &binding};
     info.systemId = runtime_->system();
     MACULA_XR_TRY(runtime_->call().CreateSession(runtime_->instance(), &info, &session_), "begin a session");
-
-    // The first is what the headset likes best; the anatomy stands in darkness where that is offered.
-    std::uint32_t count = 0;
-    MACULA_XR_TRY(runtime_->call().EnumerateEnvironmentBlendModes(runtime_->instance(), runtime_->system(),
-                                                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-                                                                  0, &count, nullptr),
-                  "tell how it shows pictures");
-    std::vector<XrEnvironmentBlendMode> modes(count);
-    MACULA_XR_TRY(runtime_->call().EnumerateEnvironmentBlendModes(runtime_->instance(), runtime_->system(),
-                                                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
-                                                                  count, &count, modes.data()),
-                  "tell how it shows pictures");
-    if (!modes.empty() && std::find(modes.begin(), modes.end(), blend_) == modes.end())
-        blend_ = modes.front();
     return {};
+}
+
+// The anatomy stands in darkness where that is offered, unless somebody wants to see the room.
+void Session::chooseBlendMode(const SessionWish& wish) {
+    const std::vector<XrEnvironmentBlendMode>& modes = runtime_->blendModes();
+    const auto choose = [&](XrEnvironmentBlendMode mode) {
+        const bool isOffered = std::find(modes.begin(), modes.end(), mode) != modes.end();
+        if (isOffered) blend_ = mode;
+        return isOffered;
+    };
+    if (wish.showsRoom &&
+        (choose(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND) || choose(XR_ENVIRONMENT_BLEND_MODE_ADDITIVE)))
+        return;
+    if (!choose(XR_ENVIRONMENT_BLEND_MODE_OPAQUE) && !modes.empty()) blend_ = modes.front();
 }
 
 // The floor that somebody walks on where the headset knows it, else the place where it was put on.
@@ -102,6 +106,7 @@ Result<Session::Phase> Session::listen() {
         if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
             return xrError(XR_ERROR_INSTANCE_LOST, "go on");
         if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) wasRecentred_ = true;
+        if (event.type == XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR) hasNewMasks_ = true;
         if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) {
             XrEventDataSessionStateChanged changed{};
             std::memcpy(&changed, &event, sizeof(changed));
@@ -115,7 +120,7 @@ Result<void> Session::changeTo(XrSessionState state) {
     switch (state) {
         case XR_SESSION_STATE_READY: {
             XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO};
-            info.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+            info.primaryViewConfigurationType = runtime_->viewConfiguration();
             MACULA_XR_TRY(runtime_->call().BeginSession(session_, &info), "begin to show pictures");
             phase_ = Phase::running;
             return {};
@@ -138,6 +143,35 @@ bool Session::wasRecentred() {
     return std::exchange(wasRecentred_, false);
 }
 
+bool Session::hasNewMasks() {
+    return std::exchange(hasNewMasks_, false);
+}
+
+Result<VisibilityMask> Session::maskOf(std::uint32_t view) const {
+    if (!runtime_->offer().hasMask) return VisibilityMask();
+    const auto ask = [&](XrVisibilityMaskKHR& mask) {
+        return runtime_->call().GetVisibilityMaskKHR(session_, runtime_->viewConfiguration(), view,
+                                                     XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask);
+    };
+    XrVisibilityMaskKHR mask{XR_TYPE_VISIBILITY_MASK_KHR};
+    MACULA_XR_TRY(ask(mask), "tell what its lenses show");
+    if (mask.vertexCountOutput == 0 || mask.indexCountOutput == 0) return VisibilityMask();
+    std::vector<XrVector2f> corners(mask.vertexCountOutput);
+    std::vector<std::uint32_t> indices(mask.indexCountOutput);
+    mask.vertexCapacityInput = mask.vertexCountOutput;
+    mask.vertices = corners.data();
+    mask.indexCapacityInput = mask.indexCountOutput;
+    mask.indices = indices.data();
+    const XrResult filled = ask(mask);
+    if (filled == XR_ERROR_SIZE_INSUFFICIENT) return VisibilityMask();  // it changes just now, and tells so
+    MACULA_XR_TRY(filled, "tell what its lenses show");
+    corners.resize(std::min<std::size_t>(corners.size(), mask.vertexCountOutput));
+    indices.resize(std::min<std::size_t>(indices.size(), mask.indexCountOutput));
+    std::vector<glm::dvec2> places;
+    for (const XrVector2f& corner : corners) places.push_back({corner.x, corner.y});
+    return VisibilityMask(std::move(places), indices);
+}
+
 Result<void> Session::requestEnd() {
     if (phase_ != Phase::running) {
         phase_ = Phase::ended;
@@ -154,24 +188,26 @@ Result<FrameTime> Session::beginFrame() {
     MACULA_XR_TRY(runtime_->call().WaitFrame(session_, &wait, &state), "tell when it shows a picture");
     const XrFrameBeginInfo begin{XR_TYPE_FRAME_BEGIN_INFO};
     MACULA_XR_TRY(runtime_->call().BeginFrame(session_, &begin), "begin a picture");
+    ++framesBegun_;
     return FrameTime{state.predictedDisplayTime, double(state.predictedDisplayPeriod) * 1e-6,
                      state.shouldRender == XR_TRUE};
 }
 
 Result<std::vector<Eye>> Session::eyesAt(XrTime time) const {
     XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO};
-    info.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+    info.viewConfigurationType = runtime_->viewConfiguration();
     info.displayTime = time;
     info.space = stage_;
     XrViewState state{XR_TYPE_VIEW_STATE};
+    const std::uint32_t wanted = runtime_->viewCount();
     std::uint32_t count = 0;
-    std::vector<XrView> views(kEyes, {XR_TYPE_VIEW});
-    MACULA_XR_TRY(runtime_->call().LocateViews(session_, &info, &state, kEyes, &count, views.data()),
+    std::vector<XrView> views(wanted, {XR_TYPE_VIEW});
+    MACULA_XR_TRY(runtime_->call().LocateViews(session_, &info, &state, wanted, &count, views.data()),
                   "tell where the eyes are");
     constexpr XrViewStateFlags kKnown =
         XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
     std::vector<Eye> eyes;
-    if ((state.viewStateFlags & kKnown) != kKnown || count != kEyes) return eyes;
+    if ((state.viewStateFlags & kKnown) != kKnown || count != wanted) return eyes;
     for (const XrView& view : views) {
         if (!isUsable(fromXr(view.pose))) return std::vector<Eye>();
         eyes.push_back({fromXr(view.pose), std::tan(double(view.fov.angleLeft)),
@@ -185,6 +221,7 @@ Result<void> Session::endFrame(const FrameTime& time,
                                std::span<const XrCompositionLayerProjectionView> views) {
     XrCompositionLayerProjection layer{XR_TYPE_COMPOSITION_LAYER_PROJECTION};
     layer.space = stage_;
+    if (blendsByAlpha()) layer.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
     layer.viewCount = static_cast<std::uint32_t>(views.size());
     layer.views = views.data();
     const XrCompositionLayerBaseHeader* layers[] = {
@@ -195,6 +232,7 @@ Result<void> Session::endFrame(const FrameTime& time,
     info.layerCount = views.empty() ? 0 : 1;
     info.layers = layers;
     MACULA_XR_TRY(runtime_->call().EndFrame(session_, &info), "show a picture");
+    ++framesEnded_;
     return {};
 }
 

@@ -16,8 +16,14 @@
 #include "pipeline/gpu/device.h"
 #include "xr/eyes.h"
 #include "xr/runtime.h"
+#include "xr/visibility_mask.h"
 
 namespace macula::xr {
+
+// What somebody wants of a session.
+struct SessionWish {
+    bool showsRoom = false;  // behind the anatomy, where the headset can
+};
 
 struct FrameTime {
     XrTime displayed = 0;  // when the frame will be seen
@@ -39,7 +45,8 @@ class Session {
     };
 
     // `device` is that of openDevice. deviceNotUsable when the runtime refuses.
-    static Result<Session> begin(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device);
+    static Result<Session> begin(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
+                                 const SessionWish& wish = {});
 
     Session(Session&& other) noexcept;
     Session& operator=(Session&&) = delete;
@@ -49,18 +56,29 @@ class Session {
     Result<Phase> listen();
     // Whether the space was moved since the last time that somebody asked: who wears it has recentred.
     bool wasRecentred();
+    // Whether what lenses show has changed, likewise; true the first time.
+    bool hasNewMasks();
     // Asks the runtime to end: frames go on until listen() says ended.
     Result<void> requestEnd();
 
     // Waits until it is time. The frame must be ended, with pictures or without.
     Result<FrameTime> beginFrame();
-    // Nothing while the headset does not know where it is, or says what is no place.
+    // Of each eye, then of each inset. Nothing while the headset does not know where it is, or says what is
+    // no place.
     Result<std::vector<Eye>> eyesAt(XrTime time) const;
-    // `views`: of the stage, one for each eye; none: nothing is shown.
+    // What no lens shows of that view; none where the headset does not say.
+    Result<VisibilityMask> maskOf(std::uint32_t view) const;
+    // Whether the room is seen behind what is shown, by the picture's alpha.
+    bool blendsByAlpha() const { return blend_ == XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND; }
+    XrEnvironmentBlendMode blendMode() const { return blend_; }
+    // `views`: of the stage, one for each eye, and one for each inset; none: nothing is shown.
     Result<void> endFrame(const FrameTime& time, std::span<const XrCompositionLayerProjectionView> views);
 
     // Where a space is in the stage; nothing while nobody knows, likewise.
     Result<std::optional<Pose>> locate(XrSpace space, XrTime time) const;
+
+    // Frames that were begun and never came to be submitted.
+    std::uint64_t unsubmitted() const { return framesBegun_ - framesEnded_; }
 
     XrSession handle() const { return session_; }
     const Runtime& runtime() const { return *runtime_; }
@@ -71,6 +89,7 @@ class Session {
     Session(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device)
         : runtime_(std::move(runtime)), device_(std::move(device)) {}
     Result<void> create();
+    void chooseBlendMode(const SessionWish& wish);
     Result<void> makeStage();
     Result<void> changeTo(XrSessionState state);
 
@@ -81,6 +100,9 @@ class Session {
     XrEnvironmentBlendMode blend_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
     Phase phase_ = Phase::waiting;
     bool wasRecentred_ = false;
+    bool hasNewMasks_ = true;
+    std::uint64_t framesBegun_ = 0;
+    std::uint64_t framesEnded_ = 0;
 };
 
 }  // namespace macula::xr

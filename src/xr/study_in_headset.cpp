@@ -51,6 +51,7 @@ struct Kept {
     std::shared_ptr<hybrid::ModelShelf> shelf = std::make_shared<hybrid::ModelShelf>(kShelfBytes);
     std::optional<glm::dmat4> placed;
     HeadsetFigures figures;
+    FrameStatistics statistics;
 };
 
 Result<std::shared_ptr<Runtime>> runtimeWithHeadset() {
@@ -74,13 +75,14 @@ Result<void> goOn(Headset& headset, const HeadsetWish& wish, Kept& kept, const P
             case Headset::Step::ended:
                 return {};
             case Headset::Step::waiting:
+                kept.statistics.pause();
                 std::this_thread::sleep_for(kListenEvery);
                 break;
             case Headset::Step::empty:
                 ++kept.figures.empty;
                 [[fallthrough]];
             case Headset::Step::shown:
-                ++kept.figures.frames;
+                if (kept.figures.frames++ >= wish.warmUpFrames) kept.statistics.note(headset.times());
                 break;
         }
         if (asked && Clock::now() - *asked > kMostEnding) return {};  // dropping it ends it, too
@@ -90,11 +92,20 @@ Result<void> goOn(Headset& headset, const HeadsetWish& wish, Kept& kept, const P
 Result<void> useOnce(std::shared_ptr<Runtime> runtime, const HeadsetWish& wish, Kept& kept,
                      const Progress& progress) {
     MACULA_TRY(const HeadsetDevice opened, openDevice(*runtime));
+    kept.figures.device = opened.device->info().name;
     MACULA_TRY(RoomView view, RoomView::create(opened.device, kept.scene, kept.shelf));
     const auto show = [&]() -> Result<void> {
-        MACULA_TRY(Headset headset, Headset::open(std::move(runtime), opened.device, view, kept.placed));
+        MACULA_TRY(Headset headset,
+                   Headset::open(std::move(runtime), opened.device, view, kept.placed,
+                                 {.session = {.showsRoom = wish.showsRoom}, .eyePx = wish.eyePx}));
         ++kept.figures.sessions;
-        return goOn(headset, wish, kept, progress);
+        kept.figures.eyePx = headset.eyePx();
+        kept.statistics.pause();
+        const Result<void> done = goOn(headset, wish, kept, progress);
+        kept.figures.unsubmitted += headset.session().unsubmitted();
+        kept.figures.stepsDown += headset.governor().stepsDown();
+        kept.figures.stepsUp += headset.governor().stepsUp();
+        return done;
     };
     Result<void> shown = show();
     kept.scene = view.scene();  // with what was cut
@@ -117,11 +128,15 @@ Result<HeadsetFigures> showStudy(const HeadsetWish& wish, const Hears& note, Pro
     MACULA_TRY(std::shared_ptr<Runtime> runtime, runtimeWithHeadset());
     Kept kept;
     kept.figures.headset = runtime->offer().headset;
+    kept.figures.runtime = runtime->offer().runtime;
+    if (wish.showsRoom && !runtime->offer().showsRoom)
+        note("This headset cannot show the room behind the anatomy.");
     MACULA_TRY(kept.scene, sceneOf(wish, note, progress));
     const Clock::time_point begun = Clock::now();
     gpu::LossCount losses;
     while (true) {
         const Result<void> used = useOnce(std::exchange(runtime, nullptr), wish, kept, progress);
+        kept.figures.times = kept.statistics.figures();
         kept.figures.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
         if (used && progress.cancelled())
             return Error{ErrorCode::cancelled, "Stopped.", "", "Nothing was written."};

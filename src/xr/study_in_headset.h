@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <glm/glm.hpp>
 #include <string>
 
 #include "app/state/state_wish.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "dicom/scan.h"
+#include "xr/frame_statistics.h"
 #include "xr/runtime.h"
 
 namespace macula::xr {
@@ -21,7 +23,10 @@ struct HeadsetWish {
     app::StateWish state;
     std::string lights;  // a built-in name
     dicom::ScanOptions how;
-    std::uint64_t frames = 0;  // after which it ends; 0: when who wears it ends it
+    std::uint64_t frames = 0;        // after which it ends; 0: when who wears it ends it
+    bool showsRoom = false;          // behind the anatomy, where the headset can
+    glm::ivec2 eyePx{0};             // of the picture for each eye; 0: as the headset wants it
+    std::uint64_t warmUpFrames = 0;  // that the figures of time leave out
 };
 
 struct HeadsetFigures {
@@ -30,6 +35,13 @@ struct HeadsetFigures {
     std::uint64_t sessions = 0;
     double seconds = 0.0;
     std::string headset;
+    std::string runtime;
+    std::string device;
+    glm::ivec2 eyePx{0};  // of the pictures, at most
+    FrameFigures times;
+    std::uint64_t unsubmitted = 0;  // frames that were begun and not submitted
+    std::uint64_t stepsDown = 0;    // of the governor
+    std::uint64_t stepsUp = 0;
 };
 // A line for a person.
 std::string textOf(const HeadsetFigures& figures);

@@ -1,5 +1,4 @@
-// The images that the headset shows: one for each eye, as two layers of one swapchain or, where the runtime
-// does not take these, as two swapchains.
+// The pictures that the headset shows: of both eyes, or of both insets.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,6 +11,7 @@
 #include "pipeline/gpu/resources.h"
 #include "xr/eyes.h"
 #include "xr/session.h"
+#include "xr/swapchain_pair.h"
 
 namespace macula::xr {
 
@@ -22,40 +22,24 @@ class Swapchains {
     // by bit. deviceNotUsable when the runtime does not take that.
     static Result<Swapchains> create(const Session& session, const glm::ivec2& sizePx);
 
-    Swapchains(Swapchains&& other) noexcept;
-    Swapchains& operator=(Swapchains&&) = delete;
-    ~Swapchains();
+    // Waits until the runtime lends the images: before it is known where the eyes are by then.
+    Result<void> acquire() { return pair_.acquire(); }
+    // Copies the part of each eye's picture, and says of which views the layer is made. `visible`: of each
+    // part what can be seen (bandsOf); the rest is black and clear. Empty: all. Waits for the runtime, and
+    // for no drawing.
+    Result<std::vector<XrCompositionLayerProjectionView>> show(
+        const EyePictures& eyes, std::span<const gpu::Image* const> pictures,
+        std::span<const std::vector<VisiblePart>> visible = {});
 
-    // Copies the part of each eye's picture, and says of which views the layer is made. Waits for the
-    // runtime, and for no drawing.
-    Result<std::vector<XrCompositionLayerProjectionView>> show(const EyePictures& eyes,
-                                                               std::span<const gpu::Image* const> pictures);
-
-    const glm::ivec2& sizePx() const { return sizePx_; }
-    std::size_t count() const { return chains_.size(); }
+    const glm::ivec2& sizePx() const { return pair_.sizePx(); }
+    std::size_t count() const { return pair_.count(); }
 
   private:
-    struct Chain {
-        XrSwapchain handle = XR_NULL_HANDLE;
-        std::vector<VkImage> images;
-    };
-
-    Swapchains(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
-               const glm::ivec2& sizePx)
-        : runtime_(std::move(runtime)), device_(std::move(device)), sizePx_(sizePx) {}
-    Result<bool> add(const Session& session, std::uint32_t layers);  // false: the runtime takes no layers
-    Result<VkImage> acquire(const Chain& chain);
+    explicit Swapchains(SwapchainPair pair) : pair_(std::move(pair)) {}
     Result<void> copy(const EyePictures& eyes, std::span<const gpu::Image* const> pictures,
-                      std::span<const VkImage> images);
-    std::size_t chainOf(std::size_t eye) const { return chains_.size() == 1 ? 0 : eye; }
-    std::uint32_t layerOf(std::size_t eye) const {
-        return chains_.size() == 1 ? static_cast<std::uint32_t>(eye) : 0;
-    }
+                      std::span<const std::vector<VisiblePart>> visible);
 
-    std::shared_ptr<Runtime> runtime_;
-    std::shared_ptr<gpu::Device> device_;
-    glm::ivec2 sizePx_{0};
-    std::vector<Chain> chains_;
+    SwapchainPair pair_;
 };
 
 }  // namespace macula::xr

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "cli/run_command.h"
 #include "xr/loader.h"
@@ -70,6 +71,69 @@ TEST_F(XrCommand, ShowsAStudyForSoManyFrames) {
     const Ran ran = runMacula({"xr", writeBall(), "--frames", "5"}, {kScripted});
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_NE(ran.out.find("Scripted headset: 5 frames"), std::string::npos) << ran.out << ran.err;
+}
+
+TEST_F(XrCommand, CheckTellsWhatElseIsOffered) {
+    const Ran ran =
+        runMacula({"xr", "--check"}, {kScripted, "MACULA_XR_SCRIPT=insets,depth,mask,room,eye=80x72"});
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    for (const char* words : {"80x72 pixels", "48x48 pixels", "Depths:   taken", "what they hide is told",
+                              "Room:     can be seen"})
+        EXPECT_NE(ran.out.find(words), std::string::npos) << words << " is not in:\n" << ran.out;
+    const Ran few = runMacula({"xr", "--check"}, {kScripted});
+    for (const char* words : {"not taken", "is not told", "cannot be seen"})
+        EXPECT_NE(few.out.find(words), std::string::npos) << words << " is not in:\n" << few.out;
+    EXPECT_EQ(few.out.find("Insets"), std::string::npos);
+    const Ran glass = runMacula({"xr", "--check"}, {kScripted, "MACULA_XR_SCRIPT=see-through"});
+    EXPECT_NE(glass.out.find("is always seen"), std::string::npos) << glass.out;
+}
+
+TEST_F(XrCommand, TheRoomThatCannotBeShownIsTold) {
+    const Ran ran = runMacula({"xr", writeBall(), "--frames", "3", "--room"}, {kScripted});
+    EXPECT_EQ(ran.exitCode, 0) << ran.err;
+    EXPECT_NE(ran.err.find("cannot show the room"), std::string::npos) << ran.err;
+    const Ran shown =
+        runMacula({"xr", writeBall(), "--frames", "3", "--room"}, {kScripted, "MACULA_XR_SCRIPT=room"});
+    EXPECT_EQ(shown.exitCode, 0) << shown.err;
+    EXPECT_EQ(shown.err.find("cannot show the room"), std::string::npos) << shown.err;
+}
+
+TEST_F(XrCommand, BenchTellsWhetherFramesAreInTime) {
+    const std::string paced = "MACULA_XR_SCRIPT=paced,no-pictures,rate=30";
+    const Ran ran = runMacula(
+        {"bench", "xr", writeBall(), "--frames", "30", "--warm-up", "10", "--size", "96x64", "--json"},
+        {kScripted, paced});
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const auto json = nlohmann::json::parse(ran.out);
+    EXPECT_EQ(json["benchmark"], "xr");
+    EXPECT_EQ(json["headset"], "Scripted headset");
+    EXPECT_EQ(json["eyePx"], (std::vector<int>{96, 64}));
+    const auto& results = json["results"];
+    EXPECT_EQ(results["frames"], 30);
+    EXPECT_EQ(results["framesEmpty"], 0);
+    EXPECT_EQ(results["framesUnsubmitted"], 0);
+    EXPECT_NEAR(results["periodMs"].get<double>(), 1000.0 / 30.0, 0.01);
+    const double inTime = results["inTimePercent"].get<double>();
+    const double missed = results["timesMissed"].get<double>();
+    EXPECT_NEAR(inTime, 100.0 * 30.0 / (30.0 + missed), 1e-6);
+    EXPECT_GT(results["longestMs"].get<double>(), 0.0);
+    EXPECT_GE(results["longestMs"].get<double>(), results["meanMs"]["drawn"].get<double>());
+    EXPECT_GT(results["meanMs"]["device"].get<double>(), 0.0);
+    EXPECT_EQ(results["sessions"], 1);
+    EXPECT_LE(results["governor"]["levelAtEnd"].get<int>(), results["governor"]["levelAtMost"].get<int>());
+
+    const Ran lines = runMacula({"bench", "xr", writeBall(), "--frames", "5", "--warm-up", "0"}, {kScripted});
+    EXPECT_EQ(lines.exitCode, 0) << lines.err;
+    for (const char* words :
+         {"In time:", "of 5 frames", "Governor:", "0 frames were begun and not submitted"})
+        EXPECT_NE(lines.out.find(words), std::string::npos) << words << " is not in:\n" << lines.out;
+}
+
+TEST_F(XrCommand, BenchRefusesWhatIsNoSizeAndTellsThatThereIsNoHeadset) {
+    EXPECT_EQ(runMacula({"bench", "xr", writeBall(), "--size", "big"}, {kScripted}).exitCode, 2);
+    EXPECT_EQ(runMacula({"bench", "xr", writeBall(), "--frames", "0"}, {kScripted}).exitCode, 2);
+    expectMissing(runMacula({"bench", "xr", writeBall()}, {kScripted, "MACULA_XR_SCRIPT=no-headset"}),
+                  "No headset is connected");
 }
 
 // By the layer of Debian that checks what is called: openxr-layer-corevalidation.

@@ -42,6 +42,7 @@ class ScriptedRoom : public ::testing::Test {
         EXPECT_EQ(record.sessions, 0);
         EXPECT_EQ(record.swapchains, 0);
         EXPECT_EQ(record.spaces, 0);
+        EXPECT_EQ(record.actionSets, 0);
         opened_.reset();
         runtime_.reset();
         EXPECT_EQ(xr_script::record().instances, 0);
@@ -97,7 +98,7 @@ class ScriptedRoom : public ::testing::Test {
     }
     void open(std::optional<glm::dmat4> placed = {}) {
         headset_.reset();
-        headset_.emplace(expectOk(Headset::open(runtime_, opened_->device, *view_, placed)));
+        headset_.emplace(expectOk(Headset::open(runtime_, opened_->device, *view_, placed, options_)));
     }
     // Frames until so many were submitted.
     void frames(std::uint64_t count) {
@@ -124,6 +125,7 @@ class ScriptedRoom : public ::testing::Test {
     std::shared_ptr<Runtime> runtime_;
     std::optional<HeadsetDevice> opened_;
     std::optional<RoomView> view_;
+    HeadsetOptions options_{.holdsRate = false};  // a machine that is busy changes no picture
     std::optional<Headset> headset_;
 };
 

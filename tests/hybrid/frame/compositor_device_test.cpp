@@ -1,6 +1,7 @@
 // Splats and a traced picture as one: held to the same in double, and at the extremes.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -102,6 +103,34 @@ TEST_F(CompositorTest, MixesAsLightAndShowsAsTheTracerDoes) {
                 ASSERT_EQ(ofSums[i].w, 255);
             }
         }
+    }
+}
+
+// To be laid over something else: what covers a part of a pixel has that part of its light.
+TEST_F(CompositorTest, KeepsTheCoverageWhereItIsWanted) {
+    const auto encoded = [](double c) {
+        return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
+    };
+    const auto decoded = [](double c) {
+        return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    };
+    auto splats = premultiplied(2.0f);
+    splats[0] = glm::vec4(0.0f);
+    splats[1] = glm::vec4(0.2f, 0.3f, 0.4f, 1.5f);  // rounding may go beyond all
+    const std::vector<std::uint32_t> counts(kPixels, 1);
+    const Display display{.background = {0.5f, 0.5f, 0.5f}, .exposure = 1.3f, .keepsCoverage = true};
+    const auto shown = composed(upload(splats, splats, counts), 0.0f, true, display);
+    Display black = display;
+    black.background = glm::vec3(0.0f);
+    EXPECT_EQ(shown[0], glm::u8vec4(0)) << "nothing is clear, whatever the background";
+    for (std::size_t i = 1; i < kPixels; ++i) {
+        const double coverage = std::min(double(splats[i].w), 1.0);
+        if (coverage < 1e-3) continue;
+        const glm::dvec3 light = glm::dvec3(splats[i]) * kGain / coverage;
+        const glm::dvec3 opaque = expected(glm::dvec4(light, 1.0), black);
+        ASSERT_NEAR(shown[i].w, 255.0 * coverage, 0.51) << i;
+        for (int k = 0; k < 3; ++k)
+            ASSERT_NEAR(shown[i][k], 255.0 * encoded(coverage * decoded(opaque[k])), 0.6) << i;
     }
 }
 

@@ -20,12 +20,14 @@ XrResult XRAPI_CALL createSet(XrInstance, const XrActionSetCreateInfo* info, XrA
         return wrong(XR_ERROR_NAME_INVALID, "xrCreateActionSet: no name");
     *set = nextHandle<XrActionSet>();
     state().sets.insert(*set);
+    ++state().record.actionSets;
     return XR_SUCCESS;
 }
 
 XrResult XRAPI_CALL destroySet(XrActionSet set) {
     const std::lock_guard lock(state().mutex);
     if (state().sets.erase(set) == 0) return wrong(XR_ERROR_HANDLE_INVALID, "xrDestroyActionSet");
+    --state().record.actionSets;
     std::erase_if(state().actions, [&](const auto& entry) { return entry.second->set == set; });
     return XR_SUCCESS;
 }

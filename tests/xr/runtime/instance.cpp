@@ -42,12 +42,33 @@ void followEnvironment(Script& script) {
     script.offersVulkan2 = script.offersVulkan2 && !says("no-vulkan2");
     script.offersGaze = script.offersGaze && !says("no-gaze");
     script.takesLayers = script.takesLayers && !says("no-layers");
+    script.offersDepth = script.offersDepth || says("depth");
+    script.offersInsets = script.offersInsets || says("insets");
+    script.isPaced = script.isPaced || says("paced");
+    script.keepsPictures = script.keepsPictures && !says("no-pictures");
+    if (says("room")) script.blendModes = {1, 3};
+    if (says("see-through")) script.blendModes = {2};
+    if (says("mask")) {
+        script.offersMask = true;
+        script.hidden = {{-1.0, 1.0}, {-0.3, 1.0}, {-1.0, 0.3}};
+    }
+    const auto after = [&](const char* word) {
+        const std::size_t at = words.find("," + std::string(word) + "=");
+        return at == std::string::npos ? std::string() : words.substr(words.find('=', at) + 1);
+    };
+    double rate = 0.0;
+    if (std::sscanf(after("rate").c_str(), "%lf", &rate) == 1 && rate > 0.0) script.framesPerS = rate;
+    glm::uvec2 eyePx(0);
+    if (std::sscanf(after("eye").c_str(), "%ux%u", &eyePx.x, &eyePx.y) == 2) script.eyePx = eyePx;
 }
 
 std::vector<const char*> offeredExtensions() {
     std::vector<const char*> names;
     if (state().script.offersVulkan2) names.push_back(XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME);
     if (state().script.offersGaze) names.push_back(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
+    if (state().script.offersDepth) names.push_back(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
+    if (state().script.offersMask) names.push_back(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME);
+    if (state().script.offersInsets) names.push_back(XR_VARJO_QUAD_VIEWS_EXTENSION_NAME);
     return names;
 }
 
@@ -107,6 +128,7 @@ XrResult XRAPI_CALL destroyInstance(XrInstance) {
     if (!s.hasInstance) return wrong(XR_ERROR_HANDLE_INVALID, "xrDestroyInstance: there is none");
     endSession();
     s.sets.clear();
+    s.record.actionSets = 0;
     s.actions.clear();
     s.hasInstance = false;
     s.record.instances = 0;
@@ -148,13 +170,13 @@ XrResult XRAPI_CALL enumerateViews(XrInstance, XrSystemId, XrViewConfigurationTy
                                    std::uint32_t capacity, std::uint32_t* count,
                                    XrViewConfigurationView* views) {
     const std::lock_guard lock(state().mutex);
-    if (type != XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO)
-        return XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED;
-    *count = 2;
+    if (type != viewConfiguration())
+        return wrong(XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED, "xrEnumerateViewConfigurationViews: type");
+    *count = viewCount();
     if (capacity == 0) return XR_SUCCESS;
-    if (capacity < 2) return XR_ERROR_SIZE_INSUFFICIENT;
-    const glm::uvec2 size = state().script.eyePx;
-    for (std::uint32_t i = 0; i < 2; ++i) {
+    if (capacity < *count) return XR_ERROR_SIZE_INSUFFICIENT;
+    for (std::uint32_t i = 0; i < *count; ++i) {
+        const glm::uvec2 size = i < 2 ? state().script.eyePx : state().script.insetPx;
         if (views[i].type != XR_TYPE_VIEW_CONFIGURATION_VIEW)
             return wrong(XR_ERROR_VALIDATION_FAILURE, "xrEnumerateViewConfigurationViews: type");
         views[i].recommendedImageRectWidth = size.x;
@@ -167,11 +189,26 @@ XrResult XRAPI_CALL enumerateViews(XrInstance, XrSystemId, XrViewConfigurationTy
     return XR_SUCCESS;
 }
 
+XrResult XRAPI_CALL enumerateConfigurations(XrInstance, XrSystemId, std::uint32_t capacity,
+                                            std::uint32_t* count, XrViewConfigurationType* types) {
+    const std::lock_guard lock(state().mutex);
+    *count = state().script.offersInsets ? 2 : 1;
+    if (capacity == 0) return XR_SUCCESS;
+    if (capacity < *count) return XR_ERROR_SIZE_INSUFFICIENT;
+    types[0] = viewConfiguration();
+    if (*count > 1) types[1] = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+    return XR_SUCCESS;
+}
+
 XrResult XRAPI_CALL enumerateBlendModes(XrInstance, XrSystemId, XrViewConfigurationType,
                                         std::uint32_t capacity, std::uint32_t* count,
                                         XrEnvironmentBlendMode* modes) {
-    *count = 1;
-    if (capacity > 0) modes[0] = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+    const std::lock_guard lock(state().mutex);
+    const std::vector<int>& offered = state().script.blendModes;
+    *count = std::uint32_t(offered.size());
+    if (capacity == 0) return XR_SUCCESS;
+    if (capacity < *count) return XR_ERROR_SIZE_INSUFFICIENT;
+    for (std::size_t i = 0; i < offered.size(); ++i) modes[i] = XrEnvironmentBlendMode(offered[i]);
     return XR_SUCCESS;
 }
 
@@ -205,8 +242,8 @@ XrResult XRAPI_CALL resultToString(XrInstance, XrResult value, char* text) {
 
 XrResult XRAPI_CALL getInstanceProcAddr(XrInstance, const char* name, PFN_xrVoidFunction* function) {
     using Part = PFN_xrVoidFunction (*)(std::string_view);
-    constexpr Part kParts[] = {instanceFunction, vulkanFunction,    sessionFunction,
-                               frameFunction,    swapchainFunction, actionFunction};
+    constexpr Part kParts[] = {instanceFunction,  vulkanFunction, sessionFunction, frameFunction,
+                               swapchainFunction, actionFunction, maskFunction};
     for (const Part part : kParts)
         if ((*function = part(name))) return XR_SUCCESS;
     return XR_ERROR_FUNCTION_UNSUPPORTED;
@@ -224,6 +261,7 @@ PFN_xrVoidFunction instanceFunction(std::string_view name) {
     MACULA_XR_IS("xrGetInstanceProperties", getInstanceProperties);
     MACULA_XR_IS("xrGetSystem", getSystem);
     MACULA_XR_IS("xrGetSystemProperties", getSystemProperties);
+    MACULA_XR_IS("xrEnumerateViewConfigurations", enumerateConfigurations);
     MACULA_XR_IS("xrEnumerateViewConfigurationViews", enumerateViews);
     MACULA_XR_IS("xrEnumerateEnvironmentBlendModes", enumerateBlendModes);
     MACULA_XR_IS("xrPollEvent", pollEvent);
@@ -256,6 +294,17 @@ XrResult entered(const char* function) {
     return XR_SUCCESS;
 }
 
+// Extensions count once they are enabled.
+std::uint32_t viewCount() {
+    return viewConfiguration() == XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO ? 2 : 4;
+}
+
+XrViewConfigurationType viewConfiguration() {
+    return state().extensions.contains(XR_VARJO_QUAD_VIEWS_EXTENSION_NAME)
+               ? XR_VIEW_CONFIGURATION_TYPE_PRIMARY_QUAD_VARJO
+               : XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+}
+
 std::string pathText(XrPath path) {
     const auto& paths = state().paths;
     return path >= 1 && path <= paths.size() ? paths[path - 1] : std::string();
@@ -272,6 +321,7 @@ void follow(Script script) {
     s.record.sessions = before.sessions;
     s.record.swapchains = before.swapchains;
     s.record.spaces = before.spaces;
+    s.record.actionSets = before.actionSets;
 }
 
 Record record() {

@@ -6,7 +6,8 @@
 // are those of the session. What is wrong is noted, and where the standard has a code for it, answered.
 //
 // A program that is run from outside takes MACULA_XR_SCRIPT, words between commas: no-headset, no-vulkan2,
-// no-gaze, no-layers.
+// no-gaze, no-layers, depth, mask, insets, room, see-through; paced, no-pictures, and numbers: rate=30,
+// eye=1024x1024.
 #pragma once
 
 #include <array>
@@ -47,13 +48,28 @@ struct Script {
     bool hasHeadset = true;
     bool offersVulkan2 = true;
     bool offersGaze = true;
-    bool takesLayers = true;  // swapchains of two array layers
-    bool hasStage = true;     // a STAGE space
+    bool takesLayers = true;    // swapchains of two array layers
+    bool hasStage = true;       // a STAGE space
+    bool offersDepth = false;   // XR_KHR_composition_layer_depth, and D32_SFLOAT for it
+    bool offersMask = false;    // XR_KHR_visibility_mask: `hidden`
+    bool offersInsets = false;  // XR_VARJO_quad_views
+    // XrEnvironmentBlendMode: 1 opaque, 2 additive, 3 alpha blend; the first is preferred.
+    std::vector<int> blendModes{1};
+    // Triangles, three corners each, as tangents; the same for all views.
+    std::vector<glm::dvec2> hidden;
+    glm::uvec2 insetPx{48, 48};
+    std::array<Field, 2> insetFields{Field{-0.2f, 0.2f, 0.2f, -0.2f}, Field{-0.2f, 0.2f, 0.2f, -0.2f}};
+    // Frames come at times of the clock, as those of a real headset do: who is late misses some.
+    bool isPaced = false;
+    bool keepsPictures = true;  // false: what is submitted is checked, and its pixels are not read
     glm::uvec2 eyePx{64, 64};
     double framesPerS = 30.0;
     std::array<Field, 2> fields{};
     double eyesApartM = 0.064;
-    std::function<Pose(double seconds)> head;                           // empty: stands still
+    std::function<Pose(double seconds)> head;  // empty: stands still
+    // How far off the head is foreseen to be, to its right, when it is asked for so many times before in the
+    // same frame; empty: it is foreseen as it will be.
+    std::function<double(int asked)> foreseenAsideM;
     std::function<std::optional<Pose>(double seconds)> gaze;            // empty: straight ahead
     std::function<std::optional<Hand>(double seconds, int hand)> hand;  // 0: left; empty: none
     std::function<bool(std::uint64_t frame)> shouldRender;              // empty: always
@@ -64,17 +80,30 @@ struct Script {
     int answer = 0;
 };
 
+// What was chained to a view.
+struct SubmittedDepth {
+    glm::ivec2 sizePx{0};
+    float minDepth = 0.0f;
+    float maxDepth = 1.0f;
+    float nearM = 0.0f;
+    float farM = 0.0f;
+    std::vector<float> depths;  // row 0 on top
+};
+
 struct SubmittedView {
     Pose pose;
     Field field;
     glm::ivec2 sizePx{0};
     std::vector<glm::u8vec4> rgba;  // as it lies in the image, sRGB encoded, row 0 on top
+    std::optional<SubmittedDepth> depth;
 };
 
 struct SubmittedFrame {
     std::uint64_t number = 0;          // of the frame, from 0
     double seconds = 0.0;              // when it is to be displayed
-    std::vector<SubmittedView> views;  // none: nothing was shown
+    std::vector<SubmittedView> views;  // of eyes, then of insets; none: nothing was shown
+    int blendMode = 1;
+    bool usesAlpha = false;  // of the layer
 };
 
 struct Record {
@@ -83,10 +112,12 @@ struct Record {
     std::uint64_t waited = 0;            // calls of xrWaitFrame
     std::uint64_t begun = 0;             // and so on
     std::uint64_t ended = 0;
-    int instances = 0;  // that there are now
+    std::uint64_t missed = 0;  // times of a paced headset for which there was no frame
+    int instances = 0;         // that there are now
     int sessions = 0;
     int swapchains = 0;
     int spaces = 0;
+    int actionSets = 0;
 };
 inline constexpr std::size_t kMostFrames = 64;
 
@@ -95,5 +126,7 @@ MACULA_XR_SCRIPT_EXPORT void follow(Script script);
 MACULA_XR_SCRIPT_EXPORT Record record();
 // The person takes the headset off: the runtime asks the application to end.
 MACULA_XR_SCRIPT_EXPORT void requestEnd();
+// Lenses show something else from now on (`hidden` of the script): the application is told.
+MACULA_XR_SCRIPT_EXPORT void changeMask(std::vector<glm::dvec2> hidden);
 
 }  // namespace macula::xr_script

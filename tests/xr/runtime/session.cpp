@@ -53,8 +53,8 @@ XrResult XRAPI_CALL beginSession(XrSession session, const XrSessionBeginInfo* in
     if (s.state != XR_SESSION_STATE_READY)
         return wrong(XR_ERROR_SESSION_NOT_READY, "xrBeginSession: not ready");
     if (s.isRunning) return wrong(XR_ERROR_SESSION_RUNNING, "xrBeginSession: it runs");
-    if (info->primaryViewConfigurationType != XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO)
-        return wrong(XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED, "xrBeginSession: not stereo");
+    if (info->primaryViewConfigurationType != viewConfiguration())
+        return wrong(XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED, "xrBeginSession: the views");
     s.isRunning = true;
     return XR_SUCCESS;
 }
@@ -204,6 +204,10 @@ void goTo(XrSessionState to) {
     event.time = s.session->predicted;
     std::memcpy(&buffer, &event, sizeof(event));
     s.events.push_back(buffer);
+}
+
+XrSession sessionHandle() {
+    return kSession;
 }
 
 void requestEnd() {

@@ -7,6 +7,7 @@
 #include <openxr/openxr.h>
 #include <openxr/openxr_platform.h>
 
+#include <chrono>
 #include <deque>
 #include <map>
 #include <memory>
@@ -59,6 +60,10 @@ struct SessionState {
     bool isAttached = false;
     XrTime synced = 0;
     bool isLost = false;
+    std::uint64_t slot = 0;     // of a paced one: at which of its times this frame is begun
+    std::uint64_t shownAt = 0;  // and at which the one before was shown
+    int located = 0;            // how often views were asked for in this frame
+    std::optional<std::chrono::steady_clock::time_point> begunAt;  // of a paced one: its first frame
 };
 
 struct State {
@@ -102,7 +107,8 @@ XrResult enteredSession(const char* function, XrSession session);
 XrResult wrong(XrResult result, const std::string& what);  // notes it as a violation
 
 void goTo(XrSessionState to);  // and tells the application
-void endSession();             // all that belongs to it is gone
+XrSession sessionHandle();
+void endSession();  // all that belongs to it is gone
 std::string pathText(XrPath path);
 std::optional<Pose> poseOfAction(const SpaceState& space, double seconds);
 Pose toPose(const XrPosef& pose);
@@ -115,6 +121,11 @@ void destroySwapchainNow(SwapchainState& swapchain);
 // What lies in a part of a released image.
 std::vector<glm::u8vec4> readImage(const SwapchainState& swapchain, std::uint32_t layer,
                                    const XrRect2Di& rect);
+std::vector<float> readDepths(const SwapchainState& swapchain, std::uint32_t layer, const XrRect2Di& rect);
+void waitForDevice();  // until all that was submitted is done
+std::uint32_t viewCount();
+XrViewConfigurationType viewConfiguration();  // the one that this headset is to be used with
+bool isDepth(const SwapchainState& swapchain);
 
 // The function of that name, of each part; null where it has none.
 PFN_xrVoidFunction instanceFunction(std::string_view name);
@@ -123,5 +134,6 @@ PFN_xrVoidFunction sessionFunction(std::string_view name);
 PFN_xrVoidFunction frameFunction(std::string_view name);
 PFN_xrVoidFunction swapchainFunction(std::string_view name);
 PFN_xrVoidFunction actionFunction(std::string_view name);
+PFN_xrVoidFunction maskFunction(std::string_view name);
 
 }  // namespace macula::xr_script

@@ -9,7 +9,26 @@ namespace macula::xr_script {
 namespace {
 
 constexpr std::uint32_t kImages = 3;
-constexpr VkFormat kFormats[] = {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_B8G8R8A8_SRGB};
+
+std::vector<std::int64_t> formats() {
+    std::vector<std::int64_t> taken{VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_B8G8R8A8_SRGB};
+    if (state().extensions.contains(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME))
+        taken.push_back(VK_FORMAT_D32_SFLOAT);
+    return taken;
+}
+bool takes(std::int64_t format) {
+    const std::vector<std::int64_t> taken = formats();
+    return std::find(taken.begin(), taken.end(), format) != taken.end();
+}
+
+VkImageAspectFlags aspectOf(std::int64_t format) {
+    return format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+}
+// In which images are lent, and are given back.
+VkImageLayout layoutOf(std::int64_t format) {
+    return format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL
+                                          : VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+}
 
 // The first kind of memory that the bits allow and that is like this.
 std::optional<std::uint32_t> memoryKind(VkPhysicalDevice device, std::uint32_t bits,
@@ -33,8 +52,8 @@ VkDeviceMemory allocate(const SessionState& session, const VkMemoryRequirements&
     return memory;
 }
 
-void barrier(VkCommandBuffer commands, VkImage image, std::uint32_t layers, VkImageLayout from,
-             VkImageLayout to) {
+void barrier(VkCommandBuffer commands, VkImage image, VkImageAspectFlags aspect, std::uint32_t layers,
+             VkImageLayout from, VkImageLayout to) {
     VkImageMemoryBarrier info{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
     info.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
     info.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
@@ -43,7 +62,7 @@ void barrier(VkCommandBuffer commands, VkImage image, std::uint32_t layers, VkIm
     info.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     info.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     info.image = image;
-    info.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, layers};
+    info.subresourceRange = {aspect, 0, 1, 0, layers};
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0,
                          0, nullptr, 0, nullptr, 1, &info);
 }
@@ -73,6 +92,8 @@ void run(const SessionState& session, const Record& recordInto) {
 VkImageUsageFlags usageOf(XrSwapchainUsageFlags wanted) {
     VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;  // this runtime reads it
     if (wanted & XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT) usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    if (wanted & XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT)
+        usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
     if (wanted & XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT) usage |= VK_IMAGE_USAGE_TRANSFER_DST_BIT;
     if (wanted & XR_SWAPCHAIN_USAGE_SAMPLED_BIT) usage |= VK_IMAGE_USAGE_SAMPLED_BIT;
     return usage;
@@ -96,21 +117,22 @@ bool addImage(const SessionState& session, SwapchainState& swapchain) {
     if (!swapchain.memories.back()) return false;
     if (vkBindImageMemory(session.device, image, swapchain.memories.back(), 0) != VK_SUCCESS) return false;
     run(session, [&](VkCommandBuffer commands) {
-        barrier(commands, image, info.arrayLayers, VK_IMAGE_LAYOUT_UNDEFINED,
-                VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+        barrier(commands, image, aspectOf(swapchain.info.format), info.arrayLayers, VK_IMAGE_LAYOUT_UNDEFINED,
+                layoutOf(swapchain.info.format));
     });
     return true;
 }
 
 XrResult XRAPI_CALL enumerateFormats(XrSession session, std::uint32_t capacity, std::uint32_t* count,
-                                     std::int64_t* formats) {
+                                     std::int64_t* told) {
     const std::lock_guard lock(state().mutex);
     if (const XrResult lost = enteredSession("xrEnumerateSwapchainFormats", session); lost != XR_SUCCESS)
         return lost;
-    *count = std::uint32_t(std::size(kFormats));
+    const std::vector<std::int64_t> taken = formats();
+    *count = std::uint32_t(taken.size());
     if (capacity == 0) return XR_SUCCESS;
     if (capacity < *count) return XR_ERROR_SIZE_INSUFFICIENT;
-    std::copy(std::begin(kFormats), std::end(kFormats), formats);
+    std::copy(taken.begin(), taken.end(), told);
     return XR_SUCCESS;
 }
 
@@ -122,10 +144,15 @@ XrResult XRAPI_CALL createSwapchain(XrSession session, const XrSwapchainCreateIn
     if (info->type != XR_TYPE_SWAPCHAIN_CREATE_INFO || info->sampleCount != 1 || info->faceCount != 1 ||
         info->mipCount != 1 || info->width == 0 || info->height == 0)
         return wrong(XR_ERROR_VALIDATION_FAILURE, "xrCreateSwapchain: the structure");
-    if (std::find(std::begin(kFormats), std::end(kFormats), VkFormat(info->format)) == std::end(kFormats))
+    if (!takes(info->format))
         return wrong(XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "xrCreateSwapchain: the format");
     if (info->usageFlags & XR_SWAPCHAIN_USAGE_UNORDERED_ACCESS_BIT)
         return wrong(XR_ERROR_FEATURE_UNSUPPORTED, "xrCreateSwapchain: storage of an sRGB format");
+    const XrSwapchainUsageFlags attachment = info->format == VK_FORMAT_D32_SFLOAT
+                                                 ? XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                                 : XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT;
+    if (!(info->usageFlags & attachment))
+        return wrong(XR_ERROR_FEATURE_UNSUPPORTED, "xrCreateSwapchain: the usage");
     if (info->arraySize > (s.script.takesLayers ? 2u : 1u)) return XR_ERROR_FEATURE_UNSUPPORTED;
     auto made = std::make_unique<SwapchainState>();
     made->info = *info;
@@ -222,6 +249,57 @@ XrResult XRAPI_CALL release(XrSwapchain swapchain, const XrSwapchainImageRelease
     return XR_SUCCESS;
 }
 
+// The bytes of a part of a released image, four for each pixel.
+std::vector<std::byte> readBytes(const SwapchainState& swapchain, std::uint32_t layer,
+                                 const XrRect2Di& rect) {
+    const SessionState& session = *state().session;
+    const VkImageAspectFlags aspect = aspectOf(swapchain.info.format);
+    const VkImageLayout kept = layoutOf(swapchain.info.format);
+    std::vector<std::byte> bytes(std::size_t(rect.extent.width) * std::size_t(rect.extent.height) * 4);
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = bytes.size();
+    info.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    VkBuffer buffer = VK_NULL_HANDLE;
+    if (vkCreateBuffer(session.device, &info, nullptr, &buffer) != VK_SUCCESS) return {};
+    VkMemoryRequirements needs{};
+    vkGetBufferMemoryRequirements(session.device, buffer, &needs);
+    VkDeviceMemory memory =
+        allocate(session, needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+    void* mapped = nullptr;
+    if (memory && vkBindBufferMemory(session.device, buffer, memory, 0) == VK_SUCCESS &&
+        vkMapMemory(session.device, memory, 0, VK_WHOLE_SIZE, 0, &mapped) == VK_SUCCESS) {
+        const VkImage image = swapchain.images[*swapchain.released];
+        const std::uint32_t layers = swapchain.info.arraySize;
+        run(session, [&](VkCommandBuffer commands) {
+            barrier(commands, image, aspect, layers, kept, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+            VkBufferImageCopy part{};
+            part.imageSubresource = {aspect, 0, layer, 1};
+            part.imageOffset = {rect.offset.x, rect.offset.y, 0};
+            part.imageExtent = {std::uint32_t(rect.extent.width), std::uint32_t(rect.extent.height), 1};
+            vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1, &part);
+            barrier(commands, image, aspect, layers, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, kept);
+            VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+            toHost.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+            toHost.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
+            vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
+                                 &toHost, 0, nullptr, 0, nullptr);
+        });
+        std::memcpy(bytes.data(), mapped, info.size);
+    }
+    vkDestroyBuffer(session.device, buffer, nullptr);
+    vkFreeMemory(session.device, memory, nullptr);
+    return bytes;
+}
+
+template <class Pixel>
+std::vector<Pixel> readPixels(const SwapchainState& swapchain, std::uint32_t layer, const XrRect2Di& rect) {
+    static_assert(sizeof(Pixel) == 4);
+    const std::vector<std::byte> bytes = readBytes(swapchain, layer, rect);
+    std::vector<Pixel> pixels(bytes.size() / sizeof(Pixel));
+    if (!pixels.empty()) std::memcpy(pixels.data(), bytes.data(), bytes.size());
+    return pixels;
+}
+
 }  // namespace
 
 PFN_xrVoidFunction swapchainFunction(std::string_view name) {
@@ -247,42 +325,19 @@ void destroySwapchainNow(SwapchainState& swapchain) {
 
 std::vector<glm::u8vec4> readImage(const SwapchainState& swapchain, std::uint32_t layer,
                                    const XrRect2Di& rect) {
-    const SessionState& session = *state().session;
-    std::vector<glm::u8vec4> pixels(std::size_t(rect.extent.width) * std::size_t(rect.extent.height));
-    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
-    info.size = pixels.size() * sizeof(pixels[0]);
-    info.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
-    VkBuffer buffer = VK_NULL_HANDLE;
-    if (vkCreateBuffer(session.device, &info, nullptr, &buffer) != VK_SUCCESS) return {};
-    VkMemoryRequirements needs{};
-    vkGetBufferMemoryRequirements(session.device, buffer, &needs);
-    VkDeviceMemory memory =
-        allocate(session, needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
-    void* mapped = nullptr;
-    if (memory && vkBindBufferMemory(session.device, buffer, memory, 0) == VK_SUCCESS &&
-        vkMapMemory(session.device, memory, 0, VK_WHOLE_SIZE, 0, &mapped) == VK_SUCCESS) {
-        const VkImage image = swapchain.images[*swapchain.released];
-        run(session, [&](VkCommandBuffer commands) {
-            barrier(commands, image, swapchain.info.arraySize, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                    VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
-            VkBufferImageCopy part{};
-            part.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1};
-            part.imageOffset = {rect.offset.x, rect.offset.y, 0};
-            part.imageExtent = {std::uint32_t(rect.extent.width), std::uint32_t(rect.extent.height), 1};
-            vkCmdCopyImageToBuffer(commands, image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer, 1, &part);
-            barrier(commands, image, swapchain.info.arraySize, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                    VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
-            VkMemoryBarrier toHost{VK_STRUCTURE_TYPE_MEMORY_BARRIER};
-            toHost.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
-            toHost.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
-            vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1,
-                                 &toHost, 0, nullptr, 0, nullptr);
-        });
-        std::memcpy(pixels.data(), mapped, info.size);
-    }
-    vkDestroyBuffer(session.device, buffer, nullptr);
-    vkFreeMemory(session.device, memory, nullptr);
-    return pixels;
+    return readPixels<glm::u8vec4>(swapchain, layer, rect);
+}
+
+std::vector<float> readDepths(const SwapchainState& swapchain, std::uint32_t layer, const XrRect2Di& rect) {
+    return readPixels<float>(swapchain, layer, rect);
+}
+
+bool isDepth(const SwapchainState& swapchain) {
+    return swapchain.info.format == VK_FORMAT_D32_SFLOAT;
+}
+
+void waitForDevice() {
+    vkQueueWaitIdle(state().session->queue);
 }
 
 }  // namespace macula::xr_script

@@ -18,12 +18,13 @@ Result<Compositor> Compositor::create(const std::shared_ptr<gpu::Device>& device
 }
 
 // The device keeps what is compiled.
-Result<gpu::Kernel> Compositor::kernelFor(const Layers& layers) const {
+Result<gpu::Kernel> Compositor::kernelFor(const Layers& layers, const Display& display) const {
     return gpu::Kernel::create(
         device_, shaders::hybrid_compose_comp,
         {.specializations = {{"kHasSplats", layers.splats != nullptr && layers.tracedShare < 1.0f},
                              {"kHasFovea", layers.fovea != nullptr && layers.tracedShare < 1.0f},
-                             {"kHasTraced", layers.tracedShare > 0.0f}}});
+                             {"kHasTraced", layers.tracedShare > 0.0f},
+                             {"kKeepsCoverage", display.keepsCoverage}}});
 }
 
 Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Display& display) {
@@ -56,7 +57,7 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
         .splatGain = layers.splatGain,
         .tracedShare = layers.tracedShare,
         .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0};
-    MACULA_TRY(const gpu::Kernel kernel, kernelFor(layers));
+    MACULA_TRY(const gpu::Kernel kernel, kernelFor(layers, display));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compose"));
     recorder.dispatch(kernel, {width, height}, push, {splats, fovea, weights, values, counts, *picture_});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());

@@ -29,6 +29,8 @@ struct Layers {
 struct Display {
     glm::vec3 background{0.0f};  // linear
     float exposure = 1.0f;
+    // The picture is premultiplied (as linear light) and has the coverage as alpha; there is no background.
+    bool keepsCoverage = false;
 };
 
 // Used by one thread at a time, the one that uses the device. Nothing goes through the host, and nothing is
@@ -38,14 +40,14 @@ class Compositor {
     static Result<Compositor> create(const std::shared_ptr<gpu::Device>& device);
 
     // Mixed as light (shaders/lib/compose.glsl), laid over the background, exposed, tone mapped and encoded
-    // as PathTracer::display: RGBA8, opaque, in layout GENERAL, valid until the next one of another size.
-    // outOfMemory.
+    // as PathTracer::display: RGBA8, opaque unless coverage is kept, in layout GENERAL, valid until the next
+    // one of another size. outOfMemory.
     Result<const gpu::Image*> compose(const Layers& layers, const Display& display);
 
   private:
     Compositor(std::shared_ptr<gpu::Device> device, gpu::TexelBuffer nothing)
         : device_(std::move(device)), nothing_(std::move(nothing)) {}
-    Result<gpu::Kernel> kernelFor(const Layers& layers) const;
+    Result<gpu::Kernel> kernelFor(const Layers& layers, const Display& display) const;
 
     std::shared_ptr<gpu::Device> device_;
     gpu::TexelBuffer nothing_;  // bound where there is no layer

@@ -146,6 +146,7 @@ double HybridFrame::foveaBudgetMs(double mostMs) const {
 Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& periphery) {
     MACULA_CHECK(!request.eyes.empty());
     MACULA_CHECK(request.eyes.size() == 1 || !request.fadingIn);
+    MACULA_CHECK(request.sizesPx.empty() || request.sizesPx.size() == request.eyes.size());
     while (compositors_.size() < request.eyes.size()) {
         MACULA_TRY(Compositor compositor, Compositor::create(device_));
         compositors_.push_back(std::move(compositor));
@@ -154,12 +155,13 @@ Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& pe
     Frame frame;
     for (std::size_t i = 0; i < request.eyes.size(); ++i) {
         const Camera& eye = request.eyes[i];
-        MACULA_TRY(const DrawnSplats splats, periphery.draw(eye, request.sizePx));
-        Layers layers{.splats = splats.picture, .sizePx = request.sizePx, .splatGain = periphery.gain};
+        const glm::ivec2 sizePx = request.sizesPx.empty() ? request.sizePx : request.sizesPx[i];
+        MACULA_TRY(const DrawnSplats splats, periphery.draw(eye, sizePx));
+        Layers layers{.splats = splats.picture, .sizePx = sizePx, .splatGain = periphery.gain};
         ReprojectedPicture fovea;
         if (showsFoveaTo(eye)) {
             MACULA_TRY(fovea, reprojection_.reproject(
-                                  fovea_->picture, eye, request.sizePx, seenMm_, kEdgeFade,
+                                  fovea_->picture, eye, sizePx, seenMm_, kEdgeFade,
                                   splats.depthSums != nullptr ? std::optional(splats) : std::nullopt));
             layers.fovea = &fovea;
             frame.foveaWeights = &fovea.weights->buffer();
@@ -174,10 +176,11 @@ Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& pe
     if (showsFoveaTo(request.eyes.front())) {
         frame.foveaAgeMs = msBetween(fovea_->begun, Clock::now());
         frame.foveaSamples = fovea_->aim.samplesPerPixel;
+        const glm::ivec2 firstPx = request.sizesPx.empty() ? request.sizePx : request.sizesPx.front();
         const glm::dvec2 part = reprojectedRegion(fovea_->picture.camera, fovea_->picture.sizePx,
-                                                  request.eyes.front(), request.sizePx, seenMm_)
+                                                  request.eyes.front(), firstPx, seenMm_)
                                     .sizePx;
-        frame.foveaShare = std::min(1.0, part.x * part.y / (double(request.sizePx.x) * request.sizePx.y));
+        frame.foveaShare = std::min(1.0, part.x * part.y / (double(firstPx.x) * firstPx.y));
     }
     return frame;
 }

@@ -55,6 +55,7 @@ struct FrameRequest {
     std::vector<Camera> eyes;  // at least one
     glm::ivec2 sizePx{0};      // of the picture for each
     Display display;
+    std::vector<glm::ivec2> sizesPx = {};   // of each, where they differ; as many as there are eyes, or none
     std::optional<FadingIn> fadingIn = {};  // of the one eye that there is
 };
 

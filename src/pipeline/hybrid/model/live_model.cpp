@@ -49,6 +49,7 @@ Result<LiveModel> LiveModel::create(const std::shared_ptr<gpu::Device>& device,
                                     std::shared_ptr<ModelStore> store, const LiveModelOptions& options) {
     MACULA_CHECK(shelf != nullptr);
     MACULA_TRY(trace::PathTracer tracer, beside.ofSameScene());
+    if (options.dispatchMs) tracer.setDispatchMs(*options.dispatchMs);
     return LiveModel(device, std::move(tracer), std::move(shelf), std::move(store), options);
 }
 

@@ -39,6 +39,7 @@ struct LiveModelOptions {
     std::uint64_t stepsBeforeShown = 40;               // of training, on the small pictures of the gauge
     std::chrono::milliseconds mostWaitForStore{2000};  // then it begins without
     std::chrono::milliseconds leastBetweenKeeping{20000};
+    std::optional<double> dispatchMs = {};  // of tracing its views; nothing: as PathTracer has it
 };
 // What is fast enough on the device to be taught beside a picture that converges.
 LiveModelOptions liveModelOptions(const gpu::Device& device);

@@ -1,0 +1,130 @@
+// macula bench xr [PATH]: whether frames in a headset are in time, and where their time goes.
+#include <CLI/App.hpp>
+
+#include "cli/command.h"
+
+#ifdef MACULA_HAS_XR
+
+#include <CLI/Option.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/choice/typed_values.h"
+#include "base/progress_bar.h"
+#include "cli/interrupt.h"
+#include "cli/json_text.h"
+#include "cli/number_range.h"
+#include "cli/report.h"
+#include "cli/study_options.h"
+#include "xr/study_in_headset.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options {
+    xr::HeadsetWish wish;
+    int frames = 900;
+    int warmUpFrames = 90;
+    std::string size;
+    bool json = false;
+};
+
+nlohmann::ordered_json jsonOf(const xr::HeadsetFigures& figures) {
+    const xr::FrameFigures& times = figures.times;
+    const xr::FrameTimes& mean = times.mean;
+    return {{"benchmark", "xr"},
+            {"version", MACULA_VERSION},
+            {"device", figures.device},
+            {"runtime", figures.runtime},
+            {"headset", figures.headset},
+            {"eyePx", {figures.eyePx.x, figures.eyePx.y}},
+            {"results",
+             {{"frames", times.frames},
+              {"framesEmpty", times.empty},
+              {"periodMs", times.periodMs},
+              {"inTimePercent", times.inTimePercent()},
+              {"timesMissed", times.missed},
+              {"framesLate", times.late},
+              {"framesUnsubmitted", figures.unsubmitted},
+              {"longestMs", times.longestMs},
+              {"meanMs",
+               {{"wait", mean.waitMs},
+                {"look", mean.lookMs},
+                {"images", mean.lendMs},
+                {"tell", mean.drawMs},
+                {"submit", mean.submitMs},
+                {"device", mean.deviceMs},
+                {"drawn", mean.drawnMs},
+                {"work", mean.workMs}}},
+              {"governor",
+               {{"stepsDown", figures.stepsDown},
+                {"stepsUp", figures.stepsUp},
+                {"levelAtEnd", times.lastLevel},
+                {"levelAtMost", times.worstLevel}}},
+              {"sessions", figures.sessions}}}};
+}
+
+Result<void> benchXr(Options options) {
+    if (!options.size.empty()) {
+        MACULA_TRY(options.wish.eyePx, app::parseSize(options.size));
+    }
+    options.wish.warmUpFrames = std::uint64_t(options.warmUpFrames);
+    options.wish.frames = std::uint64_t(options.frames) + options.wish.warmUpFrames;
+    Progress progress(terminalProgressBar(), interruptToken());
+    MACULA_TRY(const xr::HeadsetFigures figures,
+               xr::showStudy(
+                   options.wish, [](const std::string& sentence) { printNote(sentence); }, progress));
+    if (options.json) {
+        fmt::print("{}\n", jsonText(jsonOf(figures)));
+        return {};
+    }
+    fmt::print(
+        "{}, {}, {}x{} pixels for each eye\n{}\nGovernor: {} steps down, {} up\nLost:     {} frames "
+        "were begun and not submitted\n",
+        figures.headset, figures.device, figures.eyePx.x, figures.eyePx.y, xr::textOf(figures.times),
+        figures.stepsDown, figures.stepsUp, figures.unsubmitted);
+    return {};
+}
+
+}  // namespace
+
+void addBenchXr(CLI::App& bench, Action& action) {
+    auto options = std::make_shared<Options>();
+    Options& o = *options;
+    auto* command = bench.add_subcommand(
+        "xr",
+        "Frames in a headset (OpenXR), while the model learns: how many are in time, and what they take");
+    addStudyAsOfRender(*command, o.wish.path, o.wish.series, o.wish.how);
+    command->add_option("--preset", o.wish.state.preset, "As of render");
+    command->add_option("--lights", o.wish.lights, "Name from macula presets");
+    addNumber(*command, "--frames", o.frames, "Frames that are measured", 1, 1'000'000);
+    addNumber(*command, "--warm-up", o.warmUpFrames, "Frames before them", 0, 1'000'000);
+    command->add_option("--size", o.size, "Of the picture for each eye (default: as the headset wants it)")
+        ->option_text("WxH");
+    command->add_flag("--room", o.wish.showsRoom, "As of xr");
+    command->add_flag("--json", o.json, "Print JSON instead of lines");
+    command->callback([options, &action] { action = [options] { return benchXr(*options); }; });
+}
+
+}  // namespace macula::cli
+
+#else
+
+namespace macula::cli {
+
+// What is given besides does not matter.
+void addBenchXr(CLI::App& bench, Action& action) {
+    auto* command = bench.add_subcommand("xr", "Frames in a headset (this build cannot)");
+    command->allow_extras();
+    command->callback([&action] {
+        action = []() -> Result<void> {
+            return Error{ErrorCode::deviceNotUsable, "This build of Macula knows no headsets.", "",
+                         "Build it with the package libopenxr-dev installed."};
+        };
+    });
+}
+
+}  // namespace macula::cli
+
+#endif

@@ -1,0 +1,44 @@
+// How far away is what is shown, for the headset's software: it shifts the picture to where the eyes are by
+// then, and lays hands and walls before and behind the anatomy (XR_KHR_composition_layer_depth).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/hybrid/frame/eye_depths.h"
+#include "xr/eyes.h"
+#include "xr/session.h"
+#include "xr/swapchain_pair.h"
+
+namespace macula::xr {
+
+// The head may go inside the anatomy.
+inline constexpr float kNearM = 0.01f;
+inline constexpr float kFarM = 100.0f;
+// In metres of the room, for anatomy that stands there so large.
+hybrid::DepthRange depthRangeOf(const glm::dmat4& stageFromWorld);
+
+// Of two views. Must not outlive its session. Used by one thread at a time, the one that uses the device.
+class DepthLayer {
+  public:
+    // Nothing where the runtime takes no depths in D32_SFLOAT, or the device cannot copy any.
+    static Result<std::optional<DepthLayer>> create(const Session& session, const glm::ivec2& sizePx);
+
+    Result<void> acquire() { return pair_.acquire(); }
+    // Copies the part of each eye's depths, and chains what is said of them to the views, which are those of
+    // the same eyes: valid until the next call. `depths`: a row as wide as the whole picture.
+    Result<void> add(const EyePictures& eyes, std::span<const gpu::Buffer* const> depths,
+                     std::span<XrCompositionLayerProjectionView> views);
+
+  private:
+    explicit DepthLayer(SwapchainPair pair) : pair_(std::move(pair)) {}
+
+    SwapchainPair pair_;
+    std::array<XrCompositionLayerDepthInfoKHR, SwapchainPair::kViews> told_{};
+};
+
+}  // namespace macula::xr

@@ -1,0 +1,58 @@
+// Whether frames were in time, and where their time went. Knows no OpenXR.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace macula::xr {
+
+// Of one frame.
+struct FrameTimes {
+    std::int64_t displayedNs = 0;  // when it is seen, as the headset foresees
+    double periodMs = 0.0;
+    bool isEmpty = false;  // submitted without pictures
+    double waitMs = 0.0;   // for the headset, before it was begun
+    double lookMs = 0.0;   // at hands and eyes
+    double lendMs = 0.0;   // until the headset lent images
+    double drawMs = 0.0;   // telling the device what to draw
+    double submitMs = 0.0;
+    double deviceMs = 0.0;  // until the device had drawn it
+    double workMs = 0.0;    // for later frames
+    double drawnMs = 0.0;   // from when it was begun to when the device had drawn it
+    std::size_t level = 0;  // of the governor, in this frame
+};
+
+struct FrameFigures {
+    std::uint64_t frames = 0;  // submitted
+    std::uint64_t empty = 0;   // of these, without pictures
+    // Times at which the headset showed something and had no new frame for it.
+    std::uint64_t missed = 0;
+    std::uint64_t late = 0;  // frames that were followed by such times
+    double periodMs = 0.0;   // the mean
+    double longestMs = 0.0;  // of drawnMs
+    FrameTimes mean;         // of frames with pictures
+    std::size_t worstLevel = 0;
+    std::size_t lastLevel = 0;
+
+    // Of all times at which the headset showed something; 100 before the first frame.
+    double inTimePercent() const;
+};
+
+class FrameStatistics {
+  public:
+    void note(const FrameTimes& frame);
+    // The headset wanted no frames for a while, or another session began.
+    void pause() { displayedNs_.reset(); }
+    FrameFigures figures() const;
+
+  private:
+    FrameFigures sums_;  // means are sums
+    std::optional<std::int64_t> displayedNs_;
+};
+
+// Lines for a person.
+std::string textOf(const FrameFigures& figures);
+
+}  // namespace macula::xr
