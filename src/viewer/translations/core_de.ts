@@ -400,30 +400,6 @@
         <translation>Mittelwert (Röntgen)</translation>
     </message>
     <message>
-        <source>anterior</source>
-        <translation>anterior</translation>
-    </message>
-    <message>
-        <source>posterior</source>
-        <translation>posterior</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>superior</source>
-        <translation>superior</translation>
-    </message>
-    <message>
-        <source>inferior</source>
-        <translation>inferior</translation>
-    </message>
-    <message>
         <source>Cinematic MR</source>
         <translation>Cinematic MR</translation>
     </message>
@@ -536,18 +512,6 @@
         <translation>bearbeitet</translation>
     </message>
     <message>
-        <source>Presentation state</source>
-        <translation>Presentation State</translation>
-    </message>
-    <message>
-        <source>Of the series</source>
-        <translation>Der Serie</translation>
-    </message>
-    <message>
-        <source>Soft tissue</source>
-        <translation>Weichteile</translation>
-    </message>
-    <message>
         <source>Lung</source>
         <translation>Lunge</translation>
     </message>
@@ -570,10 +534,6 @@
     <message>
         <source>Angiography</source>
         <translation>Angiographie</translation>
-    </message>
-    <message>
-        <source>All values</source>
-        <translation>Alle Werte</translation>
     </message>
 </context>
 <context>
@@ -1825,6 +1785,22 @@
     <message>
         <source>Object of class %1</source>
         <translation>Objekt der Klasse %1</translation>
+    </message>
+    <message>
+        <source>The file is no presentation state of grey slices.</source>
+        <translation>Die Datei ist kein Presentation State von grauen Schichten.</translation>
+    </message>
+    <message>
+        <source>Choose a file of the kind Grayscale Softcopy Presentation State.</source>
+        <translation>Wählen Sie eine Datei der Art Grayscale Softcopy Presentation State.</translation>
+    </message>
+    <message>
+        <source>Presentation states: %1; they are no images, and say how a series is shown.</source>
+        <translation>Presentation States: %1; sie sind keine Bilder und sagen, wie eine Serie gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Open one of them in the list of studies; macula render draws those of 3D views.</source>
+        <translation>Öffnen Sie einen davon in der Liste der Studien; macula render zeichnet die von 3D-Ansichten.</translation>
     </message>
 </context>
 <context>
@@ -3390,6 +3366,86 @@
         <source>Set DISPLAY or WAYLAND_DISPLAY, or use `macula render`, which needs none.</source>
         <translation>Setzen Sie DISPLAY oder WAYLAND_DISPLAY, oder verwenden Sie `macula render`, das keine braucht.</translation>
     </message>
+    <message>
+        <source>Of the series</source>
+        <translation>Der Serie</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alle Werte</translation>
+    </message>
+    <message>
+        <source>The presentation state is of other images.</source>
+        <translation>Der Presentation State ist von anderen Bildern.</translation>
+    </message>
+    <message>
+        <source>Open the series of these images, or choose another presentation state.</source>
+        <translation>Öffnen Sie die Serie dieser Bilder, oder wählen Sie einen anderen Presentation State.</translation>
+    </message>
+    <message>
+        <source>No DICOM study is open.</source>
+        <translation>Es ist keine DICOM-Studie offen.</translation>
+    </message>
+    <message>
+        <source>Open the series of the presentation state first.</source>
+        <translation>Öffnen Sie zuerst die Serie des Presentation States.</translation>
+    </message>
+    <message>
+        <source>It has no window for its first image here.</source>
+        <translation>Er hat hier kein Fenster für sein erstes Bild.</translation>
+    </message>
+    <message>
+        <source>Its window is a table of values (VOI LUT), which is not shown.</source>
+        <translation>Sein Fenster ist eine Tabelle von Werten (VOI LUT), die nicht gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Its window is of other values than those of the volume, and is not shown.</source>
+        <translation>Sein Fenster ist von anderen Werten als denen des Volumens und wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>It has several windows; that of its first image is shown.</source>
+        <translation>Er hat mehrere Fenster; das seines ersten Bildes wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Where its images lie is not known: the slices stay where they are.</source>
+        <translation>Wo seine Bilder liegen, ist nicht bekannt: die Schichten bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>It turns or mirrors its images, which slices here never do: its part of the image is not shown.</source>
+        <translation>Er dreht oder spiegelt seine Bilder, was Schichten hier nie tun: sein Bildausschnitt wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Its part of the image lies beside the volume, and is not shown.</source>
+        <translation>Sein Bildausschnitt liegt neben dem Volumen und wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>View of slices</source>
+        <translation>Ansicht von Schichten</translation>
+    </message>
+    <message>
+        <source>Macula does not show presentation states of this kind.</source>
+        <translation>Macula zeigt Presentation States dieser Art nicht.</translation>
+    </message>
+    <message>
+        <source>The images that it is of are no volume.</source>
+        <translation>Die Bilder dazu sind kein Volumen.</translation>
+    </message>
+    <message>
+        <source>The series that it is of belongs to another patient.</source>
+        <translation>Die Serie dazu gehört zu einem anderen Patienten.</translation>
+    </message>
+    <message>
+        <source>The series that it is of is not in this folder.</source>
+        <translation>Die Serie dazu ist nicht in diesem Ordner.</translation>
+    </message>
 </context>
 <context>
     <name>labels</name>
@@ -3827,6 +3883,62 @@
     <message>
         <source>"LINEAR", "LINEAR_EXACT" or "SIGMOID"</source>
         <translation>„LINEAR“, „LINEAR_EXACT“ oder „SIGMOID“</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>superior</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
+    </message>
+    <message>
+        <source>a table of greys</source>
+        <translation>eine Tabelle von Grauwerten</translation>
+    </message>
+    <message>
+        <source>a displayed area that is none</source>
+        <translation>einen Bildausschnitt, der keiner ist</translation>
+    </message>
+    <message>
+        <source>annotations</source>
+        <translation>Anmerkungen</translation>
+    </message>
+    <message>
+        <source>a shutter</source>
+        <translation>eine Blende</translation>
+    </message>
+    <message>
+        <source>a subtraction of images</source>
+        <translation>eine Subtraktion von Bildern</translation>
+    </message>
+    <message>
+        <source>an overlay</source>
+        <translation>ein Overlay</translation>
+    </message>
+    <message>
+        <source>Presentation state of slices</source>
+        <translation>Presentation State von Schichten</translation>
     </message>
 </context>
 <context>
@@ -4655,118 +4767,6 @@
     <message>
         <source>holds &lt;%1&gt;, which no property list does</source>
         <translation>enthält &lt;%1&gt;, was keine Property List tut</translation>
-    </message>
-    <message>
-        <source>The file is no presentation state of grey slices.</source>
-        <translation>Die Datei ist kein Presentation State von grauen Schichten.</translation>
-    </message>
-    <message>
-        <source>Choose a file of the kind Grayscale Softcopy Presentation State.</source>
-        <translation>Wählen Sie eine Datei der Art Grayscale Softcopy Presentation State.</translation>
-    </message>
-    <message>
-        <source>Presentation states: %1; they are no images, and say how a series is shown.</source>
-        <translation>Presentation States: %1; sie sind keine Bilder und sagen, wie eine Serie gezeigt wird.</translation>
-    </message>
-    <message>
-        <source>Open one of them in the list of studies; macula render draws those of 3D views.</source>
-        <translation>Öffnen Sie einen davon in der Liste der Studien; macula render zeichnet die von 3D-Ansichten.</translation>
-    </message>
-    <message>
-        <source>The presentation state is of other images.</source>
-        <translation>Der Presentation State ist von anderen Bildern.</translation>
-    </message>
-    <message>
-        <source>Open the series of these images, or choose another presentation state.</source>
-        <translation>Öffnen Sie die Serie dieser Bilder, oder wählen Sie einen anderen Presentation State.</translation>
-    </message>
-    <message>
-        <source>No DICOM study is open.</source>
-        <translation>Es ist keine DICOM-Studie offen.</translation>
-    </message>
-    <message>
-        <source>Open the series of the presentation state first.</source>
-        <translation>Öffnen Sie zuerst die Serie des Presentation States.</translation>
-    </message>
-    <message>
-        <source>It has no window for its first image here.</source>
-        <translation>Er hat hier kein Fenster für sein erstes Bild.</translation>
-    </message>
-    <message>
-        <source>Its window is a table of values (VOI LUT), which is not shown.</source>
-        <translation>Sein Fenster ist eine Tabelle von Werten (VOI LUT), die nicht gezeigt wird.</translation>
-    </message>
-    <message>
-        <source>Its window is of other values than those of the volume, and is not shown.</source>
-        <translation>Sein Fenster ist von anderen Werten als denen des Volumens und wird nicht gezeigt.</translation>
-    </message>
-    <message>
-        <source>It has several windows; that of its first image is shown.</source>
-        <translation>Er hat mehrere Fenster; das seines ersten Bildes wird gezeigt.</translation>
-    </message>
-    <message>
-        <source>Where its images lie is not known: the slices stay where they are.</source>
-        <translation>Wo seine Bilder liegen, ist nicht bekannt: die Schichten bleiben, wo sie sind.</translation>
-    </message>
-    <message>
-        <source>It turns or mirrors its images, which slices here never do: its part of the image is not shown.</source>
-        <translation>Er dreht oder spiegelt seine Bilder, was Schichten hier nie tun: sein Bildausschnitt wird nicht gezeigt.</translation>
-    </message>
-    <message>
-        <source>Its part of the image lies beside the volume, and is not shown.</source>
-        <translation>Sein Bildausschnitt liegt neben dem Volumen und wird nicht gezeigt.</translation>
-    </message>
-    <message>
-        <source>3D view</source>
-        <translation>3D-Ansicht</translation>
-    </message>
-    <message>
-        <source>View of slices</source>
-        <translation>Ansicht von Schichten</translation>
-    </message>
-    <message>
-        <source>Macula does not show presentation states of this kind.</source>
-        <translation>Macula zeigt Presentation States dieser Art nicht.</translation>
-    </message>
-    <message>
-        <source>The images that it is of are no volume.</source>
-        <translation>Die Bilder dazu sind kein Volumen.</translation>
-    </message>
-    <message>
-        <source>The series that it is of belongs to another patient.</source>
-        <translation>Die Serie dazu gehört zu einem anderen Patienten.</translation>
-    </message>
-    <message>
-        <source>The series that it is of is not in this folder.</source>
-        <translation>Die Serie dazu ist nicht in diesem Ordner.</translation>
-    </message>
-    <message>
-        <source>a table of greys</source>
-        <translation>eine Tabelle von Grauwerten</translation>
-    </message>
-    <message>
-        <source>a displayed area that is none</source>
-        <translation>einen Bildausschnitt, der keiner ist</translation>
-    </message>
-    <message>
-        <source>annotations</source>
-        <translation>Anmerkungen</translation>
-    </message>
-    <message>
-        <source>a shutter</source>
-        <translation>eine Blende</translation>
-    </message>
-    <message>
-        <source>a subtraction of images</source>
-        <translation>eine Subtraktion von Bildern</translation>
-    </message>
-    <message>
-        <source>an overlay</source>
-        <translation>ein Overlay</translation>
-    </message>
-    <message>
-        <source>Presentation state of slices</source>
-        <translation>Presentation State von Schichten</translation>
     </message>
 </context>
 </TS>
