@@ -59,7 +59,9 @@ Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
     maskBits_.reset();
     function_.reset();
     volume_.reset();
-    additions_.tints.reset();
+    additions_ = {};
+    second_.reset();
+    additionTable_.reset();
     tints_.reset();
     grid_ = makeBrickGrid(*volume);
     MACULA_TRY(voxels_, DeviceVolume::create(device_, volume, grid_, limits_));

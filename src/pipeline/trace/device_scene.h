@@ -44,7 +44,7 @@ class DeviceScene {
 
     // Shows all of it again when the clip is nothing. After setVolume it stays.
     Result<void> setClip(const Clip& clip);
-    // A second volume and coloured segments, or nothing; of projections neither counts. Colours are of the
+    // A second volume and coloured segments, or nothing; of projections neither counts. Both belong to the
     // volume: a new one has none until they are set again. outOfMemory as setTransferFunction.
     Result<void> setAdditions(const Additions& additions);
     LightFrame lightFrame() const { return environment_ ? environment_->frame() : LightFrame::patient; }

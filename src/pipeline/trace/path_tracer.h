@@ -104,8 +104,8 @@ class PathTracer {
     Result<void> setEnvironment(const Environment& environment);
     // What is shown of the volume; stays until it is set again.
     Result<void> setClip(const Clip& clip);
-    // What is shown beside the volume: a second volume, coloured segments. Stays until it is set again;
-    // colours go with the volume.
+    // What is shown beside the volume: a second volume, coloured segments. Stays until it is set again, or
+    // another volume is.
     Result<void> setAdditions(const Additions& additions);
     Result<void> setSettings(const Settings& settings);
     Result<void> setView(const View& view);
