@@ -98,7 +98,7 @@ struct Mixture {
 // What is at a point where the volume's value is `entry`.
 Mixture mixtureAt(vec3 p, float entry) {
     Mixture m = Mixture(extinctionAt(p, entry), float(0.0));
-    if (useTints()) m.first *= tintAt(p).opacity;
+    if (useTints() && m.first > float(0.0)) m.first *= tintAt(p).opacity;
     if (useSecond()) m.second = secondMatter(p).w;
     return m;
 }

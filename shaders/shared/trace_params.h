@@ -77,8 +77,8 @@ struct TraceParams {
     vec3 secondFromVoxelX;  // columns: its voxels per voxel
     vec3 secondFromVoxelY;
     vec3 secondFromVoxelZ;
-    ivec3 secondSize;  // voxels
-    ivec3 secondGrid;  // bricks
+    ivec3 secondSize;           // voxels
+    ivec3 secondGrid;           // bricks
     int secondEntryCount;       // of its table; after it come the colours of segments, from the first on
     float secondStepsPerEntry;  // as stepsPerEntry
     ivec3 tintLow;              // the box that holds all voxels of segments

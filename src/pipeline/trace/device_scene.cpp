@@ -138,8 +138,11 @@ Result<void> DeviceScene::showSecond() {
         const MemoryLimits limits{.voxelBytes =
                                       std::min(limits_.voxelBytes, device_->memoryAvailableBytes() / 2)};
         MACULA_TRY(DeviceVolume voxels, DeviceVolume::create(device_, shown.second->volume, grid, limits));
-        second_.emplace(Second{shown.second->volume, {std::move(grid), {}}, {}, std::move(voxels)});
+        second_.emplace(Second{shown.second->volume, {std::move(grid), {}}, {}, {}, std::move(voxels)});
     }
+    // Another curve of the volume itself changes nothing here.
+    if (second_->shownAs == shown.second) return {};
+    second_->shownAs.reset();
     SecondMedium& made = second_->made;
     made.medium = makeMedium(*second_->volume, made.grid, *shown.second->function);
     std::vector<std::uint8_t> alsoShown;
@@ -148,6 +151,7 @@ Result<void> DeviceScene::showSecond() {
         second_->voxels.show(made.grid, made.medium.bounds, alsoShown, made.medium.extinctionPerMm));
     if (second_->voxels.isCoarse()) coverCoarseBlocks(made.medium, made.grid, second_->voxels.levels());
     second_->bounds = boundsInVolume(*shown.second, made, *volume_, grid_);
+    second_->shownAs = shown.second;
     return {};
 }
 

@@ -56,7 +56,7 @@ struct SegmentTints {
 struct Additions {
     std::optional<SecondVolume> second;
     std::optional<SegmentTints> tints;  // of the volume; never of no voxel
-    std::string remark = {};            // of pictures with these: "over it MR, …"; no patient data
+    std::string remark = {};            // of pictures with these: "with PT"; no patient data
 
     bool isNothing() const { return !second && !tints; }
     bool operator==(const Additions&) const = default;

@@ -3386,6 +3386,14 @@
         <source>Colour fewer of them, or give some the same colour.</source>
         <translation>Färben Sie weniger davon, oder geben Sie einigen dieselbe Farbe.</translation>
     </message>
+    <message>
+        <source>Others show no colours of segments.</source>
+        <translation>Andere zeigen keine Farben von Segmenten.</translation>
+    </message>
+    <message>
+        <source>Others show the study without the second volume.</source>
+        <translation>Andere zeigen die Studie ohne das zweite Volumen.</translation>
+    </message>
 </context>
 <context>
     <name>labels</name>
