@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/study/second_curve.h"
 #include "viewer/beside/beside_study.h"
 #include "viewer/harmless_text.h"
 #include "viewer/status_widgets.h"
@@ -242,7 +243,7 @@ void BesideBar::showState() {
     links_->setCurrentIndex(int(state->link));
     setItemEnabled(*links_, int(app::BesideLink::sameFrame), beside_.canShareFrame());
     const bool isOver = state->view == app::BesideView::over;
-    const bool isFused = state->in3d && state->isLinked();
+    const bool isFused = app::isIn3d(*state);
     in3d_->setEnabled(state->isLinked() && state->view != app::BesideView::hidden);
     in3d_->setChecked(isFused);
     fillPresets(*state);
