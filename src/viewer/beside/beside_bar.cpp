@@ -15,6 +15,7 @@
 #include "app/study/second_curve.h"
 #include "viewer/beside/beside_study.h"
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 #include "viewer/status_widgets.h"
 
 namespace macula::viewer {
@@ -213,7 +214,7 @@ void BesideBar::fillPresets(const app::BesideState& state) {
         presets_->addItem(tr("As over slices"));
         for (const auto& preset : listed_)
             presets_->addItem(
-                harmless(QString::fromStdString(preset->title.empty() ? preset->name : preset->title)));
+                harmless(titleInWindowsLanguage(preset->title.empty() ? preset->name : preset->title)));
     }
     const auto at = state.preset ? std::ranges::find_if(listed_, isOurs) : listed_.end();
     presets_->setCurrentIndex(at == listed_.end() ? 0 : int(at - listed_.begin()) + 1);
