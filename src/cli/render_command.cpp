@@ -166,7 +166,7 @@ Result<void> render(const app::RenderWish& options) {
     if (shown.clip.mask) record.masked = shown.clip.mask->remark;
     MACULA_TRY(request.scene.additions,
                additionsOf(options, state, segments.tints, *study.volume, tell, progress));
-    record.additions = request.scene.additions.remark;
+    if (!trace::isProjection(state.settings.look)) record.additions = request.scene.additions.remark;
     request.scene.volume = study.volume;
     request.scene.function = std::move(preset.function);
     request.scene.clip = std::move(shown.clip);

@@ -35,7 +35,7 @@ RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request,
     record.lights = publicLightsName(*picture.drawing.lights);
     record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
     if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark;
-    record.additions = request.scene.additions.remark;
+    if (!trace::isProjection(request.settings.look)) record.additions = request.scene.additions.remark;
     record.tableRemoved = record.masked.find(kTableLeftOut) != std::string::npos;
     record.presetFitted = request.scene.function.fitToVolume.has_value();
     record.window = request.settings.window;
