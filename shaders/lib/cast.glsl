@@ -237,6 +237,16 @@ vec4 matterOfEntry(float entry) {
     return matter + (fetchMatter(low + 1) - matter) * (entry - float(low));
 }
 
+// How much the second volume's value changes through the cell, in parts of what its curve needs a step for, and how many of
+// its voxels the ray crosses there.
+float secondSteps(CellWalk cells, float transmittance) {
+    vec3 begin = inSecond(positionIn(cells, fractionIn(cells, float(0.0))));
+    vec3 end = inSecond(positionIn(cells, fractionIn(cells, float(1.0))));
+    float middle = secondEntry((begin + end) * float(0.5));
+    float change = abs(middle - secondEntry(begin)) + abs(secondEntry(end) - middle);
+    return max(change * params.secondStepsPerEntry * transmittance, float(2.0) * length(end - begin));
+}
+
 // Emission and absorption: the integral over the ray of transmittance * extinction * colour, premultiplied, and one minus
 // the transmittance. A cell is crossed in as many steps as the transfer function needs over the values in it, and as what is
 // left of the light deserves. Exact where extinction and colour are constant over each step; `phase`, 0 to 1, is where in its
@@ -247,7 +257,7 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
     CellWalk cells = startCells(eye.originVoxel, directionVoxel);
     float face = float(0.0);
     if (useClip() && params.greyFaces != 0) face = stopAtFace(walk, eye.originVoxel, directionVoxel);
-    int least = hasGradients() ? 2 : 1;  // gradients change within a cell too
+    int least = hasGradients() || useSecond() || useTints() ? 2 : 1;  // these change within a cell too
     vec3 colour = vec3(0.0);
     float transmittance = float(1.0);
     float toMm = walk.distanceMm;
@@ -262,19 +272,37 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
             atEnd = valueOf(value, float(1.0));
             float change = abs(middle - value.start) + abs(atEnd - middle);
             int most = rounds < MANY_ROUNDS ? CAST_STEPS : CAST_STEPS_LATE;
-            int steps = clamp(int(ceil(min(change * params.stepsPerEntry * transmittance, float(CAST_STEPS)))), least, most);
+            float wanted = change * params.stepsPerEntry * transmittance;
+            if (useSecond()) wanted = max(wanted, secondSteps(cells, transmittance));
+            int steps = clamp(int(ceil(min(wanted, float(CAST_STEPS)))), least, most);
             float step = (cells.toMm - cells.fromMm) / float(steps);
             for (int i = 0; i < steps && transmittance >= float(CAST_OPAQUE); ++i) {
                 rounds += 1;
                 float part = (float(i) + phase) / float(steps);
                 vec3 fraction = fractionIn(cells, part);
                 vec4 matter = matterOfEntry(max(valueOf(value, part), float(0.0)));
+                vec3 at = positionIn(cells, fraction);
                 vec3 emitted = vec3(matter);
-                float extinction = isMasked(positionIn(cells, fraction)) ? float(0.0) : matter.w;
+                bool masked = isMasked(at);
+                float extinction = masked ? float(0.0) : matter.w;
+                float shade = float(1.0);
                 if (hasGradients()) {
                     vec3 gradient = gradientIn(cells, gradients, fraction);
                     if (useGradientOpacity()) extinction = thinnedByGradient(extinction, gradient);
-                    if (useShading()) emitted *= headlight(gradient, eye.direction);
+                    if (useShading()) shade = headlight(gradient, eye.direction);
+                }
+                if (useTints()) {
+                    Tint tint = tintAt(at);
+                    emitted = tinted(emitted, tint);
+                    extinction *= tint.opacity;
+                }
+                if (useShading()) emitted *= shade;
+                if (useSecond()) {
+                    vec4 second = secondMatter(at);
+                    Mixture mixture = Mixture(extinction, masked ? float(0.0) : second.w);
+                    if (useShading()) second *= vec4(vec3(headlight(secondGradient(at), eye.direction)), float(1.0));
+                    emitted = mix(emitted, vec3(second), secondShareOf(mixture));
+                    extinction = totalOf(mixture);
                 }
                 float through = exp(-extinction * step);
                 colour += emitted * (transmittance * (float(1.0) - through));

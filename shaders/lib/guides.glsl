@@ -100,7 +100,8 @@ March march(INOUT(BrickWalk) walk) {
             float middleMm = fromMm + float(0.5) * step;
             vec3 at = walkPositionAt(walk, middleMm);
             float entry = trilinearEntry(at);
-            float extinction = extinctionAt(at, entry);
+            Mixture matter = mixtureAt(at, entry);
+            float extinction = totalOf(matter);
             if (isMasked(at)) extinction = float(0.0);
             if (useClip()) extinction = endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
             float added = extinction * step;
@@ -117,7 +118,7 @@ March march(INOUT(BrickWalk) walk) {
             float seen = max(exp(-before) - exp(-min(after, float(DEPTH_1_2))), float(0.0));
             m.seen += seen;
             m.seenMm += seen * middleMm;
-            m.albedo += fetchAlbedo(int(entry + float(0.5))) * seen;
+            m.albedo += albedoAt(at, entry, secondShareOf(matter)) * seen;
             m.endMm = after > before ? fromMm + step : m.endMm;
             m.opticalDepth = after;
             fineToMm = again ? fromMm + step : fineToMm;
@@ -159,6 +160,14 @@ vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
     return normalize(dot(world, worldDirection) > float(0.0) ? -world : world);
 }
 
+// The same of whatever stops most of the light there.
+vec3 normalAt(vec3 at, vec3 worldDirection) {
+    if (!useSecond() || secondShareOf(mixtureAt(at, trilinearEntry(at))) <= float(0.5)) return surfaceNormal(at, worldDirection);
+    vec3 world = secondGradient(at);
+    if (!(dot(world, world) > float(0.0))) return vec3(0.0);
+    return normalize(dot(world, worldDirection) > float(0.0) ? -world : world);
+}
+
 // From a ray to another at a distance from where they begin, world mm.
 vec3 betweenRays(EyeRay to, EyeRay from, float distanceMm) {
     return (to.asideMm - from.asideMm) + (to.direction - from.direction) * distanceMm;
@@ -192,7 +201,7 @@ Guide guideOf(vec2 pixel, Eye before) {
         float spreadMm = (m.farMm >= float(0.0) ? m.farMm : m.endMm) - m.nearMm;
         guide.confidence = float(4.0) * footprintMm / (float(4.0) * footprintMm + max(spreadMm, float(1e-20)));
         guide.confidence *= clamp(float(4.0) * guide.coverage - float(2.0), float(0.0), float(1.0));
-        guide.normal = surfaceNormal(eye.originVoxel + directionVoxel * m.halfMm, direction);
+        guide.normal = normalAt(eye.originVoxel + directionVoxel * m.halfMm, direction);
     }
     // What is too thin for a depth moves like the middle of what it adds.
     vec3 fromBefore = before.oursMm + eye.asideMm + direction * (m.halfMm >= float(0.0) ? m.halfMm : m.seenMm / max(m.seen, float(1e-20)));

@@ -2,7 +2,7 @@
 // is not part of the answer: a path that leaves the volume adds nothing, the light it could have met was added at its
 // vertices.
 //
-// Needs, beside medium, walk, phase and environment: fetchAlbedo(entry), params.voxelFromWorld*, params.worldFrom*,
+// Needs, beside mixture, walk, phase and environment: fetchAlbedo(entry), params.voxelFromWorld*, params.worldFrom*,
 // params.bounces, params.anisotropy, params.lightStrength.
 
 vec3 voxelsPerMm(vec3 worldDirection) {
@@ -42,6 +42,7 @@ struct Path {
     float coverage;      // 1 when the eye ray met matter
     float transmittance; // of the shadow ray so far; a flight that is met ends at 0
     float entry;         // what a flight has met
+    float secondShare;   // of the second volume in it, see mixture.glsl
     int vertices;
     int rounds;          // of all loops so far: a device may allow a kernel only so many
     bool shadow;         // the ray under way is a shadow ray
@@ -96,6 +97,7 @@ Path startPath(vec3 originVoxel, vec3 worldDirection, Net net) {
     path.coverage = float(0.0);
     path.transmittance = float(1.0);
     path.entry = float(0.0);
+    path.secondShare = float(0.0);
     path.vertices = 0;
     path.rounds = 0;
     path.shadow = false;
@@ -121,7 +123,9 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
         if (!nextTentative(path.walk, rng, path.rounds)) return true;
         vec3 at = walkPosition(path.walk);
         path.entry = entryAt(at, rng);
-        float real = min(extinctionAt(at, path.entry) / path.walk.majorant, float(1.0));
+        Mixture matter = mixtureAt(at, path.entry);
+        path.secondShare = secondShareOf(matter);
+        float real = min(totalOf(matter) / path.walk.majorant, float(1.0));
         bool seesAll = params.clipShadows != 0 && (path.shadow || path.vertices > 0);
         if (useMask() && !seesAll && isMasked(at)) real = float(0.0);
         float chance = random01(rng);
@@ -165,7 +169,7 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         }
         path.coverage = float(1.0);
         path.origin = walkPosition(path.walk);
-        path.throughput *= fetchAlbedo(int(path.entry + float(0.5)));
+        path.throughput *= albedoAt(path.origin, path.entry, path.secondShare);
         EnvironmentSample light = sampleEnvironment(netPoint(path.net, uint(2 * path.vertices + 1)));
         direction = worldFromEnvironment(light.direction);
         float phase = phaseHenyeyGreenstein(dot(path.direction, direction), params.anisotropy);

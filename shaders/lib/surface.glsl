@@ -42,7 +42,7 @@ bool isShown(vec3 at) {
 }
 
 float realShare(vec3 at, float majorant) {
-    float real = min(extinctionAt(at, trilinearEntry(at)) / majorant, float(1.0));
+    float real = min(totalOf(mixtureAt(at, trilinearEntry(at))) / majorant, float(1.0));
     return isMasked(at) ? float(0.0) : real;
 }
 
@@ -169,7 +169,7 @@ Candidate findCandidate(vec3 low, vec3 high, int directions, INOUT(Rng) rng) {
                               : float(1.0) / max(visibility, float(SEEN_ENOUGH));
     if (!found) candidate.weight = float(0.0);
     // A ray has seen it, whatever chance has made of the others.
-    candidate.density = extinctionAt(at, trilinearEntry(at)) * clamp(visibility * float(1.0 / SEEN_ENOUGH), float(0.25), float(1.0));
+    candidate.density = totalOf(mixtureAt(at, trilinearEntry(at))) * clamp(visibility * float(1.0 / SEEN_ENOUGH), float(0.25), float(1.0));
     if (onFace) candidate.density = float(-1.0);
     return candidate;
 }

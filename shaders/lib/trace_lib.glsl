@@ -9,6 +9,7 @@
 #include "lib/medium.glsl"
 #include "lib/mask.glsl"
 #include "lib/gradient.glsl"
+#include "lib/mixture.glsl"
 #include "lib/fovea.glsl"
 #include "lib/clip.glsl"
 #include "lib/brick_walk.glsl"

@@ -72,6 +72,17 @@ struct TraceParams {
     float stepsPerEntry;  // integration steps for a change of the value by one entry
     float ambient;        // of a headlight
     float diffuse;
+    // What is beside the volume, see shaders/lib/mixture.glsl.
+    vec3 secondOrigin;      // of voxel coordinates, in those of the second volume
+    vec3 secondFromVoxelX;  // columns: its voxels per voxel
+    vec3 secondFromVoxelY;
+    vec3 secondFromVoxelZ;
+    ivec3 secondSize;           // voxels
+    ivec3 secondGrid;           // bricks
+    int secondEntryCount;       // of its table; after it come the colours of segments, from the first on
+    float secondStepsPerEntry;  // as stepsPerEntry
+    ivec3 tintLow;              // the box that holds all voxels of segments
+    ivec3 tintSize;
 };
 
 MACULA_SHARED_CONST int kBlockEdge = 8;  // pixels; a work group traces such a square of the picture

@@ -13,6 +13,8 @@ layout(constant_id = 4) const bool kGradientOpacity = false;
 layout(constant_id = 5) const bool kShading = false;
 layout(constant_id = 6) const int kCast = 0;
 layout(constant_id = 8) const bool kCoarse = true;  // some blocks are kept coarsely
+layout(constant_id = 9) const bool kSecond = false;
+layout(constant_id = 10) const bool kTints = false;
 #ifdef OF_SURFACE_POINTS
 layout(constant_id = 7) const bool kGreyFaces = false;
 #else
@@ -32,6 +34,10 @@ layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pd
 layout(binding = 6) uniform samplerBuffer cumulativeTexels;   // see environment.glsl
 layout(binding = 7) uniform usamplerBuffer blockTexels;       // by brick, words of four blocks: level and place in the pool
 layout(binding = 8) uniform usamplerBuffer maskTexels;        // a bit for each voxel: whether the mask shows it
+layout(binding = 9) uniform usamplerBuffer secondPoolTexels;    // of a second volume, as the two of the first one
+layout(binding = 10) uniform usamplerBuffer secondBlockTexels;
+layout(binding = 11) uniform samplerBuffer additionTexels;      // its albedo and extinction by entry; then colours of segments
+layout(binding = 12) uniform usamplerBuffer tintTexels;         // four voxels of segments in a word: which colour, 0: none
 
 // Voxels are kept in blocks of 8 x 8 x 8. A word says at which level one is kept, 0 to 3 halvings of its edge (bits 30 and
 // 31), and where in the pool, in units of 8 values; or, at level 3, its one value. What no visible brick touches has such a
@@ -46,6 +52,18 @@ float valueIn(uint word, ivec3 within) {
         inside = (((cell.z << (3 - level)) | cell.y) << (3 - level)) | cell.x;
     }
     uint value = texelFetch(poolTexels, level == 3 ? 0 : (rest << 3) + inside).x;
+    return float(level == 3 ? uint(rest) : value);
+}
+// The same of the second volume.
+float secondValueIn(uint word, ivec3 within) {
+    int level = int(word >> 30);
+    int rest = int(word & 0x3fffffffu);
+    int inside = (within.z << 6) | (within.y << 3) | within.x;
+    if (kCoarse) {
+        ivec3 cell = within >> level;
+        inside = (((cell.z << (3 - level)) | cell.y) << (3 - level)) | cell.x;
+    }
+    uint value = texelFetch(secondPoolTexels, level == 3 ? 0 : (rest << 3) + inside).x;
     return float(level == 3 ? uint(rest) : value);
 }
 
@@ -136,6 +154,29 @@ bool useMask() {
 float fetchMask(ivec3 voxel) {
     int n = (voxel.z * params.volumeSize.y + voxel.y) * params.volumeSize.x + voxel.x;
     return float((texelFetch(maskTexels, n >> 5).x >> (n & 31)) & 1u);
+}
+bool useSecond() {
+    return kSecond;
+}
+float fetchSecond(ivec3 voxel) {
+    ivec3 block = voxel >> 3;
+    int brick = (block.z * params.secondGrid.y + block.y) * params.secondGrid.x + block.x;
+    return secondValueIn(texelFetch(secondBlockTexels, brick).w, voxel & ivec3(7));
+}
+vec4 fetchSecondMatter(int entry) {
+    return texelFetch(additionTexels, entry);
+}
+bool useTints() {
+    return kTints;
+}
+int fetchTint(ivec3 voxel) {
+    ivec3 at = voxel - params.tintLow;
+    if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, params.tintSize))) return 0;
+    int n = (at.z * params.tintSize.y + at.y) * params.tintSize.x + at.x;
+    return int((texelFetch(tintTexels, n >> 2).x >> ((n & 3) << 3)) & 255u);
+}
+vec4 fetchTintColour(int tint) {
+    return texelFetch(additionTexels, params.secondEntryCount + tint - 1);
 }
 bool useGradientOpacity() {
     return kGradientOpacity;

@@ -14,10 +14,10 @@ layout(constant_id = 1) const int kMaxRounds = 16000;
 const int kTaps = 8;            // of a thread
 const float kFaceDepth = 20.0;  // of a face, in a radius: nothing shines through
 
-layout(binding = 9, scalar) readonly buffer Points {
+layout(binding = 13, scalar) readonly buffer Points {
     vec4 points[];  // voxel coordinates; radius of what lies around, mm, below 0: on a face of grey values
 };
-layout(binding = 10, scalar) writeonly buffer Sums {
+layout(binding = 14, scalar) writeonly buffer Sums {
     SurfaceSums sums[];
 };
 layout(push_constant, scalar) uniform Push {
@@ -79,7 +79,7 @@ void main() {
         vec3 offset = directionOnSphere(1.0 - (2.0 * float(tap) + 1.0) / float(all), float(tap) * 0.569840291);
         offset *= radius * pow(shell, 1.0 / 3.0);
         vec3 at = point.xyz + voxelsPerMm(offset);
-        float extinction = onFace ? kFaceDepth / radius : extinctionAt(at, trilinearEntry(at));
+        float extinction = onFace ? kFaceDepth / radius : totalOf(mixtureAt(at, trilinearEntry(at)));
         if (!isShown(at)) extinction = 0.0;
         found.mass += extinction;
         found.first += extinction * offset;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,6 +21,7 @@
 #include "app/state/state_wish.h"
 #include "app/study/combined_mask.h"
 #include "app/study/found_volumes.h"
+#include "app/study/second_curve.h"
 #include "app/study/shown_clip.h"
 #include "app/study/study_input.h"
 #include "base/check.h"
@@ -68,7 +70,7 @@ Result<app::SegmentsToDraw> segmentsOf(const ReadStudy& study,
                                        std::span<const app::SegmentWish> wishes, Progress& progress) {
     if (!study.found) {
         app::SegmentsToDraw none;
-        if (!app::in3dOf(choices).empty())
+        if (!app::in3dOf(choices).empty() || !app::colouredIn3dOf(choices).empty())
             none.notes.emplace_back("The segments of the view are not here; all of the volume is shown.");
         return none;
     }
@@ -97,6 +99,33 @@ Result<void> addMask(Clip& clip, const std::optional<Mask>& mask, const Volume& 
     return {};
 }
 
+bool needsSegments(const std::vector<app::SegmentWish>& wishes,
+                   const std::vector<app::SegmentationChoice>& choices) {
+    return !wishes.empty() || !app::in3dOf(choices).empty() || !app::colouredIn3dOf(choices).empty();
+}
+
+// A second volume and the colours of segments, and what there is to say of them.
+Result<Additions> additionsOf(const app::RenderWish& options, const app::StudyState& state,
+                              const std::optional<SegmentTints>& tints, const Volume& volume,
+                              const std::function<void(const std::string&)>& tell, Progress& progress) {
+    Additions additions;
+    additions.tints = tints;
+    if (tints) additions.remark = "coloured segments";
+    const app::BesideState* beside = state.beside ? &*state.beside : nullptr;
+    if (!options.second.isGiven()) {
+        if (beside != nullptr && app::isIn3d(*beside))
+            tell("The view has a second volume in the picture; give it by --second to draw both.");
+        return additions;
+    }
+    app::SecondWish wish = options.second;
+    wish.how = options.how;
+    MACULA_TRY(app::SecondToDraw second, app::secondToDraw(wish, volume, beside, progress));
+    for (const std::string& note : second.notes) tell(note);
+    additions.second = std::move(second.second);
+    additions.remark = additions.remark.empty() ? second.remark : second.remark + ", " + additions.remark;
+    return additions;
+}
+
 Result<void> render(const app::RenderWish& options) {
     const auto begin = std::chrono::steady_clock::now();
     // All that can be wrong on the command line first, then the device, then the study: the slowest comes
@@ -110,8 +139,7 @@ Result<void> render(const app::RenderWish& options) {
 
     Progress progress(terminalProgressBar(), interruptToken());
     const auto start = std::chrono::steady_clock::now();
-    MACULA_TRY(ReadStudy read,
-               readStudy(options, !segmentWishes.empty() || !app::in3dOf(segmentChoices).empty(), progress));
+    MACULA_TRY(ReadStudy read, readStudy(options, needsSegments(segmentWishes, segmentChoices), progress));
     app::StudyInput& study = read.input;
     bringTo16Bits(study);
     app::RenderRecord record{.seriesDigest = study.seriesDigest,
@@ -136,6 +164,9 @@ Result<void> render(const app::RenderWish& options) {
     for (const std::string& note : segments.notes) tell(note);
     MACULA_TRY_VOID(addMask(shown.clip, segments.mask, *study.volume, progress));
     if (shown.clip.mask) record.masked = shown.clip.mask->remark;
+    MACULA_TRY(request.scene.additions,
+               additionsOf(options, state, segments.tints, *study.volume, tell, progress));
+    if (!trace::isProjection(state.settings.look)) record.additions = request.scene.additions.remark;
     request.scene.volume = study.volume;
     request.scene.function = std::move(preset.function);
     request.scene.clip = std::move(shown.clip);

@@ -14,6 +14,8 @@
 #include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/volume/shown_additions.h"
+#include "viewer/volume/shown_volume.h"
 
 namespace macula::viewer {
 
@@ -48,6 +50,7 @@ void MainWindow::makeBeside() {
     });
     connect(beside_, &BesideStudy::secondChanged, this, [this] {
         for (SlicePair* pair : pairs_) pair->setSecond(beside_->second());
+        shown_->additions().setSecond(beside_->second());
         showBeside();
         showNotes();
     });

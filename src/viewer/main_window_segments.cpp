@@ -3,6 +3,7 @@
 #include "viewer/main_window.h"
 #include "viewer/segmentation/segmentation_keeper.h"
 #include "viewer/slices/slice_view.h"
+#include "viewer/volume/shown_additions.h"
 
 namespace macula::viewer {
 
@@ -23,6 +24,7 @@ void MainWindow::connectSegments() {
     };
     connect(segments_, &SegmentationKeeper::failed, this, tell);
     connect(&shown_->hidden(), &HiddenVoxels::failed, this, tell);
+    connect(&shown_->additions(), &ShownAdditions::failed, this, tell);
 }
 
 }  // namespace macula::viewer

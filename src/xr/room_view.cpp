@@ -44,6 +44,7 @@ Result<RoomView> RoomView::create(const std::shared_ptr<gpu::Device>& device, Ro
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
     MACULA_TRY_VOID(tracer.setVolume(scene.volume));
     MACULA_TRY_VOID(tracer.setClip(scene.drawing.clip ? *scene.drawing.clip : Clip{}));
+    if (scene.drawing.additions) MACULA_TRY_VOID(tracer.setAdditions(*scene.drawing.additions));
     MACULA_TRY_VOID(tracer.setTransferFunction(*scene.drawing.transferFunction));
     MACULA_TRY_VOID(tracer.setEnvironment(trace::Environment::fromRig(*scene.drawing.lights)));
     MACULA_TRY_VOID(tracer.setSettings(scene.drawing.settings));

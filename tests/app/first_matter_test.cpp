@@ -90,6 +90,30 @@ TEST(FirstMatter, IsTheSameInVoxelsOfFloats) {
     EXPECT_FALSE(firstMatterMm(*floats, drawing(), low, {0, 0}, 1.0));
 }
 
+// A second volume in the picture is matter too: here the same ball, 12 mm nearer to the eye by a
+// registration.
+TEST(FirstMatter, IsOfTheSecondVolumeWhereThatIsMetFirst) {
+    const auto volume = ball();
+    Additions added;
+    added.second.emplace();
+    added.second->volume = volume;
+    added.second->function = drawing().transferFunction;
+    added.second->secondFromVolumeMm[3].y = 12.0;
+    Drawing both = drawing();
+    both.additions = std::make_shared<const Additions>(added);
+    const auto found = firstMatterMm(*volume, both, kFront, {0, 0}, 1.0);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->y, -32.0, kVoxelMm);
+    // Of a segment that is thinned to nothing nothing is left to be pointed at.
+    auto box = std::make_shared<TintBox>();
+    box->volumeSize = box->size = volume->size();
+    box->voxels.assign(volume->voxelCount(), 1);
+    Additions hidden;
+    hidden.tints = SegmentTints{box, {{.rgb = {1.0f, 0.0f, 0.0f}, .opacity = 0.0f}}};
+    both.additions = std::make_shared<const Additions>(hidden);
+    EXPECT_FALSE(firstMatterMm(*volume, both, kFront, {0, 0}, 1.0));
+}
+
 // The patient's left is right in a picture from the front, and up is the head.
 TEST(FirstMatter, RightAndUpAreThoseOfThePicture) {
     const auto volume = ball();

@@ -102,6 +102,37 @@ TEST(SceneKey, AnotherLookIsAnotherModelAndOnlyLightsAreKin) {
     other = drawing();
     other.clip = std::make_shared<const Clip>(clipFor(*chooseClip("left-half"), *volume));
     EXPECT_EQ(kinshipWith(other), Kinship::none);
+    // A second volume, where it lies, and its curve.
+    Additions added;
+    added.second.emplace();
+    added.second->volume = volume;
+    added.second->function = drawing().transferFunction;
+    other = drawing();
+    other.additions = std::make_shared<const Additions>(added);
+    EXPECT_EQ(kinshipWith(other), Kinship::none);
+    const session::ModelKey withSecond = keyOf(*volume, other);
+    added.second->secondFromVolumeMm[3].x = 1.0;
+    other.additions = std::make_shared<const Additions>(added);
+    EXPECT_NE(keyOf(*volume, other).digest(), withSecond.digest());
+    added.second->secondFromVolumeMm[3].x = 0.0;
+    added.second->function = std::make_shared<const TransferFunction>(function);
+    other.additions = std::make_shared<const Additions>(added);
+    EXPECT_NE(keyOf(*volume, other).digest(), withSecond.digest());
+    // And colours of segments.
+    auto box = std::make_shared<TintBox>();
+    box->volumeSize = volume->size();
+    box->size = glm::ivec3(1);
+    box->voxels = {1};
+    Additions coloured;
+    coloured.tints = SegmentTints{box, {{.rgb = {1.0f, 0.0f, 0.0f}, .opacity = 1.0f}}};
+    other.additions = std::make_shared<const Additions>(coloured);
+    EXPECT_EQ(kinshipWith(other), Kinship::none);
+    const session::ModelKey red = keyOf(*volume, other);
+    coloured.tints->colours.front().opacity = 0.5f;
+    other.additions = std::make_shared<const Additions>(coloured);
+    EXPECT_NE(keyOf(*volume, other).digest(), red.digest());
+    other.additions = std::make_shared<const Additions>();
+    EXPECT_EQ(keyOf(*volume, other).digest(), key.digest()) << "nothing is as before";
     other = drawing();
     other.settings.bounces = 3;
     EXPECT_EQ(kinshipWith(other), Kinship::none);

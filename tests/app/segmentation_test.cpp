@@ -8,6 +8,7 @@
 #include "app/segmentation/found_segmentation.h"
 #include "app/segmentation/loaded_segmentation.h"
 #include "app/segmentation/segment_mask.h"
+#include "app/segmentation/segment_tints.h"
 #include "app/segmentation/segments_to_draw.h"
 #include "app/state/segmentation_choice.h"
 #include "app/state/study_state.h"
@@ -225,6 +226,62 @@ TEST_F(SegmentationOfAFolder, AloneAndHiddenLeaveWhatTheySay) {
     EXPECT_TRUE(none && !*none);
 }
 
+TEST_F(SegmentationOfAFolder, InColourTheirVoxelsHaveTheColoursThatWereChosen) {
+    open();
+    const auto found = find();
+    const auto loaded = load(found.at(0));
+    ASSERT_TRUE(loaded);
+    SegmentationChoice choice;
+    choice.digest = found[0].digest;
+    choice.isShown = true;
+    SegmentChoice liver;
+    liver.isColouredIn3d = true;
+    liver.rgb = {255, 0, 51};
+    SegmentChoice tumour;
+    tumour.number = 2;
+    tumour.isColouredIn3d = true;
+    tumour.opacityIn3d = 0.5;
+    choice.segments = {liver, tumour};
+    Progress progress;
+    const auto made = segmentTints(std::vector{choice}, {loaded}, *study_.volume, progress);
+    ASSERT_TRUE(made && *made) << made.error().message;
+    const SegmentTints& tints = **made;
+    ASSERT_EQ(tints.colours.size(), 2u);
+    EXPECT_EQ(tints.colours[0].rgb, glm::vec3(1.0f, 0.0f, 0.2f));
+    EXPECT_EQ(tints.colours[1].opacity, 0.5f);
+    Additions added;
+    added.tints = tints;
+    EXPECT_TRUE(validate(added, *study_.volume).ok());
+    const TintBox& box = *tints.box;
+    forEachVoxel([&](const glm::ivec3& v, const glm::dvec3& mm) {
+        const glm::ivec3 at = v - box.low;
+        const bool isInBox =
+            glm::all(glm::greaterThanEqual(at, glm::ivec3(0))) && glm::all(glm::lessThan(at, box.size));
+        const int colour =
+            isInBox ? box.voxels[std::size_t((at.z * box.size.y + at.y) * box.size.x + at.x)] : 0;
+        const double far = glm::distance(mm, centreMm_);
+        ASSERT_EQ(colour, far <= 3.0 ? 2 : far <= 6.45 ? 1 : 0) << "the later one counts " << far;
+    });
+
+    choice.isShown = false;
+    const auto none = segmentTints(std::vector{choice}, {loaded}, *study_.volume, progress);
+    EXPECT_TRUE(none && !*none) << "it is not shown";
+    choice.isShown = true;
+    const auto notLoaded = segmentTints(std::vector{choice}, {}, *study_.volume, progress);
+    EXPECT_TRUE(notLoaded && !*notLoaded);
+    EXPECT_TRUE(colouredIn3dOf(onSlicesAlone(std::vector{choice})).empty());
+
+    // By its label, for who has no window.
+    const SegmentWish wish = *segmentWishFrom("colour:tumour");
+    const auto drawn =
+        segmentsToDraw(*study_.found, volume(), {}, std::vector{wish}, *study_.volume, progress);
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    EXPECT_FALSE(drawn->mask) << "nothing is hidden";
+    ASSERT_TRUE(drawn->tints);
+    EXPECT_EQ(drawn->tints->colours.size(), 1u);
+    EXPECT_EQ(drawn->notes.size(), 1u) << "colours are no values of the preset";
+}
+
 TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {
     open();
     Progress progress;
@@ -281,6 +338,8 @@ TEST(SegmentationState, IsReadBackAndKeepsNothingThatIsAsByDefault) {
     segment.rgb = {1, 2, 255};
     segment.opacity = 0.25;
     segment.in3d = In3d::hidden;
+    segment.isColouredIn3d = true;
+    segment.opacityIn3d = 0.75;
     choose(state.segmentations, digestOf('b'), segment);
     SegmentationChoice shown;
     shown.digest = digestOf('a');

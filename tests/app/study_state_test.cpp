@@ -90,6 +90,8 @@ StudyState everything() {
     beside.window = DisplayWindow{.center = 4.0, .width = 8.0, .explanation = {}, .function = "LINEAR_EXACT"};
     beside.opacity = 0.3;
     beside.colours = slices::ColourTable::green;
+    beside.in3d = true;
+    beside.preset = state.preset;
     state.beside = beside;
     return state;
 }
@@ -145,6 +147,10 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[0].in3d = In3d::hidden; }));
     EXPECT_TRUE(differs([](auto& s) { s.beside.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.beside->opacity = 0.4; }));
+    EXPECT_TRUE(differs([](auto& s) { s.beside->in3d = false; }));
+    EXPECT_TRUE(differs([](auto& s) { s.beside->preset.reset(); }));
+    EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[0].isColouredIn3d = true; }));
+    EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[0].opacityIn3d = 0.5; }));
     EXPECT_TRUE(differs([](auto& s) { s.beside->secondFromStudy[3][0] += 1e-6; }));
 }
 
@@ -186,6 +192,7 @@ TEST(StudyState, ASecondVolumeIsTurnedAndMovedAndNothingElse) {
     const StudyState state = read(with("[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]"));
     ASSERT_TRUE(state.beside);
     EXPECT_FALSE(state.beside->volume) << "as older versions wrote it";
+    EXPECT_FALSE(state.beside->in3d || state.beside->preset) << "likewise";
     EXPECT_EQ(glm::dvec3(state.beside->secondFromStudy[3]), glm::dvec3(5.0, 6.0, 7.0)) << "row by row";
     for (const char* broken :
          {"[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]", "[2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]",

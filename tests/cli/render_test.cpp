@@ -240,6 +240,39 @@ TEST_F(Render, TheNameOfAUsersFileIsNotRepeated) {
     EXPECT_NE(readAll(at("a.json")).find("custom"), std::string::npos);
 }
 
+TEST_F(Render, ASecondVolumeIsInThePictureAndIsSaid) {
+    const auto alone =
+        render("alone.png", {"phantom:", "--preset", "cinematic-bone", "--json", at("alone.json")});
+    const auto both =
+        render("both.png", {"phantom:", "--preset", "cinematic-bone", "--second",
+                            "phantom:", "--second-preset", "ct-muscle", "--json", at("both.json")});
+    EXPECT_NE(both.pixels, alone.pixels);
+    EXPECT_EQ(nlohmann::json::parse(readAll(at("alone.json")))["additions"], "none");
+    EXPECT_EQ(nlohmann::json::parse(readAll(at("both.json")))["additions"], "with CT");
+    // By default it has the colours that it has over slices; of projections it is no part.
+    EXPECT_NE(
+        render("colours.png", {"phantom:", "--preset", "cinematic-bone", "--second", "phantom:"}).pixels,
+        alone.pixels);
+    EXPECT_EQ(render("mip2.png", {"phantom:", "--look", "mip", "--second", "phantom:"}).pixels,
+              render("mip.png", {"phantom:", "--look", "mip"}).pixels);
+}
+
+TEST_F(Render, ASecondVolumeThatIsNotThereIsRefused) {
+    const std::vector<std::vector<std::string>> wrong{
+        {"--second-preset", "ct-bone"},
+        {"--second-series", "2"},
+        {"--registration", "search"},
+        {"--second", "phantom:", "--registration", "guess"},
+        {"--second", "phantom:", "--second-preset", "nonsense"}};
+    for (std::vector<std::string> arguments : wrong) {
+        const std::string what = arguments.back();
+        arguments.insert(arguments.begin(), {"render", "phantom:", "-o", at("a.png"), "--size", "16x16"});
+        const Ran ran = runMacula(arguments);
+        EXPECT_EQ(ran.exitCode, 2) << what << ran.err;
+    }
+    EXPECT_EQ(fileCount(), 0u);
+}
+
 TEST_F(Render, SegmentsThatNobodyCanMeanAreRefused) {
     for (const char* wrong : {"Liver", "keep:", "drop:Liver"}) {
         const Ran ran = runMacula({"render", "-o", at("a.png"), "--segments", wrong});

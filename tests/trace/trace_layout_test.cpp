@@ -64,7 +64,17 @@ const std::vector<LaidOutField> kTraceParams{MACULA_FIELD(TraceParams, originVox
                                              MACULA_FIELD(TraceParams, paddingEntry),
                                              MACULA_FIELD(TraceParams, stepsPerEntry),
                                              MACULA_FIELD(TraceParams, ambient),
-                                             MACULA_FIELD(TraceParams, diffuse)};
+                                             MACULA_FIELD(TraceParams, diffuse),
+                                             MACULA_FIELD(TraceParams, secondOrigin),
+                                             MACULA_FIELD(TraceParams, secondFromVoxelX),
+                                             MACULA_FIELD(TraceParams, secondFromVoxelY),
+                                             MACULA_FIELD(TraceParams, secondFromVoxelZ),
+                                             MACULA_FIELD(TraceParams, secondSize),
+                                             MACULA_FIELD(TraceParams, secondGrid),
+                                             MACULA_FIELD(TraceParams, secondEntryCount),
+                                             MACULA_FIELD(TraceParams, secondStepsPerEntry),
+                                             MACULA_FIELD(TraceParams, tintLow),
+                                             MACULA_FIELD(TraceParams, tintSize)};
 const std::vector<LaidOutField> kPlannedBlock{MACULA_FIELD(PlannedBlock, block),
                                               MACULA_FIELD(PlannedBlock, firstSample),
                                               MACULA_FIELD(PlannedBlock, sampleCount)};

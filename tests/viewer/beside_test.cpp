@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QRegularExpression>
@@ -22,7 +23,9 @@
 #include "viewer/beside/beside_bar.h"
 #include "viewer/beside/slice_pair.h"
 #include "viewer/offscreen.h"
+#include "viewer/segmentation/segmentation_keeper.h"
 #include "viewer/slice_volume.h"
+#include "viewer/volume/shown_additions.h"
 
 namespace macula::viewer {
 namespace {
@@ -463,6 +466,49 @@ TEST_F(BesideTest, ClosingItAndAnotherStudyLeaveNothing) {
     beside_->registerNow();
     beside_->linkByHand();
     EXPECT_FALSE(session_->canUndo());
+}
+
+TEST_F(BesideTest, In3dItIsThereWhileItIsLinkedAndAskedFor) {
+    openLinked();
+    SegmentationKeeper segments(*session_);
+    ShownAdditions shown(*session_, segments);
+    shown.setSecond(beside_->second());
+    EXPECT_EQ(shown.additions(), nullptr);
+    BesideBar bar(*session_, *beside_);
+    auto* in3d = bar.findChild<QCheckBox*>("beside-in3d");
+    auto* presets = bar.findChild<QComboBox*>("beside-preset");
+    ASSERT_TRUE(in3d != nullptr && presets != nullptr);
+    EXPECT_FALSE(presets->isEnabled());
+    in3d->click();
+    EXPECT_TRUE(state().beside->in3d);
+    EXPECT_TRUE(presets->isEnabled());
+    const auto atRest = [&] { return test::waitFor([&] { return shown.isAtRest(); }); };
+    ASSERT_TRUE(atRest());
+    ASSERT_TRUE(shown.additions() && shown.additions()->second);
+    EXPECT_EQ(shown.additions()->second->secondFromVolumeMm, kMoved);
+    EXPECT_TRUE(validate(*shown.additions(), *current_.volume).ok());
+
+    const auto before = shown.additions();
+    session_->change("View", [](app::StudyState& next) { next.beside->view = BesideView::over; });
+    ASSERT_TRUE(atRest());
+    EXPECT_EQ(shown.additions(), before) << "in 3D it is the same";
+    session_->change("Opacity", [](app::StudyState& next) { next.beside->opacity = 0.2; });
+    ASSERT_TRUE(atRest());
+    ASSERT_TRUE(shown.additions() && shown.additions()->second);
+    EXPECT_LT(shown.additions()->second->function->opacity.back().opacity,
+              before->second->function->opacity.back().opacity);
+    session_->undo();
+    session_->undo();
+    session_->undo();
+    EXPECT_FALSE(in3d->isChecked());
+    EXPECT_EQ(shown.additions(), nullptr);
+
+    in3d->click();
+    ASSERT_TRUE(atRest());
+    EXPECT_TRUE(shown.additions());
+    session_->change("Link", [](app::StudyState& next) { next.beside->link = BesideLink::byHand; });
+    EXPECT_EQ(shown.additions(), nullptr) << "nobody knows where it lies";
+    EXPECT_FALSE(in3d->isEnabled());
 }
 
 TEST_F(BesideTest, TheBarShowsTheStateAndProposesOthers) {

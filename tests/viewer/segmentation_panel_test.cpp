@@ -16,6 +16,7 @@
 #include "synthetic_segmentation.h"
 #include "viewer/hidden_voxels.h"
 #include "viewer/offscreen.h"
+#include "viewer/volume/shown_additions.h"
 
 namespace macula::viewer {
 namespace {
@@ -110,6 +111,34 @@ class SegmentationPanelTest : public test::OffscreenTest {
     std::optional<HiddenVoxels> hidden_;
     std::optional<SegmentationPanel> panel_;
 };
+
+TEST_F(SegmentationPanelTest, InColourASegmentIsTintedIn3d) {
+    openFolder();
+    ShownAdditions shown(*session_, *keeper_);
+    const auto atRest = [&] { return settled() && test::waitFor([&] { return shown.isAtRest(); }); };
+    select(1);
+    auto& opacity = find<QSlider>("segment-opacity-3d");
+    EXPECT_FALSE(opacity.isEnabled());
+    click("segment-coloured");
+    EXPECT_EQ(segmentation().checkState(0), Qt::Checked) << "what is in colour is shown";
+    ASSERT_TRUE(atRest());
+    ASSERT_TRUE(shown.additions() && shown.additions()->tints);
+    const SegmentTints tints = *shown.additions()->tints;
+    EXPECT_EQ(std::size_t(std::ranges::count(tints.box->voxels, std::uint8_t{1})), voxelsOf(2));
+    EXPECT_TRUE(segment(1).text(2).contains(QLatin1String("in colour")));
+    ASSERT_TRUE(opacity.isEnabled());
+    EXPECT_EQ(opacity.value(), 100);
+    opacity.setValue(30);
+    ASSERT_TRUE(atRest());
+    ASSERT_TRUE(shown.additions() && shown.additions()->tints);
+    EXPECT_FLOAT_EQ(shown.additions()->tints->colours.front().opacity, 0.3f);
+    panel_->setColour(QColor(0, 255, 0));
+    ASSERT_TRUE(atRest());
+    EXPECT_EQ(shown.additions()->tints->colours.front().rgb, glm::vec3(0.0f, 1.0f, 0.0f));
+    EXPECT_EQ(left(), session_->study().volume->voxelCount()) << "nothing is hidden by it";
+    click("segment-coloured");
+    EXPECT_EQ(shown.additions(), nullptr);
+}
 
 TEST_F(SegmentationPanelTest, WithoutAStudyItSaysWhatToDo) {
     EXPECT_EQ(tree().topLevelItemCount(), 0);

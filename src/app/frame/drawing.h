@@ -6,6 +6,7 @@
 
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
+#include "pipeline/volume/additions.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
@@ -15,7 +16,8 @@ namespace macula::app {
 struct Drawing {
     std::shared_ptr<const TransferFunction> transferFunction{};
     std::shared_ptr<const trace::LightRig> lights{};
-    std::shared_ptr<const Clip> clip{};  // null: all of the volume is shown
+    std::shared_ptr<const Clip> clip{};            // null: all of the volume is shown
+    std::shared_ptr<const Additions> additions{};  // to the volume and of it; null: there are none
     trace::Settings settings{};
     std::string remarks{};  // what has to be said of pictures of it; no patient data
 

@@ -98,8 +98,8 @@ void FrameRenderer::accept(FrameInput input) {
     // Another use of the device leaves another amount of memory, and nobody knows how much.
     if (traced_ &&
         (input.volume != input_.volume || input.drawing.transferFunction != input_.drawing.transferFunction ||
-         input.drawing.clip != input_.drawing.clip || input.width != input_.width ||
-         input.height != input_.height)) {
+         input.drawing.clip != input_.drawing.clip || input.drawing.additions != input_.drawing.additions ||
+         input.width != input_.width || input.height != input_.height)) {
         traced_->roomChanged();
         foveaHasRoom_ = true;
         if (model_ && model_->news().stage == hybrid::ModelStage::noRoom) model_->hide();
@@ -358,8 +358,9 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     const auto interrupted = [&] { return interrupts.newInput() || interrupts.stopping(); };
     trace::PathTracer& tracer = traced_->tracer();
     // A model of another scene is dropped first, to free its memory.
-    if (model_ && (applied_.volume != input_.volume || applied_.clip != drawing.clip ||
-                   applied_.transferFunction != drawing.transferFunction)) {
+    if (model_ &&
+        (applied_.volume != input_.volume || applied_.clip != drawing.clip ||
+         applied_.additions != drawing.additions || applied_.transferFunction != drawing.transferFunction)) {
         model_->hide();
     }
     if (applied_.volume != input_.volume) {
@@ -369,6 +370,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
         // After a failure the tracer has neither the old one nor the new one; so with the other parts.
         applied_.volume = nullptr;
         applied_.transferFunction = nullptr;
+        applied_.additions = nullptr;
         MACULA_TRY_VOID(tracer.setVolume(input_.volume));
         applied_.volume = input_.volume;
         if (interrupted()) return false;
@@ -381,6 +383,15 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
         applied_.clip.reset();
         MACULA_TRY_VOID(tracer.setClip(drawing.clip ? *drawing.clip : Clip{}));
         applied_.clip = drawing.clip;
+        if (interrupted()) return false;
+    }
+    if (applied_.additions != drawing.additions) {
+        if (applied_.transferFunction) listener_(Preparing{"Preparing what is shown"});
+        traced_->sceneChanged();
+        outlineOf_.reset();
+        applied_.additions.reset();
+        MACULA_TRY_VOID(tracer.setAdditions(drawing.additions ? *drawing.additions : Additions{}));
+        applied_.additions = drawing.additions;
         if (interrupted()) return false;
     }
     if (applied_.transferFunction != drawing.transferFunction) {

@@ -134,7 +134,8 @@ class FrameRenderer {
         std::shared_ptr<const Volume> volume;
         std::shared_ptr<const TransferFunction> transferFunction;
         std::shared_ptr<const trace::LightRig> lights;
-        std::optional<std::shared_ptr<const Clip>> clip;  // none: nobody knows which
+        std::optional<std::shared_ptr<const Clip>> clip;                      // none: nobody knows which
+        std::optional<std::shared_ptr<const Additions>> additions = nullptr;  // likewise
         VkExtent2D window{};
         std::uint64_t exposures = 0;
     } applied_;

@@ -10,6 +10,7 @@ SceneNames::Scene SceneNames::sceneOf(const Drawing& drawing) {
     return {.transferFunction = drawing.transferFunction,
             .lights = drawing.lights,
             .clip = drawing.clip ? *drawing.clip : Clip{},
+            .additions = drawing.additions ? *drawing.additions : Additions{},
             .settings = settingsOfLight(drawing)};
 }
 

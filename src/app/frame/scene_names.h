@@ -11,8 +11,9 @@
 
 namespace macula::app {
 
-// The same name means the same volume, transfer function, clip, lights, and settings that light depends on;
-// what is shown again has the name it had, while it is among the last that were named. No patient data.
+// The same name means the same volume, transfer function, clip, additions, lights, and settings that light
+// depends on; what is shown again has the name it had, while it is among the last that were named. No patient
+// data.
 class SceneNames {
   public:
     static constexpr std::size_t kRemembered =
@@ -26,6 +27,7 @@ class SceneNames {
         std::shared_ptr<const TransferFunction> transferFunction;  // kept, so that no other takes its place
         std::shared_ptr<const trace::LightRig> lights;
         Clip clip;
+        Additions additions;
         trace::Settings settings;
 
         bool operator==(const Scene&) const = default;

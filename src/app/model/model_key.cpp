@@ -25,9 +25,9 @@ std::vector<std::string> linesOf(const std::string& text) {
 }  // namespace
 
 std::string trainingKey(const Volume& volume, const TransferFunction& function, const Clip& clip,
-                        const trace::Environment& lights) {
+                        const trace::Environment& lights, const Additions& additions) {
     return fmt::format("{}\nstudy {}\npreset {}\nclip {}\nlights {}\n", kFirstLine,
-                       sha256Hex(fingerprint(volume)), digestOf(function), digestOf(clip, volume),
+                       sha256Hex(fingerprint(volume)), digestOf(function), digestOf(clip, additions, volume),
                        digestOf(lights));
 }
 

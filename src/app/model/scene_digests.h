@@ -7,6 +7,7 @@
 #include "base/volume.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
+#include "pipeline/volume/additions.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
@@ -16,6 +17,8 @@ namespace macula::app {
 std::string digestOf(TransferFunction function);
 // The volume is the one that is clipped.
 std::string digestOf(const Clip& clip, const Volume& volume);
+// Of the clip and of what is shown beside the volume; where that is nothing, of the clip alone.
+std::string digestOf(const Clip& clip, const Additions& additions, const Volume& volume);
 std::string digestOf(const trace::Environment& lights);
 // Of all of them; set those that do not matter to their defaults before.
 std::string digestOf(const trace::Settings& settings);

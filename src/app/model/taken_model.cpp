@@ -27,9 +27,9 @@ Result<void> writeState(const std::filesystem::path& path, const TakenModel& mod
     const Drawing& drawing = model.drawing;
     hybrid::PeripheralState state = *model.state;  // pictures are shared
     // In the program it has the name of its scene, which means nothing to others.
-    state.training.options.key =
-        trainingKey(*in16Bits(model.volume), *drawing.transferFunction, drawing.clip ? *drawing.clip : Clip{},
-                    trace::Environment::fromRig(*drawing.lights));
+    state.training.options.key = trainingKey(
+        *in16Bits(model.volume), *drawing.transferFunction, drawing.clip ? *drawing.clip : Clip{},
+        trace::Environment::fromRig(*drawing.lights), drawing.additions ? *drawing.additions : Additions{});
     state.first.key = state.training.options.key;
     return writeAtomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
         std::ofstream stream(temporary, std::ios::binary);

@@ -81,6 +81,7 @@ Result<PictureDrawer> PictureDrawer::create(const std::shared_ptr<gpu::Device>& 
     MACULA_TRY_VOID(tracer.setVolume(scene.volume));
     if (progress.cancelled()) return stopped();
     MACULA_TRY_VOID(tracer.setClip(scene.clip));  // first: what it hides is not uploaded
+    MACULA_TRY_VOID(tracer.setAdditions(scene.additions));
     MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
     MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
     MACULA_TRY_VOID(tracer.setSettings(request.settings));

@@ -15,6 +15,7 @@
 #include "app/output/output_files.h"
 #include "app/session/model_keeper.h"
 #include "app/state/drawing_of.h"
+#include "app/study/second_curve.h"
 #include "app/study/shown_clip.h"
 #include "app/study/study_input.h"
 #include "base/atomic_file.h"
@@ -103,6 +104,8 @@ Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, 
     std::ranges::for_each(study.notes, note);
     std::ranges::for_each(study.warnings, warn);
     std::ranges::for_each(shown.notes, note);
+    if (state.beside && isIn3d(*state.beside))
+        note("The view has a second volume in the picture; here it is left out.");
     FrameInput scene;
     scene.volume = study.volume;
     scene.drawing =

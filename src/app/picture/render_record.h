@@ -19,8 +19,9 @@ struct RenderRecord {
     std::string preset;
     std::string lights;
     std::string clip;
-    bool tableRemoved = false;  // the table, or other things beside the patient, were found and left out
-    std::string masked = {};    // Mask::remark: what of the volume was left out by voxels
+    bool tableRemoved = false;   // the table, or other things beside the patient, were found and left out
+    std::string masked = {};     // Mask::remark: what of the volume was left out by voxels
+    std::string additions = {};  // Additions::remark: a second volume, coloured segments
     std::string device;
     Camera camera;
     int width = 0;

@@ -20,7 +20,8 @@ Result<void> checkFiles(const RenderWish& wish) {
     OutputFiles files(wish.overwrite);
     for (const std::filesystem::path& input : filesOf(wish.state)) files.read(input);
     for (const std::filesystem::path& input :
-         {wish.path, std::filesystem::path(wish.effort.quality), std::filesystem::path(wish.lights)})
+         {wish.path, wish.second.path, std::filesystem::path(wish.second.preset),
+          std::filesystem::path(wish.effort.quality), std::filesystem::path(wish.lights)})
         files.read(input);
     MACULA_TRY_VOID(files.write(wish.output));
     return files.write(wish.json);
@@ -72,6 +73,7 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
     check(!wish.lights.empty() && !isTraced, "--lights", traced);
     check(isGiven("lightRotationDeg") && !isTraced, "--light-rotation", traced);
     check(isGiven("lightStrength") && !isTraced, "--light-strength", traced);
+    check(wish.second.isGiven() && isProjection(look), "--second", "all but projections");
     check(isGiven("exposure") && isProjection(look), "--exposure", "all but projections");
     if (wish.effort.denoise.value_or(false) && !isTraced)
         notes.emplace_back("This look is never denoised: --denoise does nothing.");
@@ -83,6 +85,7 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
 
 Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     MACULA_TRY_VOID(checkFiles(wish));
+    MACULA_TRY_VOID(check(wish.second, wish.secondLinkIsGiven));
     // Unlike the viewer, a picture shades ray casts only where that is asked for.
     MACULA_TRY(const auto sizePx, parseSize(wish.size));
     StateWish wished = wish.state;

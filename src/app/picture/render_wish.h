@@ -9,6 +9,7 @@
 #include "app/picture/picture_effort.h"
 #include "app/picture/picture_request.h"
 #include "app/state/state_wish.h"
+#include "app/study/second_input.h"
 #include "app/study/study_input.h"
 #include "base/progress.h"
 #include "base/result.h"
@@ -26,7 +27,9 @@ struct RenderWish {
     StateWish state;
     std::string lights;                 // as chooseLights, a panorama too
     std::vector<std::string> segments;  // segmentWishFrom each
-    bool shading = false;               // of ray casts, whatever the preset asks for
+    SecondWish second;                  // in the same picture
+    bool secondLinkIsGiven = false;
+    bool shading = false;  // of ray casts, whatever the preset asks for
     std::string size = "768x768";
     EffortWish effort;  // counts more than the view that was saved
     std::uint32_t seed = 0;

@@ -19,7 +19,8 @@ Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear) {
     return PictureRequest{.scene = {.volume = in16Bits(picture.volume),
                                     .function = *drawing.transferFunction,
                                     .clip = drawing.clip ? *drawing.clip : Clip{},
-                                    .environment = trace::Environment::fromRig(*drawing.lights)},
+                                    .environment = trace::Environment::fromRig(*drawing.lights),
+                                    .additions = drawing.additions ? *drawing.additions : Additions{}},
                           .camera = picture.camera,
                           .sizePx = size,
                           .settings = effort.settings,
@@ -34,6 +35,7 @@ RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request,
     record.lights = publicLightsName(*picture.drawing.lights);
     record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
     if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark;
+    if (!trace::isProjection(request.settings.look)) record.additions = request.scene.additions.remark;
     record.tableRemoved = record.masked.find(kTableLeftOut) != std::string::npos;
     record.presetFitted = request.scene.function.fitToVolume.has_value();
     record.window = request.settings.window;

@@ -15,6 +15,7 @@
 #include "app/presentation/palette_of_transfer.h"
 #include "app/presentation/voxel_axes.h"
 #include "app/state/drawing_of.h"
+#include "app/study/second_curve.h"
 #include "pipeline/volume/volume_fit.h"
 
 namespace macula::app {
@@ -137,6 +138,10 @@ void sayClip(SaidState& said, const StudyState& state, const Volume& volume) {
     if (state.leavesTableOut) said.leftOut.emplace_back("Others show the table, which is left out here.");
     if (!in3dOf(state.segmentations).empty())
         said.leftOut.emplace_back("Others show segments that are hidden here.");
+    if (!colouredIn3dOf(state.segmentations).empty())
+        said.leftOut.emplace_back("Others show no colours of segments.");
+    if (state.beside && isIn3d(*state.beside))
+        said.leftOut.emplace_back("Others show the study without the second volume.");
     if (!state.cuts.scissors.empty())
         said.leftOut.emplace_back("Others show what is cut off with scissors here.");
     const Clip clip = clipFor(state.clip, state.cuts, volume);

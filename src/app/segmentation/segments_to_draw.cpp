@@ -28,7 +28,11 @@ bool chooseByLabel(const std::vector<FoundSegmentation>& found, const SegmentWis
             whole.isShown = true;
             choose(choices, whole);
             SegmentChoice one = choiceOf(whole, segment.number);
-            one.in3d = wish.in3d;
+            if (wish.isColoured) {
+                one.isColouredIn3d = true;
+            } else {
+                one.in3d = wish.in3d;
+            }
             choose(choices, each.digest, one);
             isThere = true;
         }
@@ -44,9 +48,10 @@ Result<SegmentWish> segmentWishFrom(const std::string& typed) {
     SegmentWish wish;
     if (colon != std::string::npos) wish.label = typed.substr(colon + 1);
     if (what == "hide") wish.in3d = In3d::hidden;
-    if ((what != "keep" && what != "hide") || wish.label.empty())
+    wish.isColoured = what == "colour";
+    if ((what != "keep" && what != "hide" && !wish.isColoured) || wish.label.empty())
         return Error{ErrorCode::usage, "That does not say what to do with which segment.", typed,
-                     "Write keep:LABEL or hide:LABEL; macula info lists the labels."};
+                     "Write keep:LABEL, hide:LABEL or colour:LABEL; macula info lists the labels."};
     return wish;
 }
 
@@ -62,9 +67,12 @@ Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolu
     }
     SegmentsToDraw drawn;
     LoadedSegmentations loaded;
-    const std::vector<In3dOf> wanted = in3dOf(choices);
+    const std::vector<In3dOf> hidden = in3dOf(choices);
+    std::vector<std::string> wanted;  // digests
+    for (const In3dOf& one : hidden) wanted.push_back(std::get<0>(one));
+    for (const ColouredIn3d& one : colouredIn3dOf(choices)) wanted.push_back(std::get<0>(one));
     const auto isWanted = [&](const std::string& digest) {
-        return std::ranges::any_of(wanted, [&](const In3dOf& one) { return std::get<0>(one) == digest; });
+        return std::ranges::find(wanted, digest) != wanted.end();
     };
     for (const FoundSegmentation& each : all) {
         if (!each.canBeShown() || !isWanted(each.digest)) continue;
@@ -72,14 +80,18 @@ Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolu
         for (const std::string& note : segments->notes) drawn.notes.push_back("Segmentation: " + note);
         loaded.push_back(std::move(segments));
     }
-    const bool isMissing = std::ranges::any_of(wanted, [&](const In3dOf& one) {
-        return std::ranges::none_of(loaded, [&](const auto& l) { return l->digest == std::get<0>(one); });
+    const bool isMissing = std::ranges::any_of(wanted, [&](const std::string& digest) {
+        return std::ranges::none_of(loaded, [&](const auto& l) { return l->digest == digest; });
     });
     if (isMissing)
         drawn.notes.emplace_back(
-            "A segmentation of the view is not in the folder, and nothing of it is kept or hidden.");
+            "A segmentation of the view is not in the folder, and nothing of it is kept, hidden or "
+            "coloured.");
     MACULA_TRY(drawn.mask, segmentMask(choices, loaded, voxels, progress));
-    if (!wanted.empty() && !drawn.mask)
+    MACULA_TRY(drawn.tints, segmentTints(choices, loaded, voxels, progress));
+    if (drawn.tints)
+        drawn.notes.emplace_back("Segments are coloured: in them colours are no values of the preset.");
+    if (!hidden.empty() && !drawn.mask)
         drawn.notes.emplace_back("No voxel of these segments lies in the volume; all of it is shown.");
     return drawn;
 }

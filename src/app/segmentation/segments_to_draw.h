@@ -1,4 +1,4 @@
-// Segments that a picture is drawn without, or of alone, for who has no window.
+// Segments that a picture is drawn without, of alone, or with in colour, for who has no window.
 #pragma once
 
 #include <optional>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/segmentation/found_segmentation.h"
+#include "app/segmentation/segment_tints.h"
 #include "app/state/segmentation_choice.h"
 #include "base/progress.h"
 #include "base/result.h"
@@ -17,15 +18,17 @@ namespace macula::app {
 
 struct SegmentWish {
     In3d in3d = In3d::alone;
+    bool isColoured = false;  // instead: it is there as it is, in its colour
     std::string label;
 };
 
-// "keep:Liver", to draw nothing else, or "hide:Liver". usage for anything else.
+// "keep:Liver", to draw nothing else, "hide:Liver", or "colour:Liver". usage for anything else.
 Result<SegmentWish> segmentWishFrom(const std::string& typed);
 
 struct SegmentsToDraw {
-    std::optional<Mask> mask;        // nothing: all is shown
-    std::vector<std::string> notes;  // sentences, without patient data
+    std::optional<Mask> mask;           // nothing: all is shown
+    std::optional<SegmentTints> tints;  // nothing: none is coloured
+    std::vector<std::string> notes;     // sentences, without patient data
 };
 
 // What was chosen in a view, and what is wished besides: of all segments of that label, in whichever case of

@@ -32,7 +32,8 @@ session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume
     return {.volume = volumeDigest,
             .trainer = splat::kTrainerVersion,
             .parts = {{"transfer-function", digestOf(*drawing.transferFunction)},
-                      {"clip", digestOf(drawing.clip ? *drawing.clip : Clip{}, volume)},
+                      {"clip", digestOf(drawing.clip ? *drawing.clip : Clip{},
+                                        drawing.additions ? *drawing.additions : Additions{}, volume)},
                       {kLights, lights},
                       {"settings", digestOf(settings)},
                       {kTracer, sha256Hex(fmt::format("macula tracer {}", trace::kTracerVersion))}}};

@@ -6,6 +6,7 @@
 #include "app/state/json_names.h"
 #include "app/state/slices_json.h"
 #include "pipeline/volume/json_reader.h"
+#include "pipeline/volume/transfer_function_json.h"
 #include "registration/rigid_registration.h"
 
 namespace macula::app {
@@ -50,6 +51,8 @@ Json toJson(const BesideState& state) {
     }
     json["opacity"] = state.opacity;
     json["colours"] = slices::nameOf(state.colours);
+    if (state.in3d) json["in3d"] = true;
+    if (state.preset) json["preset"] = Json::parse(toJson(*state.preset));
     const JsonDocument document = JsonDocument::of(nlohmann::json(json), {});
     besideStateFrom(document.root());
     return document.status().ok() ? json : Json();
@@ -57,7 +60,7 @@ Json toJson(const BesideState& state) {
 
 BesideState besideStateFrom(const JsonNode& node) {
     node.allowOnly({"series", "volume", "volumeKey", "link", "secondFromStudy", "boundMm", "doubtful", "view",
-                    "window", "opacity", "colours"});
+                    "window", "opacity", "colours", "in3d", "preset"});
     BesideState state;
     state.seriesDigest = node["series"].text();
     if (state.seriesDigest.empty()) node["series"].fail("the digest of a series");
@@ -79,6 +82,7 @@ BesideState besideStateFrom(const JsonNode& node) {
     if (const auto window = node.find("window")) state.window = windowFrom(*window);
     if (const auto opacity = node.find("opacity")) state.opacity = opacity->number({0.0, 1.0});
     readName(node, "colours", slices::kColourTables, state.colours);
+    if (const auto in3d = node.find("in3d")) state.in3d = in3d->boolean();
     return state;
 }
 

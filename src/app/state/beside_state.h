@@ -3,11 +3,13 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "base/volume.h"
+#include "pipeline/volume/transfer_function.h"
 #include "slices/colour_table.h"
 
 namespace macula::app {
@@ -71,10 +73,13 @@ struct BesideState {
     std::optional<DisplayWindow> window = {};  // nothing: that of the series, or of activity
     double opacity = kUsualOpacity;            // over the study, 0 to 1
     slices::ColourTable colours = slices::ColourTable::hotIron;
+    bool in3d = false;  // and in the 3D picture, in one with the study
+    // That it has there; nothing: window, colours and opacity from above (secondCurve).
+    std::shared_ptr<const TransferFunction> preset = {};
 
     // Whether a point of the study is a point of the second volume.
     bool isLinked() const { return link != BesideLink::byHand; }
-    bool operator==(const BesideState&) const = default;
+    bool operator==(const BesideState& b) const;  // by value, the preset too
 };
 
 }  // namespace macula::app

@@ -44,8 +44,24 @@ void choose(std::vector<SegmentationChoice>& choices, std::string_view digest, c
 std::vector<SegmentationChoice> onSlicesAlone(std::span<const SegmentationChoice> choices) {
     std::vector<SegmentationChoice> all;
     for (SegmentationChoice choice : choices) {
-        for (SegmentChoice& segment : choice.segments) segment.in3d = In3d::asIs;
+        for (SegmentChoice& segment : choice.segments) {
+            segment.in3d = In3d::asIs;
+            segment.isColouredIn3d = false;
+            segment.opacityIn3d = SegmentChoice{}.opacityIn3d;
+        }
         choose(all, std::move(choice));
+    }
+    return all;
+}
+
+std::vector<ColouredIn3d> colouredIn3dOf(std::span<const SegmentationChoice> choices) {
+    std::vector<ColouredIn3d> all;
+    for (const SegmentationChoice& choice : choices) {
+        if (!choice.isShown) continue;
+        for (const SegmentChoice& segment : choice.segments) {
+            if (segment.isColouredIn3d)
+                all.emplace_back(choice.digest, segment.number, segment.rgb, segment.opacityIn3d);
+        }
     }
     return all;
 }

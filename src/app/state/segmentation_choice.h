@@ -37,6 +37,8 @@ struct SegmentChoice {
     std::optional<std::array<std::uint8_t, 3>> rgb = {};  // sRGB; nothing: what the file recommends
     double opacity = kUsualSegmentOpacity;                // of what is filled on slices
     In3d in3d = In3d::asIs;
+    bool isColouredIn3d = false;  // its colour is that of the matter in it
+    double opacityIn3d = 1.0;     // where it is coloured: how much of that matter is left
 
     bool operator==(const SegmentChoice&) const = default;
 };
@@ -60,11 +62,15 @@ void choose(std::vector<SegmentationChoice>& choices, std::string_view digest, c
 // The same, but for what they do in 3D.
 std::vector<SegmentationChoice> onSlicesAlone(std::span<const SegmentationChoice> choices);
 
-// What of all this changes the picture in 3D.
+// What of all this hides something in 3D.
 using In3dOf = std::tuple<std::string, std::uint16_t, In3d>;  // digest, number
 std::vector<In3dOf> in3dOf(std::span<const SegmentationChoice> choices);
-// The same on slices, and in 3D that and nothing else: in3dOf() of it is `in3d`. What does something there is
-// shown.
+// The colours that change it: digest, number, colour as in SegmentChoice, opacity.
+using ColouredIn3d =
+    std::tuple<std::string, std::uint16_t, std::optional<std::array<std::uint8_t, 3>>, double>;
+std::vector<ColouredIn3d> colouredIn3dOf(std::span<const SegmentationChoice> choices);
+// The same on slices and in colour, and hidden in 3D that and nothing else: in3dOf() of it is `in3d`. What
+// does something there is shown.
 std::vector<SegmentationChoice> withIn3d(std::span<const SegmentationChoice> choices,
                                          std::span<const In3dOf> in3d);
 

@@ -34,13 +34,15 @@ std::array<std::uint8_t, 3> rgbFrom(const JsonNode& node) {
 }
 
 SegmentChoice segmentFrom(const JsonNode& node) {
-    node.allowOnly({"number", "visible", "rgb", "opacity", "in3d"});
+    node.allowOnly({"number", "visible", "rgb", "opacity", "in3d", "colouredIn3d", "opacityIn3d"});
     SegmentChoice segment;
     segment.number = static_cast<std::uint16_t>(wholeNumber(node["number"], {1.0, double(kMostSegments)}));
     if (const auto visible = node.find("visible")) segment.isVisible = visible->boolean();
     if (const auto rgb = node.find("rgb")) segment.rgb = rgbFrom(*rgb);
     if (const auto opacity = node.find("opacity")) segment.opacity = opacity->number({0.0, 1.0});
     readName(node, "in3d", kIn3d, segment.in3d);
+    if (const auto coloured = node.find("colouredIn3d")) segment.isColouredIn3d = coloured->boolean();
+    if (const auto opacity = node.find("opacityIn3d")) segment.opacityIn3d = opacity->number({0.0, 1.0});
     return segment;
 }
 
@@ -52,6 +54,9 @@ Json toJson(const SegmentChoice& segment) {
     if (segment.opacity != usual.opacity && segment.opacity >= 0.0 && segment.opacity <= 1.0)
         json["opacity"] = segment.opacity;
     if (segment.in3d != usual.in3d) json["in3d"] = nameOf(segment.in3d);
+    if (segment.isColouredIn3d) json["colouredIn3d"] = true;
+    if (segment.opacityIn3d != usual.opacityIn3d && segment.opacityIn3d >= 0.0 && segment.opacityIn3d <= 1.0)
+        json["opacityIn3d"] = segment.opacityIn3d;
     return json;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <functional>
 
+#include "app/study/second_curve.h"
+
 namespace macula::app {
 
 bool isSame(const TransferFunction& a, const TransferFunction& b) {
@@ -28,6 +30,14 @@ bool sameLights(const StudyState& a, const StudyState& b) {
     return sameValue(a.lights, b.lights, std::equal_to<trace::LightRig>());
 }
 
+// What of a second volume changes the picture in 3D: nothing where it is not in it.
+std::optional<BesideState> secondIn3dOf(const StudyState& state) {
+    if (!state.beside || !isIn3d(*state.beside)) return std::nullopt;
+    BesideState second = *state.beside;
+    second.view = BesideView::beside;
+    return second;
+}
+
 // Settings without what the table of parameters has, and without what is no part of a state.
 trace::Settings withoutParameters(trace::Settings settings) {
     const trace::Settings usual;
@@ -51,6 +61,15 @@ Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
 
 }  // namespace
 
+bool BesideState::operator==(const BesideState& b) const {
+    return seriesDigest == b.seriesDigest && volume == b.volume && link == b.link &&
+           secondFromStudy == b.secondFromStudy && boundMm == b.boundMm && isDoubtful == b.isDoubtful &&
+           view == b.view && window == b.window && opacity == b.opacity && colours == b.colours &&
+           in3d == b.in3d &&
+           sameValue(preset, b.preset,
+                     [](const TransferFunction& x, const TransferFunction& y) { return isSame(x, y); });
+}
+
 bool StudyState::operator==(const StudyState& b) const {
     return seriesDigest == b.seriesDigest && samePreset(*this, b) && clip == b.clip &&
            leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
@@ -64,7 +83,9 @@ Stale staleAfter(const StudyState& before, const StudyState& after) {
     if (before.seriesDigest != after.seriesDigest) return Stale::volume;
     if (!samePreset(before, after) || before.clip != after.clip || before.cuts != after.cuts ||
         before.leavesTableOut != after.leavesTableOut ||
-        in3dOf(before.segmentations) != in3dOf(after.segmentations))
+        in3dOf(before.segmentations) != in3dOf(after.segmentations) ||
+        colouredIn3dOf(before.segmentations) != colouredIn3dOf(after.segmentations) ||
+        secondIn3dOf(before) != secondIn3dOf(after))
         return Stale::matter;
     Stale stale = staleAfter(before.settings, after.settings);
     if (!sameLights(before, after)) stale = std::max(stale, Stale::light);

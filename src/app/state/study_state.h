@@ -96,7 +96,7 @@ struct StudyState {
 bool isSame(const TransferFunction& a, const TransferFunction& b);
 
 // What has to be made again of the picture in 3D when one follows the other: nothing for layout, slices,
-// measurements and a second volume.
+// measurements and a second volume that is on slices alone.
 Stale staleAfter(const StudyState& before, const StudyState& after);
 
 // Readable text; reading it gives an equal state. Holds no name of a patient: presets, clips and lights that

@@ -156,6 +156,13 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
                    return transferFunctionFromJson(part, where);
                }));
     if (preset) state.preset = std::make_shared<const TransferFunction>(*preset);
+    if (state.beside) {
+        MACULA_TRY(const auto second,
+                   readPart<TransferFunction>(all["beside"], "preset", [&](const std::string& part) {
+                       return transferFunctionFromJson(part, where);
+                   }));
+        if (second) state.beside->preset = std::make_shared<const TransferFunction>(*second);
+    }
     MACULA_TRY(state.clip, readPart<ClipPreset>(all, "clip", [&](const std::string& part) {
                    return clipPresetFromJson(part, where);
                }));

@@ -65,6 +65,9 @@ class Matter {
         if (clip_ != nullptr && clip_->mask)
             labelFromWorld_ =
                 clip_->mask->bits ? voxelFromWorld_ : glm::inverse(clip_->mask->labels->worldFromVoxel());
+        if (drawing.additions && drawing.additions->second)
+            second_.emplace(*drawing.additions->second, volume);
+        if (drawing.additions && drawing.additions->tints) tints_ = &*drawing.additions->tints;
     }
 
     bool isShown(const glm::dvec3& pointMm) const {
@@ -92,6 +95,25 @@ class Matter {
         return std::isfinite(length) ? length : 0.0;
     }
 
+    // Of a second volume in the same picture, per mm.
+    double secondExtinctionAt(const glm::dvec3& pointMm) const {
+        return second_ ? second_->at(transformPoint(voxelFromWorld_, pointMm)) : 0.0;
+    }
+
+    // What the segment of the nearest voxel leaves of the extinction.
+    double segmentOpacityAt(const glm::dvec3& pointMm) const {
+        if (tints_ == nullptr) return 1.0;
+        const TintBox& box = *tints_->box;
+        const glm::ivec3 at = glm::ivec3(glm::round(transformPoint(voxelFromWorld_, pointMm))) - box.low;
+        if (glm::any(glm::lessThan(at, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(at, box.size)))
+            return 1.0;
+        const std::uint8_t colour =
+            box.voxels[(std::size_t(at.z) * std::size_t(box.size.y) + std::size_t(at.y)) *
+                           std::size_t(box.size.x) +
+                       std::size_t(at.x)];
+        return colour == 0 ? 1.0 : double(tints_->colours[std::size_t(colour) - 1].opacity);
+    }
+
   private:
     using Voxels =
         std::variant<slices::VoxelGrid<slices::StoredVoxels>, slices::VoxelGrid<slices::FloatVoxels>>;
@@ -104,6 +126,8 @@ class Matter {
     const Volume& volume_;
     Voxels voxels_;
     const Clip* clip_;
+    std::optional<SecondExtinction> second_;
+    const SegmentTints* tints_ = nullptr;  // of the drawing
     glm::dmat4 voxelFromWorld_;
     glm::dmat4 labelFromWorld_{1.0};
 };
@@ -155,7 +179,9 @@ std::optional<glm::dvec3> matterAlong(const Walk& walk, const Matter& matter, co
             extinction = extinctionPerMm(function, value);
             if (extinction > 0.0 && usesGradient)
                 extinction *= gradientOpacityAt(function, matter.gradientAt(point));
+            if (extinction > 0.0) extinction *= matter.segmentOpacityAt(point);
         }
+        if (isShown) extinction += matter.secondExtinctionAt(point);
         wasHidden = !isShown;
         depths.push_back(depths.back() + extinction * walk.stepMm);
     }

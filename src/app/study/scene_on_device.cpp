@@ -6,7 +6,8 @@ namespace macula::app {
 
 Result<hybrid::TracedScene> visibleScene(const StudyScene& scene) {
     MACULA_TRY(hybrid::TracedScene traced,
-               hybrid::TracedScene::create(scene.volume, scene.function, scene.clip, scene.environment));
+               hybrid::TracedScene::create(scene.volume, scene.function, scene.clip, scene.environment,
+                                           scene.additions));
     if (!(traced.seenMm().low.x <= traced.seenMm().high.x))
         return Error{ErrorCode::inputNotUsable,
                      "Nothing of the series can be seen.",
@@ -20,6 +21,7 @@ Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, co
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
     MACULA_TRY_VOID(tracer.setVolume(scene.volume));
     MACULA_TRY_VOID(tracer.setClip(scene.clip));
+    MACULA_TRY_VOID(tracer.setAdditions(scene.additions));
     MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
     MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
     MACULA_TRY(const trace::Statistics statistics, tracer.statistics());

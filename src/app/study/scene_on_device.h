@@ -11,6 +11,7 @@
 #include "pipeline/hybrid/views/traced_scene.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/path_tracer.h"
+#include "pipeline/volume/additions.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
@@ -21,6 +22,7 @@ struct StudyScene {
     TransferFunction function;
     Clip clip;
     trace::Environment environment;
+    Additions additions = {};
 };
 
 struct SceneOnDevice {

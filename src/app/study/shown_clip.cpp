@@ -37,6 +37,8 @@ Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progr
     MACULA_TRY(shown.clip.mask, combinedMask(masks, volume, progress));
     if (!in3dOf(state.segmentations).empty())
         shown.notes.emplace_back("The view keeps or hides segments; here they change nothing.");
+    if (!colouredIn3dOf(state.segmentations).empty())
+        shown.notes.emplace_back("The view has segments in colour; here they have none.");
     return shown;
 }
 

@@ -59,6 +59,10 @@ Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
     maskBits_.reset();
     function_.reset();
     volume_.reset();
+    additions_ = {};
+    second_.reset();
+    additionTable_.reset();
+    tints_.reset();
     grid_ = makeBrickGrid(*volume);
     MACULA_TRY(voxels_, DeviceVolume::create(device_, volume, grid_, limits_));
     volume_ = std::move(volume);
@@ -101,22 +105,106 @@ Result<void> DeviceScene::makeMask() {
     return {};
 }
 
+Result<void> DeviceScene::setAdditions(const Additions& additions) {
+    if (volume_) MACULA_TRY_VOID(validate(additions, *volume_));
+    ++edition_;
+    const bool sameTints =
+        additions.tints && additions_.tints && additions.tints->box == additions_.tints->box;
+    additions_ = additions;
+    if (!sameTints) tints_.reset();
+    additionTable_.reset();
+    if (second_ && (!additions.second || additions.second->volume != second_->volume)) second_.reset();
+    return volume_ && function_ ? makeTables() : Result<void>();
+}
+
+// Projections show the values of the volume alone.
+const Additions& DeviceScene::shownAdditions() const {
+    static const Additions kNone;
+    return projection_ ? kNone : additions_;
+}
+
+std::span<const float> DeviceScene::secondBounds() const {
+    return hasSecond() && second_ ? std::span<const float>(second_->bounds) : std::span<const float>();
+}
+
+// Brings the second volume to the device, as far as its curve shows it, and finds what it adds to each brick.
+// Its gradients are there too: the filter and the shading take them where it is what is seen.
+Result<void> DeviceScene::showSecond() {
+    const Additions& shown = shownAdditions();
+    if (!shown.second) return {};
+    if (!second_) {
+        BrickGrid grid = makeBrickGrid(*shown.second->volume);
+        // The volume itself needs memory too.
+        const MemoryLimits limits{.voxelBytes =
+                                      std::min(limits_.voxelBytes, device_->memoryAvailableBytes() / 2)};
+        MACULA_TRY(DeviceVolume voxels, DeviceVolume::create(device_, shown.second->volume, grid, limits));
+        second_.emplace(Second{shown.second->volume, {std::move(grid), {}}, {}, {}, std::move(voxels)});
+    }
+    // Another curve of the volume itself changes nothing here.
+    if (second_->shownAs == shown.second) return {};
+    second_->shownAs.reset();
+    SecondMedium& made = second_->made;
+    made.medium = makeMedium(*second_->volume, made.grid, *shown.second->function);
+    std::vector<std::uint8_t> alsoShown;
+    addReachOfGradients(made.grid, made.medium.bounds, alsoShown);
+    MACULA_TRY_VOID(
+        second_->voxels.show(made.grid, made.medium.bounds, alsoShown, made.medium.extinctionPerMm));
+    if (second_->voxels.isCoarse()) coverCoarseBlocks(made.medium, made.grid, second_->voxels.levels());
+    second_->bounds = boundsInVolume(*shown.second, made, *volume_, grid_);
+    second_->shownAs = shown.second;
+    return {};
+}
+
+// Each is one element of nothing where there is nothing.
+Result<void> DeviceScene::makeAdditionTables() {
+    const std::uint32_t none = 0;
+    if (!noWords_) {
+        const std::uint16_t noEntry = 0;
+        const glm::uvec4 noBlock(0);
+        MACULA_TRY(noWords_,
+                   makeTexels<std::uint32_t>(device_, "no words", VK_FORMAT_R32_UINT, std::span(&none, 1)));
+        MACULA_TRY(noEntries_, makeTexels<std::uint16_t>(device_, "no entries", VK_FORMAT_R16_UINT,
+                                                         std::span(&noEntry, 1)));
+        MACULA_TRY(noBlocks_, makeTexels<glm::uvec4>(device_, "no blocks", VK_FORMAT_R32G32B32A32_UINT,
+                                                     std::span(&noBlock, 1)));
+    }
+    if (!additionTable_) {
+        std::vector<glm::vec4> table = additionTable(additions_);
+        if (table.empty()) table.emplace_back(0.0f);
+        MACULA_TRY(additionTable_,
+                   makeTexels<glm::vec4>(device_, "additions", VK_FORMAT_R32G32B32A32_SFLOAT, table));
+    }
+    if (!tints_ && additions_.tints) {
+        const std::vector<std::uint8_t>& voxels = additions_.tints->box->voxels;
+        std::vector<std::uint32_t> words((voxels.size() + 3) / 4, 0);
+        for (std::size_t n = 0; n < voxels.size(); ++n)
+            words[n / 4] |= std::uint32_t(voxels[n]) << (8 * (n % 4));
+        MACULA_TRY(tints_, makeTexels<std::uint32_t>(device_, "segments", VK_FORMAT_R32_UINT, words));
+    }
+    return {};
+}
+
 Result<void> DeviceScene::showVoxels() {
     std::vector<std::uint8_t> alsoShown = bricksAtGreyFaces(clip_, *volume_, grid_);
     if (hasGradientOpacity() || (gradients_ && !projection_))
         addReachOfGradients(grid_, medium_.bounds, alsoShown);
-    return voxels_->show(grid_, medium_.bounds, alsoShown, medium_.extinctionPerMm);
+    // Where the second volume alone is seen, values of this one need not be there: none of them has any
+    // extinction.
+    return voxels_->show(grid_, medium_.ownBounds(), alsoShown, medium_.extinctionPerMm);
 }
 
 Result<void> DeviceScene::makeTables() {
     ++edition_;
     MACULA_TRY_VOID(makeMask());
     const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
-    medium_ = projection_ ? makeMedium(*volume_, grid_, *projection_, clip_, mask)
-                          : makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_, mask);
     extinction_.reset();  // all or none: tables of different length must never meet
     albedo_.reset();
     bounds_.reset();
+    MACULA_TRY_VOID(showSecond());
+    MACULA_TRY_VOID(makeAdditionTables());
+    medium_ = projection_
+                  ? makeMedium(*volume_, grid_, *projection_, clip_, mask)
+                  : makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_, mask, secondBounds());
     MACULA_TRY_VOID(showVoxels());
     if (voxels_->isCoarse()) coverCoarseBlocks(medium_, grid_, voxels_->levels());
     std::vector<float> opacities = medium_.extinctionPerMm;
@@ -143,8 +231,9 @@ Result<void> DeviceScene::setEnvironment(const Environment& environment) {
 }
 
 bool DeviceScene::isComplete() const {
-    return voxels_ && voxels_->isShown() && mask_ && extinction_ && albedo_ && bounds_ &&
-           environmentTexels_ && cumulativeTexels_;
+    return voxels_ && voxels_->isShown() && mask_ && extinction_ && albedo_ && bounds_ && additionTable_ &&
+           noWords_ && (tints_ || !additions_.tints) && (second_ || !hasSecond()) && environmentTexels_ &&
+           cumulativeTexels_;
 }
 
 Result<void> DeviceScene::makeReadyFor(const Settings& settings) {
@@ -171,7 +260,7 @@ Result<void> DeviceScene::keepForGradients() {
 
 Result<shared::TraceParams> DeviceScene::params(const View& view, const Settings& settings) const {
     MACULA_CHECK(isComplete());
-    return makeTraceParams(*volume_, medium_, *environment_, view, settings, clip_);
+    return makeTraceParams(*volume_, medium_, *environment_, view, settings, clip_, additions_);
 }
 
 Box DeviceScene::seenMm() const {
@@ -180,31 +269,55 @@ Box DeviceScene::seenMm() const {
     Clip ofEye = clip_;
     ofEye.removedCastsShadow = false;
     const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
-    return visibleBoxMm(*volume_, grid_,
-                        makeMedium(*volume_, grid_, fitted(*function_, *volume_), ofEye, mask));
+    return visibleBoxMm(
+        *volume_, grid_,
+        makeMedium(*volume_, grid_, fitted(*function_, *volume_), ofEye, mask, secondBounds()));
 }
 
 std::vector<glm::dvec3> DeviceScene::outlineMm() const {
     MACULA_CHECK(isComplete());
     const MaskBits* mask = maskBits_ ? &*maskBits_ : nullptr;
-    if (!projection_) return visibleHullMm(*volume_, grid_, medium_, clip_, mask);
+    if (!projection_) return visibleHullMm(*volume_, grid_, medium_, clip_, mask, additions_);
     return visibleHullMm(*volume_, grid_,
                          makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_, mask), clip_, mask);
 }
 
 VoxelMemory DeviceScene::voxelMemory() const {
-    return voxels_ ? voxels_->memory() : VoxelMemory{};
+    VoxelMemory memory = voxels_ ? voxels_->memory() : VoxelMemory{};
+    if (!second_) return memory;
+    const VoxelMemory second = second_->voxels.memory();
+    memory.shownBlocks += second.shownBlocks;
+    memory.coarseBlocks += second.coarseBlocks;
+    memory.poolBytes += second.poolBytes;
+    memory.gridBytes += second.gridBytes;
+    return memory;
 }
 
 std::vector<Message> DeviceScene::messages() const {
-    if (!voxels_ || !voxels_->message()) return {};
-    return {*voxels_->message()};
+    std::vector<Message> messages;
+    if (voxels_ && voxels_->message()) messages.push_back(*voxels_->message());
+    if (hasSecond() && second_ && second_->voxels.message()) {
+        Message message = *second_->voxels.message();
+        message.sentence = "Of the second volume: " + message.sentence;
+        messages.push_back(std::move(message));
+    }
+    return messages;
 }
 
 std::vector<gpu::Binding> DeviceScene::bindings() const {
     MACULA_CHECK(isComplete());
-    return {voxels_->pool(),     *extinction_,       *albedo_,         *bounds_,
-            *environmentTexels_, *cumulativeTexels_, voxels_->table(), *mask_};
+    return {voxels_->pool(),
+            *extinction_,
+            *albedo_,
+            *bounds_,
+            *environmentTexels_,
+            *cumulativeTexels_,
+            voxels_->table(),
+            *mask_,
+            second_ ? second_->voxels.pool() : *noEntries_,
+            second_ ? second_->voxels.table() : *noBlocks_,
+            *additionTable_,
+            tints_ ? *tints_ : *noWords_};
 }
 
 }  // namespace macula::trace

@@ -15,6 +15,7 @@
 #include "pipeline/trace/device_volume.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
+#include "pipeline/volume/additions.h"
 #include "pipeline/volume/medium.h"
 #include "pipeline/volume/transfer_function.h"
 #include "shared/trace_params.h"
@@ -43,10 +44,18 @@ class DeviceScene {
 
     // Shows all of it again when the clip is nothing. After setVolume it stays.
     Result<void> setClip(const Clip& clip);
+    // A second volume and coloured segments, or nothing; of projections neither counts. Both belong to the
+    // volume: a new one has none until they are set again. outOfMemory as setTransferFunction.
+    Result<void> setAdditions(const Additions& additions);
     LightFrame lightFrame() const { return environment_ ? environment_->frame() : LightFrame::patient; }
     // What kernels are specialised for.
     bool isClipped() const { return clip_.hasShape(); }
-    bool holdsCoarseBlocks() const { return voxels_ && voxels_->holdsCoarseBlocks(); }
+    bool holdsCoarseBlocks() const {
+        return (voxels_ && voxels_->holdsCoarseBlocks()) || (second_ && second_->voxels.holdsCoarseBlocks());
+    }
+    // In the look that makeReadyFor() prepared last.
+    bool hasSecond() const { return additions_.second.has_value() && !projection_; }
+    bool hasTints() const { return additions_.tints.has_value() && !projection_; }
     bool isMasked() const { return clip_.mask.has_value(); }
     bool hasGreyFaces() const { return clip_.hasShape() && clip_.greyFaces.has_value(); }
 
@@ -83,13 +92,17 @@ class DeviceScene {
     // What a person has to know about what is shown.
     std::vector<Message> messages() const;
 
-    // When complete: bindings 1 to 8 of shaders/trace/host.glsl.
+    // When complete: bindings 1 to 12 of shaders/trace/host.glsl.
     std::vector<gpu::Binding> bindings() const;
 
   private:
     Result<void> makeMask();
     Result<void> makeTables();
     Result<void> showVoxels();
+    Result<void> showSecond();
+    Result<void> makeAdditionTables();
+    const Additions& shownAdditions() const;
+    std::span<const float> secondBounds() const;
     std::shared_ptr<gpu::Device> device_;
     MemoryLimits limits_;
     std::uint64_t edition_ = 0;
@@ -100,6 +113,19 @@ class DeviceScene {
     bool gradients_ = false;                    // whether what these reach is kept
     std::optional<TransferFunction> function_;  // as it was given
     Clip clip_;
+    Additions additions_;
+    struct Second {
+        std::shared_ptr<const Volume> volume;
+        SecondMedium made;
+        std::vector<float> bounds;            // by brick of the volume
+        std::optional<SecondVolume> shownAs;  // what both are of; nothing: they are still to be made
+        DeviceVolume voxels;
+    };
+    std::optional<Second> second_;
+    std::optional<gpu::TexelBuffer> noWords_;  // where there is nothing, something is bound
+    std::optional<gpu::TexelBuffer> noEntries_;
+    std::optional<gpu::TexelBuffer> noBlocks_;
+    std::optional<gpu::TexelBuffer> additionTable_, tints_;
     std::optional<DeviceVolume> voxels_;
     std::optional<gpu::TexelBuffer> extinction_, albedo_, bounds_, mask_;
     std::optional<MaskBits> maskBits_;  // of the clip, on the grid of the volume

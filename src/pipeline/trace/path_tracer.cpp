@@ -131,6 +131,10 @@ Result<void> PathTracer::setEnvironment(const Environment& environment) {
     return impl_->scene.scene().setEnvironment(environment);
 }
 
+Result<void> PathTracer::setAdditions(const Additions& additions) {
+    return impl_->scene.scene().setAdditions(additions);
+}
+
 Result<void> PathTracer::setClip(const Clip& clip) {
     return impl_->scene.scene().setClip(clip);
 }

@@ -28,6 +28,7 @@
 #include "pipeline/trace/settings.h"
 #include "pipeline/trace/surface_points.h"
 #include "pipeline/trace/voxel_memory.h"
+#include "pipeline/volume/additions.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 #include "shared/pixel_layers.h"
@@ -103,6 +104,9 @@ class PathTracer {
     Result<void> setEnvironment(const Environment& environment);
     // What is shown of the volume; stays until it is set again.
     Result<void> setClip(const Clip& clip);
+    // What is shown beside the volume: a second volume, coloured segments. Stays until it is set again, or
+    // another volume is.
+    Result<void> setAdditions(const Additions& additions);
     Result<void> setSettings(const Settings& settings);
     Result<void> setView(const View& view);
     // How long a dispatch of samples may take; 40 ms until it is set, at least 4.

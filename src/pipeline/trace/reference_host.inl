@@ -38,10 +38,15 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         Real unitDepthMm;
         int entryCount;
         Real windowLow, windowHigh, paddingEntry, stepsPerEntry, ambient, diffuse;
+        vec3 secondOrigin, secondFromVoxelX, secondFromVoxelY, secondFromVoxelZ;
+        ivec3 secondSize, secondGrid;
+        int secondEntryCount;
+        Real secondStepsPerEntry;
+        ivec3 tintLow, tintSize;
     };
     // A field added to the shared block must be added above and below.
     static_assert(sizeof(shared::TraceParams) ==
-                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 3 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 3 + 11));
+                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 3 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 3 + 11 + 26));
 
     MACULA_HOST(const ReferenceTracer::Tables& tables, const shared::TraceParams& p, Filter filter)
         : params{p.originVoxel, p.right, p.up, p.forward, p.voxelFromWorldX, p.voxelFromWorldY,
@@ -52,7 +57,9 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
                  p.greyFaces, Real(p.greyLow), Real(p.greyHigh), Real(p.exposure), p.planeHalfSize,
                  p.gaze, Real(p.foveaRadius), Real(p.foveaMagnification), Real(p.parallelMm), Real(p.lightStrength),
                  Real(p.gradientScale), p.gradientLast, Real(p.unitDepthMm), p.entryCount, Real(p.windowLow),
-                 Real(p.windowHigh), Real(p.paddingEntry), Real(p.stepsPerEntry), Real(p.ambient), Real(p.diffuse)},
+                 Real(p.windowHigh), Real(p.paddingEntry), Real(p.stepsPerEntry), Real(p.ambient), Real(p.diffuse),
+                 p.secondOrigin, p.secondFromVoxelX, p.secondFromVoxelY, p.secondFromVoxelZ, p.secondSize, p.secondGrid,
+                 p.secondEntryCount, Real(p.secondStepsPerEntry), p.tintLow, p.tintSize},
           entries_(tables.entries.data()),
           extinction_(tables.extinctionPerMm.data()),
           gradientOpacity_(tables.gradientOpacity.data()),
@@ -64,6 +71,9 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         for (std::size_t i = 0; i < params.clipPlanes.size(); ++i) params.clipPlanes[i] = p.clipPlanes[i];
         clip_ = isClipped(p);
         mask_ = tables.mask;
+        secondEntries_ = tables.secondEntries;
+        additions_ = tables.additions.data();
+        tints_ = tables.tints;
         hasGradientOpacity_ = !tables.gradientOpacity.empty();
     }
 
@@ -103,6 +113,23 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
                               std::size_t(voxel.x);
         return Real(mask_[n / 32] >> (n % 32) & 1u);
     }
+    bool useSecond() const { return !secondEntries_.empty(); }
+    Real fetchSecond(const ivec3& voxel) const {
+        const ivec3& size = params.secondSize;
+        return Real(secondEntries_[(std::size_t(voxel.z) * std::size_t(size.y) + std::size_t(voxel.y)) *
+                                       std::size_t(size.x) +
+                                   std::size_t(voxel.x)]);
+    }
+    vec4 fetchSecondMatter(int entry) const { return vec4(additions_[entry]); }
+    bool useTints() const { return !tints_.empty(); }
+    int fetchTint(const ivec3& voxel) const {
+        const ivec3 at = voxel - params.tintLow;
+        const ivec3& size = params.tintSize;
+        if (at.x < 0 || at.y < 0 || at.z < 0 || at.x >= size.x || at.y >= size.y || at.z >= size.z) return 0;
+        return tints_[(std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
+                      std::size_t(at.x)];
+    }
+    vec4 fetchTintColour(int tint) const { return vec4(additions_[params.secondEntryCount + tint - 1]); }
     bool useGradientOpacity() const { return hasGradientOpacity_; }
     bool useShading() const { return cast.shading; }
     int castLook() const { return cast.kind; }
@@ -150,6 +177,9 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     bool trilinear_;
     bool clip_;
     std::span<const std::uint32_t> mask_;
+    std::span<const std::uint16_t> secondEntries_;  // empty: there is no second volume
+    const glm::vec4* additions_;
+    std::span<const std::uint8_t> tints_;  // empty: none
     bool hasGradientOpacity_;
 };
 

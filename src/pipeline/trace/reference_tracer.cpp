@@ -29,7 +29,7 @@ auto withHost(const ReferenceTracer::Tables& tables, const shared::TraceParams& 
 }  // namespace reference
 
 ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment,
-                                 const MaskBits* mask) {
+                                 const MaskBits* mask, const Additions& additions) {
     auto tables = std::make_shared<Tables>();
     tables->entries.resize(volume.voxels().size());
     writeEntries(volume, entryMapOf(volume), 0, tables->entries);
@@ -40,6 +40,13 @@ ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, con
     tables->environment.assign(environment.texels().begin(), environment.texels().end());
     tables->cumulative.assign(environment.cumulative().begin(), environment.cumulative().end());
     if (mask != nullptr) tables->mask = mask->words;
+    if (additions.second) {
+        const Volume& second = *additions.second->volume;
+        tables->secondEntries.resize(second.voxels().size());
+        writeEntries(second, entryMapOf(second), 0, tables->secondEntries);
+    }
+    tables->additions = additionTable(additions);
+    if (additions.tints) tables->tints = additions.tints->box->voxels;
     tables_ = std::move(tables);
 }
 

@@ -20,9 +20,10 @@ enum class Precision { single, twofold };
 // Immutable; may be used from several threads.
 class ReferenceTracer {
   public:
-    // Keeps a copy of the voxels, the tables and the environment.
+    // Keeps a copy of the voxels, the tables and the environment. The medium must have been made with the
+    // same additions.
     ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment,
-                    const MaskBits* mask = nullptr);
+                    const MaskBits* mask = nullptr, const Additions& additions = {});
 
     // Sum over samples [firstSample, firstSample + sampleCount) of premultiplied radiance and coverage, for
     // each pixel, row 0 on top; the same samples the device draws. On all cores.
@@ -85,7 +86,10 @@ class ReferenceTracer {
         std::vector<float> bounds;
         std::vector<EnvironmentTexel> environment;
         std::vector<float> cumulative;
-        std::vector<std::uint32_t> mask;  // empty: none
+        std::vector<std::uint32_t> mask;           // empty: none
+        std::vector<std::uint16_t> secondEntries;  // of a second volume; empty: none
+        std::vector<glm::vec4> additions;          // what it and segments are made of: additionTable
+        std::vector<std::uint8_t> tints;           // of segments, in their box; empty: none
     };
 
   private:

@@ -78,6 +78,26 @@ void writeCast(const Settings& settings, const Medium& medium, const Volume& vol
     params.diffuse = medium.diffuse;
 }
 
+// Both volumes have integers at faces there: centres are half a voxel on.
+void writeAdditions(const Additions& additions, const Volume& volume, shared::TraceParams& params) {
+    if (additions.second) {
+        const SecondVolume& second = *additions.second;
+        const glm::dmat4 map = secondVoxelFromVoxel(second, volume);
+        params.secondOrigin = transformPoint(map, glm::dvec3(-0.5)) + 0.5;
+        params.secondFromVoxelX = glm::dvec3(map[0]);
+        params.secondFromVoxelY = glm::dvec3(map[1]);
+        params.secondFromVoxelZ = glm::dvec3(map[2]);
+        params.secondSize = second.volume->size();
+        params.secondGrid = brickCount(second.volume->size());
+        params.secondEntryCount = static_cast<int>(entryMapOf(*second.volume).tableSize());
+        params.secondStepsPerEntry = static_cast<float>(stepsPerEntryOf(second));
+    }
+    if (additions.tints) {
+        params.tintLow = additions.tints->box->low;
+        params.tintSize = additions.tints->box->size;
+    }
+}
+
 // The lights of a panorama or a rig, turned about their own up axis.
 void writeLights(const LightFrame frame, const CameraBasis& eye, const Settings& settings,
                  shared::TraceParams& params) {
@@ -156,7 +176,8 @@ Result<View> fovealWindow(const View& view, const glm::dvec2& gaze, double field
 
 Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& medium,
                                             const Environment& environment, const View& view,
-                                            const Settings& settings, const Clip& clip) {
+                                            const Settings& settings, const Clip& clip,
+                                            const Additions& additions) {
     MACULA_TRY_VOID(validate(clip));
     MACULA_TRY(const CameraBasis eye, basis(view.camera));
     if (view.width < 1 || view.height < 1 || view.width > kMaxPictureSide || view.height > kMaxPictureSide) {
@@ -196,6 +217,7 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     writeClip(clip, volume, params);
     writeGradientOpacity(medium, volume, params);
     writeCast(settings, medium, volume, params);
+    writeAdditions(additions, volume, params);
     params.exposure = static_cast<float>(settings.exposure);
     params.planeHalfSize = fovea.halfSize;
     params.gaze = fovea.gaze;

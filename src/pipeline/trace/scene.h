@@ -8,6 +8,7 @@
 #include "base/volume.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
+#include "pipeline/volume/additions.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/medium.h"
 #include "shared/trace_params.h"
@@ -18,7 +19,8 @@ namespace macula::trace {
 // costs no precision. Fails with usage when the camera, the size of the picture or a setting is not usable.
 Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& medium,
                                             const Environment& environment, const View& view,
-                                            const Settings& settings, const Clip& clip = {});
+                                            const Settings& settings, const Clip& clip = {},
+                                            const Additions& additions = {});
 
 // What a usable view stores where in its picture, for shaders/lib/fovea.glsl.
 struct FoveaInPlane {

@@ -38,7 +38,9 @@ SceneKind kindOf(const DeviceScene& scene) {
     return {.clip = scene.isClipped(),
             .mask = scene.isMasked(),
             .gradientOpacity = scene.hasGradientOpacity(),
-            .coarse = scene.holdsCoarseBlocks()};
+            .coarse = scene.holdsCoarseBlocks(),
+            .second = scene.hasSecond(),
+            .tints = scene.hasTints()};
 }
 
 TraceVariant variantOf(const Settings& settings, SceneKind scene) {
@@ -61,6 +63,8 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                                         {"kMask", variant.scene.mask},
                                         {"kGradientOpacity", variant.scene.gradientOpacity},
                                         {"kCoarse", variant.scene.coarse},
+                                        {"kSecond", variant.scene.second},
+                                        {"kTints", variant.scene.tints},
                                         {"kShading", variant.shading},
                                         {"kCast", castOf(variant.look)}}}));
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
@@ -92,7 +96,9 @@ Result<const gpu::Kernel*> TraceKernels::find(std::map<SceneKind, gpu::Kernel>& 
     gpu::KernelOptions options{.specializations = {{"kClip", scene.clip},
                                                    {"kMask", scene.mask},
                                                    {"kGradientOpacity", scene.gradientOpacity},
-                                                   {"kCoarse", scene.coarse}}};
+                                                   {"kCoarse", scene.coarse},
+                                                   {"kSecond", scene.second},
+                                                   {"kTints", scene.tints}}};
     options.specializations.insert(options.specializations.end(), more.begin(), more.end());
     MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, code, options));
     return &kernels.emplace(scene, std::move(kernel)).first->second;

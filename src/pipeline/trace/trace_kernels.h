@@ -23,10 +23,12 @@ struct SceneKind {
     bool gradientOpacity = false;
     bool coarse = false;     // not all of its blocks of voxels are whole
     bool greyFaces = false;  // of a clip; counts for surface points only
+    bool second = false;     // a second volume in the same picture
+    bool tints = false;      // segments with colours
 
     bool operator<(const SceneKind& b) const {
-        return std::tie(clip, mask, gradientOpacity, coarse, greyFaces) <
-               std::tie(b.clip, b.mask, b.gradientOpacity, b.coarse, b.greyFaces);
+        return std::tie(clip, mask, gradientOpacity, coarse, greyFaces, second, tints) <
+               std::tie(b.clip, b.mask, b.gradientOpacity, b.coarse, b.greyFaces, b.second, b.tints);
     }
 };
 

@@ -33,6 +33,13 @@ void forEachBrick(glm::ivec3 size, const Body& body) {
     });
 }
 
+// Of two media that fill the same brick. Where one has nothing it is the other's bound as it is, so that both
+// can be told apart again.
+float sumOfBounds(float first, float second) {
+    if (!(second > 0.0f)) return first;
+    return first > 0.0f ? (first + second) * kOutward : second;
+}
+
 // Computes the majorants of bricks from the extinction by entry.
 void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, const Clip& clip,
                  const MaskBits* mask) {
@@ -42,6 +49,8 @@ void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, co
     forEachBrick(grid.size, [&](int x, int y, int z) {
         const std::size_t brick = grid.index(x, y, z);
         medium.bounds[brick] = largest(grid.ranges[brick].low, grid.ranges[brick].high) * kOutward;
+        if (!medium.addedBounds.empty())
+            medium.bounds[brick] = sumOfBounds(medium.bounds[brick], medium.addedBounds[brick]);
     });
     emptyRemovedBricks(clip, volume, grid, medium.bounds);
     if (mask != nullptr && !clip.removedCastsShadow) emptyMaskedBricks(*mask, grid, medium.bounds);
@@ -86,29 +95,46 @@ std::size_t Medium::visibleBricks() const {
         std::count_if(bounds.begin(), bounds.end(), [](float b) { return b > 0.0f; }));
 }
 
-Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
-                  const Clip& clip, const MaskBits* mask) {
+std::vector<float> Medium::ownBounds() const {
+    std::vector<float> own = bounds;
+    for (std::size_t brick = 0; brick < addedBounds.size(); ++brick)
+        if (!(own[brick] > addedBounds[brick])) own[brick] = 0.0f;
+    return own;
+}
+
+double featureUnitsOf(const TransferFunction& function, const Volume& volume) {
+    return featureOf(function, volume.unitsFromStored().slope);
+}
+
+std::vector<glm::vec4> opticsByEntry(const Volume& volume, const TransferFunction& function) {
     const EntryMap map = entryMapOf(volume);
     const UnitsFromStored units = volume.unitsFromStored();
+    std::vector<glm::vec4> optics(map.tableSize());
+    for (std::size_t entry = 0; entry + 1 < map.tableSize(); ++entry) {
+        const double value = units(double(map.low) + double(entry));
+        const glm::dvec3 colour = colourAt(function, value);
+        optics[entry] = glm::vec4(
+            function.albedo * linearFromSrgb(colour.r), function.albedo * linearFromSrgb(colour.g),
+            function.albedo * linearFromSrgb(colour.b), static_cast<float>(extinctionPerMm(function, value)));
+    }
+    optics.back() = optics[map.tableSize() - 2];
+    return optics;
+}
 
+Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
+                  const Clip& clip, const MaskBits* mask, std::span<const float> added) {
+    MACULA_CHECK(added.empty() || added.size() == grid.ranges.size());
     Medium medium;
     medium.anisotropy = static_cast<float>(function.anisotropy);
     medium.ambient = static_cast<float>(function.lighting.ambient);
     medium.diffuse = static_cast<float>(function.lighting.diffuse);
-    medium.featureUnits = featureOf(function, units.slope);
+    medium.featureUnits = featureUnitsOf(function, volume);
     if (usesGradientOpacity(function)) tabulateGradientOpacity(function, volume, medium);
-    medium.extinctionPerMm.resize(map.tableSize());
-    medium.albedo.resize(map.tableSize());
-    for (std::size_t entry = 0; entry + 1 < map.tableSize(); ++entry) {
-        const double value = units(double(map.low) + double(entry));
-        const glm::dvec3 colour = colourAt(function, value);
-        medium.extinctionPerMm[entry] = static_cast<float>(extinctionPerMm(function, value));
-        medium.albedo[entry] =
-            glm::vec4(function.albedo * linearFromSrgb(colour.r), function.albedo * linearFromSrgb(colour.g),
-                      function.albedo * linearFromSrgb(colour.b), medium.extinctionPerMm[entry]);
-    }
-    medium.extinctionPerMm.back() = medium.extinctionPerMm[map.tableSize() - 2];
-    medium.albedo.back() = medium.albedo[map.tableSize() - 2];
+    medium.albedo = opticsByEntry(volume, function);
+    medium.extinctionPerMm.resize(medium.albedo.size());
+    for (std::size_t entry = 0; entry < medium.albedo.size(); ++entry)
+        medium.extinctionPerMm[entry] = medium.albedo[entry].w;
+    medium.addedBounds.assign(added.begin(), added.end());
     boundBricks(medium, volume, grid, clip, mask);
     return medium;
 }
@@ -157,6 +183,7 @@ void coverCoarseBlocks(Medium& medium, const BrickGrid& grid, std::span<const st
             }
         }
         bound = largest(range.low, range.high) * kOutward;
+        if (!medium.addedBounds.empty()) bound = sumOfBounds(bound, medium.addedBounds[grid.index(x, y, z)]);
     });
 }
 

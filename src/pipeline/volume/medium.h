@@ -33,16 +33,26 @@ struct Medium {
     double unitDepthMm = 1.0;  // of the preset: unit distance divided by density
     // Values this far apart may have quite different optics: a third of the narrowest piece of the curves.
     double featureUnits = 1.0;
+    // By brick: the part of `bounds` that is of a second volume (additions.h); empty: there is none.
+    std::vector<float> addedBounds;
     float ambient = 1.0f;  // of the preset's lighting
     float diffuse = 0.0f;
 
     std::size_t visibleBricks() const;
+    // The bounds where there is matter of the volume itself, 0 elsewhere.
+    std::vector<float> ownBounds() const;
 };
 
+// By entry: linear RGB albedo, and in w the extinction per mm. `function` as below.
+std::vector<glm::vec4> opticsByEntry(const Volume& volume, const TransferFunction& function);
+// See Medium::featureUnits.
+double featureUnitsOf(const TransferFunction& function, const Volume& volume);
+
 // `function` is used as it is: fit it to the volume before (fitted). It must be valid (validate). Bricks of
-// which a clip without shadow leaves nothing are empty. On all cores.
+// which a clip without shadow leaves nothing are empty. `added` is of a second volume in the same picture
+// (addedBounds in additions.h), or empty. On all cores.
 Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFunction& function,
-                  const Clip& clip = {}, const MaskBits* mask = nullptr);
+                  const Clip& clip = {}, const MaskBits* mask = nullptr, std::span<const float> added = {});
 
 // Makes the bounds of visible bricks true also where blocks are stored coarsely, by level (voxel_blocks.h):
 // the average of a few voxels across a brick's face may lie outside of what the brick itself holds. Empty

@@ -40,7 +40,7 @@ std::vector<glm::dvec2> convexHull(std::vector<glm::dvec2> points) {
 class Rows {
   public:
     Rows(const Volume& volume, const BrickGrid& grid, const Medium& medium, const Clip& clip,
-         const MaskBits* mask)
+         const MaskBits* mask, const Additions& additions)
         : volume_(volume),
           grid_(grid),
           medium_(medium),
@@ -49,6 +49,7 @@ class Rows {
           map_(entryMapOf(volume)),
           leastPerMm_(kLeastDepth / volume.worldBox().diagonal()),
           opaqueFrom_(std::numeric_limits<double>::infinity()) {
+        if (additions.second) second_.emplace(*additions.second, volume);
         if (!clip.greyFaces || !clip.hasShape()) return;
         const UnitsFromStored units = volume.unitsFromStored();
         const double low = clip.greyFaces->center - 0.5 * clip.greyFaces->width;
@@ -109,8 +110,9 @@ class Rows {
         }
         return !clip_.hasShape() || shows(clip_, transformPoint(volume_.worldFromVoxel(), voxel));
     }
+    double secondAt(const glm::dvec3& voxel) const { return second_ ? second_->at(voxel) : 0.0; }
     double extinctionAt(const glm::ivec3& voxel) const {
-        const double extinction = extinctionOf(entryOf(voxel));
+        const double extinction = extinctionOf(entryOf(voxel)) + secondAt(glm::dvec3(voxel));
         return extinction < leastPerMm_ || isShown(glm::dvec3(voxel)) ? extinction : 0.0;
     }
     // The place of the border between a visible voxel and the one before it, which is not visible or does not
@@ -127,7 +129,8 @@ class Rows {
             const double part = 0.5 * (hidden + seen);
             glm::dvec3 at(before);
             at[axis] += part * step;
-            const bool isSeen = extinctionOf(from + (to - from) * part) >= leastPerMm_ && isShown(at);
+            const double extinction = extinctionOf(from + (to - from) * part) + secondAt(at);
+            const bool isSeen = extinction >= leastPerMm_ && isShown(at);
             (isSeen ? seen : hidden) = part;
         }
         return before[axis] + seen * step;
@@ -139,6 +142,7 @@ class Rows {
     const Clip& clip_;
     const MaskBits* mask_;
     EntryMap map_;
+    std::optional<SecondExtinction> second_;
     double leastPerMm_;  // extinction that would not be visible even if it were everywhere
     double opaqueFrom_;  // above this entry there may be a face of the clip
 };
@@ -164,9 +168,9 @@ void addEnds(const Rows& rows, const glm::ivec3& size, int axis, int normal, int
 }  // namespace
 
 std::vector<glm::dvec3> visibleHullMm(const Volume& volume, const BrickGrid& grid, const Medium& medium,
-                                      const Clip& clip, const MaskBits* mask) {
+                                      const Clip& clip, const MaskBits* mask, const Additions& additions) {
     MACULA_CHECK_EQ(medium.bounds.size(), grid.ranges.size());
-    const Rows rows(volume, grid, medium, clip, mask);
+    const Rows rows(volume, grid, medium, clip, mask, additions);
     const glm::ivec3 size = volume.size();
     // Slices hold the rows of two axes, the planes across j those of the third.
     std::vector<std::vector<glm::dvec3>> hulls(std::size_t(size.z) + std::size_t(size.y));

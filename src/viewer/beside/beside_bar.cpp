@@ -1,6 +1,7 @@
 #include "viewer/beside/beside_bar.h"
 
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -11,8 +12,10 @@
 #include <array>
 #include <cmath>
 
+#include "app/study/second_curve.h"
 #include "viewer/beside/beside_study.h"
 #include "viewer/harmless_text.h"
+#include "viewer/language/core_words.h"
 #include "viewer/status_widgets.h"
 
 namespace macula::viewer {
@@ -66,6 +69,7 @@ BesideBar::BesideBar(ViewerSession& session, BesideStudy& beside, QWidget* paren
     addLinks();
     addColours();
     addWindow();
+    addIn3d();
     addWidget(tag_);
     QAction* close = addAction(tr("Close"), &beside_, &BesideStudy::close);
     close->setObjectName(QStringLiteral("close-beside"));
@@ -166,6 +170,56 @@ void BesideBar::addWindow() {
     white_ = add("beside-white", tr("Window of the second volume up to"));
 }
 
+void BesideBar::addIn3d() {
+    in3d_ = new QCheckBox(tr("In 3D too"), this);
+    in3d_->setObjectName(QStringLiteral("beside-in3d"));
+    in3d_->setAccessibleName(tr("The second volume in the 3D picture"));
+    in3d_->setToolTip(
+        tr("The second volume in one 3D picture with the study. It has to be linked by more than hand; "
+           "projections show the study alone"));
+    connect(in3d_, &QCheckBox::clicked, this, [this](bool on) {
+        if (beside_.state() == nullptr) return;
+        session_.change(tr("Second volume in 3D"), [on](app::StudyState& next) { next.beside->in3d = on; });
+        showState();
+    });
+    addWidget(in3d_);
+    presets_ = new QComboBox(this);
+    presets_->setObjectName(QStringLiteral("beside-preset"));
+    presets_->setAccessibleName(tr("Preset of the second volume in 3D"));
+    presets_->setToolTip(
+        tr("What the second volume is drawn with in 3D: window, colours and opacity from here, or a preset"));
+    presets_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    constexpr int kLetters = 14;
+    presets_->setMinimumContentsLength(kLetters);
+    connect(presets_, &QComboBox::activated, this, [this](int index) {
+        if (beside_.state() == nullptr || index < 0 || std::size_t(index) > listed_.size()) return;
+        const auto preset = index == 0 ? nullptr : listed_[std::size_t(index) - 1];
+        session_.change(tr("Preset of the second volume"),
+                        [&](app::StudyState& next) { next.beside->preset = preset; });
+    });
+    addWidget(presets_);
+}
+
+// Those that are made for its values, and the one that the state has, wherever that is from.
+void BesideBar::fillPresets(const app::BesideState& state) {
+    std::vector<std::shared_ptr<const TransferFunction>> wanted;
+    const Unit unit = beside_.second()->study.volume->unit();
+    for (const auto& preset : session_.catalogue().presets)
+        if (suits(*preset, unit)) wanted.push_back(preset);
+    const auto isOurs = [&](const auto& each) { return app::isSame(*each, *state.preset); };
+    if (state.preset && std::ranges::none_of(wanted, isOurs)) wanted.push_back(state.preset);
+    if (wanted != listed_ || presets_->count() == 0) {
+        listed_ = std::move(wanted);
+        presets_->clear();
+        presets_->addItem(tr("As over slices"));
+        for (const auto& preset : listed_)
+            presets_->addItem(
+                harmless(titleInWindowsLanguage(preset->title.empty() ? preset->name : preset->title)));
+    }
+    const auto at = state.preset ? std::ranges::find_if(listed_, isOurs) : listed_.end();
+    presets_->setCurrentIndex(at == listed_.end() ? 0 : int(at - listed_.begin()) + 1);
+}
+
 void BesideBar::proposeWindow() {
     if (isShowing_ || beside_.state() == nullptr) return;
     const double low = black_->value();
@@ -190,8 +244,13 @@ void BesideBar::showState() {
     links_->setCurrentIndex(int(state->link));
     setItemEnabled(*links_, int(app::BesideLink::sameFrame), beside_.canShareFrame());
     const bool isOver = state->view == app::BesideView::over;
-    colours_->setEnabled(isOver);
-    opacity_->setEnabled(isOver);
+    const bool isFused = app::isIn3d(*state);
+    in3d_->setEnabled(state->isLinked() && state->view != app::BesideView::hidden);
+    in3d_->setChecked(isFused);
+    fillPresets(*state);
+    presets_->setEnabled(isFused);
+    colours_->setEnabled(isOver || (isFused && !state->preset));
+    opacity_->setEnabled(isOver || (isFused && !state->preset));
     const auto colours = std::ranges::find(kColours, state->colours, &ColourRow::colours);
     colours_->setCurrentIndex(int(colours - kColours.begin()));
     opacity_->setValue(int(std::lround(state->opacity * kPercent)));

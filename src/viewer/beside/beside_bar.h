@@ -2,8 +2,13 @@
 #pragma once
 
 #include <QToolBar>
+#include <memory>
+#include <vector>
+
+#include "app/state/beside_state.h"
 
 class QAction;
+class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QSlider;
@@ -30,6 +35,8 @@ class BesideBar : public QToolBar {
     void addLinks();
     void addColours();
     void addWindow();
+    void addIn3d();
+    void fillPresets(const app::BesideState& state);
     void proposeWindow();
 
     ViewerSession& session_;
@@ -39,6 +46,9 @@ class BesideBar : public QToolBar {
     QComboBox* links_ = nullptr;
     QComboBox* colours_ = nullptr;
     QSlider* opacity_ = nullptr;
+    QCheckBox* in3d_ = nullptr;
+    QComboBox* presets_ = nullptr;  // of the second volume in 3D; the first item: its colours over slices
+    std::vector<std::shared_ptr<const TransferFunction>> listed_;  // from the second item on
     QDoubleSpinBox* black_ = nullptr;  // ends of the window, in the unit of the second volume
     QDoubleSpinBox* white_ = nullptr;
     bool isShowing_ = false;  // the state, and proposes nothing

@@ -35,6 +35,7 @@ class SegmentationKeeper : public QObject {
     bool isLoading() const { return loading_.running(); }
     bool isAtRest() const { return !isFinding() && !isLoading() && !masking_.running(); }
     const app::LoadedSegmentation* loaded(std::string_view digest) const;  // null: not, or not yet
+    const app::LoadedSegmentations& allLoaded() const { return loaded_; }
     QString trouble(std::string_view digest) const;  // why it could not be loaded; empty: nothing went wrong
 
     // What the mask is of that was made last.

@@ -73,6 +73,13 @@ QString in3dText(app::In3d in3d) {
     return {};
 }
 
+QString in3dText(const app::SegmentChoice& choice) {
+    QStringList words;
+    if (const QString word = in3dText(choice.in3d); !word.isEmpty()) words << word;
+    if (choice.isColouredIn3d) words << SegmentationPanel::tr("in colour");
+    return words.join(QStringLiteral(", "));
+}
+
 }  // namespace
 
 SegmentationPanel::SegmentationPanel(ViewerSession& session, SegmentationKeeper& keeper, QWidget* parent)
@@ -118,29 +125,27 @@ QWidget* SegmentationPanel::makeControls() {
         made->setToolTip(what);
         return made;
     };
-    colour_ = button(tr("Colour…"), "segment-colour", tr("Colour of the segment on slices"));
+    colour_ = button(tr("Colour…"), "segment-colour",
+                     tr("Colour of the segment on slices, and in 3D where it is in colour there"));
     connect(colour_, &QPushButton::clicked, this, &SegmentationPanel::askForColour);
     centre_ = button(tr("Centre"), "segment-centre", tr("Cross-hair to the middle of the segment"));
     connect(centre_, &QPushButton::clicked, this, &SegmentationPanel::centre);
     alone_ = button(tr("Alone"), "segment-alone",
                     tr("In 3D, this segment and others that are alone, and nothing else"));
     hide_ = button(tr("Hide"), "segment-hide", tr("In 3D, all but this segment"));
-    for (QPushButton* each : {alone_, hide_}) each->setCheckable(true);
+    coloured_ = button(tr("In colour"), "segment-coloured",
+                       tr("In 3D, the matter in this segment has the colour of the segment"));
+    for (QPushButton* each : {alone_, hide_, coloured_}) each->setCheckable(true);
+    connect(coloured_, &QPushButton::clicked, this, &SegmentationPanel::setColoured);
     connect(alone_, &QPushButton::clicked, this, [this](bool on) { setIn3d(app::In3d::alone, on); });
     connect(hide_, &QPushButton::clicked, this, [this](bool on) { setIn3d(app::In3d::hidden, on); });
-    opacity_ = new QSlider(Qt::Horizontal, controls);
-    opacity_->setObjectName(QStringLiteral("segment-opacity"));
+    opacity_ = makeOpacity("segment-opacity", tr("How opaque the segment is filled on slices, in %"),
+                           &app::SegmentChoice::opacity, controls);
     opacity_->setAccessibleName(tr("Opacity"));
-    opacity_->setToolTip(tr("How opaque the segment is filled on slices, in %"));
-    opacity_->setRange(0, 100);
-    opacity_->setPageStep(10);
-    (new WheelGuard(this))->watch(*opacity_);
-    connect(opacity_, &QSlider::valueChanged, this, [this](int percent) {
-        edit(
-            tr("Opacity"), [percent](app::SegmentChoice& next) { next.opacity = percent / 100.0; }, true);
-        if (!opacity_->isSliderDown()) session_.endDrag();
-    });
-    connect(opacity_, &QSlider::sliderReleased, &session_, &ViewerSession::endDrag);
+    opacityIn3d_ = makeOpacity("segment-opacity-3d",
+                               tr("In 3D, how much of the matter in a segment in colour is left, in %"),
+                               &app::SegmentChoice::opacityIn3d, controls);
+    opacityIn3d_->setAccessibleName(tr("Opacity in 3D"));
 
     auto* form = new QFormLayout(controls);
     form->setContentsMargins(0, 0, 0, 0);
@@ -153,7 +158,26 @@ QWidget* SegmentationPanel::makeControls() {
     form->addRow(row(colour_, centre_));
     form->addRow(tr("Opacity"), opacity_);
     form->addRow(tr("In 3D"), row(alone_, hide_));
+    form->addRow(QString(), coloured_);
+    form->addRow(tr("Opacity in 3D"), opacityIn3d_);
     return controls;
+}
+
+QSlider* SegmentationPanel::makeOpacity(const char* name, const QString& text,
+                                        double app::SegmentChoice::*opacity, QWidget* parent) {
+    auto* slider = new QSlider(Qt::Horizontal, parent);
+    slider->setObjectName(QString::fromLatin1(name));
+    slider->setToolTip(text);
+    slider->setRange(0, 100);
+    slider->setPageStep(10);
+    (new WheelGuard(this))->watch(*slider);
+    connect(slider, &QSlider::valueChanged, this, [this, slider, opacity](int percent) {
+        edit(
+            tr("Opacity"), [=](app::SegmentChoice& next) { next.*opacity = percent / 100.0; }, true);
+        if (!slider->isSliderDown()) session_.endDrag();
+    });
+    connect(slider, &QSlider::sliderReleased, &session_, &ViewerSession::endDrag);
+    return slider;
 }
 
 void SegmentationPanel::showNames(bool shown) {
@@ -247,7 +271,7 @@ void SegmentationPanel::showChoice(QTreeWidgetItem& item) {
     const app::SegmentChoice now = choice(row);
     item.setCheckState(kName, now.isVisible ? Qt::Checked : Qt::Unchecked);
     item.setIcon(kName, chip(colour(row)));
-    item.setText(kIn3d, in3dText(now.in3d));
+    item.setText(kIn3d, in3dText(now));
 }
 
 void SegmentationPanel::onItemChanged(QTreeWidgetItem* item, int column) {
@@ -307,13 +331,17 @@ void SegmentationPanel::showControls() {
     const bool isEmpty = there != nullptr && !there->isInVolume();
     centre_->setEnabled(there != nullptr && there->centroidMm.has_value());
     const app::SegmentChoice now = row ? choice(*row) : app::SegmentChoice{};
-    for (QPushButton* each : {alone_, hide_}) each->setEnabled(row && !isEmpty);
+    for (QPushButton* each : {alone_, hide_, coloured_}) each->setEnabled(row && !isEmpty);
+    coloured_->setChecked(now.isColouredIn3d);
+    opacityIn3d_->setEnabled(row && !isEmpty && now.isColouredIn3d);
     alone_->setChecked(now.in3d == app::In3d::alone);
     hide_->setChecked(now.in3d == app::In3d::hidden);
     colour_->setIcon(row ? chip(colour(*row)) : QIcon());
     {
         const QSignalBlocker blocker(opacity_);
+        const QSignalBlocker blockerIn3d(opacityIn3d_);
         if (!opacity_->isSliderDown()) opacity_->setValue(int(std::lround(100.0 * now.opacity)));
+        if (!opacityIn3d_->isSliderDown()) opacityIn3d_->setValue(int(std::lround(100.0 * now.opacityIn3d)));
     }
     QStringList notes;
     if (!session_.hasStudy()) {
@@ -348,14 +376,24 @@ void SegmentationPanel::edit(const QString& what, const std::function<void(app::
 
 // A segmentation that is not shown changes nothing: whoever asks for it in 3D wants it shown.
 void SegmentationPanel::setIn3d(app::In3d in3d, bool on) {
+    editIn3d(tr("Segments in 3D"), on,
+             [&](app::SegmentChoice& next) { next.in3d = on ? in3d : app::In3d::asIs; });
+}
+
+void SegmentationPanel::setColoured(bool on) {
+    editIn3d(tr("Segment in colour"), on, [&](app::SegmentChoice& next) { next.isColouredIn3d = on; });
+}
+
+void SegmentationPanel::editIn3d(const QString& what, bool needsShown,
+                                 const std::function<void(app::SegmentChoice&)>& edit) {
     const auto row = selected();
     if (!row) return;
-    session_.change(tr("Segments in 3D"), [&](app::StudyState& next) {
+    session_.change(what, [&](app::StudyState& next) {
         app::SegmentationChoice whole = app::choiceOf(next.segmentations, row->digest);
         app::SegmentChoice one = app::choiceOf(whole, row->number);
-        one.in3d = on ? in3d : app::In3d::asIs;
+        edit(one);
         app::choose(next.segmentations, row->digest, one);
-        if (!on) return;
+        if (!needsShown) return;
         whole = app::choiceOf(next.segmentations, row->digest);
         whole.isShown = true;
         app::choose(next.segmentations, std::move(whole));

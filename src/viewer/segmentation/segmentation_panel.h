@@ -46,6 +46,10 @@ class SegmentationPanel : public QWidget {
     void showControls();
     void onItemChanged(QTreeWidgetItem* item, int column);
     void setIn3d(app::In3d in3d, bool on);
+    void setColoured(bool on);
+    void editIn3d(const QString& what, bool needsShown, const std::function<void(app::SegmentChoice&)>& edit);
+    QSlider* makeOpacity(const char* name, const QString& text, double app::SegmentChoice::*opacity,
+                         QWidget* parent);
     void askForColour();
     void centre();
     void edit(const QString& what, const std::function<void(app::SegmentChoice&)>& edit, bool isDrag = false);
@@ -67,6 +71,8 @@ class SegmentationPanel : public QWidget {
     QSlider* opacity_ = nullptr;
     QPushButton* alone_ = nullptr;
     QPushButton* hide_ = nullptr;
+    QPushButton* coloured_ = nullptr;
+    QSlider* opacityIn3d_ = nullptr;
     QPushButton* centre_ = nullptr;
 };
 

@@ -3446,6 +3446,62 @@
         <source>The series that it is of is not in this folder.</source>
         <translation>Die Serie dazu ist nicht in diesem Ordner.</translation>
     </message>
+    <message>
+        <source>coloured segments</source>
+        <translation>farbige Segmente</translation>
+    </message>
+    <message>
+        <source>with a second volume</source>
+        <translation>mit einem zweiten Volumen</translation>
+    </message>
+    <message>
+        <source>with CT</source>
+        <translation>mit CT</translation>
+    </message>
+    <message>
+        <source>with MR</source>
+        <translation>mit MR</translation>
+    </message>
+    <message>
+        <source>with PT</source>
+        <translation>mit PT</translation>
+    </message>
+    <message>
+        <source>with NM</source>
+        <translation>mit NM</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to colour segments.</source>
+        <translation>Es ist nicht genug Speicher da, um Segmente zu färben.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or colour fewer. The picture and what is chosen stay as before.</source>
+        <translation>Schließen Sie andere Programme, oder färben Sie weniger. Bild und Auswahl bleiben, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>Colouring segments was cancelled.</source>
+        <translation>Das Färben der Segmente wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Colouring segments</source>
+        <translation>Segmente werden gefärbt</translation>
+    </message>
+    <message>
+        <source>More than 255 segments of different colours cannot be shown in 3D.</source>
+        <translation>Mehr als 255 Segmente verschiedener Farben können in 3D nicht gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Colour fewer of them, or give some the same colour.</source>
+        <translation>Färben Sie weniger davon, oder geben Sie einigen dieselbe Farbe.</translation>
+    </message>
+    <message>
+        <source>Others show no colours of segments.</source>
+        <translation>Andere zeigen keine Farben von Segmenten.</translation>
+    </message>
+    <message>
+        <source>Others show the study without the second volume.</source>
+        <translation>Andere zeigen die Studie ohne das zweite Volumen.</translation>
+    </message>
 </context>
 <context>
     <name>labels</name>
@@ -4525,6 +4581,46 @@
     <message>
         <source>The graphics device stopped responding; the work begins anew on a new one.</source>
         <translation>Das Grafikgerät hat nicht mehr geantwortet; die Arbeit beginnt auf einem neuen noch einmal.</translation>
+    </message>
+    <message>
+        <source>There is no second volume with a preset.</source>
+        <translation>Es gibt kein zweites Volumen mit einer Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Open a second volume, and choose a preset for it.</source>
+        <translation>Öffnen Sie ein zweites Volumen, und wählen Sie eine Voreinstellung dafür.</translation>
+    </message>
+    <message>
+        <source>Where the second volume lies is not usable.</source>
+        <translation>Wo das zweite Volumen liegt, ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Register the two volumes again.</source>
+        <translation>Registrieren Sie die beiden Volumen noch einmal.</translation>
+    </message>
+    <message>
+        <source>The coloured segments are not of this volume.</source>
+        <translation>Die farbigen Segmente gehören nicht zu diesem Volumen.</translation>
+    </message>
+    <message>
+        <source>Show the segmentation again.</source>
+        <translation>Zeigen Sie die Segmentierung noch einmal.</translation>
+    </message>
+    <message>
+        <source>A coloured segment has no colour.</source>
+        <translation>Ein farbiges Segment hat keine Farbe.</translation>
+    </message>
+    <message>
+        <source>The colour of a segment is not usable.</source>
+        <translation>Die Farbe eines Segments ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give red, green, blue and opacity from 0 to 1.</source>
+        <translation>Geben Sie Rot, Grün, Blau und Deckkraft von 0 bis 1 an.</translation>
+    </message>
+    <message>
+        <source>Of the second volume: %1</source>
+        <translation>Zum zweiten Volumen: %1</translation>
     </message>
 </context>
 <context>

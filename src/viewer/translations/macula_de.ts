@@ -668,6 +668,38 @@
         <source>Registering…</source>
         <translation>Wird registriert…</translation>
     </message>
+    <message>
+        <source>In 3D too</source>
+        <translation>Auch in 3D</translation>
+    </message>
+    <message>
+        <source>The second volume in the 3D picture</source>
+        <translation>Das zweite Volumen im 3D-Bild</translation>
+    </message>
+    <message>
+        <source>The second volume in one 3D picture with the study. It has to be linked by more than hand; projections show the study alone</source>
+        <translation>Das zweite Volumen in einem 3D-Bild mit der Studie. Es muss anders als von Hand verknüpft sein; Projektionen zeigen die Studie allein</translation>
+    </message>
+    <message>
+        <source>Second volume in 3D</source>
+        <translation>Zweites Volumen in 3D</translation>
+    </message>
+    <message>
+        <source>Preset of the second volume in 3D</source>
+        <translation>Voreinstellung des zweiten Volumens in 3D</translation>
+    </message>
+    <message>
+        <source>What the second volume is drawn with in 3D: window, colours and opacity from here, or a preset</source>
+        <translation>Womit das zweite Volumen in 3D gezeichnet wird: Fensterung, Farben und Deckkraft von hier, oder eine Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Preset of the second volume</source>
+        <translation>Voreinstellung des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>As over slices</source>
+        <translation>Wie über Schichten</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::BesideStudy</name>
@@ -2972,8 +3004,8 @@
         <translation>Farbe…</translation>
     </message>
     <message>
-        <source>Colour of the segment on slices</source>
-        <translation>Farbe des Segments auf Schichten</translation>
+        <source>Colour of the segment on slices, and in 3D where it is in colour there</source>
+        <translation>Farbe des Segments auf Schichten, und in 3D, wo es dort farbig ist</translation>
     </message>
     <message>
         <source>Centre</source>
@@ -3054,6 +3086,30 @@
     <message>
         <source>Cross-hair</source>
         <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>in colour</source>
+        <translation>farbig</translation>
+    </message>
+    <message>
+        <source>In colour</source>
+        <translation>Farbig</translation>
+    </message>
+    <message>
+        <source>In 3D, the matter in this segment has the colour of the segment</source>
+        <translation>In 3D hat das Gewebe in diesem Segment die Farbe des Segments</translation>
+    </message>
+    <message>
+        <source>In 3D, how much of the matter in a segment in colour is left, in %</source>
+        <translation>In 3D, wie viel vom Gewebe eines farbigen Segments bleibt, in %</translation>
+    </message>
+    <message>
+        <source>Opacity in 3D</source>
+        <translation>Deckkraft in 3D</translation>
+    </message>
+    <message>
+        <source>Segment in colour</source>
+        <translation>Segment farbig</translation>
     </message>
 </context>
 <context>

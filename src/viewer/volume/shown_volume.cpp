@@ -7,6 +7,7 @@
 #include "viewer/hidden_voxels.h"
 #include "viewer/segmentation/segmentation_keeper.h"
 #include "viewer/table_removal.h"
+#include "viewer/volume/shown_additions.h"
 
 namespace macula::viewer {
 
@@ -19,6 +20,8 @@ ShownVolume::ShownVolume(ViewerSession& session, QObject* parent)
     connect(&session_, &ViewerSession::studyShown, this, &ShownVolume::onStudyShown);
     connect(&session_, &ViewerSession::changed, this, &ShownVolume::onChanged);
     segments_ = new SegmentationKeeper(session_, this);  // hears of a study after this
+    additions_ = new ShownAdditions(session_, *segments_, this);
+    connect(additions_, &ShownAdditions::changed, this, &ShownVolume::changed);
     // It is in the state once it is found.
     connect(table_, &TableRemoval::changed, this, [this] {
         session_.change(tr("Table"), [this](app::StudyState& next) {
@@ -48,8 +51,14 @@ app::Drawing ShownVolume::drawingOf(const app::StudyState& other) const {
 }
 
 app::Drawing ShownVolume::drawingOf(const app::StudyState& state, std::shared_ptr<const Clip> clip) const {
-    return app::drawingOf(state, session_.catalogue(), seriesWindows_, session_.study().volume,
-                          std::move(clip));
+    app::Drawing drawing =
+        app::drawingOf(state, session_.catalogue(), seriesWindows_, session_.study().volume, std::move(clip));
+    // Kept for projections too, which do not draw them: so they are there when the look changes back.
+    drawing.additions = additions_->additions();
+    if (!drawing.additions || trace::isProjection(drawing.settings.look)) return drawing;
+    if (!drawing.remarks.empty()) drawing.remarks += ", ";
+    drawing.remarks += drawing.additions->remark;
+    return drawing;
 }
 
 app::StudyState ShownVolume::state() const {
@@ -82,6 +91,7 @@ void ShownVolume::onStudyShown() {
     table_->setVolume(volume);
     cutting_->setVolume(volume);
     hidden_->setVolume(volume);
+    additions_->forget();
     hiddenBy_ = {};
     seriesWindows_.forget();
     clip_ = volume ? app::clipOf(session_.state(), *volume, std::nullopt) : nullptr;

@@ -14,11 +14,13 @@ namespace macula::viewer {
 
 class HiddenVoxels;
 class SegmentationKeeper;
+class ShownAdditions;
 class TableRemoval;
 class VoxelCutting;
 
-// Follows the session: clip, and what hides single voxels, which are looked for in the background. Make it
-// before whoever else listens to the session: it is the first to know of a study. Lives on the UI thread.
+// Follows the session: clip, what hides single voxels, and what is beside the volume, which are looked for in
+// the background. Make it before whoever else listens to the session: it is the first to know of a study.
+// Lives on the UI thread.
 class ShownVolume : public QObject {
     Q_OBJECT
 
@@ -41,6 +43,7 @@ class ShownVolume : public QObject {
     VoxelCutting& cutting() { return *cutting_; }
     SegmentationKeeper& segments() { return *segments_; }
     HiddenVoxels& hidden() { return *hidden_; }
+    ShownAdditions& additions() { return *additions_; }
 
   signals:
     void changed();  // drawing(), of the same study
@@ -58,6 +61,7 @@ class ShownVolume : public QObject {
     VoxelCutting* cutting_;
     HiddenVoxels* hidden_;
     SegmentationKeeper* segments_;
+    ShownAdditions* additions_;
     // What the voxels are hidden by that are hidden now.
     struct HiddenBy {
         bool leavesTableOut = false;

@@ -27,11 +27,12 @@ std::string hashOf(std::span<const T> values) {
 
 Result<TracedScene> TracedScene::create(std::shared_ptr<const Volume> volume,
                                         const TransferFunction& function, const Clip& clip,
-                                        const trace::Environment& environment) {
+                                        const trace::Environment& environment, const Additions& additions) {
     MACULA_CHECK(volume != nullptr && volume->format() == VoxelFormat::stored16);
     MACULA_TRY_VOID(validate(function));
     MACULA_TRY_VOID(validate(clip));
-    TracedScene scene(std::move(volume), clip, environment);
+    MACULA_TRY_VOID(validate(additions, *volume));
+    TracedScene scene(std::move(volume), clip, environment, additions);
     const Volume& v = *scene.volume_;
     const TransferFunction fit = fitted(function, v);
     const BrickGrid grid = makeBrickGrid(v);
@@ -40,7 +41,7 @@ Result<TracedScene> TracedScene::create(std::shared_ptr<const Volume> volume,
     // Bounds that leave out all that is hidden from the eye: the tracer's own keep it where it casts shadow.
     Clip ofEye = clip;
     ofEye.removedCastsShadow = false;
-    scene.medium_ = makeMedium(v, grid, fit, ofEye, mask ? &*mask : nullptr);
+    scene.medium_ = makeMedium(v, grid, fit, ofEye, mask ? &*mask : nullptr, addedBounds(additions, v, grid));
     scene.seenMm_ = visibleBoxMm(v, grid, scene.medium_);
 
     static_assert(sizeof(EntryRange) == 4 && sizeof(trace::EnvironmentTexel) == 16);
@@ -49,6 +50,11 @@ Result<TracedScene> TracedScene::create(std::shared_ptr<const Volume> volume,
     text += hashOf<float>(medium.extinctionPerMm) + hashOf<glm::vec4>(medium.albedo) +
             hashOf<float>(medium.gradientOpacity) + hashOf<float>(medium.bounds);
     text += mask ? hashOf<std::uint32_t>(mask->words) : "no mask\n";
+    if (additions.second)
+        text += fingerprint(*additions.second->volume) + "\n" +
+                hashOf<EntryRange>(makeBrickGrid(*additions.second->volume).ranges);
+    if (!additions.isNothing()) text += hashOf<glm::vec4>(additionTable(additions));
+    if (additions.tints) text += sha256Hex(std::as_bytes(std::span(additions.tints->box->voxels))) + "\n";
     text += hashOf<trace::EnvironmentTexel>(environment.texels());
     text += hashOf<std::uint32_t>(shaders::trace_path_comp.words);
     scene.digest_ = sha256Hex(text);
@@ -59,7 +65,7 @@ Result<std::string> TracedScene::pictureKey(const trace::View& view, const trace
                                             std::uint32_t samplesPerPixel) const {
     MACULA_CHECK(trace::isPathTraced(settings.look));
     MACULA_TRY(const shared::TraceParams params,
-               makeTraceParams(*volume_, medium_, environment_, view, settings, clip_));
+               makeTraceParams(*volume_, medium_, environment_, view, settings, clip_, additions_));
     return sha256Hex(fmt::format("{} {} {} {} {}", digest_, sha256Hex(std::as_bytes(std::span(&params, 1))),
                                  trace::nameOf(settings.filter), nameOf(settings.denoising),
                                  samplesPerPixel));

@@ -10,6 +10,7 @@
 #include "base/volume.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
+#include "pipeline/volume/additions.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/medium.h"
 #include "pipeline/volume/transfer_function.h"
@@ -21,23 +22,27 @@ class TracedScene {
     // The volume must be stored16. The function is fitted to it, as the tracer does. Fails where the function
     // or the clip is not valid.
     static Result<TracedScene> create(std::shared_ptr<const Volume> volume, const TransferFunction& function,
-                                      const Clip& clip, const trace::Environment& environment);
+                                      const Clip& clip, const trace::Environment& environment,
+                                      const Additions& additions = {});
 
     // visibleBoxMm of what an eye sees: matter that a clip removes and that only casts shadow is not in it.
     const Box& seenMm() const { return seenMm_; }
 
     // SHA-256, 64 hexadecimal digits, over all that such a picture depends on: the volume's fingerprint and
-    // the range of values in each of its bricks, the optics by value, clip, mask, lights, camera, size,
-    // settings, samples, and the compiled kernel itself. No patient data. Of path-traced looks.
+    // the range of values in each of its bricks, the optics by value, clip, mask, what is beside the volume,
+    // lights, camera, size, settings, samples, and the compiled kernel itself. No patient data. Of
+    // path-traced looks.
     Result<std::string> pictureKey(const trace::View& view, const trace::Settings& settings,
                                    std::uint32_t samplesPerPixel) const;
 
   private:
-    TracedScene(std::shared_ptr<const Volume> volume, const Clip& clip, const trace::Environment& environment)
-        : volume_(std::move(volume)), clip_(clip), environment_(environment) {}
+    TracedScene(std::shared_ptr<const Volume> volume, const Clip& clip, const trace::Environment& environment,
+                const Additions& additions)
+        : volume_(std::move(volume)), clip_(clip), additions_(additions), environment_(environment) {}
 
     std::shared_ptr<const Volume> volume_;
     Clip clip_;
+    Additions additions_;
     trace::Environment environment_;
     Medium medium_;
     Box seenMm_;

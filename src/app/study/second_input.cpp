@@ -1,0 +1,75 @@
+#include "app/study/second_input.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/study/second_curve.h"
+#include "app/study/study_preset.h"
+#include "registration/rigid_registration.h"
+
+namespace macula::app {
+
+namespace {
+
+Result<void> place(const SecondWish& wish, const Volume& study, const Volume& second, bool isPlaced,
+                   BesideState& state, SecondToDraw& drawn, Progress& progress) {
+    if (wish.link == SecondLink::search) {
+        MACULA_TRY(const registration::RigidRegistration found,
+                   registration::registerRigid(study, second, progress));
+        state.secondFromStudy = found.movingFromFixed;
+        drawn.notes.push_back(fmt::format("The second volume was registered, to {:.1f} mm.", found.boundMm));
+        if (found.isDoubtful())
+            drawn.notes.emplace_back(
+                "The registration of the second volume is doubtful: look at both on slices before you rely "
+                "on "
+                "the picture.");
+    } else if (!isPlaced) {
+        drawn.notes.emplace_back(
+            "The second volume is drawn where its own positions say; nobody checked that they are the "
+            "study's.");
+    }
+    if (registration::boxOverlap(study, second, state.secondFromStudy) > 0.0) return {};
+    return Error{ErrorCode::inputNotUsable,
+                 "Nothing of the second volume lies in the study.",
+                 {},
+                 "Choose another series by --second-series, or register both by --registration search."};
+}
+
+}  // namespace
+
+Result<void> check(const SecondWish& wish, bool linkIsGiven) {
+    if (wish.isGiven() || (wish.series.empty() && wish.preset.empty() && !linkIsGiven)) return {};
+    return Error{ErrorCode::usage,
+                 "There is no second volume.",
+                 {},
+                 "Give its folder or file by --second, or leave out what else is said of it."};
+}
+
+Result<SecondToDraw> secondToDraw(const SecondWish& wish, const Volume& study, const BesideState* beside,
+                                  Progress& progress) {
+    MACULA_TRY(StudyInput input, loadStudy(wish.path, wish.series, progress, 0, wish.how));
+    bringTo16Bits(input);
+    SecondToDraw drawn;
+    for (const std::string& note : input.notes) drawn.notes.push_back("Second volume: " + note);
+    BesideState state;
+    const bool isKnown =
+        beside != nullptr && beside->isLinked() && beside->seriesDigest == input.seriesDigest;
+    if (isKnown) state = *beside;
+    MACULA_TRY_VOID(place(wish, study, *input.volume, isKnown, state, drawn, progress));
+    if (!wish.preset.empty()) {
+        MACULA_TRY(presets::ImportedPreset preset, presetToDraw(wish.preset, false));
+        for (const std::string& note : notesOf(preset, *input.volume))
+            drawn.notes.push_back("Second volume: " + note);
+        state.preset = std::make_shared<const TransferFunction>(std::move(preset.function));
+    }
+    if (state.preset && usesGradientOpacity(*state.preset))
+        drawn.notes.emplace_back("The gradient opacity of the second volume's preset is not drawn.");
+    drawn.remark = secondRemark(*input.volume);
+    drawn.second = secondIn3d(state, input.volume);
+    return drawn;
+}
+
+}  // namespace macula::app

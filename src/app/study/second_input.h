@@ -1,0 +1,49 @@
+// A second volume in the same 3D picture, for who has no window.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/state/beside_state.h"
+#include "app/study/study_input.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/volume/additions.h"
+
+namespace macula::app {
+
+// What takes the study's places to the second volume's.
+enum class SecondLink {
+    asItLies,  // both have the same coordinates: images of one examination, or of one frame of reference
+    search,    // registration::registerRigid
+};
+
+// Empty: not given.
+struct SecondWish {
+    std::filesystem::path path;
+    std::string series;  // as loadStudy
+    std::string preset;  // as choosePreset; nothing: the colours that it would have over slices
+    SecondLink link = SecondLink::asItLies;
+    dicom::ScanOptions how;
+
+    bool isGiven() const { return !path.empty(); }
+};
+
+// usage when there is a series, a preset or a link, and no second volume.
+Result<void> check(const SecondWish& wish, bool linkIsGiven);
+
+struct SecondToDraw {
+    SecondVolume second;
+    std::string remark;              // secondRemark
+    std::vector<std::string> notes;  // sentences, without patient data
+};
+
+// `study` is stored16. A view that was saved with this second volume (`beside`, or null) says where it lies,
+// unless it is searched, and what it is drawn with, unless a preset is given. Fails as loadStudy,
+// choosePreset and registerRigid; inputNotUsable where nothing of it lies in the study.
+Result<SecondToDraw> secondToDraw(const SecondWish& wish, const Volume& study, const BesideState* beside,
+                                  Progress& progress);
+
+}  // namespace macula::app

@@ -1,0 +1,134 @@
+#include "viewer/volume/shown_additions.h"
+
+#include <utility>
+
+#include "app/study/second_curve.h"
+#include "app/study/second_study.h"
+#include "viewer/segmentation/segmentation_keeper.h"
+
+namespace macula::viewer {
+
+ShownAdditions::ShownAdditions(ViewerSession& session, const SegmentationKeeper& segments, QObject* parent)
+    : QObject(parent),
+      session_(session),
+      segments_(segments),
+      joining_(this, {.progressed = [](const ProgressUpdate&) {},
+                      .ended = [this](const Result<SecondVolume>& outcome) { onSecond(outcome); }}),
+      colouring_(
+          this, {.progressed = [](const ProgressUpdate&) {},
+                 .ended = [this](const Result<std::optional<SegmentTints>>& outcome) { onTints(outcome); }}) {
+    connect(&session_, &ViewerSession::changed, this, &ShownAdditions::update);
+    connect(&segments_, &SegmentationKeeper::listChanged, this, &ShownAdditions::update);
+}
+
+void ShownAdditions::forget() {
+    joining_.cancel();
+    colouring_.cancel();
+    second_.reset();
+    wantedSecond_.reset();
+    wantedTints_.clear();
+    tintsOf_ = 0;
+    made_ = {};
+    additions_.reset();
+}
+
+void ShownAdditions::setSecond(std::shared_ptr<const SecondSeries> second) {
+    if (second == second_) return;
+    second_ = std::move(second);
+    wantedSecond_.reset();
+    update();
+}
+
+void ShownAdditions::update() {
+    if (!session_.hasStudy()) return;
+    updateSecond();
+    updateTints();
+}
+
+void ShownAdditions::updateSecond() {
+    const std::optional<app::BesideState>& beside = session_.state().beside;
+    std::optional<app::BesideState> wanted;
+    if (beside && second_ && app::isIn3d(*beside) && app::isOf(*beside, second_->study)) wanted = beside;
+    if (!wanted) {
+        joining_.cancel();
+        wantedSecond_.reset();
+        if (!made_.second) return;
+        made_.second.reset();
+        return show();
+    }
+    wanted->view = app::BesideView::beside;  // how it is on slices matters to nobody here
+    if (!wanted->window) wanted->window = second_->usualWindow;
+    if (wanted == wantedSecond_) return;
+    wantedSecond_ = wanted;
+    joining_.start([state = *wanted, volume = second_->study.volume](Progress&) -> Result<SecondVolume> {
+        return app::secondIn3d(state, in16Bits(volume));
+    });
+}
+
+void ShownAdditions::onSecond(const Result<SecondVolume>& outcome) {
+    Result<void> usable;
+    if (outcome) {
+        Additions added;
+        added.second = *outcome;
+        usable = validate(added, *session_.study().volume);
+    } else {
+        usable = outcome.error();
+    }
+    if (!usable) {
+        made_.second.reset();
+        session_.correct([](app::StudyState& each) {
+            if (each.beside) each.beside->in3d = false;
+        });
+        emit failed(usable.error());
+        return show();
+    }
+    made_.second = *outcome;
+    show();
+}
+
+// Anew only where something else is asked for, or more is there to do it with.
+void ShownAdditions::updateTints() {
+    std::vector<app::ColouredIn3d> wanted = app::colouredIn3dOf(session_.state().segmentations);
+    const std::size_t loaded = segments_.allLoaded().size();
+    if (wanted == wantedTints_ && (wanted.empty() || tintsOf_ == loaded)) return;
+    wantedTints_ = std::move(wanted);
+    tintsOf_ = loaded;
+    if (wantedTints_.empty()) {
+        colouring_.cancel();
+        if (!made_.tints) return;
+        made_.tints.reset();
+        return show();
+    }
+    colouring_.start([choices = session_.state().segmentations, loaded = segments_.allLoaded(),
+                      volume = session_.study().volume](Progress& progress) {
+        return app::segmentTints(choices, loaded, *volume, progress);
+    });
+}
+
+void ShownAdditions::onTints(const Result<std::optional<SegmentTints>>& outcome) {
+    if (!outcome) {
+        made_.tints.reset();
+        session_.correct([](app::StudyState& each) {
+            std::vector<app::SegmentationChoice> plain;
+            for (app::SegmentationChoice choice : each.segmentations) {
+                for (app::SegmentChoice& segment : choice.segments) segment.isColouredIn3d = false;
+                app::choose(plain, std::move(choice));
+            }
+            each.segmentations = std::move(plain);
+        });
+        emit failed(outcome.error());
+        return show();
+    }
+    made_.tints = *outcome;
+    show();
+}
+
+void ShownAdditions::show() {
+    made_.remark.clear();
+    if (made_.second) made_.remark = app::secondRemark(*made_.second->volume);
+    if (made_.tints) made_.remark += made_.remark.empty() ? "coloured segments" : ", coloured segments";
+    additions_ = made_.isNothing() ? nullptr : std::make_shared<const Additions>(made_);
+    emit changed();
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,62 @@
+// What of a session is in the 3D picture beside the volume: a second volume, and segments in colour.
+#pragma once
+
+#include <QObject>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/segmentation/segment_tints.h"
+#include "app/state/beside_state.h"
+#include "app/state/segmentation_choice.h"
+#include "pipeline/volume/additions.h"
+#include "viewer/background_job.h"
+#include "viewer/session/viewer_session.h"
+#include "viewer/slices/second_series.h"
+
+namespace macula::viewer {
+
+class SegmentationKeeper;
+
+// Follows the session, and makes both in the background: until they are there, what was there before stays.
+// What is not to be had is not chosen any more. Lives on the UI thread.
+class ShownAdditions : public QObject {
+    Q_OBJECT
+
+  public:
+    // Both outlive it.
+    ShownAdditions(ViewerSession& session, const SegmentationKeeper& segments, QObject* parent = nullptr);
+
+    // Null: there are none.
+    const std::shared_ptr<const Additions>& additions() const { return additions_; }
+    bool isAtRest() const { return !joining_.running() && !colouring_.running(); }
+
+    void forget();  // all of a study that is not shown any more; tells nobody
+    void setSecond(std::shared_ptr<const SecondSeries> second);  // null: there is none
+
+  signals:
+    void changed();  // additions()
+    void failed(const macula::Error& error);
+
+  private:
+    void update();
+    void updateSecond();
+    void updateTints();
+    void onSecond(const Result<SecondVolume>& outcome);
+    void onTints(const Result<std::optional<SegmentTints>>& outcome);
+    void show();
+
+    ViewerSession& session_;
+    const SegmentationKeeper& segments_;
+    std::shared_ptr<const SecondSeries> second_;
+    std::optional<app::BesideState> wantedSecond_;  // what the last job was asked for
+    std::vector<app::ColouredIn3d> wantedTints_;
+    std::size_t tintsOf_ = 0;  // loaded segmentations
+    Additions made_;
+    std::shared_ptr<const Additions> additions_;
+    BackgroundJob<SecondVolume> joining_;
+    BackgroundJob<std::optional<SegmentTints>> colouring_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,129 @@
+// A second volume in the 3D picture of a study: its curve, when it is there, and what of a state that
+// changes.
+#include "app/study/second_curve.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "app/state/study_state.h"
+#include "app/study/second_input.h"
+#include "base/phantom.h"
+
+namespace macula::app {
+namespace {
+
+std::shared_ptr<const Volume> pet() {
+    std::vector<std::uint16_t> voxels(27);
+    for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = std::uint16_t(i);
+    auto made = Volume::create({.size = {3, 3, 3},
+                                .worldFromVoxel = affine({9, 0, 0}, {0, 9, 0}, {0, 0, 9}, {-9, -9, -9}),
+                                .unit = Unit::becquerelsPerMillilitre,
+                                .modality = "PT"},
+                               std::move(voxels));
+    return std::make_shared<const Volume>(*std::move(made));
+}
+
+DisplayWindow window(double low, double high) {
+    return {.center = 0.5 * (low + high), .width = high - low, .explanation = {}, .function = "LINEAR_EXACT"};
+}
+
+TEST(SecondCurve, HasTheColoursAndTheWindowThatItHasOverSlices) {
+    const TransferFunction curve = secondCurve(*pet(), window(0.0, 20.0), slices::ColourTable::hotIron, 0.5);
+    ASSERT_TRUE(validate(curve).ok());
+    EXPECT_EQ(curve.unit, Unit::becquerelsPerMillilitre);
+    EXPECT_EQ(opacityAt(curve, 4.9), 0.0) << "the lowest quarter hides nothing";
+    EXPECT_GT(opacityAt(curve, 10.0), 0.0);
+    EXPECT_NEAR(opacityAt(curve, 20.0), 0.5 * 0.95, 1e-9);
+    EXPECT_NEAR(opacityAt(curve, 1e6), 0.5 * 0.95, 1e-9);
+    EXPECT_EQ(colourAt(curve, 20.0), glm::dvec3(1.0)) << "hot iron ends in white";
+    EXPECT_GT(colourAt(curve, 8.0).r, colourAt(curve, 8.0).b);
+    // Whatever a state may hold: it stays a curve.
+    for (const double opacity : {0.0, 1.0, 7.0})
+        EXPECT_TRUE(
+            validate(secondCurve(*pet(), window(-1e9, 1e9), slices::ColourTable::grey, opacity)).ok());
+    EXPECT_TRUE(validate(secondCurve(*pet(), window(3.0, 3.0 + 1e-9), slices::ColourTable::green, 1.0)).ok());
+}
+
+TEST(SecondCurve, IsIn3dOnlyWhereItIsLinkedAndShown) {
+    BesideState state;
+    state.in3d = true;
+    EXPECT_FALSE(isIn3d(state)) << "by hand, nobody knows where it lies";
+    state.link = BesideLink::registered;
+    EXPECT_TRUE(isIn3d(state));
+    state.view = BesideView::hidden;
+    EXPECT_FALSE(isIn3d(state));
+    state.view = BesideView::over;
+    state.in3d = false;
+    EXPECT_FALSE(isIn3d(state));
+}
+
+TEST(SecondCurve, APresetCountsMoreAndIsFittedToTheSecondVolume) {
+    BesideState state;
+    state.secondFromStudy[3] = glm::dvec4(1, 2, 3, 1);
+    TransferFunction preset;
+    preset.unit = Unit::raw;
+    preset.opacity = {{.value = 0.0, .opacity = 0.0}, {.value = 1.0, .opacity = 1.0}};
+    preset.colour = {{.value = 0.0, .colour = glm::dvec3(1.0)}};
+    preset.fitToVolume = TransferFunction::Fit{0.0, 1.0, TransferFunction::Fit::To::valueRange};
+    state.preset = std::make_shared<const TransferFunction>(preset);
+    const SecondVolume second = secondIn3d(state, pet());
+    EXPECT_EQ(second.secondFromVolumeMm, state.secondFromStudy);
+    EXPECT_FALSE(second.function->fitToVolume);
+    EXPECT_NEAR(second.function->opacity.back().value, 26.0, 1e-6);
+    EXPECT_EQ(secondRemark(*second.volume), "with PT");
+}
+
+TEST(SecondCurve, OnlyWhatIsSeenIn3dMakesThePictureAnew) {
+    StudyState before;
+    before.beside.emplace();
+    before.beside->seriesDigest = "ab";
+    before.beside->link = BesideLink::sameFrame;
+    StudyState after = before;
+    after.beside->opacity = 0.1;
+    EXPECT_EQ(staleAfter(before, after), Stale::nothing) << "it is on slices alone";
+    after = before;
+    after.beside->in3d = true;
+    EXPECT_EQ(staleAfter(before, after), Stale::matter);
+    StudyState other = after;
+    other.beside->view = BesideView::over;
+    EXPECT_EQ(staleAfter(after, other), Stale::nothing) << "it looks the same in 3D";
+    other.beside->opacity = 0.1;
+    EXPECT_EQ(staleAfter(after, other), Stale::matter);
+}
+
+TEST(SecondInput, IsReadPlacedAndSaid) {
+    const auto study = in16Bits(std::make_shared<const Volume>(phantom::make()));
+    Progress progress;
+    SecondWish wish;
+    EXPECT_TRUE(check(wish, false).ok());
+    EXPECT_FALSE(check(wish, true).ok()) << "a registration of nothing";
+    wish.preset = "ct-bone";
+    EXPECT_FALSE(check(wish, false).ok());
+    wish.path = "phantom:";
+    EXPECT_TRUE(check(wish, true).ok());
+    const auto drawn = secondToDraw(wish, *study, nullptr, progress);
+    ASSERT_TRUE(drawn) << drawn.error().message;
+    EXPECT_EQ(drawn->second.secondFromVolumeMm, glm::dmat4(1.0));
+    EXPECT_EQ(drawn->remark, "with CT");
+    EXPECT_FALSE(drawn->notes.empty()) << "nobody checked where it lies";
+    Additions added;
+    added.second = drawn->second;
+    EXPECT_TRUE(validate(added, *study).ok());
+
+    // A view that was saved with it says where it lies.
+    BesideState beside;
+    beside.seriesDigest = "phantom";
+    beside.link = BesideLink::registered;
+    beside.secondFromStudy[3].x = 12.0;
+    const auto placed = secondToDraw(wish, *study, &beside, progress);
+    ASSERT_TRUE(placed);
+    EXPECT_EQ(placed->second.secondFromVolumeMm, beside.secondFromStudy);
+    beside.secondFromStudy[3].x = 1e5;
+    EXPECT_FALSE(secondToDraw(wish, *study, &beside, progress)) << "nothing of it lies in the study";
+    wish.preset = "no such preset";
+    EXPECT_FALSE(secondToDraw(wish, *study, nullptr, progress));
+}
+
+}  // namespace
+}  // namespace macula::app
