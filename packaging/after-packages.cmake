@@ -31,7 +31,7 @@ function(macula_pack_debian package)
     execute_process(COMMAND sed -i "s/^Installed-Size: .*/Installed-Size: ${kibibytes}/" ${work}/all/DEBIAN/control
         COMMAND_ERROR_IS_FATAL ANY)
     execute_process(COMMAND find ${work}/all -exec touch -h -d @$ENV{SOURCE_DATE_EPOCH} {} + COMMAND_ERROR_IS_FATAL ANY)
-    execute_process(COMMAND dpkg-deb --root-owner-group -Zxz -b ${work}/all ${package} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND dpkg-deb --root-owner-group --threads-max=1 -Zxz -b ${work}/all ${package} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
 foreach(package ${CPACK_PACKAGE_FILES})
