@@ -58,8 +58,16 @@ if(MACULA_FUZZ)
     add_link_options(-fsanitize=address,undefined)
 endif()
 
-# What is packaged does not tell in which folder it was built.
-add_compile_options($<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=>)
+# What is packaged does not tell in which folder it was built, and two builds of it are the same bytes: packaging/compare-builds.
+# The last map that fits is taken. With ccache the compiler is called with paths that begin at the folder of the build.
+file(RELATIVE_PATH sourceFromBuild ${PROJECT_BINARY_DIR} ${PROJECT_SOURCE_DIR})
+if(sourceFromBuild)
+    string(REGEX REPLACE "/$" "" sourceFromBuild "${sourceFromBuild}")
+    add_compile_options($<$<CONFIG:Release>:-ffile-prefix-map=${sourceFromBuild}/=>)
+endif()
+add_compile_options($<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=>
+    $<$<CONFIG:Release>:-ffile-prefix-map=${PROJECT_BINARY_DIR}/=build/>)
+add_link_options($<$<CONFIG:Release>:LINKER:--build-id=sha1>)
 
 find_package(Threads REQUIRED)
 
