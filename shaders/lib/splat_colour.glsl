@@ -6,11 +6,18 @@
 #define SH_0 0.28209479177387814
 #define SH_1 0.48860251190291992
 
+// What a vector is divided by and how long it is, so that no division is by more than 2^126, beyond which graphics cards may
+// give 0 (Vulkan, "Precision of core SPIR-V Instructions").
+float scaleFor(float length) {
+    return length > float(1e30) ? float(7.888609052210118e-31) : float(1.0);  // 2^-100
+}
+
 vec3 directionTo(vec3 position, SplatView view) {
     if (view.parallel != 0) return view.forward;
     vec3 fromEye = position - view.eyeMm;
     float far = lengthOf(fromEye);
-    return far > float(0.0) ? fromEye / far : vec3(float(0.0), float(0.0), float(1.0));
+    float scale = scaleFor(far);
+    return far > float(0.0) ? fromEye * scale / (far * scale) : vec3(float(0.0), float(0.0), float(1.0));
 }
 
 vec3 colourOfBand0(vec3 dc) {
@@ -79,7 +86,8 @@ vec3 colourPositionGradient(vec3 position, SplatView view, vec3 s1, vec3 s2, vec
     vec3 fromEye = position - view.eyeMm;
     float far = lengthOf(fromEye);
     if (view.parallel != 0 || !(far > float(0.0))) return vec3(float(0.0));
-    vec3 d = fromEye / far;
+    float scale = scaleFor(far);
+    vec3 d = fromEye * scale / (far * scale);
     vec3 byDirection = vec3(-dot(s3, bySum), -dot(s1, bySum), dot(s2, bySum)) * float(SH_1);
-    return (byDirection - d * dot(d, byDirection)) / far;
+    return (byDirection - d * dot(d, byDirection)) * scale / (far * scale);
 }

@@ -19,6 +19,8 @@ namespace {
 constexpr glm::ivec2 kSize{37, 21};
 constexpr std::size_t kPixels = 37 * 21;
 constexpr double kGain = 0.75;
+// Half a step of 255 and what a power is off by: 0.01 on lavapipe, 0.034 on an H100.
+constexpr double kRounding = 0.5 + 0.05;
 
 class CompositorTest : public trace::DeviceTest {
   protected:
@@ -97,8 +99,8 @@ TEST_F(CompositorTest, MixesAsLightAndShowsAsTheTracerDoes) {
                 const glm::dvec3 shown =
                     expected(glm::mix(bright, glm::dvec4(traced[i]), double(share)), display);
                 for (int k = 0; k < 3; ++k) {
-                    ASSERT_NEAR(ofSums[i][k], 255.0 * shown[k], 0.51 + 0.01) << share;
-                    ASSERT_NEAR(ofMeans[i][k], 255.0 * shown[k], 0.51 + 0.01) << share;
+                    ASSERT_NEAR(ofSums[i][k], 255.0 * shown[k], kRounding) << share;
+                    ASSERT_NEAR(ofMeans[i][k], 255.0 * shown[k], kRounding) << share;
                 }
                 ASSERT_EQ(ofSums[i].w, 255);
             }
@@ -175,7 +177,7 @@ TEST_F(CompositorTest, TheFoveaTakesThePlaceOfSplatsByItsWeight) {
             const glm::dvec4 hybrid = glm::mix(bright, glm::dvec4(fovea[i]), double(weights[i]));
             const glm::dvec3 right =
                 expected(glm::mix(hybrid, glm::dvec4(traced[i]), double(share)), display);
-            for (int k = 0; k < 3; ++k) ASSERT_NEAR(shown[i][k], 255.0 * right[k], 0.52) << i;
+            for (int k = 0; k < 3; ++k) ASSERT_NEAR(shown[i][k], 255.0 * right[k], kRounding) << i;
         }
     }
 }

@@ -476,7 +476,8 @@ TEST_F(LiveModelTest, APictureInMotionStaysOnTheDevice) {
     frame(0.0);
     const std::uint64_t before = device()->bytesRead();
     for (int i = 1; i <= 5; ++i) frame(10.0 * i);
-    EXPECT_EQ(device()->bytesRead(), before);
+    // Where the device lists the splats of tiles itself, it tells how many there are.
+    EXPECT_LE(device()->bytesRead() - before, 5 * sizeof(std::uint32_t));
 }
 
 // The device is lost while it searches, while it learns, and while it is drawn; what was learnt is not.
