@@ -6,9 +6,10 @@ set(work ${CPACK_TEMPORARY_DIRECTORY}.again)
 # CPack puts files into an archive in the order of the disk, with owners of the machine: once more, in that of their names.
 function(macula_pack_archive package)
     execute_process(COMMAND tar --zstd -xf ${package} -C ${work} COMMAND_ERROR_IS_FATAL ANY)
+    file(GLOB folder RELATIVE ${work} ${work}/*)
     execute_process(
         COMMAND tar --sort=name --format=gnu --owner=0 --group=0 --numeric-owner --mode=u+rw,go=rX
-                --mtime=@$ENV{SOURCE_DATE_EPOCH} -C ${work} -c .
+                --mtime=@$ENV{SOURCE_DATE_EPOCH} -C ${work} -c ${folder}
         COMMAND zstd -q -19 -T1 -f -o ${package}
         COMMAND_ERROR_IS_FATAL ANY)
 endfunction()

@@ -14,7 +14,7 @@ set(CPACK_RPM_SPEC_MORE_DEFINE "%global use_source_date_epoch_as_buildtime 1
 %global _buildhost macula
 %global _build_id_links none")
 # Folders that are those of the system.
-set(share /usr/share)
+set(share ${CMAKE_INSTALL_FULL_DATADIR})
 set(CPACK_RPM_EXCLUDE_FROM_AUTO_FILELIST_ADDITION
     ${share}/applications ${share}/bash-completion ${share}/bash-completion/completions ${share}/doc ${share}/icons
     ${share}/icons/hicolor ${share}/icons/hicolor/scalable ${share}/icons/hicolor/scalable/apps ${share}/man ${share}/man/man1
