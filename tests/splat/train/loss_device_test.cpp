@@ -49,7 +49,8 @@ class LossOnDevice : public gpu::SharedDeviceTest {
                                   const LossOptions& options, const LossStep& step) {
         const ReferenceLoss expected = referenceLoss(width, height, render, target, options, step);
         const Outcome outcome = run(width, height, render, target, options, step);
-        // In a picture of one pixel an H100 is off by 3e-5: its division and power are not rounded as the CPU's.
+        // In a picture of one pixel an H100 is off by 3e-5: its division and power are not rounded as the
+        // CPU's.
         EXPECT_NEAR(outcome.result.loss, expected.loss, 5e-5 * (1e-3 + expected.loss));
         EXPECT_NEAR(outcome.result.l1, expected.l1, 5e-5 * (1e-3 + expected.l1));
         EXPECT_NEAR(outcome.result.dssim, expected.dssim, 5e-5 * (1e-2 + expected.dssim));
