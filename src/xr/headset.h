@@ -14,7 +14,10 @@
 
 #include "base/result.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
+#include "xr/eye_copy.h"
 #include "xr/hands.h"
+#include "xr/quad_layers.h"
+#include "xr/room_controls.h"
 #include "xr/room_view.h"
 #include "xr/session.h"
 #include "xr/swapchains.h"
@@ -39,9 +42,10 @@ class Headset {
     };
 
     // `view` outlives it. `placed`: stageFromWorld; nothing: before who wears it, once it is known where that
-    // is.
+    // is. `controls`: what hands have chosen so far, of a session before; null: nothing.
     static Result<Headset> open(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
-                                RoomView& view, const std::optional<glm::dmat4>& placed = {});
+                                RoomView& view, const std::optional<glm::dmat4>& placed = {},
+                                std::shared_ptr<RoomControls> controls = nullptr);
 
     // A frame: waits for its time, draws, submits, and uses what is left of its time for what will be better
     // in later ones. A frame that was begun is submitted, also when drawing fails.
@@ -51,25 +55,40 @@ class Headset {
 
     const std::optional<glm::dmat4>& placed() const { return stageFromWorld_; }
     const std::optional<Shown>& shown() const { return shown_; }
+    const RoomControls& controls() const { return *controls_; }
 
   private:
-    using Views = std::vector<XrCompositionLayerProjectionView>;
+    struct Views {
+        std::vector<XrCompositionLayerProjectionView> eyes;
+        std::vector<XrCompositionLayerQuad> quads;
+    };
 
     Headset(Session session, Hands hands, Swapchains swapchains, RoomView& view,
-            const std::optional<glm::dmat4>& placed)
+            const std::optional<glm::dmat4>& placed, std::shared_ptr<RoomControls> controls)
         : session_(std::move(session)),
           hands_(std::move(hands)),
           swapchains_(std::move(swapchains)),
+          quads_(session_),
+          copy_(session_.device()),
           view_(&view),
+          controls_(std::move(controls)),
           stageFromWorld_(placed) {}
     Result<Views> draw(const FrameTime& time);
-    Result<void> useHands(const TwoHands& hands);
+    Result<RoomFollowed> follow(const FrameTime& time, const Pose& head, const TwoHands& hands,
+                                bool isTracked);
+    Result<void> copyForOthers(const FrameTime& time, const Shown& shown);
 
     Session session_;
     Hands hands_;            // dropped before the session
     Swapchains swapchains_;  // likewise
+    QuadLayers quads_;       // likewise
+    EyeCopy copy_;
+    std::unique_ptr<PictureWriter> writer_ = std::make_unique<PictureWriter>();
     RoomView* view_;
-    Grasp grasp_;
+    std::shared_ptr<RoomControls> controls_;
+    bool wantsPicture_ = false;
+    bool copiesForPicture_ = false;  // what is under way
+    XrTime mirroredAt_ = 0;
     std::optional<glm::dmat4> stageFromWorld_;
     std::optional<Shown> shown_;
 };

@@ -17,8 +17,6 @@ using Clock = std::chrono::steady_clock;
 
 // Of the picture, in which -1 to 1 is all: who looks elsewhere does not wait for what was begun.
 constexpr double kLooksElsewhere = 0.25;
-// While neither head nor eyes move, the fovea is traced anew with twice the samples, up to these.
-constexpr std::uint32_t kMostSamples = 16;
 constexpr int kLeastSidePx = 32;
 constexpr double kWidestFieldDeg = 150.0;
 constexpr std::uint64_t kScene = 1;  // there is one study in the room
@@ -52,6 +50,7 @@ Result<RoomView> RoomView::create(const std::shared_ptr<gpu::Device>& device, Ro
                hybrid::LiveModel::create(device, tracer, std::move(shelf), nullptr,
                                          options.model.value_or(hybrid::liveModelOptions(*device))));
     RoomView view(device, std::move(scene), options, std::move(tracer), std::move(hybrid), std::move(model));
+    view.shown_ = view.state();
     MACULA_TRY_VOID(view.applyScene());
     return view;
 }
@@ -63,13 +62,13 @@ Result<void> RoomView::applyScene() {
         return Error{ErrorCode::inputNotUsable, "Nothing of this study can be seen.", "",
                      "Choose another preset, or another clip."};
     MACULA_TRY_VOID(hybrid_.setScene(scene_.drawing.settings));
-    if (options_.learns)
+    if (options_.learns && !isForALook_)
         MACULA_TRY_VOID(model_.show(names_.of(kScene, scene_.drawing), scene_.drawing.settings));
     return {};
 }
 
 Result<hybrid::DrawnSplats> RoomView::drawSplats(const Camera& eye, const glm::ivec2& sizePx) {
-    if (model_.canBeDrawn()) {
+    if (drawsModel()) {
         auto picture = model_.draw(eye, sizePx);
         if (picture) return hybrid::DrawnSplats{*picture, &model_.drawnDepths()};
         if (picture.error().code != ErrorCode::outOfMemory) return picture.error();
@@ -89,18 +88,24 @@ hybrid::Periphery RoomView::periphery() {
             .gain = static_cast<float>(model_.gain())};
 }
 
-Result<hybrid::Frame> RoomView::draw(const EyePictures& eyes) {
+RoomState RoomView::state() const {
+    return {.transferFunction = scene_.drawing.transferFunction,
+            .clip = scene_.drawing.clip,
+            .quality = scene_.quality};
+}
+
+Result<hybrid::Frame> RoomView::draw(const EyePictures& eyes, double light) {
     hybrid::FrameRequest request;
     for (const EyePicture& eye : eyes.eyes) request.eyes.push_back(eye.camera);
     request.sizePx = eyes.sizePx;
-    request.display.exposure = static_cast<float>(scene_.drawing.settings.exposure);
+    request.display.exposure = static_cast<float>(scene_.drawing.settings.exposure * light);
     return hybrid_.draw(request, periphery());
 }
 
 Result<void> RoomView::work(const EyePictures& eyes, const glm::dvec2& gaze, double budgetMs) {
     const auto end = Clock::now() + std::chrono::duration<double, std::milli>(budgetMs);
     const std::function<bool()> keepGoing = [end] { return Clock::now() < end; };
-    const bool wantsModel = options_.learns && model_.hasWork();
+    const bool wantsModel = options_.learns && !isForALook_ && model_.hasWork();
     // The first thing to be seen is traced.
     isTurnOfModel_ = wantsModel && hybrid_.hasFovea() && !isTurnOfModel_;
     return isTurnOfModel_ ? model_.work(budgetMs, keepGoing) : traceFovea(eyes, gaze, keepGoing);
@@ -108,7 +113,7 @@ Result<void> RoomView::work(const EyePictures& eyes, const glm::dvec2& gaze, dou
 
 Result<void> RoomView::traceFovea(const EyePictures& eyes, const glm::dvec2& gaze,
                                   const std::function<bool()>& keepGoing) {
-    const bool isOverModel = model_.canBeDrawn();
+    const bool isOverModel = drawsModel();
     const bool isSameKind = aimed_ && aimed_->isOverModel == isOverModel;
     // The coarse picture of all would lie over what was learnt.
     if (aimed_ && !isSameKind) hybrid_.forgetFovea();
@@ -120,7 +125,8 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const glm::dvec2& gaz
         Aimed next{
             .aim = isSame ? aimed_->aim : newFovea(eyes, gaze), .gaze = gaze, .isOverModel = isOverModel};
         if (isSame) {
-            if (next.aim.samplesPerPixel >= kMostSamples) return {};
+            // While neither head nor eyes move, it is traced anew with twice the samples, up to these.
+            if (next.aim.samplesPerPixel >= mostSamplesOf(shown_.quality)) return {};
             next.aim.samplesPerPixel *= 2;
         }
         MACULA_TRY_VOID(hybrid_.aim(next.aim));
@@ -134,9 +140,10 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const glm::dvec2& gaz
 hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const glm::dvec2& gaze) const {
     const double msPerSample = hybrid_.foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
     const double budgetMs =
-        std::max(hybrid_.foveaBudgetMs(hybrid::kFoveaBudgetMs), hybrid::kLeastFoveaBudgetMs);
+        std::max(foveaShareOf(shown_.quality) * hybrid_.foveaBudgetMs(hybrid::kFoveaBudgetMs),
+                 hybrid::kLeastFoveaBudgetMs);
     const trace::View whole{.camera = eyes.centre, .width = eyes.sizePx.x, .height = eyes.sizePx.y};
-    if (model_.canBeDrawn()) return hybrid::affordableFovea(whole, gaze, msPerSample, budgetMs);
+    if (drawsModel()) return hybrid::affordableFovea(whole, gaze, msPerSample, budgetMs);
     const double halfHeight = std::tan(0.5 * glm::radians(eyes.centre.verticalFovDeg));
     const double half = halfHeight * std::max(1.0, double(eyes.sizePx.x) / eyes.sizePx.y);
     const int mostPx = std::max(eyes.sizePx.x, eyes.sizePx.y);
@@ -147,23 +154,54 @@ hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const glm::dvec2& g
             .sidePx = std::clamp(affordablePx, std::min(kLeastSidePx, mostPx), mostPx)};
 }
 
+Result<void> RoomView::apply(const RoomState& state) {
+    const bool isOtherPreset = state.transferFunction != shown_.transferFunction;
+    const bool isOtherClip = state.clip != shown_.clip;
+    shown_ = state;
+    if (isOtherClip) MACULA_TRY_VOID(tracer_.setClip(state.clip ? *state.clip : Clip{}));
+    if (isOtherPreset) MACULA_TRY_VOID(tracer_.setTransferFunction(*state.transferFunction));
+    return applyScene();
+}
+
+Result<bool> RoomView::show(const RoomState& state, Lasts lasts) {
+    const bool isForALook = lasts == Lasts::forALook;
+    if (state == shown_ && isForALook == isForALook_) return true;
+    if (!state.transferFunction || !validate(*state.transferFunction)) return false;
+    if (state.clip && !validate(*state.clip)) return false;
+    RoomState finer = shown_;
+    finer.quality = state.quality;
+    if (state == finer && isForALook == isForALook_) {  // nothing has to be made again for that
+        shown_.quality = state.quality;
+        if (!isForALook) scene_.quality = state.quality;
+        return true;
+    }
+    const app::Drawing before = scene_.drawing;
+    const RoomQuality qualityBefore = scene_.quality;
+    const RoomState shownBefore = shown_;
+    const bool wasForALook = isForALook_;
+    isForALook_ = isForALook;
+    if (!isForALook) {
+        scene_.drawing.transferFunction = state.transferFunction;
+        scene_.drawing.clip = state.clip;
+        scene_.quality = state.quality;
+    }
+    const Result<void> applied = apply(state);
+    if (applied) return true;
+    scene_.drawing = before;
+    scene_.quality = qualityBefore;
+    isForALook_ = wasForALook;
+    if (applied.error().code != ErrorCode::inputNotUsable) return applied.error();
+    MACULA_TRY_VOID(apply(shownBefore));
+    return false;
+}
+
 Result<bool> RoomView::cut(const HalfSpace& kept) {
-    const std::shared_ptr<const Clip> before = scene_.drawing.clip;
-    Clip clip = before ? *before : Clip{};
+    Clip clip = scene_.drawing.clip ? *scene_.drawing.clip : Clip{};
     if (clip.planes.size() >= Clip::kMostPlanes) return false;
     clip.planes.push_back(kept);
-    MACULA_TRY_VOID(validate(clip));
-    scene_.drawing.clip = std::make_shared<const Clip>(std::move(clip));
-    const auto apply = [&]() -> Result<void> {
-        MACULA_TRY_VOID(tracer_.setClip(scene_.drawing.clip ? *scene_.drawing.clip : Clip{}));
-        return applyScene();
-    };
-    const Result<void> applied = apply();
-    if (applied) return true;
-    scene_.drawing.clip = before;
-    if (applied.error().code != ErrorCode::inputNotUsable) return applied.error();
-    MACULA_TRY_VOID(apply());
-    return false;
+    RoomState next = state();
+    next.clip = std::make_shared<const Clip>(std::move(clip));
+    return show(next);
 }
 
 }  // namespace macula::xr

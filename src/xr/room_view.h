@@ -15,12 +15,15 @@
 #include "pipeline/hybrid/model/model_shelf.h"
 #include "pipeline/trace/path_tracer.h"
 #include "xr/eyes.h"
+#include "xr/room_controls.h"
+#include "xr/room_state.h"
 
 namespace macula::xr {
 
 struct RoomScene {
     std::shared_ptr<const Volume> volume;  // in 16 bits
     app::Drawing drawing;                  // complete
+    RoomQuality quality = RoomQuality::balanced;
 };
 
 struct RoomOptions {
@@ -41,12 +44,18 @@ class RoomView {
     const Box& seenMm() const { return seenMm_; }
     const RoomScene& scene() const { return scene_; }
 
-    // Waits for nothing. Pictures are valid until the next call.
-    Result<hybrid::Frame> draw(const EyePictures& eyes);
+    // What of the scene a person chooses.
+    RoomState state() const;
+
+    // Waits for nothing. Pictures are valid until the next call. `light`: how much of it is seen, 0 to 1.
+    Result<hybrid::Frame> draw(const EyePictures& eyes, double light = 1.0);
     // About so long, at least a dispatch of some 12 ms: in turns the fovea, where the eyes look, and what the
     // model learns.
     Result<void> work(const EyePictures& eyes, const glm::dvec2& gaze, double budgetMs);
 
+    // Shows another state. What is for a look is traced alone, and nothing is learnt of it; `scene` stays as
+    // it was. False, and all is as it was, when nothing would be left, or it is no valid state.
+    Result<bool> show(const RoomState& state, Lasts lasts = Lasts::forGood);
     // Removes what is not kept too. False, and nothing happens, when nothing would be left, or the clip has
     // all the planes that it may have.
     Result<bool> cut(const HalfSpace& kept);
@@ -65,6 +74,8 @@ class RoomView {
           hybrid_(std::move(hybrid)),
           model_(std::move(model)) {}
     Result<void> applyScene();
+    Result<void> apply(const RoomState& state);
+    bool drawsModel() const { return !isForALook_ && model_.canBeDrawn(); }
     Result<hybrid::DrawnSplats> drawSplats(const Camera& eye, const glm::ivec2& sizePx);
     Result<void> traceFovea(const EyePictures& eyes, const glm::dvec2& gaze,
                             const std::function<bool()>& keepGoing);
@@ -73,6 +84,8 @@ class RoomView {
     std::shared_ptr<gpu::Device> device_;
     RoomScene scene_;
     RoomOptions options_;
+    RoomState shown_;  // that of the scene, or what is shown for a look
+    bool isForALook_ = false;
     app::SceneNames names_;
     trace::PathTracer tracer_;
     hybrid::HybridFrame hybrid_;

@@ -61,6 +61,9 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
     const bool mayFollowEyes =
         contains(runtime->offer_.extensions, XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
     if (mayFollowEyes) extensions.push_back(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
+    for (const char* ofHands :
+         {XR_EXT_HAND_TRACKING_EXTENSION_NAME, XR_EXT_HP_MIXED_REALITY_CONTROLLER_EXTENSION_NAME})
+        if (contains(runtime->offer_.extensions, ofHands)) extensions.push_back(ofHands);
 
     XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
     std::snprintf(info.applicationInfo.applicationName, XR_MAX_APPLICATION_NAME_SIZE, "Macula");
@@ -119,6 +122,11 @@ Result<XrPath> Runtime::path(const std::string& text) const {
     XrPath path = XR_NULL_PATH;
     MACULA_XR_TRY(call_.StringToPath(instance_, text.c_str(), &path), "name its controls");
     return path;
+}
+
+PFN_xrVoidFunction Runtime::function(const char* name) const {
+    PFN_xrVoidFunction found = nullptr;
+    return loader_.getInstanceProcAddr(instance_, name, &found) == XR_SUCCESS ? found : nullptr;
 }
 
 Check checkHeadset(const char* loaderLibrary) {

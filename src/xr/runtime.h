@@ -41,6 +41,8 @@ class Runtime {
     XrInstance instance() const { return instance_; }
     XrSystemId system() const { return system_; }  // after findHeadset
     Result<XrPath> path(const std::string& text) const;
+    // Of an extension that is enabled; null where the runtime has it not.
+    PFN_xrVoidFunction function(const char* name) const;
 
   private:
     Runtime() = default;

@@ -54,15 +54,18 @@ class Session {
 
     // Waits until it is time. The frame must be ended, with pictures or without.
     Result<FrameTime> beginFrame();
-    // Nothing while the headset does not know where it is, or says what is no place.
-    Result<std::vector<Eye>> eyesAt(XrTime time) const;
-    // `views`: of the stage, one for each eye; none: nothing is shown.
-    Result<void> endFrame(const FrameTime& time, std::span<const XrCompositionLayerProjectionView> views);
+    // Nothing while the headset does not know where it is, or says what is no place. `isTracked`: whether it
+    // sees where it is, and does not only guess.
+    Result<std::vector<Eye>> eyesAt(XrTime time, bool* isTracked = nullptr) const;
+    // `views`: of the stage, one for each eye; none: nothing is shown. `quads` float before them.
+    Result<void> endFrame(const FrameTime& time, std::span<const XrCompositionLayerProjectionView> views,
+                          std::span<const XrCompositionLayerQuad> quads = {});
 
     // Where a space is in the stage; nothing while nobody knows, likewise.
     Result<std::optional<Pose>> locate(XrSpace space, XrTime time) const;
 
     XrSession handle() const { return session_; }
+    XrSpace stage() const { return stage_; }
     const Runtime& runtime() const { return *runtime_; }
     const std::shared_ptr<Runtime>& sharedRuntime() const { return runtime_; }
     const std::shared_ptr<gpu::Device>& device() const { return device_; }
