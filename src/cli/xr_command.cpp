@@ -63,6 +63,7 @@ void addXr(CLI::App& app, Action& action) {
     command->add_option("--lights", o.lights, "Name from macula presets");
     command->add_option("--clip", o.state.clip, "As of render");
     command->add_flag("--remove-table", o.state.removeTable, "As of render");
+    command->add_option("--pictures", o.pictures, "Folder for pictures that are taken in the headset");
     command->add_option("--frames", o.frames, "End after so many frames (default: when it is ended there)");
     for (CLI::Option* option : command->get_options())
         if (option != only && option != command->get_help_ptr()) only->excludes(option);

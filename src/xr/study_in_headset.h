@@ -6,10 +6,13 @@
 #include <functional>
 #include <string>
 
+#include "app/choice/catalogue.h"
 #include "app/state/state_wish.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "dicom/scan.h"
+#include "xr/room_state.h"
+#include "xr/room_view.h"
 #include "xr/runtime.h"
 
 namespace macula::xr {
@@ -21,7 +24,8 @@ struct HeadsetWish {
     app::StateWish state;
     std::string lights;  // a built-in name
     dicom::ScanOptions how;
-    std::uint64_t frames = 0;  // after which it ends; 0: when who wears it ends it
+    std::uint64_t frames = 0;             // after which it ends; 0: when who wears it ends it
+    std::filesystem::path pictures = {};  // the folder for those that are taken; empty: none can be
 };
 
 struct HeadsetFigures {
@@ -34,9 +38,18 @@ struct HeadsetFigures {
 // A line for a person.
 std::string textOf(const HeadsetFigures& figures);
 
-// Finds the headset first: nobody waits for a study that cannot be shown. A session that is lost is begun
-// again, with everything where it was; the third loss within a minute is an error. `note` hears of what there
-// is to say. `cancelled` as the progress says, after the session was ended as the headset wants it.
+// Which of them can be shown on that volume.
+std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const app::Catalogue& catalogue,
+                                                                const Volume& volume);
+
+// What is open somewhere, until who wears the headset ends it, or the progress says cancelled, which is an
+// end as any other. A session that is lost is begun again, with everything where it was; the third loss
+// within a minute is an error. `frames` as above.
+Result<HeadsetFigures> showScene(RoomScene scene, RoomHost host, Progress& progress,
+                                 std::uint64_t frames = 0);
+
+// Finds the headset first: nobody waits for a study that cannot be shown. As showScene; `note` hears of what
+// there is to say. `cancelled` as the progress says, after the session was ended as the headset wants it.
 using Hears = std::function<void(const std::string&)>;
 Result<HeadsetFigures> showStudy(const HeadsetWish& wish, const Hears& note, Progress& progress);
 

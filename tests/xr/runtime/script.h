@@ -38,25 +38,40 @@ struct Field {
 
 struct Hand {
     Pose pose;
-    float squeeze = 0.0f;  // 0 to 1
-    float trigger = 0.0f;
+    float squeeze = 0.0f;  // 0 to 1; of a simple controller its select button
+    float trigger = 0.0f;  // likewise, its menu button
     bool isTracked = true;
+    float stick = 0.0f;            // -1 to 1, of a stick or a pad, to the right
+    bool isPadPressed = false;     // of a pad
+    std::optional<Pose> aim = {};  // nothing: as the pose
+};
+
+// Without a controller: how far its finger tips are from the tip of the thumb.
+struct BareHand {
+    Pose palm;
+    double indexApartM = 0.1;
+    double middleApartM = 0.1;
 };
 
 struct Script {
     bool hasHeadset = true;
     bool offersVulkan2 = true;
     bool offersGaze = true;
-    bool takesLayers = true;  // swapchains of two array layers
-    bool hasStage = true;     // a STAGE space
+    bool takesLayers = true;    // swapchains of two array layers
+    bool hasStage = true;       // a STAGE space
+    bool offersHands = false;   // XR_EXT_hand_tracking
+    bool offersReverb = false;  // XR_EXT_hp_mixed_reality_controller
+    std::string controllers = "/interaction_profiles/oculus/touch_controller";  // that hands hold
     glm::uvec2 eyePx{64, 64};
     double framesPerS = 30.0;
     std::array<Field, 2> fields{};
     double eyesApartM = 0.064;
-    std::function<Pose(double seconds)> head;                           // empty: stands still
-    std::function<std::optional<Pose>(double seconds)> gaze;            // empty: straight ahead
-    std::function<std::optional<Hand>(double seconds, int hand)> hand;  // 0: left; empty: none
-    std::function<bool(std::uint64_t frame)> shouldRender;              // empty: always
+    std::function<Pose(double seconds)> head;                                   // empty: stands still
+    std::function<std::optional<Pose>(double seconds)> gaze;                    // empty: straight ahead
+    std::function<std::optional<Hand>(double seconds, int hand)> hand;          // 0: left; empty: none
+    std::function<std::optional<BareHand>(double seconds, int hand)> bareHand;  // likewise
+    std::function<bool(double seconds)> isTracked;          // empty: the head's place is always seen
+    std::function<bool(std::uint64_t frame)> shouldRender;  // empty: always
     // The `nth` call of that name, from 1, and all of the session or instance after it, are answered
     // with `answer`, an XrResult: XR_ERROR_SESSION_LOST or XR_ERROR_INSTANCE_LOST.
     std::string loseAt;
@@ -71,10 +86,26 @@ struct SubmittedView {
     std::vector<glm::u8vec4> rgba;  // as it lies in the image, sRGB encoded, row 0 on top
 };
 
+// A flat layer in the stage.
+struct SubmittedQuad {
+    Pose pose;
+    glm::dvec2 sizeM{0.0};
+    glm::ivec2 sizePx{0};
+    std::vector<glm::u8vec4> rgba;  // alpha is straight
+};
+
+// Felt in a hand.
+struct FeltPulse {
+    int hand = 0;  // 0: left
+    float strength = 0.0f;
+    double ms = 0.0;
+};
+
 struct SubmittedFrame {
     std::uint64_t number = 0;          // of the frame, from 0
     double seconds = 0.0;              // when it is to be displayed
     std::vector<SubmittedView> views;  // none: nothing was shown
+    std::vector<SubmittedQuad> quads;
 };
 
 struct Record {
@@ -83,10 +114,13 @@ struct Record {
     std::uint64_t waited = 0;            // calls of xrWaitFrame
     std::uint64_t begun = 0;             // and so on
     std::uint64_t ended = 0;
-    int instances = 0;  // that there are now
+    std::vector<FeltPulse> pulses;
+    std::vector<std::string> profiles;  // bindings of which were suggested and taken
+    int instances = 0;                  // that there are now
     int sessions = 0;
     int swapchains = 0;
     int spaces = 0;
+    int handTrackers = 0;
 };
 inline constexpr std::size_t kMostFrames = 64;
 
@@ -95,5 +129,7 @@ MACULA_XR_SCRIPT_EXPORT void follow(Script script);
 MACULA_XR_SCRIPT_EXPORT Record record();
 // The person takes the headset off: the runtime asks the application to end.
 MACULA_XR_SCRIPT_EXPORT void requestEnd();
+// The person recentres the space that the application uses.
+MACULA_XR_SCRIPT_EXPORT void recentre();
 
 }  // namespace macula::xr_script
