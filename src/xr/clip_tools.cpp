@@ -33,13 +33,11 @@ Pose facing(const glm::dvec3& atM, const glm::dvec3& headM) {
     return {atM, glm::normalize(glm::quat_cast(glm::dmat3(x, glm::cross(z, x), z)))};
 }
 
-OrientedBox boxAt(const glm::dmat4& worldFromHand, double halfMm) {
-    OrientedBox box;
-    box.centreMm = transformPoint(worldFromHand, {0.0, 0.0, 0.0});
-    // The scale is the same along all axes: they stay at right angles.
-    for (int axis = 0; axis < 3; ++axis) box.axes[axis] = glm::normalize(glm::dvec3(worldFromHand[axis]));
-    box.halfSizeMm = glm::dvec3(halfMm);
-    return box;
+// Of the patient's axes in the stage.
+glm::dquat turnOf(const glm::dmat4& stageFromWorld) {
+    glm::dmat3 turn;
+    for (int axis = 0; axis < 3; ++axis) turn[axis] = glm::normalize(glm::dvec3(stageFromWorld[axis]));
+    return glm::normalize(glm::quat_cast(turn));
 }
 
 }  // namespace
@@ -76,14 +74,17 @@ std::optional<Clip> withTool(const Clip* before, ClipTool tool, const Pose& hand
             clip.ofBall = Keep::outside;
             return clip;
         case ClipTool::box:
-            clip.box = boxAt(worldFromStage * stageFromPose(ahead(hand)), halfMm);
+            clip.box = OrientedBox{.centreMm = transformPoint(worldFromStage, ahead(hand).positionM),
+                                   .axes = glm::dmat3(1.0),
+                                   .halfSizeMm = glm::dvec3(halfMm)};
             clip.ofBox = Keep::outside;
             return clip;
     }
     return std::nullopt;
 }
 
-std::vector<OutlinePart> outlineOf(ClipTool tool, const Pose& hand, const glm::dvec3& headM) {
+std::vector<OutlinePart> outlineOf(ClipTool tool, const Pose& hand, const glm::dvec3& headM,
+                                   const glm::dmat4& stageFromWorld) {
     const Pose middle = ahead(hand);
     switch (tool) {
         case ClipTool::none:
@@ -105,7 +106,7 @@ std::vector<OutlinePart> outlineOf(ClipTool tool, const Pose& hand, const glm::d
             std::vector<OutlinePart> faces;
             for (int axis = 0; axis < 3; ++axis) {
                 for (const bool isHigh : {false, true}) {
-                    const glm::dquat turn = middle.orientation * turnTo(axis, isHigh);
+                    const glm::dquat turn = turnOf(stageFromWorld) * turnTo(axis, isHigh);
                     faces.push_back(
                         {.isRound = false,
                          .pose = {middle.positionM + turn * glm::dvec3(0.0, 0.0, kToolHalfM), turn},

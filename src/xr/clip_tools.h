@@ -23,7 +23,8 @@ inline constexpr double kToolReachM = 0.10;
 inline constexpr double kToolHalfM = 0.06;
 
 // The clip with what the tool removes there too. A ball takes the place of the ball before, a box that of the
-// box. Nothing where there is no room for another plane, or the tool is none. `before` may be null.
+// box; a box lies along the patient's axes, however the hand is turned: so it can be kept with the study.
+// Nothing where there is no room for another plane, or the tool is none. `before` may be null.
 std::optional<Clip> withTool(const Clip* before, ClipTool tool, const Pose& hand,
                              const glm::dmat4& stageFromWorld);
 
@@ -34,7 +35,8 @@ struct OutlinePart {
     glm::dvec2 sizeM{0.0};
 };
 // `headM`: a ball is a ring that faces it.
-std::vector<OutlinePart> outlineOf(ClipTool tool, const Pose& hand, const glm::dvec3& headM);
+std::vector<OutlinePart> outlineOf(ClipTool tool, const Pose& hand, const glm::dvec3& headM,
+                                   const glm::dmat4& stageFromWorld);
 
 // One hand's, from frame to frame.
 class HeldTool {

@@ -317,7 +317,7 @@ Result<void> RoomControls::useTool(std::size_t hand, const RoomFrame& frame, con
         }
     }
     if (!tools_.at(hand).isHeld()) return {};
-    for (const OutlinePart& part : outlineOf(tool, *seen.grip, frame.head.positionM))
+    for (const OutlinePart& part : outlineOf(tool, *seen.grip, frame.head.positionM, followed.stageFromWorld))
         followed.floating.push_back(
             {part.isRound ? RoomPicture::ring : RoomPicture::tile, part.pose, part.sizeM});
     return {};

@@ -165,7 +165,9 @@ Result<HeadsetFigures> showStudy(const HeadsetWish& wish, const Hears& note, Pro
     host.note = note;
     MACULA_TRY(const HeadsetFigures figures,
                showIn(std::move(runtime), std::move(scene), std::move(host), progress, wish.frames));
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", "", "Nothing was written."};
+    if (progress.cancelled())
+        return Error{ErrorCode::cancelled, "Stopped.", "",
+                     wish.pictures.empty() ? "Nothing was written." : "Pictures that were taken stay."};
     return figures;
 }
 
