@@ -71,6 +71,7 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
                        : line.choosesView                       ? Restores::work
                                                                 : Restores::all;
     options.keepsLayout = line.choosesLayout;
+    options.showsInHeadset = line.showsInHeadset;
     return options;
 }
 
@@ -165,6 +166,9 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
 
 int main(int argc, char** argv) {
     returnFreedMemory();
+    // The loader of headsets is not to write to the terminal (xr/loader.cpp); later, other threads would read
+    // the environment meanwhile.
+    qputenv("XR_LOADER_DEBUG", qgetenv("XR_LOADER_DEBUG").isEmpty() ? "none" : qgetenv("XR_LOADER_DEBUG"));
     QCoreApplication::setApplicationName(QStringLiteral("macula-viewer"));
     QCoreApplication::setApplicationVersion(QStringLiteral(MACULA_VERSION));
     QStringList arguments;
