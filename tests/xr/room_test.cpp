@@ -178,16 +178,16 @@ TEST_F(RoomTest, AKnifeThatRestsShowsItsCutForALook) {
     showWith();
     frames(3);
     const double markerX = transformPoint(*headset_->placed(), markerMm()).x;
+    const Box before = view_->seenMm();
     (*hands_)[1] = held({markerX, 1.6, -0.4}, 0.0f, 1.0f);
     frames(12);
     EXPECT_EQ(view_->scene().drawing.clip, nullptr) << "it is not chosen yet";
     EXPECT_EQ(lastFrame().quads.size(), 2u) << "the blade";
-    // Nothing is seen to the right of the knife, and something before.
-    const glm::dmat4 worldFromStage = glm::inverse(*headset_->placed());
-    EXPECT_NEAR(view_->seenMm().high.x, transformPoint(worldFromStage, {markerX, 1.6, -0.4}).x, 2.0);
+    // By blocks of 8 voxels: those wholly to the right of the knife are gone.
+    EXPECT_LT(view_->seenMm().high.x, before.high.x - 2.0);
     (*hands_)[1].reset();
     frames(2);
-    EXPECT_GT(view_->seenMm().high.x, markerMm().x + 2.0) << "the hand was lost: all is back";
+    EXPECT_EQ(view_->seenMm().high.x, before.high.x) << "the hand was lost: all is back";
     EXPECT_EQ(view_->scene().drawing.clip, nullptr);
 }
 
