@@ -80,6 +80,7 @@ Result<Headset::Views> Headset::draw(const FrameTime& time) {
     shown.displayed = time.displayed;
     shown.eyes = *std::move(pictures);
     if (seen.gaze) shown.gaze = gazeIn(shown.eyes.centre, shown.eyes.sizePx, worldFromStage, *seen.gaze);
+    view_->setNear(nearMmOf(*stageFromWorld_));
     MACULA_TRY(shown.frame, view_->draw(shown.eyes, followed.light));
     Views views;
     MACULA_TRY(views.eyes, swapchains_.show(shown.eyes, shown.frame.pictures));

@@ -69,7 +69,7 @@ Result<void> RoomView::applyScene() {
 
 Result<hybrid::DrawnSplats> RoomView::drawSplats(const Camera& eye, const glm::ivec2& sizePx) {
     if (drawsModel()) {
-        auto picture = model_.draw(eye, sizePx);
+        auto picture = model_.draw(eye, sizePx, nearMm_);
         if (picture) return hybrid::DrawnSplats{*picture, &model_.drawnDepths()};
         if (picture.error().code != ErrorCode::outOfMemory) return picture.error();
         log::warning("There is no room for the peripheral model beside the pictures of the headset.");

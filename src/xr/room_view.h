@@ -47,6 +47,9 @@ class RoomView {
     // What of the scene a person chooses.
     RoomState state() const;
 
+    // Of splats: what is nearer is not drawn. Of what is traced, all is seen, however near.
+    void setNear(double nearMm) { nearMm_ = nearMm; }
+
     // Waits for nothing. Pictures are valid until the next call. `light`: how much of it is seen, 0 to 1.
     Result<hybrid::Frame> draw(const EyePictures& eyes, double light = 1.0);
     // About so long, at least a dispatch of some 12 ms: in turns the fovea, where the eyes look, and what the
@@ -86,6 +89,7 @@ class RoomView {
     RoomOptions options_;
     RoomState shown_;  // that of the scene, or what is shown for a look
     bool isForALook_ = false;
+    double nearMm_ = 10.0;
     app::SceneNames names_;
     trace::PathTracer tracer_;
     hybrid::HybridFrame hybrid_;
