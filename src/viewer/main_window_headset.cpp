@@ -48,7 +48,7 @@ void MainWindow::makeHeadset() {
         emit headsetEnded();
     });
     // Another study is no surprise for somebody's eyes.
-    connect(&session_, &ViewerSession::studyShown, headset_, &HeadsetShow::stop);
+    connect(&session_, &ViewerSession::studyShown, headset_, &HeadsetShow::abandon);
     connect(shown_, &ShownVolume::changed, this, [this] {
         if (!headset_->isRunning() || isFromHeadset_) return;
         const app::Drawing drawing = shown_->drawing();

@@ -221,8 +221,9 @@ Result<void> Hands::pulse(const Session& session, std::size_t hand, float streng
     vibration.amplitude = std::clamp(strength, 0.0f, 1.0f);
     const XrResult felt = runtime_->call().ApplyHapticFeedback(
         session.handle(), &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
-    if (felt == XR_SESSION_NOT_FOCUSED) return {};
-    MACULA_XR_TRY(felt, "be felt in a hand");
+    // A hand that feels nothing is no reason to stop.
+    if (felt == XR_ERROR_SESSION_LOST || felt == XR_ERROR_INSTANCE_LOST)
+        return xrError(felt, "be felt in a hand");
     return {};
 }
 

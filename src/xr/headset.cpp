@@ -67,7 +67,10 @@ Result<Headset::Views> Headset::draw(const FrameTime& time) {
     Pose head = eyes.front().pose;
     head.positionM = 0.5 * (eyes.front().pose.positionM + eyes.back().pose.positionM);
     if (session_.wasRecentred()) stageFromWorld_.reset();
-    if (!stageFromWorld_) stageFromWorld_ = stageFromWorldBefore(head, view_->seenMm());
+    if (!stageFromWorld_) {
+        stageFromWorld_ = stageFromWorldBefore(head, view_->seenMm());
+        controls_->takeAnew();
+    }
     MACULA_TRY(const RoomFollowed followed, follow(time, head, seen.hands, isTracked));
     const glm::dmat4 worldFromStage = glm::inverse(*stageFromWorld_);
 

@@ -65,6 +65,8 @@ class RoomControls {
 
     // In this order: what was chosen elsewhere, the panel, a turn, the grasp, tools.
     Result<RoomFollowed> follow(const glm::dmat4& stageFromWorld, const RoomFrame& frame, const Show& show);
+    // It stands elsewhere all of a sudden: what is held does not jump back.
+    void takeAnew() { grasp_.takeAnew(); }
     // A frame of which nobody knows where the eyes are.
     void goDark(double seconds) { fade_.goDark(seconds); }
 

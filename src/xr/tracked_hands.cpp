@@ -69,7 +69,10 @@ Result<std::optional<TrackedHands>> TrackedHands::create(const Session& session)
         XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT};
         info.hand = hand == 0 ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
         info.handJointSet = XR_HAND_JOINT_SET_DEFAULT_EXT;
-        MACULA_XR_TRY(made.make_(session.handle(), &info, &made.trackers_[hand]), "follow hands");
+        const XrResult asked = made.make_(session.handle(), &info, &made.trackers_[hand]);
+        if (asked == XR_ERROR_SESSION_LOST || asked == XR_ERROR_INSTANCE_LOST)
+            return xrError(asked, "follow hands");
+        if (XR_FAILED(asked)) return std::optional<TrackedHands>();  // controllers do without
     }
     return std::optional<TrackedHands>(std::move(made));
 }

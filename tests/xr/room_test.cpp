@@ -212,6 +212,38 @@ TEST_F(RoomTest, RecentringPutsItBeforeWhoeverLooks) {
     EXPECT_NEAR(scaleOf(*headset_->placed()), 1.0, 1e-9);
 }
 
+TEST_F(RoomTest, WhatIsHeldWhileSomebodyRecentresDoesNotJumpBack) {
+    connect(withHands());
+    show();
+    frames(3);
+    (*hands_)[1] = held({0.2, 1.6, -0.4}, 1.0f);
+    frames(2);
+    (*hands_)[1] = held({0.6, 1.6, -0.4}, 1.0f);
+    frames(2);
+    xr_script::recentre();
+    frames(3);
+    const glm::dmat4 wanted = stageFromWorldBefore({{0.0, 1.6, 0.0}, {1, 0, 0, 0}}, view_->seenMm());
+    for (int column = 0; column < 4; ++column)
+        EXPECT_NEAR(glm::distance((*headset_->placed())[column], wanted[column]), 0.0, 1e-5);
+}
+
+TEST_F(RoomTest, ASessionThatIsLostWhileAHandFeelsIsTold) {
+    Script script = withHands();
+    script.loseAt = "xrApplyHapticFeedback";
+    script.answer = -17;  // XR_ERROR_SESSION_LOST
+    connect(script);
+    show();
+    frames(3);
+    (*hands_)[1] = held({0.2, 1.6, -0.4}, 1.0f);
+    std::optional<Error> error;
+    for (int i = 0; i < 10 && !error; ++i) {
+        const auto step = headset_->step();
+        if (!step) error = step.error();
+    }
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code, ErrorCode::deviceLost);
+}
+
 TEST_F(RoomTest, LostTrackingFadesThePictureAndComesBack) {
     Script script = withHands();
     const auto tracked = std::make_shared<bool>(true);

@@ -94,7 +94,13 @@ void HeadsetShow::stop() {
     token_.cancel();
 }
 
+void HeadsetShow::abandon() {
+    isAbandoned_ = true;
+    stop();
+}
+
 void HeadsetShow::propose(HeadsetChoice choice) {
+    if (isAbandoned_) return;
     const std::lock_guard lock(shared_->mutex);
     shared_->wanted = std::move(choice);
 }
@@ -102,12 +108,15 @@ void HeadsetShow::propose(HeadsetChoice choice) {
 void HeadsetShow::start([[maybe_unused]] HeadsetWish wish) {
     if (isRunning()) return;
     token_ = CancelToken();
+    isAbandoned_ = false;
     shared_ = std::make_shared<Shared>();
 #ifdef MACULA_HAS_XR
     const auto told = std::make_shared<Told>(Told{
         .mirror = NewestPosted<QImage>(this, [this](const QImage& image) { emit mirrored(image); }),
-        .chosen =
-            NewestPosted<HeadsetChoice>(this, [this](const HeadsetChoice& choice) { emit chosen(choice); }),
+        .chosen = NewestPosted<HeadsetChoice>(this,
+                                              [this](const HeadsetChoice& choice) {
+                                                  if (!isAbandoned_) emit chosen(choice);
+                                              }),
         .note = [this](const std::string& sentence) {
             QMetaObject::invokeMethod(
                 this, [this, sentence] { emit noted(inWindowsLanguage(sentence)); }, Qt::QueuedConnection);

@@ -44,7 +44,8 @@ class HeadsetShow : public QObject {
 
     // Nothing happens while a session is there.
     void start(HeadsetWish wish);
-    void stop();  // `ended` is told when it has
+    void stop();     // `ended` is told when it has
+    void abandon();  // the same, and what is chosen there counts no more: it is of another study
     bool isRunning() const { return job_.running(); }
     // What was chosen in the window meanwhile.
     void propose(HeadsetChoice choice);
@@ -63,6 +64,7 @@ class HeadsetShow : public QObject {
     BackgroundJob<std::string> job_;
     std::shared_ptr<Shared> shared_;
     CancelToken token_;
+    bool isAbandoned_ = false;
 };
 
 }  // namespace macula::viewer
