@@ -339,6 +339,7 @@ Result<void> RoomControls::cut(std::size_t hand, const Pose& at, Lasts lasts, co
     }
     RoomState next = state();
     next.clip = std::make_shared<const Clip>(*clip);
+    if (next == state()) return comeBack();
     if (lasts == Lasts::forALook) {
         MACULA_TRY([[maybe_unused]] const bool isShown, show(next, lasts));
         return {};
@@ -349,6 +350,7 @@ Result<void> RoomControls::cut(std::size_t hand, const Pose& at, Lasts lasts, co
 
 void RoomControls::showPanel(RoomFollowed& followed) {
     PanelTexts texts = texts_;
+    if (!(seconds_ < noticeUntil_)) texts.news.clear();
     const TransferFunction& preset = *state().transferFunction;
     texts.preset = preset.title.empty() ? preset.name : preset.title;
     texts.shift = shiftText();
