@@ -16,6 +16,8 @@ namespace macula::xr {
 namespace {
 
 constexpr double kNoticeSeconds = 4.0;
+constexpr double kWantedEveryS = 0.25;
+constexpr double kDragGoesOnS = 1.0;
 constexpr glm::ivec2 kNoticePx{640, 40};
 constexpr glm::dvec2 kNoticeM{0.64, 0.04};
 constexpr glm::dvec3 kNoticeFromHeadM{0.0, -0.22, -0.9};
@@ -97,6 +99,7 @@ Result<bool> RoomControls::change(RoomState next, const Show& show) {
         return false;
     }
     history_.push(std::move(next));
+    wasWanted_ = false;
     if (host_.changed) host_.changed(state());
     return true;
 }
@@ -106,18 +109,25 @@ Result<void> RoomControls::undo(const Show& show) {
     MACULA_TRY(const bool isShown, show(history_.before(), Lasts::forGood));
     if (!isShown) return {};
     history_.undo();
+    wasWanted_ = false;
     if (host_.changed) host_.changed(state());
     return {};
 }
 
 Result<void> RoomControls::takeWanted(const Show& show) {
-    if (!host_.wanted) return {};
+    // A hand in the window that drags is followed in steps, which are one to be undone.
+    if (!host_.wanted || std::abs(seconds_ - wantedAt_) < kWantedEveryS) return {};
     std::optional<RoomState> wanted = host_.wanted();
     if (!wanted) return {};
+    const bool goesOn = wasWanted_ && std::abs(seconds_ - wantedAt_) < kDragGoesOnS;
+    wantedAt_ = seconds_;
     wanted->quality = state().quality;  // of the headset alone
     if (!wanted->transferFunction || *wanted == state()) return {};
     MACULA_TRY(const bool isShown, show(*wanted, Lasts::forGood));
-    if (isShown) history_.push(*std::move(wanted));
+    if (!isShown) return {};
+    if (goesOn && history_.canUndo()) history_.undo();
+    history_.push(*std::move(wanted));
+    wasWanted_ = true;
     return {};
 }
 

@@ -132,6 +132,8 @@ class RoomControls {
     std::string drawnNotice_;
     double noticeUntil_ = 0.0;
     double seconds_ = 0.0;
+    double wantedAt_ = -1e9;  // when something that was chosen elsewhere came last
+    bool wasWanted_ = false;  // the last step was that
 };
 
 }  // namespace macula::xr

@@ -297,8 +297,28 @@ TEST_F(RoomControlsTest, WhatWasChosenElsewhereIsAStepToo) {
     press(PanelButton::undo);
     EXPECT_EQ(presetName(), "one");
     wanted_ = RoomState{};
-    frame({});
+    frame({}, 1.0);
     EXPECT_EQ(presetName(), "one") << "without a preset it is none";
+}
+
+TEST_F(RoomControlsTest, ADragElsewhereIsOneStep) {
+    RoomState next = controls_->state();
+    for (int i = 1; i <= 10; ++i) {
+        next.transferFunction = preset("dragged " + std::to_string(i));
+        wanted_ = next;
+        frame({}, 0.3);
+        EXPECT_EQ(presetName(), "dragged " + std::to_string(i));
+    }
+    next.transferFunction = preset("too soon");
+    wanted_ = next;
+    frame({}, 0.01);
+    EXPECT_EQ(presetName(), "dragged 10") << "a headset has no time for each of them";
+    frame({}, 0.3);
+    EXPECT_EQ(presetName(), "too soon") << "the last one comes";
+    cutAt(0.02);
+    press(PanelButton::undo);
+    press(PanelButton::undo);
+    EXPECT_EQ(presetName(), "one");
 }
 
 TEST_F(RoomControlsTest, ATurnWhileItIsHeldDoesNotJumpBack) {
