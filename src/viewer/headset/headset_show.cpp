@@ -64,16 +64,6 @@ Result<std::string> showIn(HeadsetWish wish, const Told& told,
 
 }  // namespace
 
-bool HeadsetShow::isBuilt() {
-    return true;
-}
-
-#else
-
-bool HeadsetShow::isBuilt() {
-    return false;
-}
-
 #endif
 
 HeadsetShow::HeadsetShow(QObject* parent)

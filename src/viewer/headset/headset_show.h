@@ -40,8 +40,6 @@ class HeadsetShow : public QObject {
     explicit HeadsetShow(QObject* parent);
     ~HeadsetShow() override;  // ends the session, and waits for that
 
-    static bool isBuilt();  // false: this program knows no headsets
-
     // Nothing happens while a session is there.
     void start(HeadsetWish wish);
     void stop();     // `ended` is told when it has
