@@ -128,23 +128,27 @@ Result<Headset::Step> Headset::step() {
     return Step::shown;
 }
 
-// The other kind of work, where there is no time for the one whose turn it is.
+// The other kind of work, where there is no time for the one whose turn it is. In the dark, as when a clip is
+// shown for a look, a late frame is the lesser evil.
 Result<void> Headset::workUntilNext(double begunAgoMs) {
+    const auto work = [&](Work kind, double budgetMs) {
+        return view_->work(kind, shown_->eyes,
+                           {.budgetMs = budgetMs,
+                            .gaze = shown_->gaze,
+                            .fineness = shown_->fineness,
+                            .mostSamples = governor_.quality().mostSamples});
+    };
     const Work turn = view_->nextWork();
-    for (const Work work : {turn, turn == Work::fovea ? Work::model : Work::fovea}) {
-        if (!view_->wants(work)) continue;
-        const std::optional<double> budgetMs = timeFor(work, begunAgoMs);
+    for (const Work kind : {turn, turn == Work::fovea ? Work::model : Work::fovea}) {
+        if (!view_->wants(kind)) continue;
+        const std::optional<double> budgetMs = timeFor(kind, begunAgoMs);
         if (!budgetMs) continue;
         const Clock::time_point begun = Clock::now();
-        MACULA_TRY_VOID(view_->work(work, shown_->eyes,
-                                    {.budgetMs = *budgetMs,
-                                     .gaze = shown_->gaze,
-                                     .fineness = shown_->fineness,
-                                     .mostSamples = governor_.quality().mostSamples}));
-        governor_.noteWork(work, *budgetMs, msSince(begun));
+        MACULA_TRY_VOID(work(kind, *budgetMs));
+        governor_.noteWork(kind, *budgetMs, msSince(begun));
         return {};
     }
-    return {};
+    return view_->isDark() ? work(Work::fovea, Governor::kLeastWorkMs) : Result<void>();
 }
 
 std::optional<double> Headset::timeFor(Work work, double begunAgoMs) {

@@ -83,6 +83,8 @@ class RoomView {
     bool wants(Work work) const {
         return work == Work::fovea || (options_.learns && !isForALook_ && model_.hasWork());
     }
+    // Nothing is learnt or traced yet of what is shown: it is dark.
+    bool isDark() const { return !drawsModel() && !hybrid_.hasFovea(); }
     // About as long as is wished, at least a dispatch of some 12 ms or a step of learning.
     Result<void> work(Work work, const EyePictures& eyes, const WorkWish& wish);
 

@@ -160,5 +160,27 @@ TEST_F(RoomLayersTest, QualityIsAShareOfWhatTheGovernorAllows) {
     }
 }
 
+// Where there is no time for anything, what a hand shows for a look is seen nevertheless.
+TEST_F(RoomLayersTest, ALookIsNotDarkOnASlowDevice) {
+    Script script;
+    script.framesPerS = 1000.0;  // and it takes more than that to copy and read a picture
+    options_.holdsRate = true;
+    connect(script);
+    show();
+    frames(40);
+    ASSERT_GT(headset_->governor().level(), 3u);
+    for (int i = 0; i < 4; ++i) {
+        Clip clip;
+        clip.planes.push_back({.normal = {1, 0, 0}, .offsetMm = markerMm().x - 0.25 * i});
+        RoomState state = view_->state();
+        state.clip = std::make_shared<const Clip>(clip);
+        ASSERT_TRUE(expectOk(view_->show(state, Lasts::forALook)));
+        EXPECT_TRUE(view_->isDark());
+        frames(15);
+        EXPECT_FALSE(view_->isDark()) << i;
+        EXPECT_EQ(view_->scene().drawing.clip, nullptr);
+    }
+}
+
 }  // namespace
 }  // namespace macula::xr
