@@ -67,10 +67,10 @@ nlohmann::ordered_json jsonOf(const xr::HeadsetFigures& figures) {
 
 Result<void> benchXr(Options options) {
     if (!options.size.empty()) {
-        MACULA_TRY(options.wish.eyePx, app::parseSize(options.size));
+        MACULA_TRY(options.wish.show.eyePx, app::parseSize(options.size));
     }
-    options.wish.warmUpFrames = std::uint64_t(options.warmUpFrames);
-    options.wish.frames = std::uint64_t(options.frames) + options.wish.warmUpFrames;
+    options.wish.show.warmUpFrames = std::uint64_t(options.warmUpFrames);
+    options.wish.show.frames = std::uint64_t(options.frames) + options.wish.show.warmUpFrames;
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const xr::HeadsetFigures figures,
                xr::showStudy(
@@ -102,7 +102,7 @@ void addBenchXr(CLI::App& bench, Action& action) {
     addNumber(*command, "--warm-up", o.warmUpFrames, "Frames before them", 0, 1'000'000);
     command->add_option("--size", o.size, "Of the picture for each eye (default: as the headset wants it)")
         ->option_text("WxH");
-    command->add_flag("--room", o.wish.showsRoom, "As of xr");
+    command->add_flag("--room", o.wish.show.showsRoom, "As of xr");
     command->add_flag("--json", o.json, "Print JSON instead of lines");
     command->callback([options, &action] { action = [options] { return benchXr(*options); }; });
 }

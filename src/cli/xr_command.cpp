@@ -71,9 +71,11 @@ void addXr(CLI::App& app, Action& action) {
     command->add_option("--lights", o.lights, "Name from macula presets");
     command->add_option("--clip", o.state.clip, "As of render");
     command->add_flag("--remove-table", o.state.removeTable, "As of render");
-    command->add_flag("--room", o.showsRoom,
+    command->add_flag("--room", o.show.showsRoom,
                       "Show the room behind the anatomy (passthrough), where the headset can");
-    command->add_option("--frames", o.frames, "End after so many frames (default: when it is ended there)");
+    command->add_option("--pictures", o.pictures, "Folder for pictures that are taken in the headset");
+    command->add_option("--frames", o.show.frames,
+                        "End after so many frames (default: when it is ended there)");
     for (CLI::Option* option : command->get_options())
         if (option != only && option != command->get_help_ptr()) only->excludes(option);
     command->callback(

@@ -126,6 +126,8 @@ struct Options {
         "N"};
     const QCommandLineOption calibrate{
         "calibrate", "Measure this machine anew for the quality slider, say how fast it is, and quit."};
+    const QCommandLineOption headset{"xr",
+                                     "Show the study in a headset (OpenXR) as well; the window mirrors it."};
     const QCommandLineOption script{
         "script",
         "Drive the window, measure it, print JSON, quit. 'orbit': turn the volume, "
@@ -146,10 +148,10 @@ struct Options {
                                   "300"};
 
     void addTo(QCommandLineParser& parser) const {
-        parser.addOptions({calibrate, preset,    lights,       view,      device,      size,
-                           layout,    language,  highContrast, fontScale, samples,     noModel,
-                           sessions,  noSession, keepDays,     script,    screenshots, withPatient,
-                           wait,      turn,      seconds,      rest,      until});
+        parser.addOptions({calibrate,   preset,    lights,       view,      device,  size,
+                           layout,      language,  highContrast, fontScale, samples, noModel,
+                           sessions,    noSession, keepDays,     headset,   script,  screenshots,
+                           withPatient, wait,      turn,         seconds,   rest,    until});
     }
 };
 
@@ -255,6 +257,10 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     if (result.calibrates && (!folders.isEmpty() || parser.isSet(options.script)))
         return usage(QStringLiteral("--calibrate measures the machine, and opens nothing."),
                      "Leave out the folder and --script.");
+    result.showsInHeadset = parser.isSet(options.headset);
+    if (result.showsInHeadset && (result.calibrates || parser.isSet(options.script)))
+        return usage(QStringLiteral("--xr does not go with --script or --calibrate."),
+                     "Leave one of them out.");
     result.choosesView =
         parser.isSet(options.preset) || parser.isSet(options.lights) || parser.isSet(options.view);
     MACULA_TRY_VOID(readScript(parser, options, result));

@@ -33,6 +33,7 @@ struct CommandLine {
     std::optional<QString> sessions;  // none: session::defaultFolder()
     std::optional<int> keepDays;      // what was not opened for so long is deleted; none: never
     bool calibrates = false;          // only measures this machine, and says how fast it is
+    bool showsInHeadset = false;      // the study, once it is there
     bool choosesView = false;         // the command line says how the study is shown
     // `opening` is what `session` starts by itself.
     enum class Script { none, orbit, changes, session, opening, stations } script = Script::none;

@@ -76,6 +76,7 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
     const bool asLeft = line.script == Script::none || line.script == Script::opening;
     options.restores = !asLeft ? Restores::nothing : line.choosesView ? Restores::work : Restores::all;
     options.keepsLayout = line.choosesLayout;
+    options.showsInHeadset = line.showsInHeadset;
     return options;
 }
 
@@ -222,6 +223,9 @@ int runSession(QApplication& application, CommandLine line, const ReadSettings& 
 
 int main(int argc, char** argv) {
     returnFreedMemory();
+    // The loader of headsets is not to write to the terminal (xr/loader.cpp); later, other threads would read
+    // the environment meanwhile.
+    qputenv("XR_LOADER_DEBUG", qgetenv("XR_LOADER_DEBUG").isEmpty() ? "none" : qgetenv("XR_LOADER_DEBUG"));
     QCoreApplication::setApplicationName(QStringLiteral("macula-viewer"));
     QCoreApplication::setApplicationVersion(QStringLiteral(MACULA_VERSION));
     QStringList arguments;

@@ -86,6 +86,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     makeBeside();
     makeQuality();
     makeMovies();
+    makeHeadset();
     makeMenus();
     makeToolBar();
     makeStatusBar();

@@ -50,6 +50,8 @@ class ClipEditing;
 class ClipPanel;
 class ConvergeNow;
 class CutTools;
+class HeadsetMirror;
+class HeadsetShow;
 class ModelExport;
 class MovieExport;
 class MoviePanel;
@@ -73,6 +75,7 @@ class TransferFunctionEditor;
 class UndoActions;
 class VoxelCutting;
 enum class Pane;
+struct HeadsetChoice;
 struct LibraryPreset;
 
 // What comes back of a study that was seen before, and is kept for the next time.
@@ -102,6 +105,7 @@ struct MainWindowOptions {
     bool keepsLayout = false;  // as above, whatever a study was left with
     Settings settings = {};
     std::optional<std::filesystem::path> settingsFile = {};  // where they are kept; nothing: nowhere
+    bool showsInHeadset = false;                             // the first study that is shown
 };
 
 // Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are
@@ -157,6 +161,7 @@ class MainWindow : public QMainWindow {
     void studyShown();
     void loadingCancelled();
     void failed(const macula::Error& error);
+    void headsetEnded();  // or could not be begun
 
   protected:
     bool event(QEvent* event) override;
@@ -198,6 +203,10 @@ class MainWindow : public QMainWindow {
     void convergeNow();
     void showCost();  // of frames in motion, in this window
     void makeMovies();
+    void makeHeadset();
+    void addHeadsetAction(QMenu& view);
+    void showInHeadset();
+    void takeFromHeadset(const HeadsetChoice& choice);
     void addOutputActions(QMenu& file);
     void askWhereToDrawMovie();
     void askForPath();
@@ -339,6 +348,11 @@ class MainWindow : public QMainWindow {
     MoviePanel* movie_ = nullptr;
     MovieExport* movieExport_ = nullptr;
     WorkBar* filming_ = nullptr;
+    HeadsetShow* headset_ = nullptr;
+    HeadsetMirror* mirror_ = nullptr;
+    bool isMirrored_ = false;                  // a picture of the headset has come
+    bool isFromHeadset_ = false;               // what changes now
+    std::shared_ptr<const Clip> headsetClip_;  // that is shown there
     ModelExport* modelExport_ = nullptr;
     WorkBar* savingModel_ = nullptr;
     ChoiceMenu* looks_ = nullptr;

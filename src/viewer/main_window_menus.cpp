@@ -160,6 +160,7 @@ void MainWindow::makeViewMenu() {
     gaze->setChecked(true);
     connect(gaze, &QAction::triggered, viewport_, &Viewport::setGazeFollowsPointer);
     addQualityActions(*view);
+    addHeadsetAction(*view);
 }
 
 void MainWindow::makeLookMenu() {

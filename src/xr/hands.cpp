@@ -1,10 +1,10 @@
 #include "xr/hands.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <utility>
 
-#include "xr/placement.h"
 #include "xr/xr_error.h"
 
 namespace macula::xr {
@@ -14,24 +14,11 @@ namespace {
 constexpr const char* kHands[] = {"/user/hand/left", "/user/hand/right"};
 constexpr const char* kGazePath = "/user/eyes_ext/input/gaze_ext/pose";
 
-// What there is to hold on to, and to cut with, of each kind of controller.
-struct Profile {
-    const char* name;
-    const char* grab;
-    const char* cut;
-};
-constexpr Profile kProfiles[] = {
-    {"/interaction_profiles/khr/simple_controller", "select/click", "menu/click"},
-    {"/interaction_profiles/oculus/touch_controller", "squeeze/value", "trigger/value"},
-    {"/interaction_profiles/valve/index_controller", "squeeze/value", "trigger/value"},
-    {"/interaction_profiles/htc/vive_controller", "squeeze/click", "trigger/value"},
-    {"/interaction_profiles/microsoft/motion_controller", "squeeze/click", "trigger/value"},
-};
-
 }  // namespace
 
 Result<Hands> Hands::create(const Session& session) {
-    Hands hands(session.sharedRuntime());
+    MACULA_TRY(std::optional<TrackedHands> tracked, TrackedHands::create(session));
+    Hands hands(session.sharedRuntime(), std::move(tracked));
     MACULA_TRY_VOID(hands.makeActions(session));
     MACULA_TRY_VOID(hands.suggestAll());
     MACULA_TRY_VOID(hands.makeSpaces(session));
@@ -40,18 +27,25 @@ Result<Hands> Hands::create(const Session& session) {
 
 Hands::Hands(Hands&& other) noexcept
     : runtime_(std::move(other.runtime_)),
+      tracked_(std::move(other.tracked_)),
       set_(std::exchange(other.set_, XR_NULL_HANDLE)),
       paths_(other.paths_),
       grab_(other.grab_),
       cut_(other.cut_),
+      press_(other.press_),
+      turn_(other.turn_),
+      turnsWhile_(other.turnsWhile_),
       grip_(other.grip_),
+      aim_(other.aim_),
+      pulse_(other.pulse_),
       gaze_(other.gaze_),
       grips_(std::exchange(other.grips_, {})),
+      aims_(std::exchange(other.aims_, {})),
       gazeSpace_(std::exchange(other.gazeSpace_, XR_NULL_HANDLE)) {}
 
 Hands::~Hands() {
     if (!set_) return;
-    for (const XrSpace space : {grips_[0], grips_[1], gazeSpace_})
+    for (const XrSpace space : {grips_[0], grips_[1], aims_[0], aims_[1], gazeSpace_})
         if (space) runtime_->call().DestroySpace(space);
     runtime_->call().DestroyActionSet(set_);  // and its actions
 }
@@ -66,7 +60,12 @@ Result<void> Hands::makeActions(const Session& session) {
     }
     MACULA_TRY(grab_, makeAction("grab", "Grab, turn and scale", XR_ACTION_TYPE_FLOAT_INPUT, true));
     MACULA_TRY(cut_, makeAction("cut", "Cut", XR_ACTION_TYPE_FLOAT_INPUT, true));
+    MACULA_TRY(press_, makeAction("press", "Press a button of the panel", XR_ACTION_TYPE_FLOAT_INPUT, true));
+    MACULA_TRY(turn_, makeAction("turn", "Turn around in steps", XR_ACTION_TYPE_FLOAT_INPUT, true));
+    MACULA_TRY(turnsWhile_, makeAction("turns_while", "Turn now", XR_ACTION_TYPE_FLOAT_INPUT, true));
     MACULA_TRY(grip_, makeAction("grip", "Hand", XR_ACTION_TYPE_POSE_INPUT, true));
+    MACULA_TRY(aim_, makeAction("aim", "Point", XR_ACTION_TYPE_POSE_INPUT, true));
+    MACULA_TRY(pulse_, makeAction("pulse", "Feel", XR_ACTION_TYPE_VIBRATION_OUTPUT, true));
     if (session.runtime().offer().hasGaze) {
         MACULA_TRY(gaze_, makeAction("gaze", "Gaze", XR_ACTION_TYPE_POSE_INPUT, false));
     }
@@ -87,17 +86,30 @@ Result<XrAction> Hands::makeAction(const char* name, const char* title, XrAction
     return action;
 }
 
-Result<void> Hands::suggest(const char* profile, const char* grab, const char* cut) {
+Result<void> Hands::suggest(const InteractionProfile& profile) {
+    struct Wanted {
+        XrAction action;
+        const char* below;
+        const char* control;
+    };
+    const Wanted all[] = {{grab_, "/input/", profile.grab},
+                          {cut_, "/input/", profile.cut},
+                          {press_, "/input/", profile.press},
+                          {turn_, "/input/", profile.turn},
+                          {turnsWhile_, "/input/", profile.turnsWhile},
+                          {grip_, "/input/", "grip/pose"},
+                          {aim_, "/input/", "aim/pose"},
+                          {pulse_, "/output/", "haptic"}};
     std::vector<XrActionSuggestedBinding> bindings;
     for (const char* hand : kHands) {
-        const std::string input = std::string(hand) + "/input/";
-        MACULA_TRY(const XrPath grabPath, runtime_->path(input + grab));
-        MACULA_TRY(const XrPath cutPath, runtime_->path(input + cut));
-        MACULA_TRY(const XrPath gripPath, runtime_->path(input + "grip/pose"));
-        bindings.insert(bindings.end(), {{grab_, grabPath}, {cut_, cutPath}, {grip_, gripPath}});
+        for (const Wanted& wanted : all) {
+            if (!wanted.control) continue;
+            MACULA_TRY(const XrPath path, runtime_->path(std::string(hand) + wanted.below + wanted.control));
+            bindings.push_back({wanted.action, path});
+        }
     }
     XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING};
-    MACULA_TRY(info.interactionProfile, runtime_->path(profile));
+    MACULA_TRY(info.interactionProfile, runtime_->path(profile.name));
     info.countSuggestedBindings = static_cast<std::uint32_t>(bindings.size());
     info.suggestedBindings = bindings.data();
     const XrResult suggested =
@@ -108,8 +120,13 @@ Result<void> Hands::suggest(const char* profile, const char* grab, const char* c
 }
 
 Result<void> Hands::suggestAll() {
-    for (const Profile& profile : kProfiles)
-        MACULA_TRY_VOID(suggest(profile.name, profile.grab, profile.cut));
+    const auto& offered = runtime_->offer().extensions;
+    for (const InteractionProfile& profile : interactionProfiles()) {
+        if (profile.extension &&
+            std::find(offered.begin(), offered.end(), std::string(profile.extension)) == offered.end())
+            continue;
+        MACULA_TRY_VOID(suggest(profile));
+    }
     if (!gaze_) return {};
     XrActionSuggestedBinding binding{gaze_, XR_NULL_PATH};
     MACULA_TRY(binding.binding, runtime_->path(kGazePath));
@@ -129,11 +146,14 @@ Result<void> Hands::makeSpaces(const Session& session) {
     MACULA_XR_TRY(runtime_->call().AttachSessionActionSets(session.handle(), &attach), "use controllers");
     XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO};
     info.poseInActionSpace = toXr({});
-    info.action = grip_;
     for (std::size_t hand = 0; hand < grips_.size(); ++hand) {
         info.subactionPath = paths_[hand];
+        info.action = grip_;
         MACULA_XR_TRY(runtime_->call().CreateActionSpace(session.handle(), &info, &grips_[hand]),
                       "tell where hands are");
+        info.action = aim_;
+        MACULA_XR_TRY(runtime_->call().CreateActionSpace(session.handle(), &info, &aims_[hand]),
+                      "tell where hands point");
     }
     if (!gaze_) return {};
     info.action = gaze_;
@@ -143,14 +163,32 @@ Result<void> Hands::makeSpaces(const Session& session) {
     return {};
 }
 
-Result<float> Hands::value(const Session& session, XrAction action, XrPath hand) const {
+Result<Hands::Control> Hands::value(const Session& session, XrAction action, XrPath hand) const {
     XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO};
     info.action = action;
     info.subactionPath = hand;
     XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
     MACULA_XR_TRY(runtime_->call().GetActionStateFloat(session.handle(), &info, &state),
                   "tell what hands do");
-    return state.isActive == XR_TRUE ? state.currentState : 0.0f;
+    if (state.isActive != XR_TRUE) return Control{};
+    return Control{.isThere = true, .value = state.currentState};
+}
+
+Result<Hand> Hands::controller(const Session& session, std::size_t hand, XrTime time) const {
+    Hand seen;
+    MACULA_TRY(seen.grip, session.locate(grips_[hand], time));
+    MACULA_TRY(seen.aim, session.locate(aims_[hand], time));
+    MACULA_TRY(const Control grab, value(session, grab_, paths_[hand]));
+    MACULA_TRY(const Control cut, value(session, cut_, paths_[hand]));
+    MACULA_TRY(const Control press, value(session, press_, paths_[hand]));
+    MACULA_TRY(const Control turn, value(session, turn_, paths_[hand]));
+    MACULA_TRY(const Control turnsWhile, value(session, turnsWhile_, paths_[hand]));
+    seen.squeeze = grab.value;
+    seen.trigger = cut.value;
+    seen.press = press.value;
+    const bool isHeldBack = turnsWhile.isThere && turnsWhile.value < kTakesFrom;
+    seen.turn = isHeldBack ? 0.0f : turn.value;
+    return seen;
 }
 
 Result<Hands::Seen> Hands::look(const Session& session, XrTime time) {
@@ -163,9 +201,9 @@ Result<Hands::Seen> Hands::look(const Session& session, XrTime time) {
     MACULA_XR_TRY(synced, "tell what hands do");
     Seen seen;
     for (std::size_t hand = 0; hand < seen.hands.size(); ++hand) {
-        MACULA_TRY(seen.hands[hand].grip, session.locate(grips_[hand], time));
-        MACULA_TRY(seen.hands[hand].squeeze, value(session, grab_, paths_[hand]));
-        MACULA_TRY(seen.hands[hand].trigger, value(session, cut_, paths_[hand]));
+        MACULA_TRY(seen.hands[hand], controller(session, hand, time));
+        if (seen.hands[hand].grip || !tracked_) continue;
+        MACULA_TRY(seen.hands[hand], tracked_->look(session, hand, time));
     }
     if (gazeSpace_) {
         MACULA_TRY(seen.gaze, session.locate(gazeSpace_, time));
@@ -173,32 +211,20 @@ Result<Hands::Seen> Hands::look(const Session& session, XrTime time) {
     return seen;
 }
 
-glm::dmat4 Grasp::follow(const glm::dmat4& stageFromWorld, const TwoHands& hands) {
-    std::array<bool, 2> holds{};
-    for (std::size_t i = 0; i < hands.size(); ++i)
-        holds[i] = hands[i].grip && hands[i].squeeze >= (holds_[i] ? kLetsGoBelow : kTakesFrom);
-    if (holds != holds_) {  // it begins anew from where it is
-        holds_ = holds;
-        stageFromWorldThen_ = stageFromWorld;
-        for (std::size_t i = 0; i < hands.size(); ++i) then_[i] = hands[i].grip.value_or(Pose{});
-        return stageFromWorld;
-    }
-    if (holds[0] && holds[1])
-        return followingHands(stageFromWorldThen_, then_, {*hands[0].grip, *hands[1].grip});
-    for (std::size_t i = 0; i < hands.size(); ++i)
-        if (holds[i]) return followingHand(stageFromWorldThen_, then_[i], *hands[i].grip);
-    return stageFromWorld;
-}
-
-std::optional<HalfSpace> Grasp::cut(const glm::dmat4& stageFromWorld, const TwoHands& hands) {
-    std::optional<HalfSpace> kept;
-    for (std::size_t i = 0; i < hands.size(); ++i) {
-        const bool cuts = hands[i].grip && hands[i].trigger >= (cuts_[i] ? kLetsGoBelow : kTakesFrom);
-        if (cuts_[i] && !cuts && hands[i].grip)
-            kept = keptBeside(*hands[i].grip, glm::inverse(stageFromWorld));
-        cuts_[i] = cuts;
-    }
-    return kept;
+Result<void> Hands::pulse(const Session& session, std::size_t hand, float strength, double ms) const {
+    XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO};
+    info.action = pulse_;
+    info.subactionPath = paths_.at(hand);
+    XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION};
+    vibration.duration = static_cast<XrDuration>(ms * 1e6);
+    vibration.frequency = XR_FREQUENCY_UNSPECIFIED;
+    vibration.amplitude = std::clamp(strength, 0.0f, 1.0f);
+    const XrResult felt = runtime_->call().ApplyHapticFeedback(
+        session.handle(), &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
+    // A hand that feels nothing is no reason to stop.
+    if (felt == XR_ERROR_SESSION_LOST || felt == XR_ERROR_INSTANCE_LOST)
+        return xrError(felt, "be felt in a hand");
+    return {};
 }
 
 }  // namespace macula::xr

@@ -2,25 +2,17 @@
 #pragma once
 
 #include <array>
-#include <glm/glm.hpp>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "base/result.h"
-#include "pipeline/volume/clip.h"
-#include "xr/eyes.h"
+#include "xr/grasp.h"
+#include "xr/interaction_profiles.h"
 #include "xr/session.h"
+#include "xr/tracked_hands.h"
 
 namespace macula::xr {
-
-struct Hand {
-    std::optional<Pose> grip;  // where it holds; nothing while nobody knows
-    float squeeze = 0.0f;      // 0 to 1: grabs
-    float trigger = 0.0f;      // 0 to 1: cuts
-};
-
-// The left one first.
-using TwoHands = std::array<Hand, 2>;
 
 // The actions of a session. Must not outlive it.
 class Hands {
@@ -35,48 +27,45 @@ class Hands {
         TwoHands hands;
         std::optional<Pose> gaze;  // nothing where eyes are not followed, or not now
     };
-    // At that time. Hands lie still while the session has not the focus.
+    // At that time. Hands lie still while the session has not the focus. A hand without a controller is the
+    // hand itself, where the headset sees it.
     Result<Seen> look(const Session& session, XrTime time);
 
+    // Felt in that hand, where its controller can.
+    Result<void> pulse(const Session& session, std::size_t hand, float strength, double ms) const;
+
   private:
-    explicit Hands(std::shared_ptr<Runtime> runtime) : runtime_(std::move(runtime)) {}
+    struct Control {
+        bool isThere = false;
+        float value = 0.0f;
+    };
+
+    Hands(std::shared_ptr<Runtime> runtime, std::optional<TrackedHands> tracked)
+        : runtime_(std::move(runtime)), tracked_(std::move(tracked)) {}
     Result<void> makeActions(const Session& session);
     Result<XrAction> makeAction(const char* name, const char* title, XrActionType type, bool isOfHands);
-    Result<void> suggest(const char* profile, const char* grab, const char* cut);
+    Result<void> suggest(const InteractionProfile& profile);
     Result<void> suggestAll();
     Result<void> makeSpaces(const Session& session);
-    Result<float> value(const Session& session, XrAction action, XrPath hand) const;
+    Result<Control> value(const Session& session, XrAction action, XrPath hand) const;
+    Result<Hand> controller(const Session& session, std::size_t hand, XrTime time) const;
 
     std::shared_ptr<Runtime> runtime_;
+    std::optional<TrackedHands> tracked_;  // nothing: the headset sees none
     XrActionSet set_ = XR_NULL_HANDLE;
     std::array<XrPath, 2> paths_{};
     XrAction grab_ = XR_NULL_HANDLE;
     XrAction cut_ = XR_NULL_HANDLE;
+    XrAction press_ = XR_NULL_HANDLE;
+    XrAction turn_ = XR_NULL_HANDLE;
+    XrAction turnsWhile_ = XR_NULL_HANDLE;
     XrAction grip_ = XR_NULL_HANDLE;
+    XrAction aim_ = XR_NULL_HANDLE;
+    XrAction pulse_ = XR_NULL_HANDLE;
     XrAction gaze_ = XR_NULL_HANDLE;
     std::array<XrSpace, 2> grips_{};
+    std::array<XrSpace, 2> aims_{};
     XrSpace gazeSpace_ = XR_NULL_HANDLE;
-};
-
-// What hands do to the anatomy, from frame to frame. Knows no OpenXR call.
-class Grasp {
-  public:
-    // A hand that squeezes holds on until it clearly lets go.
-    static constexpr float kTakesFrom = 0.6f;
-    static constexpr float kLetsGoBelow = 0.4f;
-
-    // Where the anatomy is now that the hands are there: one that squeezes takes it along, two turn and scale
-    // it too.
-    glm::dmat4 follow(const glm::dmat4& stageFromWorld, const TwoHands& hands);
-    // What is kept beside a knife whose trigger was let go in this frame, of whichever hand; nothing else.
-    std::optional<HalfSpace> cut(const glm::dmat4& stageFromWorld, const TwoHands& hands);
-    bool isHolding() const { return holds_[0] || holds_[1]; }
-
-  private:
-    std::array<bool, 2> holds_{};
-    std::array<bool, 2> cuts_{};
-    std::array<Pose, 2> then_{};
-    glm::dmat4 stageFromWorldThen_{1.0};
 };
 
 }  // namespace macula::xr

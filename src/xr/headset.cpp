@@ -16,6 +16,11 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kEyes = 2;
 // The first ones are late because shaders are compiled for them: that says nothing of later ones.
 constexpr std::uint64_t kFramesAtFirst = 10;
+constexpr XrTime kMirrorEveryNs = 100'000'000;  // of the headset's time
+
+double secondsOf(const FrameTime& time) {
+    return double(time.displayed) * 1e-9;
+}
 
 double msSince(Clock::time_point begun) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
@@ -64,11 +69,13 @@ double pixelsPerTangent(const EyePictures& pictures) {
 
 Result<Headset> Headset::open(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
                               RoomView& view, const std::optional<glm::dmat4>& placed,
-                              const HeadsetOptions& options) {
+                              const HeadsetOptions& options, std::shared_ptr<RoomControls> controls) {
     MACULA_TRY(Session session, Session::begin(std::move(runtime), std::move(device), options.session));
     MACULA_TRY(Hands hands, Hands::create(session));
     MACULA_TRY(Lent lent, lend(session, options));
-    return Headset(std::move(session), std::move(hands), std::move(lent), view, placed, options.holdsRate);
+    if (!controls) controls = std::make_shared<RoomControls>(RoomHost{}, view.state());
+    return Headset(std::move(session), std::move(hands), std::move(lent), view, placed, options.holdsRate,
+                   std::move(controls));
 }
 
 Result<Headset::Lent> Headset::lend(const Session& session, const HeadsetOptions& options) {
@@ -101,40 +108,47 @@ Result<Headset::Step> Headset::step() {
     times_.level = governor_.level();
     const Result<Views> views = time.shouldRender ? draw(time) : Result<Views>(Views{});
     laps.next();
-    const Result<void> submitted = session_.endFrame(time, views ? *views : Views{});
+    const Views layers = views ? *views : Views{};
+    const Result<void> submitted = session_.endFrame(time, layers.eyes, layers.quads);
     times_.submitMs = laps.next();
     if (!views) return views.error();
     if (!submitted) return submitted.error();
-    times_.isEmpty = views->empty();
+    times_.isEmpty = views->eyes.empty();
     if (times_.isEmpty) return Step::empty;
     const std::shared_ptr<gpu::Device>& device = session_.device();
     MACULA_TRY([[maybe_unused]] const bool isDrawn, device->waitFor(device->submittedTicket()));
     times_.deviceMs = laps.next();
     times_.drawnMs = msSince(begun);
     governor_.notePeriod(time.periodMs);
-    if (++framesShown_ > kFramesAtFirst && holdsRate_) governor_.noteFrame(times_.drawnMs);
-    MACULA_TRY_VOID(workUntilNext(times_.drawnMs));
+    // What another state takes to be shown is no shorter in coarser pictures.
+    if (++framesShown_ > kFramesAtFirst && holdsRate_) governor_.noteFrame(times_.drawnMs - changesMs_);
+    MACULA_TRY_VOID(copyForOthers());
+    MACULA_TRY_VOID(workUntilNext(msSince(begun)));
     times_.workMs = laps.next();
     return Step::shown;
 }
 
-// The other kind of work, where there is no time for the one whose turn it is.
+// The other kind of work, where there is no time for the one whose turn it is. In the dark, as when a clip is
+// shown for a look, a late frame is the lesser evil.
 Result<void> Headset::workUntilNext(double begunAgoMs) {
+    const auto work = [&](Work kind, double budgetMs) {
+        return view_->work(kind, shown_->eyes,
+                           {.budgetMs = budgetMs,
+                            .gaze = shown_->gaze,
+                            .fineness = shown_->fineness,
+                            .mostSamples = governor_.quality().mostSamples});
+    };
     const Work turn = view_->nextWork();
-    for (const Work work : {turn, turn == Work::fovea ? Work::model : Work::fovea}) {
-        if (!view_->wants(work)) continue;
-        const std::optional<double> budgetMs = timeFor(work, begunAgoMs);
+    for (const Work kind : {turn, turn == Work::fovea ? Work::model : Work::fovea}) {
+        if (!view_->wants(kind)) continue;
+        const std::optional<double> budgetMs = timeFor(kind, begunAgoMs);
         if (!budgetMs) continue;
         const Clock::time_point begun = Clock::now();
-        MACULA_TRY_VOID(view_->work(work, shown_->eyes,
-                                    {.budgetMs = *budgetMs,
-                                     .gaze = shown_->gaze,
-                                     .fineness = shown_->fineness,
-                                     .mostSamples = governor_.quality().mostSamples}));
-        governor_.noteWork(work, *budgetMs, msSince(begun));
+        MACULA_TRY_VOID(work(kind, *budgetMs));
+        governor_.noteWork(kind, *budgetMs, msSince(begun));
         return {};
     }
-    return {};
+    return view_->isDark() ? work(Work::fovea, Governor::kLeastWorkMs) : Result<void>();
 }
 
 std::optional<double> Headset::timeFor(Work work, double begunAgoMs) {
@@ -142,17 +156,24 @@ std::optional<double> Headset::timeFor(Work work, double begunAgoMs) {
     return std::max(Governor::kOurShare * times_.periodMs - begunAgoMs, Governor::kLeastWorkMs);
 }
 
-// The eyes are located twice: at first for where the anatomy stands and what hands do to it, and again when
-// the headset has lent its images, which may take a while, just before splats are drawn and the fovea is
-// warped.
+// The eyes are located twice: at first for where the anatomy stands and what hands do, and again when the
+// headset has lent its images, which may take a while, just before splats are drawn and the fovea is warped.
+// What floats lies where hands were at first; the headset's software lays it before the later pictures.
 Result<Headset::Views> Headset::draw(const FrameTime& time) {
     Laps laps;
+    changesMs_ = 0.0;
     MACULA_TRY(const Hands::Seen seen, hands_.look(session_, time.displayed));
-    MACULA_TRY(const std::vector<Eye> expected, session_.eyesAt(time.displayed));
-    if (expected.empty()) return Views{};
-    MACULA_TRY_VOID(place(expected, seen.hands));
+    bool isTracked = false;
+    MACULA_TRY(const std::vector<Eye> expected, session_.eyesAt(time.displayed, &isTracked));
+    if (expected.empty()) {
+        controls_->goDark(secondsOf(time));
+        return Views{};
+    }
+    MACULA_TRY(const RoomFollowed followed, follow(time, expected, seen.hands, isTracked));
     MACULA_TRY_VOID(masks_.refresh(session_));
     times_.lookMs = laps.next();
+    Views views;
+    MACULA_TRY(views.quads, quads_.show(session_, *controls_, followed.floating));
     MACULA_TRY_VOID(acquire());
     times_.lendMs = laps.next();
     MACULA_TRY(const std::vector<Eye> late, session_.eyesAt(time.displayed));
@@ -160,20 +181,10 @@ Result<Headset::Views> Headset::draw(const FrameTime& time) {
     shown.displayed = time.displayed;
     MACULA_TRY(const bool isKnown, aim(late.empty() ? expected : late, seen.gaze, shown));
     if (!isKnown) return Views{};
-    MACULA_TRY(Views views, drawFor(shown));
+    MACULA_TRY(views.eyes, drawFor(shown, followed.light));
     shown_ = std::move(shown);
     times_.drawMs = laps.next();
     return views;
-}
-
-Result<void> Headset::place(const std::vector<Eye>& eyes, const TwoHands& hands) {
-    if (session_.wasRecentred()) stageFromWorld_.reset();
-    if (!stageFromWorld_) {
-        Pose head = eyes[0].pose;
-        head.positionM = 0.5 * (eyes[0].pose.positionM + eyes[1].pose.positionM);
-        stageFromWorld_ = stageFromWorldBefore(head, view_->seenMm());
-    }
-    return useHands(hands);
 }
 
 Result<void> Headset::acquire() {
@@ -212,40 +223,93 @@ Result<bool> Headset::aim(std::vector<Eye> eyes, const std::optional<Pose>& gaze
     return true;
 }
 
-Result<Headset::Views> Headset::drawFor(Shown& shown) {
+Result<std::vector<XrCompositionLayerProjectionView>> Headset::drawFor(Shown& shown, double light) {
     RoomLook look;
+    look.light = light;
     look.keepsCoverage = session_.blendsByAlpha();
-    if (lent_.depths) look.depths = depthRangeOf(*stageFromWorld_);
+    if (lent_.depths && light > 0.0) look.depths = depthRangeOf(*stageFromWorld_);
+    view_->setNear(nearMmOf(*stageFromWorld_));
     MACULA_TRY(RoomPictures drawn, view_->draw(shown.eyes, shown.insets ? &*shown.insets : nullptr, look));
     shown.frame = std::move(drawn.frame);
     const std::span<const gpu::Image* const> pictures(shown.frame.pictures);
-    MACULA_TRY(Views views,
-               lent_.eyes.show(shown.eyes, pictures.first(kEyes), masks_.partsOf(shown.eyes, 0)));
+    MACULA_TRY(auto views, lent_.eyes.show(shown.eyes, pictures.first(kEyes), seenOf(shown.eyes, 0, light)));
     if (lent_.insets) {
-        MACULA_TRY(const Views insets, lent_.insets->show(*shown.insets, pictures.subspan(kEyes),
-                                                          masks_.partsOf(*shown.insets, kEyes)));
+        MACULA_TRY(const auto insets, lent_.insets->show(*shown.insets, pictures.subspan(kEyes),
+                                                         seenOf(*shown.insets, kEyes, light)));
         views.insert(views.end(), insets.begin(), insets.end());
     }
     MACULA_TRY_VOID(addDepths(shown, drawn.depths, views));
     return views;
 }
 
+// Of each picture what lenses show. In the dark nothing, where the room is seen behind it: what is black
+// there would hide the room from who does not know where they are.
+std::vector<std::vector<VisiblePart>> Headset::seenOf(const EyePictures& pictures, std::size_t firstView,
+                                                      double light) {
+    if (session_.blendsByAlpha() && !(light > 0.0))
+        return std::vector<std::vector<VisiblePart>>(pictures.eyes.size());
+    return masks_.partsOf(pictures, firstView);
+}
+
 Result<void> Headset::addDepths(const Shown& shown, std::span<const gpu::Buffer* const> depths,
-                                Views& views) {
+                                std::span<XrCompositionLayerProjectionView> views) {
     if (depths.empty()) return {};
-    const std::span<XrCompositionLayerProjectionView> all(views);
-    if (lent_.depths) MACULA_TRY_VOID(lent_.depths->add(shown.eyes, depths.first(kEyes), all.first(kEyes)));
+    if (lent_.depths) MACULA_TRY_VOID(lent_.depths->add(shown.eyes, depths.first(kEyes), views.first(kEyes)));
     if (lent_.insetDepths && shown.insets)
-        MACULA_TRY_VOID(lent_.insetDepths->add(*shown.insets, depths.subspan(kEyes), all.subspan(kEyes)));
+        MACULA_TRY_VOID(lent_.insetDepths->add(*shown.insets, depths.subspan(kEyes), views.subspan(kEyes)));
     return {};
 }
 
-Result<void> Headset::useHands(const TwoHands& hands) {
-    stageFromWorld_ = grasp_.follow(*stageFromWorld_, hands);
-    if (const auto kept = grasp_.cut(*stageFromWorld_, hands)) {
-        MACULA_TRY([[maybe_unused]] const bool wasCut, view_->cut(*kept));
+Result<RoomFollowed> Headset::follow(const FrameTime& time, const std::vector<Eye>& eyes,
+                                     const TwoHands& hands, bool isTracked) {
+    if (const auto told = writer_->told()) controls_->tell(*told);
+    RoomFrame frame;
+    frame.seconds = secondsOf(time);
+    frame.head = eyes[0].pose;
+    frame.head.positionM = 0.5 * (eyes[0].pose.positionM + eyes[1].pose.positionM);
+    if (session_.wasRecentred()) stageFromWorld_.reset();
+    if (!stageFromWorld_) {
+        stageFromWorld_ = stageFromWorldBefore(frame.head, view_->seenMm());
+        controls_->takeAnew();
     }
-    return {};
+    frame.hands = hands;
+    frame.isTracked = isTracked;
+    frame.seenMm = view_->seenMm();
+    MACULA_TRY(RoomFollowed followed,
+               controls_->follow(*stageFromWorld_, frame, [this](const RoomState& state, Lasts lasts) {
+                   return change(state, lasts);
+               }));
+    stageFromWorld_ = followed.stageFromWorld;
+    wantsPicture_ = wantsPicture_ || followed.wantsPicture;
+    for (const Pulse& pulse : followed.pulses)
+        MACULA_TRY_VOID(hands_.pulse(session_, pulse.hand, pulse.strength, pulse.ms));
+    return followed;
+}
+
+Result<bool> Headset::change(const RoomState& state, Lasts lasts) {
+    const Clock::time_point begun = Clock::now();
+    auto changed = view_->show(state, lasts);
+    changesMs_ += msSince(begun);
+    return changed;
+}
+
+// The mirror is a few times a second, a picture when it was asked for; one copy at a time.
+Result<void> Headset::copyForOthers() {
+    const RoomHost& host = controls_->host();
+    if (auto view = copy_.take()) {
+        if (copiesForPicture_) {
+            writer_->start(*view, host.pictures);
+            wantsPicture_ = copiesForPicture_ = false;
+        }
+        if (host.mirror) host.mirror(*std::move(view));
+    }
+    if (copy_.isUnderWay()) return {};
+    const bool isForPicture = wantsPicture_ && !host.pictures.empty() && !writer_->isBusy();
+    const bool isForMirror = host.mirror && shown_->displayed - mirroredAt_ >= kMirrorEveryNs;
+    if (!isForPicture && !isForMirror) return {};
+    mirroredAt_ = shown_->displayed;
+    copiesForPicture_ = isForPicture;
+    return copy_.begin(*shown_->frame.pictures.front(), shown_->eyes.eyes.front());
 }
 
 }  // namespace macula::xr

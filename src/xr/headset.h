@@ -17,10 +17,13 @@
 #include "base/result.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "xr/depth_layer.h"
+#include "xr/eye_copy.h"
 #include "xr/eye_masks.h"
 #include "xr/frame_statistics.h"
 #include "xr/governor.h"
 #include "xr/hands.h"
+#include "xr/quad_layers.h"
+#include "xr/room_controls.h"
 #include "xr/room_view.h"
 #include "xr/session.h"
 #include "xr/swapchains.h"
@@ -53,10 +56,11 @@ class Headset {
     };
 
     // `view` outlives it. `placed`: stageFromWorld; nothing: before who wears it, once it is known where that
-    // is.
+    // is. `controls`: what hands have chosen so far, of a session before; null: nothing.
     static Result<Headset> open(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
                                 RoomView& view, const std::optional<glm::dmat4>& placed = {},
-                                const HeadsetOptions& options = {});
+                                const HeadsetOptions& options = {},
+                                std::shared_ptr<RoomControls> controls = nullptr);
 
     // A frame: waits for its time, draws, submits, and uses what is left of its time for what will be better
     // in later ones. A frame that was begun is submitted, also when drawing fails.
@@ -72,9 +76,13 @@ class Headset {
     const Session& session() const { return session_; }
     // Of the picture for each eye, at most.
     const glm::ivec2& eyePx() const { return lent_.eyes.sizePx(); }
+    const RoomControls& controls() const { return *controls_; }
 
   private:
-    using Views = std::vector<XrCompositionLayerProjectionView>;
+    struct Views {
+        std::vector<XrCompositionLayerProjectionView> eyes;
+        std::vector<XrCompositionLayerQuad> quads;
+    };
 
     // What the headset lends: dropped before the session.
     struct Lent {
@@ -85,36 +93,51 @@ class Headset {
     };
 
     Headset(Session session, Hands hands, Lent lent, RoomView& view, const std::optional<glm::dmat4>& placed,
-            bool holdsRate)
+            bool holdsRate, std::shared_ptr<RoomControls> controls)
         : session_(std::move(session)),
           hands_(std::move(hands)),
           lent_(std::move(lent)),
+          quads_(session_),
+          copy_(session_.device()),
           view_(&view),
+          controls_(std::move(controls)),
           holdsRate_(holdsRate),
           stageFromWorld_(placed) {}
     static Result<Lent> lend(const Session& session, const HeadsetOptions& options);
     Result<Views> draw(const FrameTime& time);
-    // Where it is to stand, and what hands do to it.
-    Result<void> place(const std::vector<Eye>& eyes, const TwoHands& hands);
+    // Where it is to stand, and what hands do.
+    Result<RoomFollowed> follow(const FrameTime& time, const std::vector<Eye>& eyes, const TwoHands& hands,
+                                bool isTracked);
+    Result<bool> change(const RoomState& state, Lasts lasts);
     Result<void> acquire();
     // Where eyes are by now, and so what they are shown; false: nobody knows.
     Result<bool> aim(std::vector<Eye> eyes, const std::optional<Pose>& gaze, Shown& shown);
-    Result<Views> drawFor(Shown& shown);
-    Result<void> addDepths(const Shown& shown, std::span<const gpu::Buffer* const> depths, Views& views);
+    Result<std::vector<XrCompositionLayerProjectionView>> drawFor(Shown& shown, double light);
+    std::vector<std::vector<VisiblePart>> seenOf(const EyePictures& pictures, std::size_t firstView,
+                                                 double light);
+    Result<void> addDepths(const Shown& shown, std::span<const gpu::Buffer* const> depths,
+                           std::span<XrCompositionLayerProjectionView> views);
+    Result<void> copyForOthers();
     Result<void> workUntilNext(double begunAgoMs);
     std::optional<double> timeFor(Work work, double begunAgoMs);
-    Result<void> useHands(const TwoHands& hands);
 
     Session session_;
-    Hands hands_;  // dropped before the session
-    Lent lent_;    // likewise
+    Hands hands_;       // dropped before the session
+    Lent lent_;         // likewise
+    QuadLayers quads_;  // likewise
     EyeMasks masks_;
+    EyeCopy copy_;
+    std::unique_ptr<PictureWriter> writer_ = std::make_unique<PictureWriter>();
     RoomView* view_;
+    std::shared_ptr<RoomControls> controls_;
+    bool wantsPicture_ = false;
+    bool copiesForPicture_ = false;  // what is under way
+    XrTime mirroredAt_ = 0;
     bool holdsRate_;
     Governor governor_;
     std::uint64_t framesShown_ = 0;
     FrameTimes times_;
-    Grasp grasp_;
+    double changesMs_ = 0.0;  // of this frame, for another state to be shown
     std::optional<glm::dmat4> stageFromWorld_;
     std::optional<Shown> shown_;
 };

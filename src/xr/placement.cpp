@@ -8,6 +8,7 @@ namespace macula::xr {
 namespace {
 
 constexpr double kMetresPerMm = 1e-3;
+constexpr double kNearM = 0.01;
 constexpr double kReachM = 0.35;       // from the eyes to the nearest that can be seen, at least
 constexpr double kLeastApartM = 0.02;  // of two hands, to tell how they turn
 
@@ -49,6 +50,10 @@ glm::dmat4 stageFromWorldBefore(const Pose& head, const Box& seenMm) {
 
 double scaleOf(const glm::dmat4& stageFromWorld) {
     return std::cbrt(glm::determinant(glm::dmat3(stageFromWorld))) / kMetresPerMm;
+}
+
+double nearMmOf(const glm::dmat4& stageFromWorld) {
+    return kNearM / kMetresPerMm / scaleOf(stageFromWorld);
 }
 
 glm::dmat4 followingHand(const glm::dmat4& stageFromWorldThen, const Pose& then, const Pose& now) {

@@ -20,6 +20,10 @@ glm::dmat4 stageFromWorldBefore(const Pose& head, const Box& seenMm);
 // How large the anatomy is in the room: 1 at real-world scale.
 double scaleOf(const glm::dmat4& stageFromWorld);
 
+// Of the patient, as far as a centimetre of the room: a head may go inside, and what touches the eyes is not
+// drawn.
+double nearMmOf(const glm::dmat4& stageFromWorld);
+
 // What was grabbed by a hand that was there `then` follows it.
 glm::dmat4 followingHand(const glm::dmat4& stageFromWorldThen, const Pose& then, const Pose& now);
 

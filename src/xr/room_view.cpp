@@ -24,6 +24,10 @@ constexpr std::size_t kMostSizes = 2;  // of pictures at a time: of eyes and of 
 constexpr double kDispatchMs = 8.0;
 constexpr std::uint64_t kScene = 1;  // there is one study in the room
 
+std::uint32_t samplesIn(RoomQuality quality, std::uint32_t ofBalanced) {
+    return std::max(ofBalanced * mostSamplesOf(quality) / mostSamplesOf(RoomQuality::balanced), 1u);
+}
+
 Result<void> checkDrawing(const app::Drawing& drawing) {
     if (!trace::isPathTraced(drawing.settings.look))
         return Error{ErrorCode::usage, "In a headset only path-traced pictures can be shown.", "",
@@ -55,6 +59,7 @@ Result<RoomView> RoomView::create(const std::shared_ptr<gpu::Device>& device, Ro
     MACULA_TRY(hybrid::LiveModel model,
                hybrid::LiveModel::create(device, tracer, std::move(shelf), nullptr, modelOptions));
     RoomView view(device, std::move(scene), options, std::move(tracer), std::move(hybrid), std::move(model));
+    view.shown_ = view.state();
     MACULA_TRY_VOID(view.applyScene());
     return view;
 }
@@ -66,14 +71,14 @@ Result<void> RoomView::applyScene() {
         return Error{ErrorCode::inputNotUsable, "Nothing of this study can be seen.", "",
                      "Choose another preset, or another clip."};
     MACULA_TRY_VOID(hybrid_.setScene(scene_.drawing.settings));
-    if (options_.learns)
+    if (options_.learns && !isForALook_)
         MACULA_TRY_VOID(model_.show(names_.of(kScene, scene_.drawing), scene_.drawing.settings));
     return {};
 }
 
 Result<hybrid::DrawnSplats> RoomView::drawSplats(const Camera& eye, const glm::ivec2& sizePx) {
-    if (model_.canBeDrawn()) {
-        auto picture = model_.draw(eye, sizePx);
+    if (drawsModel()) {
+        auto picture = model_.draw(eye, sizePx, nearMm_);
         if (picture) return hybrid::DrawnSplats{*picture, &model_.drawnDepths()};
         if (picture.error().code != ErrorCode::outOfMemory) return picture.error();
         log::warning("There is no room for the peripheral model beside the pictures of the headset.");
@@ -94,6 +99,12 @@ hybrid::Periphery RoomView::periphery() {
             .gain = static_cast<float>(model_.gain())};
 }
 
+RoomState RoomView::state() const {
+    return {.transferFunction = scene_.drawing.transferFunction,
+            .clip = scene_.drawing.clip,
+            .quality = scene_.quality};
+}
+
 Result<RoomPictures> RoomView::draw(const EyePictures& eyes, const EyePictures* insets,
                                     const RoomLook& look) {
     hybrid::FrameRequest request;
@@ -105,7 +116,7 @@ Result<RoomPictures> RoomView::draw(const EyePictures& eyes, const EyePictures* 
         }
     }
     request.sizePx = eyes.sizePx;
-    request.display.exposure = static_cast<float>(scene_.drawing.settings.exposure);
+    request.display.exposure = static_cast<float>(scene_.drawing.settings.exposure * look.light);
     request.display.keepsCoverage = look.keepsCoverage;
     if (look.depths && !depths_) {
         MACULA_TRY(depths_, hybrid::EyeDepths::create(device_));
@@ -140,8 +151,9 @@ Result<void> RoomView::work(Work work, const EyePictures& eyes, const WorkWish& 
 
 Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkWish& wish,
                                   const std::function<bool()>& keepGoing) {
+    const bool isOverModel = drawsModel();
     const glm::dvec2& gaze = wish.gaze;
-    const bool isOverModel = model_.canBeDrawn();
+    const std::uint32_t mostSamples = samplesIn(shown_.quality, wish.mostSamples);
     const bool isSameKind = aimed_ && aimed_->isOverModel == isOverModel;
     // The coarse picture of all would lie over what was learnt.
     if (aimed_ && !isSameKind) hybrid_.forgetFovea();
@@ -153,8 +165,8 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkWish& wish,
         Aimed next{
             .aim = isSame ? aimed_->aim : newFovea(eyes, wish), .gaze = gaze, .isOverModel = isOverModel};
         if (isSame) {
-            // While neither head nor eyes move it is traced anew with twice the samples.
-            if (next.aim.samplesPerPixel >= wish.mostSamples) return {};
+            // While neither head nor eyes move, it is traced anew with twice the samples, up to these.
+            if (next.aim.samplesPerPixel >= mostSamples) return {};
             next.aim.samplesPerPixel *= 2;
         }
         MACULA_TRY_VOID(hybrid_.aim(next.aim));
@@ -168,9 +180,10 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkWish& wish,
 hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const WorkWish& wish) const {
     const double msPerSample = hybrid_.foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
     const double budgetMs =
-        std::max(hybrid_.foveaBudgetMs(hybrid::kFoveaBudgetMs), hybrid::kLeastFoveaBudgetMs);
+        std::max(foveaShareOf(shown_.quality) * hybrid_.foveaBudgetMs(hybrid::kFoveaBudgetMs),
+                 hybrid::kLeastFoveaBudgetMs);
     const glm::ivec2 finePx = glm::ivec2(glm::round(glm::dvec2(eyes.sizePx) * std::max(wish.fineness, 1.0)));
-    if (model_.canBeDrawn())
+    if (drawsModel())
         return hybrid::affordableFovea({.camera = eyes.centre, .width = finePx.x, .height = finePx.y},
                                        wish.gaze, msPerSample, budgetMs);
     const trace::View whole{.camera = eyes.centre, .width = eyes.sizePx.x, .height = eyes.sizePx.y};
@@ -184,23 +197,54 @@ hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const WorkWish& wis
             .sidePx = std::clamp(affordablePx, std::min(kLeastSidePx, mostPx), mostPx)};
 }
 
+Result<void> RoomView::apply(const RoomState& state) {
+    const bool isOtherPreset = state.transferFunction != shown_.transferFunction;
+    const bool isOtherClip = state.clip != shown_.clip;
+    shown_ = state;
+    if (isOtherClip) MACULA_TRY_VOID(tracer_.setClip(state.clip ? *state.clip : Clip{}));
+    if (isOtherPreset) MACULA_TRY_VOID(tracer_.setTransferFunction(*state.transferFunction));
+    return applyScene();
+}
+
+Result<bool> RoomView::show(const RoomState& state, Lasts lasts) {
+    const bool isForALook = lasts == Lasts::forALook;
+    if (state == shown_ && isForALook == isForALook_) return true;
+    if (!state.transferFunction || !validate(*state.transferFunction)) return false;
+    if (state.clip && !validate(*state.clip)) return false;
+    RoomState finer = shown_;
+    finer.quality = state.quality;
+    if (state == finer && isForALook == isForALook_) {  // nothing has to be made again for that
+        shown_.quality = state.quality;
+        if (!isForALook) scene_.quality = state.quality;
+        return true;
+    }
+    const app::Drawing before = scene_.drawing;
+    const RoomQuality qualityBefore = scene_.quality;
+    const RoomState shownBefore = shown_;
+    const bool wasForALook = isForALook_;
+    isForALook_ = isForALook;
+    if (!isForALook) {
+        scene_.drawing.transferFunction = state.transferFunction;
+        scene_.drawing.clip = state.clip;
+        scene_.quality = state.quality;
+    }
+    const Result<void> applied = apply(state);
+    if (applied) return true;
+    scene_.drawing = before;
+    scene_.quality = qualityBefore;
+    isForALook_ = wasForALook;
+    if (applied.error().code != ErrorCode::inputNotUsable) return applied.error();
+    MACULA_TRY_VOID(apply(shownBefore));
+    return false;
+}
+
 Result<bool> RoomView::cut(const HalfSpace& kept) {
-    const std::shared_ptr<const Clip> before = scene_.drawing.clip;
-    Clip clip = before ? *before : Clip{};
+    Clip clip = scene_.drawing.clip ? *scene_.drawing.clip : Clip{};
     if (clip.planes.size() >= Clip::kMostPlanes) return false;
     clip.planes.push_back(kept);
-    MACULA_TRY_VOID(validate(clip));
-    scene_.drawing.clip = std::make_shared<const Clip>(std::move(clip));
-    const auto apply = [&]() -> Result<void> {
-        MACULA_TRY_VOID(tracer_.setClip(scene_.drawing.clip ? *scene_.drawing.clip : Clip{}));
-        return applyScene();
-    };
-    const Result<void> applied = apply();
-    if (applied) return true;
-    scene_.drawing.clip = before;
-    if (applied.error().code != ErrorCode::inputNotUsable) return applied.error();
-    MACULA_TRY_VOID(apply());
-    return false;
+    RoomState next = state();
+    next.clip = std::make_shared<const Clip>(std::move(clip));
+    return show(next);
 }
 
 }  // namespace macula::xr

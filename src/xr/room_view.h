@@ -18,16 +18,20 @@
 #include "pipeline/trace/path_tracer.h"
 #include "xr/eyes.h"
 #include "xr/governor.h"
+#include "xr/room_controls.h"
+#include "xr/room_state.h"
 
 namespace macula::xr {
 
 struct RoomScene {
     std::shared_ptr<const Volume> volume;  // in 16 bits
     app::Drawing drawing;                  // complete
+    RoomQuality quality = RoomQuality::balanced;
 };
 
 // How eyes are shown it.
 struct RoomLook {
+    double light = 1.0;                             // how much of it is seen, 0 to 1
     bool keepsCoverage = false;                     // the room is seen behind it
     std::optional<hybrid::DepthRange> depths = {};  // in which depths are told; nothing: none are
 };
@@ -41,9 +45,10 @@ struct RoomPictures {
 // What is done for later frames.
 struct WorkWish {
     double budgetMs = 0.0;
-    glm::dvec2 gaze{0.0};            // in the picture of the centre eye
-    double fineness = 1.0;           // of pixels where they look, over that of the pictures
-    std::uint32_t mostSamples = 16;  // of each pixel, while neither head nor eyes move
+    glm::dvec2 gaze{0.0};   // in the picture of the centre eye
+    double fineness = 1.0;  // of pixels where they look, over that of the pictures
+    // Of each pixel in balanced quality, while neither head nor eyes move.
+    std::uint32_t mostSamples = mostSamplesOf(RoomQuality::balanced);
 };
 
 struct RoomOptions {
@@ -64,15 +69,28 @@ class RoomView {
     const Box& seenMm() const { return seenMm_; }
     const RoomScene& scene() const { return scene_; }
 
+    // What of the scene a person chooses.
+    RoomState state() const;
+
+    // Of splats: what is nearer is not drawn. Of what is traced, all is seen, however near.
+    void setNear(double nearMm) { nearMm_ = nearMm; }
+
     // Waits for nothing. Pictures are valid until the next call: of both eyes, then of both insets.
     Result<RoomPictures> draw(const EyePictures& eyes, const EyePictures* insets = nullptr,
                               const RoomLook& look = {});
     // Whose turn it is: fovea, where the eyes look, and what the model learns take turns.
     Work nextWork() const;
-    bool wants(Work work) const { return work == Work::fovea || (options_.learns && model_.hasWork()); }
+    bool wants(Work work) const {
+        return work == Work::fovea || (options_.learns && !isForALook_ && model_.hasWork());
+    }
+    // Nothing is learnt or traced yet of what is shown: it is dark.
+    bool isDark() const { return !drawsModel() && !hybrid_.hasFovea(); }
     // About as long as is wished, at least a dispatch of some 12 ms or a step of learning.
     Result<void> work(Work work, const EyePictures& eyes, const WorkWish& wish);
 
+    // Shows another state. What is for a look is traced alone, and nothing is learnt of it; `scene` stays as
+    // it was. False, and all is as it was, when nothing would be left, or it is no valid state.
+    Result<bool> show(const RoomState& state, Lasts lasts = Lasts::forGood);
     // Removes what is not kept too. False, and nothing happens, when nothing would be left, or the clip has
     // all the planes that it may have.
     Result<bool> cut(const HalfSpace& kept);
@@ -91,6 +109,8 @@ class RoomView {
           hybrid_(std::move(hybrid)),
           model_(std::move(model)) {}
     Result<void> applyScene();
+    Result<void> apply(const RoomState& state);
+    bool drawsModel() const { return !isForALook_ && model_.canBeDrawn(); }
     Result<hybrid::DrawnSplats> drawSplats(const Camera& eye, const glm::ivec2& sizePx);
     Result<void> traceFovea(const EyePictures& eyes, const WorkWish& wish,
                             const std::function<bool()>& keepGoing);
@@ -99,6 +119,9 @@ class RoomView {
     std::shared_ptr<gpu::Device> device_;
     RoomScene scene_;
     RoomOptions options_;
+    RoomState shown_;  // that of the scene, or what is shown for a look
+    bool isForALook_ = false;
+    double nearMm_ = 10.0;
     app::SceneNames names_;
     trace::PathTracer tracer_;
     hybrid::HybridFrame hybrid_;

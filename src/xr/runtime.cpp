@@ -40,7 +40,8 @@ Result<std::vector<std::string>> extensionsOf(const Loader& loader) {
 // Used where they are offered.
 constexpr const char* kOptional[] = {
     XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME,
-    XR_KHR_VISIBILITY_MASK_EXTENSION_NAME, XR_VARJO_QUAD_VIEWS_EXTENSION_NAME};
+    XR_KHR_VISIBILITY_MASK_EXTENSION_NAME,      XR_VARJO_QUAD_VIEWS_EXTENSION_NAME,
+    XR_EXT_HAND_TRACKING_EXTENSION_NAME,        XR_EXT_HP_MIXED_REALITY_CONTROLLER_EXTENSION_NAME};
 
 bool contains(const std::vector<std::string>& names, const char* wanted) {
     return std::find(names.begin(), names.end(), wanted) != names.end();
@@ -168,6 +169,11 @@ Result<XrPath> Runtime::path(const std::string& text) const {
     XrPath path = XR_NULL_PATH;
     MACULA_XR_TRY(call_.StringToPath(instance_, text.c_str(), &path), "name its controls");
     return path;
+}
+
+PFN_xrVoidFunction Runtime::function(const char* name) const {
+    PFN_xrVoidFunction found = nullptr;
+    return loader_.getInstanceProcAddr(instance_, name, &found) == XR_SUCCESS ? found : nullptr;
 }
 
 Check checkHeadset(const char* loaderLibrary) {

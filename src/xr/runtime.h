@@ -51,6 +51,8 @@ class Runtime {
     std::uint32_t viewCount() const { return offer_.hasInsets ? 4 : 2; }
     const std::vector<XrEnvironmentBlendMode>& blendModes() const { return blendModes_; }
     Result<XrPath> path(const std::string& text) const;
+    // Of an extension that is enabled; null where the runtime has it not.
+    PFN_xrVoidFunction function(const char* name) const;
 
   private:
     Runtime() = default;

@@ -193,7 +193,7 @@ Result<FrameTime> Session::beginFrame() {
                      state.shouldRender == XR_TRUE};
 }
 
-Result<std::vector<Eye>> Session::eyesAt(XrTime time) const {
+Result<std::vector<Eye>> Session::eyesAt(XrTime time, bool* isTracked) const {
     XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO};
     info.viewConfigurationType = runtime_->viewConfiguration();
     info.displayTime = time;
@@ -206,6 +206,7 @@ Result<std::vector<Eye>> Session::eyesAt(XrTime time) const {
                   "tell where the eyes are");
     constexpr XrViewStateFlags kKnown =
         XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
+    if (isTracked) *isTracked = (state.viewStateFlags & XR_VIEW_STATE_POSITION_TRACKED_BIT) != 0;
     std::vector<Eye> eyes;
     if ((state.viewStateFlags & kKnown) != kKnown || count != wanted) return eyes;
     for (const XrView& view : views) {
@@ -217,20 +218,22 @@ Result<std::vector<Eye>> Session::eyesAt(XrTime time) const {
     return eyes;
 }
 
-Result<void> Session::endFrame(const FrameTime& time,
-                               std::span<const XrCompositionLayerProjectionView> views) {
+Result<void> Session::endFrame(const FrameTime& time, std::span<const XrCompositionLayerProjectionView> views,
+                               std::span<const XrCompositionLayerQuad> quads) {
     XrCompositionLayerProjection layer{XR_TYPE_COMPOSITION_LAYER_PROJECTION};
     layer.space = stage_;
     if (blendsByAlpha()) layer.layerFlags = XR_COMPOSITION_LAYER_BLEND_TEXTURE_SOURCE_ALPHA_BIT;
     layer.viewCount = static_cast<std::uint32_t>(views.size());
     layer.views = views.data();
-    const XrCompositionLayerBaseHeader* layers[] = {
-        reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer)};
+    std::vector<const XrCompositionLayerBaseHeader*> layers;
+    if (!views.empty()) layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer));
+    for (const XrCompositionLayerQuad& quad : quads)
+        layers.push_back(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&quad));
     XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO};
     info.displayTime = time.displayed;
     info.environmentBlendMode = blend_;
-    info.layerCount = views.empty() ? 0 : 1;
-    info.layers = layers;
+    info.layerCount = static_cast<std::uint32_t>(layers.size());
+    info.layers = layers.data();
     MACULA_XR_TRY(runtime_->call().EndFrame(session_, &info), "show a picture");
     ++framesEnded_;
     return {};

@@ -64,15 +64,17 @@ class Session {
     // Waits until it is time. The frame must be ended, with pictures or without.
     Result<FrameTime> beginFrame();
     // Of each eye, then of each inset. Nothing while the headset does not know where it is, or says what is
-    // no place.
-    Result<std::vector<Eye>> eyesAt(XrTime time) const;
+    // no place. `isTracked`: whether it sees where it is, and does not only guess.
+    Result<std::vector<Eye>> eyesAt(XrTime time, bool* isTracked = nullptr) const;
     // What no lens shows of that view; none where the headset does not say.
     Result<VisibilityMask> maskOf(std::uint32_t view) const;
     // Whether the room is seen behind what is shown, by the picture's alpha.
     bool blendsByAlpha() const { return blend_ == XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND; }
     XrEnvironmentBlendMode blendMode() const { return blend_; }
-    // `views`: of the stage, one for each eye, and one for each inset; none: nothing is shown.
-    Result<void> endFrame(const FrameTime& time, std::span<const XrCompositionLayerProjectionView> views);
+    // `views`: of the stage, one for each eye, and one for each inset; none: nothing is shown. `quads` float
+    // before them.
+    Result<void> endFrame(const FrameTime& time, std::span<const XrCompositionLayerProjectionView> views,
+                          std::span<const XrCompositionLayerQuad> quads = {});
 
     // Where a space is in the stage; nothing while nobody knows, likewise.
     Result<std::optional<Pose>> locate(XrSpace space, XrTime time) const;
@@ -81,6 +83,7 @@ class Session {
     std::uint64_t unsubmitted() const { return framesBegun_ - framesEnded_; }
 
     XrSession handle() const { return session_; }
+    XrSpace stage() const { return stage_; }
     const Runtime& runtime() const { return *runtime_; }
     const std::shared_ptr<Runtime>& sharedRuntime() const { return runtime_; }
     const std::shared_ptr<gpu::Device>& device() const { return device_; }

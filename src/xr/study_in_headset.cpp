@@ -48,6 +48,7 @@ Result<RoomScene> sceneOf(const HeadsetWish& wish, const Hears& note, Progress& 
 // What stays when a session is lost.
 struct Kept {
     RoomScene scene;
+    std::shared_ptr<RoomControls> controls;  // made of the host and the scene
     std::shared_ptr<hybrid::ModelShelf> shelf = std::make_shared<hybrid::ModelShelf>(kShelfBytes);
     std::optional<glm::dmat4> placed;
     HeadsetFigures figures;
@@ -61,7 +62,7 @@ Result<std::shared_ptr<Runtime>> runtimeWithHeadset() {
 }
 
 // Until it is ended by whoever may.
-Result<void> goOn(Headset& headset, const HeadsetWish& wish, Kept& kept, const Progress& progress) {
+Result<void> goOn(Headset& headset, const ShowWish& wish, Kept& kept, const Progress& progress) {
     std::optional<Clock::time_point> asked;
     while (true) {
         const bool isDone = wish.frames > 0 && kept.figures.frames >= wish.frames;
@@ -89,15 +90,16 @@ Result<void> goOn(Headset& headset, const HeadsetWish& wish, Kept& kept, const P
     }
 }
 
-Result<void> useOnce(std::shared_ptr<Runtime> runtime, const HeadsetWish& wish, Kept& kept,
+Result<void> useOnce(std::shared_ptr<Runtime> runtime, const ShowWish& wish, Kept& kept,
                      const Progress& progress) {
     MACULA_TRY(const HeadsetDevice opened, openDevice(*runtime));
     kept.figures.device = opened.device->info().name;
     MACULA_TRY(RoomView view, RoomView::create(opened.device, kept.scene, kept.shelf));
     const auto show = [&]() -> Result<void> {
-        MACULA_TRY(Headset headset,
-                   Headset::open(std::move(runtime), opened.device, view, kept.placed,
-                                 {.session = {.showsRoom = wish.showsRoom}, .eyePx = wish.eyePx}));
+        MACULA_TRY(
+            Headset headset,
+            Headset::open(std::move(runtime), opened.device, view, kept.placed,
+                          {.session = {.showsRoom = wish.showsRoom}, .eyePx = wish.eyePx}, kept.controls));
         ++kept.figures.sessions;
         kept.figures.eyePx = headset.eyePx();
         kept.statistics.pause();
@@ -124,27 +126,64 @@ std::string textOf(const HeadsetFigures& figures) {
                        figures.frames, figures.seconds, rate, figures.empty);
 }
 
-Result<HeadsetFigures> showStudy(const HeadsetWish& wish, const Hears& note, Progress& progress) {
-    MACULA_TRY(std::shared_ptr<Runtime> runtime, runtimeWithHeadset());
+std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const app::Catalogue& catalogue,
+                                                                const Volume& volume) {
+    std::vector<std::shared_ptr<const TransferFunction>> presets;
+    for (const auto& preset : catalogue.presets)
+        if (suits(*preset, volume.unit())) presets.push_back(preset);
+    return presets;
+}
+
+namespace {
+
+Result<HeadsetFigures> showIn(std::shared_ptr<Runtime> runtime, RoomScene scene, RoomHost host,
+                              Progress& progress, const ShowWish& wish) {
+    const Hears note = host.note;
     Kept kept;
     kept.figures.headset = runtime->offer().headset;
     kept.figures.runtime = runtime->offer().runtime;
-    if (wish.showsRoom && !runtime->offer().showsRoom)
+    if (wish.showsRoom && !runtime->offer().showsRoom && note)
         note("This headset cannot show the room behind the anatomy.");
-    MACULA_TRY(kept.scene, sceneOf(wish, note, progress));
+    RoomState first;
+    first.transferFunction = scene.drawing.transferFunction;
+    first.clip = scene.drawing.clip;
+    first.quality = scene.quality;
+    kept.controls = std::make_shared<RoomControls>(std::move(host), std::move(first));
+    kept.scene = std::move(scene);
     const Clock::time_point begun = Clock::now();
     gpu::LossCount losses;
     while (true) {
         const Result<void> used = useOnce(std::exchange(runtime, nullptr), wish, kept, progress);
         kept.figures.times = kept.statistics.figures();
         kept.figures.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
-        if (used && progress.cancelled())
-            return Error{ErrorCode::cancelled, "Stopped.", "", "Nothing was written."};
         if (used) return kept.figures;
         if (used.error().code != ErrorCode::deviceLost || !losses.mayGoOn()) return used.error();
-        note(used.error().message + " It is begun again.");
+        if (note) note(used.error().message + " It is begun again.");
         MACULA_TRY(runtime, runtimeWithHeadset());
     }
+}
+
+}  // namespace
+
+Result<HeadsetFigures> showScene(RoomScene scene, RoomHost host, Progress& progress, const ShowWish& wish) {
+    MACULA_TRY(std::shared_ptr<Runtime> runtime, runtimeWithHeadset());
+    return showIn(std::move(runtime), std::move(scene), std::move(host), progress, wish);
+}
+
+Result<HeadsetFigures> showStudy(const HeadsetWish& wish, const Hears& note, Progress& progress) {
+    MACULA_TRY(std::shared_ptr<Runtime> runtime, runtimeWithHeadset());
+    MACULA_TRY(RoomScene scene, sceneOf(wish, note, progress));
+    MACULA_TRY(const app::Catalogue catalogue, app::builtInCatalogue());
+    RoomHost host;
+    host.presets = presetsFor(catalogue, *scene.volume);
+    host.pictures = wish.pictures;
+    host.note = note;
+    MACULA_TRY(const HeadsetFigures figures,
+               showIn(std::move(runtime), std::move(scene), std::move(host), progress, wish.show));
+    if (progress.cancelled())
+        return Error{ErrorCode::cancelled, "Stopped.", "",
+                     wish.pictures.empty() ? "Nothing was written." : "Pictures that were taken stay."};
+    return figures;
 }
 
 }  // namespace macula::xr

@@ -7,14 +7,24 @@
 #include <glm/glm.hpp>
 #include <string>
 
+#include "app/choice/catalogue.h"
 #include "app/state/state_wish.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "dicom/scan.h"
 #include "xr/frame_statistics.h"
+#include "xr/room_state.h"
+#include "xr/room_view.h"
 #include "xr/runtime.h"
 
 namespace macula::xr {
+
+struct ShowWish {
+    std::uint64_t frames = 0;        // after which it ends; 0: when who wears it ends it
+    bool showsRoom = false;          // behind the anatomy, where the headset can
+    glm::ivec2 eyePx{0};             // of the picture for each eye; 0: as the headset wants it
+    std::uint64_t warmUpFrames = 0;  // that the figures of time leave out
+};
 
 // Empty: not given.
 struct HeadsetWish {
@@ -23,10 +33,8 @@ struct HeadsetWish {
     app::StateWish state;
     std::string lights;  // a built-in name
     dicom::ScanOptions how;
-    std::uint64_t frames = 0;        // after which it ends; 0: when who wears it ends it
-    bool showsRoom = false;          // behind the anatomy, where the headset can
-    glm::ivec2 eyePx{0};             // of the picture for each eye; 0: as the headset wants it
-    std::uint64_t warmUpFrames = 0;  // that the figures of time leave out
+    std::filesystem::path pictures = {};  // the folder for those that are taken; empty: none can be
+    ShowWish show = {};
 };
 
 struct HeadsetFigures {
@@ -46,9 +54,18 @@ struct HeadsetFigures {
 // A line for a person.
 std::string textOf(const HeadsetFigures& figures);
 
-// Finds the headset first: nobody waits for a study that cannot be shown. A session that is lost is begun
-// again, with everything where it was; the third loss within a minute is an error. `note` hears of what there
-// is to say. `cancelled` as the progress says, after the session was ended as the headset wants it.
+// Which of them can be shown on that volume.
+std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const app::Catalogue& catalogue,
+                                                                const Volume& volume);
+
+// What is open somewhere, until who wears the headset ends it, or the progress says cancelled, which is an
+// end as any other. A session that is lost is begun again, with everything where it was; the third loss
+// within a minute is an error.
+Result<HeadsetFigures> showScene(RoomScene scene, RoomHost host, Progress& progress,
+                                 const ShowWish& wish = {});
+
+// Finds the headset first: nobody waits for a study that cannot be shown. As showScene; `note` hears of what
+// there is to say. `cancelled` as the progress says, after the session was ended as the headset wants it.
 using Hears = std::function<void(const std::string&)>;
 Result<HeadsetFigures> showStudy(const HeadsetWish& wish, const Hears& note, Progress& progress);
 

@@ -32,6 +32,31 @@ class TroubleTest : public WindowTest {
     app::SeriesWindows windows_;
 };
 
+TEST_F(TroubleTest, WithoutAHeadsetASentenceIsSaidOnceAndTheWindowGoesOn) {
+    setenv("XR_RUNTIME_JSON", "/nonexistent/runtime.json", 1);
+    showsInHeadset_ = true;  // macula-viewer --xr
+    makeWindow();
+    int ended = 0;
+    QObject::connect(&*window_, &MainWindow::headsetEnded, &*window_, [&ended] { ++ended; });
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitUntil([&] { return ended == 1; }));
+    EXPECT_TRUE(window_->hasStudy());
+    EXPECT_FALSE(window_->message().isEmpty());
+    const app::StudyState before = window_->state();
+    expectThatItGoesOn();
+    // It can be tried again, and nothing that was chosen is lost.
+    auto* again = window_->findChild<QAction*>(QStringLiteral("show-in-headset"));
+    ASSERT_TRUE(again);
+    again->trigger();
+    ASSERT_TRUE(waitUntil([&] { return ended == 2; }));
+    EXPECT_FALSE(window_->message().isEmpty());
+    EXPECT_EQ(window_->state().preset, before.preset);
+    window_->open(std::nullopt);  // another study begins no session
+    ASSERT_TRUE(waitUntil([&] { return !window_->loading(); }));
+    EXPECT_EQ(ended, 2);
+    unsetenv("XR_RUNTIME_JSON");
+}
+
 TEST_F(TroubleTest, AFolderThatVanishesIsToldAndTheStudyOnScreenStays) {
     const std::filesystem::path folder = fileOf("export");
     dicom::test::write(dicom::test::smallVolume(), folder / "first", {.seriesNumber = 1});

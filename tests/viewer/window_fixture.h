@@ -46,6 +46,7 @@ class WindowTest : public testing::Test {
         options.sampleLimit = 2;
         options.usesModel = usesModel_;
         options.sessions = sessions_;
+        options.showsInHeadset = showsInHeadset_;
         window_.emplace(*std::move(instance), std::move(options));
         QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const app::FrameShown& frame) {
             last_ = frame;
@@ -125,6 +126,7 @@ class WindowTest : public testing::Test {
 
     bool refusesRaw_ = true;  // what is no CT cannot be shown
     app::Layout layout_ = app::Layout::volume;
+    bool showsInHeadset_ = false;
     bool usesModel_ = false;  // to search for one takes seconds: for tests that are about it
     std::optional<std::filesystem::path> sessions_;  // where models and states are kept; nothing: nowhere
     int argc_ = 1;

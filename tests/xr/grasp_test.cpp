@@ -1,7 +1,7 @@
 // What hands do from frame to frame.
 #include <gtest/gtest.h>
 
-#include "xr/hands.h"
+#include "xr/grasp.h"
 #include "xr/placement.h"
 
 namespace macula::xr {
@@ -51,22 +51,15 @@ TEST(Grasp, NothingJumpsWhenASecondHandComesOrOneIsLost) {
     EXPECT_NEAR(glm::distance(glm::dvec3(now[3]) - glm::dvec3(byTwo[3]), glm::dvec3(0.1, 0, 0)), 0.0, 1e-9);
 }
 
-TEST(Grasp, CutsOnceWhenTheTriggerIsLetGo) {
+TEST(Grasp, WhatWasMovedByAnythingElseIsTakenAnew) {
     Grasp grasp;
-    const auto cutBy = [&](float trigger) {
-        return grasp.cut(kPlaced, {Hand{}, at({0.0, 1.6, -0.5}, 0.0f, trigger)});
-    };
-    EXPECT_FALSE(cutBy(0.0f));
-    EXPECT_FALSE(cutBy(0.9f));
-    EXPECT_FALSE(cutBy(0.5f));
-    EXPECT_TRUE(cutBy(0.1f));
-    EXPECT_FALSE(cutBy(0.0f));
-    // A hand that is lost does not cut where nobody knows.
-    EXPECT_FALSE(cutBy(0.9f));
-    Hand lost = at({0, 0, 0}, 0.0f, 0.0f);
-    lost.grip.reset();
-    EXPECT_FALSE(grasp.cut(kPlaced, {Hand{}, lost}));
-    EXPECT_FALSE(cutBy(0.0f));
+    glm::dmat4 now = grasp.follow(kPlaced, {Hand{}, at({0, 1, 0}, 1.0f)});
+    now = grasp.follow(now, {Hand{}, at({0.1, 1, 0}, 1.0f)});
+    now[3] += glm::dvec4(5.0, 0.0, 0.0, 0.0);
+    grasp.takeAnew();
+    now = grasp.follow(now, {Hand{}, at({0.1, 1, 0}, 1.0f)});
+    now = grasp.follow(now, {Hand{}, at({0.3, 1, 0}, 1.0f)});
+    EXPECT_NEAR(glm::distance(shiftOf(now), glm::dvec3(5.3, 0.0, 0.0)), 0.0, 1e-12);
 }
 
 }  // namespace

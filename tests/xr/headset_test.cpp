@@ -138,6 +138,7 @@ TEST_F(HeadsetTest, BothEyesArePicturesOfTheFacade) {
     hybrid::FrameRequest request;
     for (const EyePicture& eye : pictures.eyes) request.eyes.push_back(eye.camera);
     request.sizePx = pictures.sizePx;
+    view_->setNear(nearMmOf(*headset_->placed()));
     const hybrid::Frame drawn = expectOk(view_->frame().draw(request, view_->periphery()));
     std::vector<std::vector<glm::u8vec4>> expected;
     for (const gpu::Image* picture : drawn.pictures)

@@ -71,6 +71,13 @@ TEST(Placement, TwoHandsMoveTurnAndScale) {
     EXPECT_NEAR(transformVector(after, {0, 0, 1}).y, 2e-3, 1e-9) << "still upright";
 }
 
+TEST(Placement, TheNearPlaneIsACentimetreOfTheRoom) {
+    glm::dmat4 placed = stageFromWorldBefore({{0, 1.6, 0}, {1, 0, 0, 0}}, kSeen);
+    EXPECT_NEAR(nearMmOf(placed), 10.0, 1e-9);
+    for (int axis = 0; axis < 3; ++axis) placed[axis] *= 20.0;
+    EXPECT_NEAR(nearMmOf(placed), 0.5, 1e-9);
+}
+
 TEST(Placement, ScaleHasItsLimits) {
     const glm::dmat4 before = stageFromWorldBefore({{0, 1.6, 0}, {1, 0, 0, 0}}, kSeen);
     const auto apart = [](double metres) {

@@ -43,6 +43,7 @@ class ScriptedRoom : public ::testing::Test {
         EXPECT_EQ(record.swapchains, 0);
         EXPECT_EQ(record.spaces, 0);
         EXPECT_EQ(record.actionSets, 0);
+        EXPECT_EQ(record.handTrackers, 0);
         opened_.reset();
         runtime_.reset();
         EXPECT_EQ(xr_script::record().instances, 0);
@@ -96,9 +97,10 @@ class ScriptedRoom : public ::testing::Test {
                                                 options)));
         open();
     }
-    void open(std::optional<glm::dmat4> placed = {}) {
+    void open(std::optional<glm::dmat4> placed = {}, std::shared_ptr<RoomControls> controls = nullptr) {
         headset_.reset();
-        headset_.emplace(expectOk(Headset::open(runtime_, opened_->device, *view_, placed, options_)));
+        headset_.emplace(expectOk(
+            Headset::open(runtime_, opened_->device, *view_, placed, options_, std::move(controls))));
     }
     // Frames until so many were submitted.
     void frames(std::uint64_t count) {

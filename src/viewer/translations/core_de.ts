@@ -3996,6 +3996,170 @@
         <source>Presentation state of slices</source>
         <translation>Presentation State von Schichten</translation>
     </message>
+    <message>
+        <source>be found</source>
+        <translation>gefunden werden</translation>
+    </message>
+    <message>
+        <source>be reached through its software</source>
+        <translation>über seine Software erreicht werden</translation>
+    </message>
+    <message>
+        <source>begin a picture</source>
+        <translation>ein Bild beginnen</translation>
+    </message>
+    <message>
+        <source>begin a session</source>
+        <translation>eine Sitzung beginnen</translation>
+    </message>
+    <message>
+        <source>begin to show pictures</source>
+        <translation>beginnen, Bilder zu zeigen</translation>
+    </message>
+    <message>
+        <source>end the session</source>
+        <translation>die Sitzung beenden</translation>
+    </message>
+    <message>
+        <source>find its place</source>
+        <translation>seinen Ort finden</translation>
+    </message>
+    <message>
+        <source>follow the eyes</source>
+        <translation>den Augen folgen</translation>
+    </message>
+    <message>
+        <source>keep pictures of the size that it asks for</source>
+        <translation>Bilder der Größe halten, die es verlangt</translation>
+    </message>
+    <message>
+        <source>lend a picture</source>
+        <translation>ein Bild leihen</translation>
+    </message>
+    <message>
+        <source>lend its pictures</source>
+        <translation>seine Bilder leihen</translation>
+    </message>
+    <message>
+        <source>name its controls</source>
+        <translation>seine Bedienelemente nennen</translation>
+    </message>
+    <message>
+        <source>show a panel</source>
+        <translation>eine Tafel zeigen</translation>
+    </message>
+    <message>
+        <source>show a picture to each eye</source>
+        <translation>jedem Auge ein Bild zeigen</translation>
+    </message>
+    <message>
+        <source>show a picture</source>
+        <translation>ein Bild zeigen</translation>
+    </message>
+    <message>
+        <source>stop showing pictures</source>
+        <translation>aufhören, Bilder zu zeigen</translation>
+    </message>
+    <message>
+        <source>take a panel back</source>
+        <translation>eine Tafel zurücknehmen</translation>
+    </message>
+    <message>
+        <source>take a picture back</source>
+        <translation>ein Bild zurücknehmen</translation>
+    </message>
+    <message>
+        <source>tell how it shows pictures</source>
+        <translation>sagen, wie es Bilder zeigt</translation>
+    </message>
+    <message>
+        <source>tell its name</source>
+        <translation>seinen Namen sagen</translation>
+    </message>
+    <message>
+        <source>tell the name of its software</source>
+        <translation>den Namen seiner Software sagen</translation>
+    </message>
+    <message>
+        <source>tell what hands do</source>
+        <translation>sagen, was Hände tun</translation>
+    </message>
+    <message>
+        <source>tell what it does</source>
+        <translation>sagen, was es tut</translation>
+    </message>
+    <message>
+        <source>tell what it offers</source>
+        <translation>sagen, was es kann</translation>
+    </message>
+    <message>
+        <source>tell what its lenses show</source>
+        <translation>sagen, was seine Linsen zeigen</translation>
+    </message>
+    <message>
+        <source>tell when it shows a picture</source>
+        <translation>sagen, wann es ein Bild zeigt</translation>
+    </message>
+    <message>
+        <source>tell where hands are</source>
+        <translation>sagen, wo Hände sind</translation>
+    </message>
+    <message>
+        <source>tell where hands point</source>
+        <translation>sagen, wohin Hände zeigen</translation>
+    </message>
+    <message>
+        <source>tell where the eyes are</source>
+        <translation>sagen, wo die Augen sind</translation>
+    </message>
+    <message>
+        <source>tell whether it sees hands</source>
+        <translation>sagen, ob es Hände sieht</translation>
+    </message>
+    <message>
+        <source>tell which Vulkan it needs</source>
+        <translation>sagen, welches Vulkan es braucht</translation>
+    </message>
+    <message>
+        <source>tell which graphics device it is connected to</source>
+        <translation>sagen, an welche Grafikkarte es angeschlossen ist</translation>
+    </message>
+    <message>
+        <source>tell which pictures it takes</source>
+        <translation>sagen, welche Bilder es nimmt</translation>
+    </message>
+    <message>
+        <source>tell which spaces it knows</source>
+        <translation>sagen, welche Räume es kennt</translation>
+    </message>
+    <message>
+        <source>use controllers</source>
+        <translation>Controller verwenden</translation>
+    </message>
+    <message>
+        <source>start Vulkan</source>
+        <translation>Vulkan starten</translation>
+    </message>
+    <message>
+        <source>open its graphics device</source>
+        <translation>seine Grafikkarte öffnen</translation>
+    </message>
+    <message>
+        <source>go on</source>
+        <translation>weitermachen</translation>
+    </message>
+    <message>
+        <source>answer</source>
+        <translation>antworten</translation>
+    </message>
+    <message>
+        <source>be felt in a hand</source>
+        <translation>in der Hand zu spüren sein</translation>
+    </message>
+    <message>
+        <source>follow hands</source>
+        <translation>Händen folgen</translation>
+    </message>
 </context>
 <context>
     <name>session</name>
@@ -4863,6 +5027,217 @@
     <message>
         <source>holds &lt;%1&gt;, which no property list does</source>
         <translation>enthält &lt;%1&gt;, was keine Property List tut</translation>
+    </message>
+</context>
+<context>
+    <name>xr</name>
+    <message>
+        <source>The folder for pictures is not there.</source>
+        <translation>Den Ordner für Bilder gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Make it, or choose another one.</source>
+        <translation>Legen Sie ihn an, oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>The folder for pictures is full of them.</source>
+        <translation>Der Ordner für Bilder ist voll davon.</translation>
+    </message>
+    <message>
+        <source>Empty it, or choose another one.</source>
+        <translation>Leeren Sie ihn, oder wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>The picture could not be written.</source>
+        <translation>Das Bild konnte nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Picture %1 is written.</source>
+        <translation>Das Bild %1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the picture.</source>
+        <translation>Für das Bild ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>The headset does not say where the eyes are, or what they see.</source>
+        <translation>Das Headset sagt nicht, wo die Augen sind oder was sie sehen.</translation>
+    </message>
+    <message>
+        <source>Put the headset on, and restart its software if that does not help.</source>
+        <translation>Setzen Sie das Headset auf, und starten Sie seine Software neu, wenn das nicht hilft.</translation>
+    </message>
+    <message>
+        <source>The headset asks for a picture of 170 degrees or more.</source>
+        <translation>Das Headset verlangt ein Bild von 170 Grad oder mehr.</translation>
+    </message>
+    <message>
+        <source>Restart the software of the headset.</source>
+        <translation>Starten Sie die Software des Headsets neu.</translation>
+    </message>
+    <message>
+        <source>Update the software of the headset.</source>
+        <translation>Aktualisieren Sie die Software des Headsets.</translation>
+    </message>
+    <message>
+        <source>The software of the headset does not answer as OpenXR 1.0 demands.</source>
+        <translation>Die Software des Headsets antwortet nicht, wie es OpenXR 1.0 verlangt.</translation>
+    </message>
+    <message>
+        <source>Update or reinstall it.</source>
+        <translation>Aktualisieren Sie sie, oder installieren Sie sie neu.</translation>
+    </message>
+    <message>
+        <source>The OpenXR loader is not installed, so no headset can be found.</source>
+        <translation>Der Loader von OpenXR ist nicht installiert, daher kann kein Headset gefunden werden.</translation>
+    </message>
+    <message>
+        <source>Install it (Debian/Ubuntu: sudo apt install libopenxr-loader1).</source>
+        <translation>Installieren Sie ihn (Debian/Ubuntu: sudo apt install libopenxr-loader1).</translation>
+    </message>
+    <message>
+        <source>Nothing would be left to see: that was not done.</source>
+        <translation>Es bliebe nichts zu sehen: das wurde nicht getan.</translation>
+    </message>
+    <message>
+        <source>Real size 1:1: a millimetre is a millimetre.</source>
+        <translation>Wahre Größe 1:1: ein Millimeter ist ein Millimeter.</translation>
+    </message>
+    <message>
+        <source>Before you, at real size 1:1.</source>
+        <translation>Vor Ihnen, in wahrer Größe 1:1.</translation>
+    </message>
+    <message>
+        <source>Six cuts are all there can be: undo one, or reset the clips.</source>
+        <translation>Mehr als sechs Schnitte gehen nicht: machen Sie einen rückgängig, oder setzen Sie den Beschnitt zurück.</translation>
+    </message>
+    <message>
+        <source>In a headset only path-traced pictures can be shown.</source>
+        <translation>In einem Headset können nur Bilder mit Pfadverfolgung gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Choose the cinematic or the clear look.</source>
+        <translation>Wählen Sie die Darstellung Cinematic oder Klar.</translation>
+    </message>
+    <message>
+        <source>These lights hang on the camera, and in a headset there are two eyes.</source>
+        <translation>Diese Beleuchtung hängt an der Kamera, und in einem Headset gibt es zwei Augen.</translation>
+    </message>
+    <message>
+        <source>Choose lights that stay in place; macula presets lists them.</source>
+        <translation>Wählen Sie eine Beleuchtung, die an ihrem Ort bleibt; macula presets zählt sie auf.</translation>
+    </message>
+    <message>
+        <source>Nothing of this study can be seen.</source>
+        <translation>Von dieser Studie ist nichts zu sehen.</translation>
+    </message>
+    <message>
+        <source>Choose another preset, or another clip.</source>
+        <translation>Wählen Sie eine andere Voreinstellung oder einen anderen Beschnitt.</translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime that XR_RUNTIME_JSON names cannot be loaded.</source>
+        <translation>Die OpenXR-Runtime, die XR_RUNTIME_JSON nennt, kann nicht geladen werden.</translation>
+    </message>
+    <message>
+        <source>Correct or unset XR_RUNTIME_JSON.</source>
+        <translation>Berichtigen oder entfernen Sie XR_RUNTIME_JSON.</translation>
+    </message>
+    <message>
+        <source>The software of the headset cannot show pictures made with Vulkan (XR_KHR_vulkan_enable2).</source>
+        <translation>Die Software des Headsets kann keine Bilder zeigen, die mit Vulkan gemacht sind (XR_KHR_vulkan_enable2).</translation>
+    </message>
+    <message>
+        <source>Update it, or use another OpenXR runtime.</source>
+        <translation>Aktualisieren Sie sie, oder verwenden Sie eine andere OpenXR-Runtime.</translation>
+    </message>
+    <message>
+        <source>The headset does not say how large its pictures are.</source>
+        <translation>Das Headset sagt nicht, wie groß seine Bilder sind.</translation>
+    </message>
+    <message>
+        <source>The headset needs another version of Vulkan.</source>
+        <translation>Das Headset braucht eine andere Version von Vulkan.</translation>
+    </message>
+    <message>
+        <source>This headset cannot show the room behind the anatomy.</source>
+        <translation>Dieses Headset kann den Raum hinter der Anatomie nicht zeigen.</translation>
+    </message>
+    <message>
+        <source>The headset takes no pictures of 8 bits in sRGB (R8G8B8A8_SRGB).</source>
+        <translation>Das Headset nimmt keine Bilder mit 8 Bit in sRGB (R8G8B8A8_SRGB).</translation>
+    </message>
+    <message>
+        <source>The headset has ended the session: it was unplugged or fell asleep.</source>
+        <translation>Das Headset hat die Sitzung beendet: es wurde ausgesteckt oder ist eingeschlafen.</translation>
+    </message>
+    <message>
+        <source>Wake it up or plug it in, and begin again; nothing that was chosen is lost.</source>
+        <translation>Wecken Sie es, oder stecken Sie es ein, und beginnen Sie noch einmal; nichts, was gewählt war, ist verloren.</translation>
+    </message>
+    <message>
+        <source>The software of the headset has stopped.</source>
+        <translation>Die Software des Headsets hat angehalten.</translation>
+    </message>
+    <message>
+        <source>Start it again, and begin again; nothing that was chosen is lost.</source>
+        <translation>Starten Sie sie wieder, und beginnen Sie noch einmal; nichts, was gewählt war, ist verloren.</translation>
+    </message>
+    <message>
+        <source>It is begun again.</source>
+        <translation>Sie wird noch einmal begonnen.</translation>
+    </message>
+    <message>
+        <source>No software of a headset (OpenXR runtime) answers.</source>
+        <translation>Keine Software eines Headsets (OpenXR-Runtime) antwortet.</translation>
+    </message>
+    <message>
+        <source>Start SteamVR, Monado or what came with the headset, and make it the active OpenXR runtime.</source>
+        <translation>Starten Sie SteamVR, Monado oder was dem Headset beilag, und machen Sie es zur aktiven OpenXR-Runtime.</translation>
+    </message>
+    <message>
+        <source>No headset is connected, or it is switched off.</source>
+        <translation>Kein Headset ist angeschlossen, oder es ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Connect the headset, switch it on, and try again.</source>
+        <translation>Schließen Sie das Headset an, schalten Sie es ein, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>The OpenXR runtime knows no headsets.</source>
+        <translation>Die OpenXR-Runtime kennt keine Headsets.</translation>
+    </message>
+    <message>
+        <source>Make the runtime of the headset the active one.</source>
+        <translation>Machen Sie die Runtime des Headsets zur aktiven.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for the headset.</source>
+        <translation>Für das Headset ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>The headset could not %1.</source>
+        <translation>Das Headset konnte dies nicht: %1.</translation>
+    </message>
+    <message>
+        <source>This build of Macula knows no headsets.</source>
+        <translation>Diese Fassung von Macula kennt keine Headsets.</translation>
+    </message>
+    <message>
+        <source>Build it with the package libopenxr-dev installed.</source>
+        <translation>Bauen Sie sie, während das Paket libopenxr-dev installiert ist.</translation>
+    </message>
+    <message>
+        <source>%1: %2 frames in %3 s, %4 a second; %5 without pictures.</source>
+        <translation>%1: %2 Bilder in %3 s, %4 in der Sekunde; %5 davon leer.</translation>
+    </message>
+    <message>
+        <source>This clip cannot be kept with the study.</source>
+        <translation>Dieser Beschnitt kann nicht mit der Studie behalten werden.</translation>
+    </message>
+    <message>
+        <source>Reset the clips, and cut again.</source>
+        <translation>Setzen Sie den Beschnitt zurück, und schneiden Sie noch einmal.</translation>
     </message>
 </context>
 </TS>

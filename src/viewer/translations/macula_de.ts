@@ -1153,6 +1153,37 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::HeadsetMirror</name>
+    <message>
+        <source>Patient and study</source>
+        <translation>Patient und Studie</translation>
+    </message>
+    <message>
+        <source>What the left eye sees in the headset</source>
+        <translation>Was das linke Auge im Headset sieht</translation>
+    </message>
+    <message>
+        <source>Whose study is in the headset, above the mirror; off at each start</source>
+        <translation>Wessen Studie im Headset ist, über dem Spiegelbild; bei jedem Start aus</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Show in Headset</source>
+        <translation>Im Headset zeigen</translation>
+    </message>
+    <message>
+        <source>End the session in the headset; the window goes on</source>
+        <translation>Die Sitzung im Headset beenden; das Fenster läuft weiter</translation>
+    </message>
+    <message>
+        <source>The study of this window in a headset (OpenXR)</source>
+        <translation>Die Studie dieses Fensters in einem Headset (OpenXR)</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::KeysPage</name>
     <message>
         <source>&amp;No Key</source>
@@ -1974,6 +2005,30 @@
     <message>
         <source>Presentation state</source>
         <translation>Presentation State</translation>
+    </message>
+    <message>
+        <source>Headset</source>
+        <translation>Headset</translation>
+    </message>
+    <message>
+        <source>Looking for the headset</source>
+        <translation>Das Headset wird gesucht</translation>
+    </message>
+    <message>
+        <source>Show in &amp;Headset</source>
+        <translation>Im &amp;Headset zeigen</translation>
+    </message>
+    <message>
+        <source>This study in a headset (OpenXR), to be held, turned and cut by hand</source>
+        <translation>Diese Studie in einem Headset (OpenXR), mit der Hand zu halten, zu drehen und zu schneiden</translation>
+    </message>
+    <message>
+        <source>There is nothing to show in a headset yet.</source>
+        <translation>Es gibt noch nichts, was im Headset gezeigt werden kann.</translation>
+    </message>
+    <message>
+        <source>In the headset</source>
+        <translation>Im Headset</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,4 @@
-// Actions: two controllers with grip, aim, squeeze and trigger, and the eyes.
+// Actions: two controllers with what the profile of the script has, and the eyes.
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +8,6 @@ namespace macula::xr_script {
 
 namespace {
 
-// The controllers that the scripted hands hold.
-constexpr const char* kHandsProfile = "/interaction_profiles/oculus/touch_controller";
 constexpr const char* kEyesProfile = "/interaction_profiles/ext/eye_gaze_interaction";
 constexpr const char* kHands[] = {"/user/hand/left", "/user/hand/right"};
 
@@ -52,15 +50,6 @@ XrResult XRAPI_CALL createAction(XrActionSet set, const XrActionCreateInfo* info
     return XR_SUCCESS;
 }
 
-bool isProfile(const std::string& name) {
-    constexpr const char* kKnown[] = {
-        "/interaction_profiles/khr/simple_controller", "/interaction_profiles/oculus/touch_controller",
-        "/interaction_profiles/htc/vive_controller", "/interaction_profiles/valve/index_controller",
-        "/interaction_profiles/microsoft/motion_controller"};
-    return std::find(std::begin(kKnown), std::end(kKnown), name) != std::end(kKnown) ||
-           (name == kEyesProfile && state().extensions.contains(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME));
-}
-
 XrResult XRAPI_CALL suggest(XrInstance, const XrInteractionProfileSuggestedBinding* suggested) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
@@ -68,15 +57,15 @@ XrResult XRAPI_CALL suggest(XrInstance, const XrInteractionProfileSuggestedBindi
     if (s.session && s.session->isAttached)
         return wrong(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, "bindings suggested after the set was attached");
     const std::string profile = pathText(suggested->interactionProfile);
-    if (!isProfile(profile)) return wrong(XR_ERROR_PATH_UNSUPPORTED, "an unknown profile: " + profile);
     for (std::uint32_t i = 0; i < suggested->countSuggestedBindings; ++i) {
         const XrActionSuggestedBinding& binding = suggested->suggestedBindings[i];
         const std::string path = pathText(binding.binding);
         const auto action = s.actions.find(binding.action);
-        if (action == s.actions.end() || path.find("/input/") == std::string::npos)
+        if (action == s.actions.end() || !hasControl(profile, path))
             return wrong(XR_ERROR_PATH_UNSUPPORTED, "a binding of " + profile + ": " + path);
         action->second->bindings[profile].push_back(path);
     }
+    s.record.profiles.push_back(profile);
     return XR_SUCCESS;
 }
 
@@ -108,7 +97,7 @@ XrResult XRAPI_CALL sync(XrSession session, const XrActionsSyncInfo* info) {
 // The paths of an action that belong to that hand, or to any.
 std::vector<std::string> pathsOf(const ActionState& action, const std::string& hand) {
     std::vector<std::string> paths;
-    for (const char* profile : {kHandsProfile, kEyesProfile}) {
+    for (const std::string& profile : {state().script.controllers, std::string(kEyesProfile)}) {
         const auto found = action.bindings.find(profile);
         if (found == action.bindings.end()) continue;
         for (const std::string& path : found->second)
@@ -120,6 +109,15 @@ std::vector<std::string> pathsOf(const ActionState& action, const std::string& h
 std::optional<Hand> handAt(double seconds, const std::string& path) {
     if (!state().script.hand) return std::nullopt;
     return state().script.hand(seconds, path.starts_with(kHands[1]) ? 1 : 0);
+}
+
+float valueAt(const Hand& hand, const std::string& path) {
+    const auto is = [&](const char* part) { return path.find(part) != std::string::npos; };
+    if (is("/input/squeeze/") || is("/input/select/")) return hand.squeeze;
+    if (is("/input/trigger/") || is("/input/menu/")) return hand.trigger;
+    if (is("/input/trackpad/click")) return hand.isPadPressed ? 1.0f : 0.0f;
+    if (is("/input/thumbstick/x") || is("/input/trackpad/x")) return hand.stick;
+    return 0.0f;
 }
 
 struct Value {
@@ -136,11 +134,8 @@ Value valueOf(XrAction handle, XrPath hand) {
         const auto scripted = handAt(secondsOf(s.session->synced), path);
         if (!scripted) continue;
         value.isActive = true;
-        const bool isSqueeze = path.find("/input/squeeze/") != std::string::npos;
-        const bool isTrigger = path.find("/input/trigger/") != std::string::npos;
-        value.value = std::max(value.value, isSqueeze   ? scripted->squeeze
-                                            : isTrigger ? scripted->trigger
-                                                        : 0.0f);
+        const float is = valueAt(*scripted, path);
+        if (std::abs(is) > std::abs(value.value)) value.value = is;
     }
     return value;
 }
@@ -175,6 +170,27 @@ XrResult XRAPI_CALL getPose(XrSession session, const XrActionStateGetInfo* info,
     return XR_SUCCESS;
 }
 
+XrResult XRAPI_CALL applyHaptic(XrSession session, const XrHapticActionInfo* info,
+                                const XrHapticBaseHeader* haptic) {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    if (const XrResult lost = enteredSession("xrApplyHapticFeedback", session); lost != XR_SUCCESS)
+        return lost;
+    const auto action = s.actions.find(info->action);
+    if (action == s.actions.end() || action->second->type != XR_ACTION_TYPE_VIBRATION_OUTPUT)
+        return wrong(XR_ERROR_ACTION_TYPE_MISMATCH, "xrApplyHapticFeedback: no vibration action");
+    const auto* vibration = reinterpret_cast<const XrHapticVibration*>(haptic);
+    if (!vibration || vibration->type != XR_TYPE_HAPTIC_VIBRATION ||
+        !(vibration->amplitude >= 0.0f && vibration->amplitude <= 1.0f) || vibration->duration <= 0)
+        return wrong(XR_ERROR_VALIDATION_FAILURE, "xrApplyHapticFeedback: the vibration");
+    if (s.session->state != XR_SESSION_STATE_FOCUSED) return XR_SESSION_NOT_FOCUSED;
+    const std::string hand = pathText(info->subactionPath);
+    if (!pathsOf(*action->second, hand).empty())
+        s.record.pulses.push_back(
+            {hand == kHands[1] ? 1 : 0, vibration->amplitude, double(vibration->duration) * 1e-6});
+    return XR_SUCCESS;
+}
+
 }  // namespace
 
 std::optional<Pose> poseOfAction(const SpaceState& space, double seconds) {
@@ -188,7 +204,8 @@ std::optional<Pose> poseOfAction(const SpaceState& space, double seconds) {
             return headAt(seconds);
         }
         const auto hand = handAt(seconds, path);
-        if (hand && hand->isTracked) return hand->pose;
+        if (!hand || !hand->isTracked) continue;
+        return path.find("/input/aim/") != std::string::npos ? hand->aim.value_or(hand->pose) : hand->pose;
     }
     return std::nullopt;
 }
@@ -204,6 +221,7 @@ PFN_xrVoidFunction actionFunction(std::string_view name) {
     MACULA_XR_IS("xrSyncActions", sync);
     MACULA_XR_IS("xrGetActionStateFloat", getFloat);
     MACULA_XR_IS("xrGetActionStatePose", getPose);
+    MACULA_XR_IS("xrApplyHapticFeedback", applyHaptic);
 #undef MACULA_XR_IS
     return nullptr;
 }

@@ -1,4 +1,5 @@
-// Frames: waited for, begun and ended in this order, with one layer at most; and where the eyes are.
+// Frames: waited for, begun and ended in this order, with one layer for the eyes at most; and where the eyes
+// are.
 #include <algorithm>
 #include <cmath>
 #include <thread>
@@ -154,8 +155,15 @@ XrResult takeView(const XrCompositionLayerProjectionView& view, SubmittedFrame& 
 }
 
 XrResult takeLayers(const XrFrameEndInfo& info, SubmittedFrame& frame) {
-    if (info.layerCount > 1) return wrong(XR_ERROR_LAYER_LIMIT_EXCEEDED, "xrEndFrame: layers");
+    if (info.layerCount > 16) return wrong(XR_ERROR_LAYER_LIMIT_EXCEEDED, "xrEndFrame: layers");
     for (std::uint32_t i = 0; i < info.layerCount; ++i) {
+        // Flat ones may lie in front of the one for the eyes.
+        if (i > 0 && info.layers[i] && info.layers[i]->type == XR_TYPE_COMPOSITION_LAYER_QUAD) {
+            const auto& quad = *reinterpret_cast<const XrCompositionLayerQuad*>(info.layers[i]);
+            if (const XrResult taken = takeQuad(quad, frame); taken != XR_SUCCESS) return taken;
+            continue;
+        }
+        if (i > 0) return wrong(XR_ERROR_LAYER_INVALID, "xrEndFrame: two layers for the eyes");
         const auto* layer = reinterpret_cast<const XrCompositionLayerProjection*>(info.layers[i]);
         if (!layer || layer->type != XR_TYPE_COMPOSITION_LAYER_PROJECTION || layer->viewCount != viewCount())
             return wrong(XR_ERROR_LAYER_INVALID, "xrEndFrame: no projection layer of all views");
@@ -236,7 +244,9 @@ XrResult XRAPI_CALL locateViews(XrSession session, const XrViewLocateInfo* info,
         views[eye].fov = {field.left, field.right, field.up, field.down};
     }
     viewState->viewStateFlags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
-                                XR_VIEW_STATE_ORIENTATION_TRACKED_BIT | XR_VIEW_STATE_POSITION_TRACKED_BIT;
+                                XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
+    if (!all.script.isTracked || all.script.isTracked(seconds))
+        viewState->viewStateFlags |= XR_VIEW_STATE_POSITION_TRACKED_BIT;
     return XR_SUCCESS;
 }
 

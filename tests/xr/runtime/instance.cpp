@@ -69,6 +69,8 @@ std::vector<const char*> offeredExtensions() {
     if (state().script.offersDepth) names.push_back(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
     if (state().script.offersMask) names.push_back(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME);
     if (state().script.offersInsets) names.push_back(XR_VARJO_QUAD_VIEWS_EXTENSION_NAME);
+    if (state().script.offersHands) names.push_back(XR_EXT_HAND_TRACKING_EXTENSION_NAME);
+    if (state().script.offersReverb) names.push_back(XR_EXT_HP_MIXED_REALITY_CONTROLLER_EXTENSION_NAME);
     return names;
 }
 
@@ -159,10 +161,14 @@ XrResult XRAPI_CALL getSystemProperties(XrInstance, XrSystemId system, XrSystemP
     copyText(properties->systemName, XR_MAX_SYSTEM_NAME_SIZE, "Scripted headset");
     properties->graphicsProperties = {4096, 4096, 16};
     properties->trackingProperties = {XR_TRUE, XR_TRUE};
-    for (auto* next = static_cast<XrBaseOutStructure*>(properties->next); next; next = next->next)
+    for (auto* next = static_cast<XrBaseOutStructure*>(properties->next); next; next = next->next) {
+        if (next->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT)
+            reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(next)->supportsHandTracking =
+                state().script.offersHands ? XR_TRUE : XR_FALSE;
         if (next->type == XR_TYPE_SYSTEM_EYE_GAZE_INTERACTION_PROPERTIES_EXT)
             reinterpret_cast<XrSystemEyeGazeInteractionPropertiesEXT*>(next)->supportsEyeGazeInteraction =
                 state().script.offersGaze ? XR_TRUE : XR_FALSE;
+    }
     return XR_SUCCESS;
 }
 
@@ -243,7 +249,7 @@ XrResult XRAPI_CALL resultToString(XrInstance, XrResult value, char* text) {
 XrResult XRAPI_CALL getInstanceProcAddr(XrInstance, const char* name, PFN_xrVoidFunction* function) {
     using Part = PFN_xrVoidFunction (*)(std::string_view);
     constexpr Part kParts[] = {instanceFunction,  vulkanFunction, sessionFunction, frameFunction,
-                               swapchainFunction, actionFunction, maskFunction};
+                               swapchainFunction, actionFunction, maskFunction,    handFunction};
     for (const Part part : kParts)
         if ((*function = part(name))) return XR_SUCCESS;
     return XR_ERROR_FUNCTION_UNSUPPORTED;
@@ -322,6 +328,7 @@ void follow(Script script) {
     s.record.swapchains = before.swapchains;
     s.record.spaces = before.spaces;
     s.record.actionSets = before.actionSets;
+    s.record.handTrackers = before.handTrackers;
 }
 
 Record record() {

@@ -39,9 +39,19 @@ struct Field {
 
 struct Hand {
     Pose pose;
-    float squeeze = 0.0f;  // 0 to 1
-    float trigger = 0.0f;
+    float squeeze = 0.0f;  // 0 to 1; of a simple controller its select button
+    float trigger = 0.0f;  // likewise, its menu button
     bool isTracked = true;
+    float stick = 0.0f;            // -1 to 1, of a stick or a pad, to the right
+    bool isPadPressed = false;     // of a pad
+    std::optional<Pose> aim = {};  // nothing: as the pose
+};
+
+// Without a controller: how far its finger tips are from the tip of the thumb.
+struct BareHand {
+    Pose palm;
+    double indexApartM = 0.1;
+    double middleApartM = 0.1;
 };
 
 struct Script {
@@ -62,6 +72,9 @@ struct Script {
     // Frames come at times of the clock, as those of a real headset do: who is late misses some.
     bool isPaced = false;
     bool keepsPictures = true;  // false: what is submitted is checked, and its pixels are not read
+    bool offersHands = false;   // XR_EXT_hand_tracking
+    bool offersReverb = false;  // XR_EXT_hp_mixed_reality_controller
+    std::string controllers = "/interaction_profiles/oculus/touch_controller";  // that hands hold
     glm::uvec2 eyePx{64, 64};
     double framesPerS = 30.0;
     std::array<Field, 2> fields{};
@@ -70,9 +83,11 @@ struct Script {
     // How far off the head is foreseen to be, to its right, when it is asked for so many times before in the
     // same frame; empty: it is foreseen as it will be.
     std::function<double(int asked)> foreseenAsideM;
-    std::function<std::optional<Pose>(double seconds)> gaze;            // empty: straight ahead
-    std::function<std::optional<Hand>(double seconds, int hand)> hand;  // 0: left; empty: none
-    std::function<bool(std::uint64_t frame)> shouldRender;              // empty: always
+    std::function<std::optional<Pose>(double seconds)> gaze;                    // empty: straight ahead
+    std::function<std::optional<Hand>(double seconds, int hand)> hand;          // 0: left; empty: none
+    std::function<std::optional<BareHand>(double seconds, int hand)> bareHand;  // likewise
+    std::function<bool(double seconds)> isTracked;          // empty: the head's place is always seen
+    std::function<bool(std::uint64_t frame)> shouldRender;  // empty: always
     // The `nth` call of that name, from 1, and all of the session or instance after it, are answered
     // with `answer`, an XrResult: XR_ERROR_SESSION_LOST or XR_ERROR_INSTANCE_LOST.
     std::string loseAt;
@@ -98,12 +113,28 @@ struct SubmittedView {
     std::optional<SubmittedDepth> depth;
 };
 
+// A flat layer in the stage.
+struct SubmittedQuad {
+    Pose pose;
+    glm::dvec2 sizeM{0.0};
+    glm::ivec2 sizePx{0};
+    std::vector<glm::u8vec4> rgba;  // alpha is straight
+};
+
+// Felt in a hand.
+struct FeltPulse {
+    int hand = 0;  // 0: left
+    float strength = 0.0f;
+    double ms = 0.0;
+};
+
 struct SubmittedFrame {
     std::uint64_t number = 0;          // of the frame, from 0
     double seconds = 0.0;              // when it is to be displayed
     std::vector<SubmittedView> views;  // of eyes, then of insets; none: nothing was shown
+    std::vector<SubmittedQuad> quads;
     int blendMode = 1;
-    bool usesAlpha = false;  // of the layer
+    bool usesAlpha = false;  // of the layer for the eyes
 };
 
 struct Record {
@@ -113,11 +144,14 @@ struct Record {
     std::uint64_t begun = 0;             // and so on
     std::uint64_t ended = 0;
     std::uint64_t missed = 0;  // times of a paced headset for which there was no frame
-    int instances = 0;         // that there are now
+    std::vector<FeltPulse> pulses;
+    std::vector<std::string> profiles;  // bindings of which were suggested and taken
+    int instances = 0;                  // that there are now
     int sessions = 0;
     int swapchains = 0;
     int spaces = 0;
     int actionSets = 0;
+    int handTrackers = 0;
 };
 inline constexpr std::size_t kMostFrames = 64;
 
@@ -128,5 +162,7 @@ MACULA_XR_SCRIPT_EXPORT Record record();
 MACULA_XR_SCRIPT_EXPORT void requestEnd();
 // Lenses show something else from now on (`hidden` of the script): the application is told.
 MACULA_XR_SCRIPT_EXPORT void changeMask(std::vector<glm::dvec2> hidden);
+// The person recentres the space that the application uses.
+MACULA_XR_SCRIPT_EXPORT void recentre();
 
 }  // namespace macula::xr_script

@@ -215,6 +215,21 @@ void requestEnd() {
     goTo(XR_SESSION_STATE_STOPPING);
 }
 
+void recentre() {
+    State& s = state();
+    const std::lock_guard lock(s.mutex);
+    if (!s.session) return;
+    XrEventDataBuffer buffer{XR_TYPE_EVENT_DATA_BUFFER};
+    XrEventDataReferenceSpaceChangePending event{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING};
+    event.session = kSession;
+    event.referenceSpaceType =
+        s.script.hasStage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
+    event.changeTime = s.session->predicted;
+    event.poseInPreviousSpace = fromPose({});
+    std::memcpy(&buffer, &event, sizeof(event));
+    s.events.push_back(buffer);
+}
+
 void endSession() {
     State& s = state();
     if (!s.session) return;
@@ -227,6 +242,7 @@ void endSession() {
     s.record.sessions = 0;
     s.record.swapchains = 0;
     s.record.spaces = 0;
+    s.record.handTrackers = 0;
 }
 
 Pose toPose(const XrPosef& pose) {

@@ -117,6 +117,9 @@ Pose combined(const Pose& a, const Pose& b);  // b in the frame of a
 Pose inverse(const Pose& pose);
 Pose headAt(double seconds);
 std::optional<Pose> placeOf(const SpaceState& space, double seconds);  // in the stage
+// Whether a profile has that control: "/user/hand/left/input/trigger/value".
+bool hasControl(const std::string& profile, const std::string& path);
+XrResult takeQuad(const XrCompositionLayerQuad& quad, SubmittedFrame& frame);
 void destroySwapchainNow(SwapchainState& swapchain);
 // What lies in a part of a released image.
 std::vector<glm::u8vec4> readImage(const SwapchainState& swapchain, std::uint32_t layer,
@@ -135,5 +138,6 @@ PFN_xrVoidFunction frameFunction(std::string_view name);
 PFN_xrVoidFunction swapchainFunction(std::string_view name);
 PFN_xrVoidFunction actionFunction(std::string_view name);
 PFN_xrVoidFunction maskFunction(std::string_view name);
+PFN_xrVoidFunction handFunction(std::string_view name);
 
 }  // namespace macula::xr_script

@@ -416,11 +416,12 @@ Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const trace::View& 
     }
 }
 
-Result<const splat::DevicePicture*> LiveModel::draw(const Camera& camera, const glm::ivec2& sizePx) {
+Result<const splat::DevicePicture*> LiveModel::draw(const Camera& camera, const glm::ivec2& sizePx,
+                                                    double nearMm) {
     MACULA_CHECK(canBeDrawn());
     const auto tryDraw = [&]() -> Result<const splat::DevicePicture*> {
         if (model_) MACULA_TRY_VOID(makeDrawable());
-        MACULA_TRY(const splat::RasterView view, splat::rasterView(camera, sizePx, drawn_->originMm));
+        MACULA_TRY(const splat::RasterView view, splat::rasterView(camera, sizePx, drawn_->originMm, nearMm));
         return painter_->drawOnDevice(view);
     };
     auto picture = tryDraw();

@@ -86,7 +86,8 @@ class LiveModel {
     // Linear, premultiplied; on the device until the next is drawn, done when what was submitted is. Its
     // light is to be multiplied by gain() to be as bright as what is traced (brightness_gauge.h). Where it
     // cannot be drawn for lack of memory it is given up, outOfMemory.
-    Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx);
+    Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx,
+                                             double nearMm = splat::RasterView{}.nearMm);
     // Of that picture: Rasterizer::depths.
     const gpu::Buffer& drawnDepths() const { return painter_->depthsOnDevice(); }
     double gain() const { return gain_; }

@@ -1,0 +1,47 @@
+// What the left eye sees in the headset, in the window.
+#pragma once
+
+#include <QImage>
+#include <QString>
+#include <QWidget>
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace macula::viewer {
+
+class MirrorPicture;
+
+// Whose study it is stands above it only where somebody has asked for that: others look over a shoulder.
+class HeadsetMirror : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit HeadsetMirror(QWidget* parent = nullptr);
+
+    void setNames(const QString& names);  // of patient and study
+    void setRunning(bool runs);
+    void setPicture(const QImage& leftEye);  // null: none
+    void setNote(const QString& note);
+
+    bool showsNames() const;
+    QSize sizeHint() const override { return {360, 420}; }
+
+  signals:
+    void startAsked();
+    void stopAsked();
+
+  private:
+    void showTexts();
+
+    MirrorPicture* picture_;
+    QLabel* namesText_;
+    QLabel* note_;
+    QCheckBox* names_;
+    QPushButton* button_;
+    QString named_;
+    bool runs_ = false;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,142 @@
+#ifdef MACULA_HAS_XR
+#include "xr/study_in_headset.h"  // before Qt, see vulkan_window.h
+#endif
+
+#include "viewer/headset/headset_show.h"
+
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "viewer/language/core_words.h"
+#include "viewer/newest_posted.h"
+
+namespace macula::viewer {
+
+// What both threads know.
+struct HeadsetShow::Shared {
+    std::mutex mutex;
+    std::optional<HeadsetChoice> wanted;  // of the window, since the headset has asked last
+};
+
+#ifdef MACULA_HAS_XR
+
+namespace {
+
+// All that the room tells, told again where `home` lives.
+struct Told {
+    NewestPosted<QImage> mirror;
+    NewestPosted<HeadsetChoice> chosen;
+    std::function<void(const std::string&)> note;
+};
+
+QImage imageOf(const xr::EyeView& view) {
+    const QImage lent(view.rgba.data(), view.sizePx.x, view.sizePx.y, view.sizePx.x * 4,
+                      QImage::Format_RGBX8888);
+    return lent.copy();
+}
+
+Result<std::string> showIn(HeadsetWish wish, const Told& told,
+                           std::function<std::optional<HeadsetChoice>()> wanted, Progress& progress) {
+    xr::RoomScene scene;
+    scene.volume = in16Bits(wish.volume);
+    scene.drawing = std::move(wish.drawing);
+    xr::RoomHost host;
+    host.presets = std::move(wish.presets);
+    host.pictures = std::move(wish.pictures);
+    host.note = told.note;
+    host.mirror = [&told](const xr::EyeView& view) { told.mirror(imageOf(view)); };
+    host.changed = [&told](const xr::RoomState& state) {
+        told.chosen({.transferFunction = state.transferFunction, .clip = state.clip});
+    };
+    host.wanted = [wanted = std::move(wanted)]() -> std::optional<xr::RoomState> {
+        const auto choice = wanted();
+        if (!choice) return std::nullopt;
+        xr::RoomState state;
+        state.transferFunction = choice->transferFunction;
+        state.clip = choice->clip;
+        return state;
+    };
+    MACULA_TRY(const xr::HeadsetFigures figures, xr::showScene(std::move(scene), std::move(host), progress));
+    return xr::textOf(figures);
+}
+
+}  // namespace
+
+#endif
+
+HeadsetShow::HeadsetShow(QObject* parent)
+    : QObject(parent),
+      job_(this, {.progressed = [](const ProgressUpdate&) {},
+                  .ended =
+                      [this](const Result<std::string>& outcome) {
+                          if (!outcome) emit failed(outcome.error());
+                          emit ended(outcome ? inWindowsLanguage(*outcome) : QString());
+                      }}),
+      shared_(std::make_shared<Shared>()) {}
+
+HeadsetShow::~HeadsetShow() {
+    token_.cancel();
+}
+
+void HeadsetShow::stop() {
+    token_.cancel();
+}
+
+void HeadsetShow::abandon() {
+    isAbandoned_ = true;
+    stop();
+}
+
+void HeadsetShow::propose(HeadsetChoice choice) {
+    if (isAbandoned_) return;
+    const std::lock_guard lock(shared_->mutex);
+    shared_->wanted = std::move(choice);
+}
+
+void HeadsetShow::start([[maybe_unused]] HeadsetWish wish) {
+    if (isRunning()) return;
+    token_ = CancelToken();
+    isAbandoned_ = false;
+    shared_ = std::make_shared<Shared>();
+#ifdef MACULA_HAS_XR
+    const auto told = std::make_shared<Told>(Told{
+        .mirror = NewestPosted<QImage>(this, [this](const QImage& image) { emit mirrored(image); }),
+        .chosen = NewestPosted<HeadsetChoice>(this,
+                                              [this](const HeadsetChoice& choice) {
+                                                  if (!isAbandoned_) emit chosen(choice);
+                                              }),
+        .note = [this](const std::string& sentence) {
+            QMetaObject::invokeMethod(
+                this, [this, sentence] { emit noted(inWindowsLanguage(sentence)); }, Qt::QueuedConnection);
+        }});
+    const auto wanted = [shared = shared_]() -> std::optional<HeadsetChoice> {
+        const std::lock_guard lock(shared->mutex);
+        return std::exchange(shared->wanted, std::nullopt);
+    };
+    // Cancelled by a token of its own: an end that somebody asks for is told when it has come.
+    job_.start(
+        [wish = std::move(wish), told, wanted, token = token_](Progress&) mutable -> Result<std::string> {
+            Progress progress({}, token);
+            try {
+                return showIn(std::move(wish), *told, wanted, progress);
+            } catch (const std::exception&) {
+                return Error{ErrorCode::outOfMemory,
+                             "There is not enough memory for the headset.",
+                             {},
+                             "Close other programs."};
+            }
+        });
+#else
+    job_.start([](Progress&) -> Result<std::string> {
+        return Error{ErrorCode::deviceNotUsable,
+                     "This build of Macula knows no headsets.",
+                     {},
+                     "Build it with the package libopenxr-dev installed."};
+    });
+#endif
+    emit began();
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,48 @@
+// What hands do, and how they take the anatomy along. Knows no OpenXR.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+#include <optional>
+
+#include "xr/eyes.h"
+
+namespace macula::xr {
+
+struct Hand {
+    std::optional<Pose> grip = {};  // where it holds; nothing while nobody knows
+    float squeeze = 0.0f;           // 0 to 1: grabs
+    float trigger = 0.0f;           // 0 to 1: cuts
+    std::optional<Pose> aim = {};   // points along its own -z
+    float press = 0.0f;             // 0 to 1: presses what it points at
+    float turn = 0.0f;              // -1 to 1: to the left, to the right
+};
+
+// The left one first.
+using TwoHands = std::array<Hand, 2>;
+
+// Whatever is held from 0 to 1 is held on to until it is clearly let go.
+inline constexpr float kTakesFrom = 0.6f;
+inline constexpr float kLetsGoBelow = 0.4f;
+constexpr bool holdsOn(float value, bool held) {
+    return value >= (held ? kLetsGoBelow : kTakesFrom);
+}
+
+// What hands do to the anatomy, from frame to frame.
+class Grasp {
+  public:
+    // Where the anatomy is now that the hands are there: one that squeezes takes it along, two turn and scale
+    // it too.
+    glm::dmat4 follow(const glm::dmat4& stageFromWorld, const TwoHands& hands);
+    // Something else has moved it: what is held is taken anew from where it is.
+    void takeAnew() { holds_ = {}; }
+    bool isHolding() const { return holds_[0] || holds_[1]; }
+    bool holds(std::size_t hand) const { return holds_.at(hand); }
+
+  private:
+    std::array<bool, 2> holds_{};
+    std::array<Pose, 2> then_{};
+    glm::dmat4 stageFromWorldThen_{1.0};
+};
+
+}  // namespace macula::xr
