@@ -74,6 +74,7 @@ Result<Headset> Headset::open(std::shared_ptr<Runtime> runtime, std::shared_ptr<
     MACULA_TRY(Hands hands, Hands::create(session));
     MACULA_TRY(Lent lent, lend(session, options));
     if (!controls) controls = std::make_shared<RoomControls>(RoomHost{}, view.state());
+    controls->interrupt();
     return Headset(std::move(session), std::move(hands), std::move(lent), view, placed, options.holdsRate,
                    std::move(controls));
 }
@@ -98,7 +99,10 @@ Result<Headset::Step> Headset::step() {
     Laps laps;
     MACULA_TRY(const Session::Phase phase, session_.listen());
     if (phase == Session::Phase::ended) return Step::ended;
-    if (phase == Session::Phase::waiting) return Step::waiting;
+    if (phase == Session::Phase::waiting) {
+        controls_->interrupt();
+        return Step::waiting;
+    }
     MACULA_TRY(const FrameTime time, session_.beginFrame());
     const Clock::time_point begun = Clock::now();
     times_ = {};
@@ -106,6 +110,7 @@ Result<Headset::Step> Headset::step() {
     times_.periodMs = time.periodMs;
     times_.waitMs = laps.next();
     times_.level = governor_.level();
+    if (!time.shouldRender) controls_->interrupt();
     const Result<Views> views = time.shouldRender ? draw(time) : Result<Views>(Views{});
     laps.next();
     const Views layers = views ? *views : Views{};
