@@ -272,7 +272,7 @@ Result<RoomFollowed> Headset::follow(const FrameTime& time, const std::vector<Ey
     frame.seconds = secondsOf(time);
     frame.head = eyes[0].pose;
     frame.head.positionM = 0.5 * (eyes[0].pose.positionM + eyes[1].pose.positionM);
-    if (session_.wasRecentred()) stageFromWorld_.reset();
+    if (session_.wasRecentred(time.displayed)) stageFromWorld_.reset();
     if (!stageFromWorld_) {
         stageFromWorld_ = stageFromWorldBefore(frame.head, view_->seenMm());
         controls_->takeAnew();

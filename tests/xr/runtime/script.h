@@ -162,7 +162,8 @@ MACULA_XR_SCRIPT_EXPORT Record record();
 MACULA_XR_SCRIPT_EXPORT void requestEnd();
 // Lenses show something else from now on (`hidden` of the script): the application is told.
 MACULA_XR_SCRIPT_EXPORT void changeMask(std::vector<glm::dvec2> hidden);
-// The person recentres the space that the application uses.
-MACULA_XR_SCRIPT_EXPORT void recentre();
+// The person recentres the space that the application uses: it is another one from so many seconds after the
+// last frame on.
+MACULA_XR_SCRIPT_EXPORT void recentre(double inSeconds = 0.0);
 
 }  // namespace macula::xr_script
