@@ -97,7 +97,6 @@ class Headset {
         : session_(std::move(session)),
           hands_(std::move(hands)),
           lent_(std::move(lent)),
-          quads_(session_),
           copy_(session_.device()),
           view_(&view),
           controls_(std::move(controls)),

@@ -7,8 +7,6 @@ namespace macula::xr {
 
 namespace {
 
-constexpr double kMetresPerMm = 1e-3;
-constexpr double kNearM = 0.01;
 constexpr double kReachM = 0.35;       // from the eyes to the nearest that can be seen, at least
 constexpr double kLeastApartM = 0.02;  // of two hands, to tell how they turn
 

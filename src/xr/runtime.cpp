@@ -181,7 +181,11 @@ Check checkHeadset(const char* loaderLibrary) {
     if (!runtime) return {.offer = {}, .missing = runtime.error()};
     const Result<void> found = (*runtime)->findHeadset();
     Check check{.offer = (*runtime)->offer(), .missing = {}};
-    if (!found) check.missing = found.error();
+    if (!found) {
+        check.missing = found.error();
+    } else if (const auto device = openDevice(**runtime); !device) {
+        check.missing = device.error();
+    }
     return check;
 }
 

@@ -117,7 +117,8 @@ TEST_F(HeadsetWindowTest, IsMirroredChosenFromEndedAndBegunAgain) {
 
 TEST_F(HeadsetWindowTest, AHeadsetThatIsUnpluggedForAMomentIsFoundAgain) {
     QString noted;
-    QObject::connect(&*show_, &HeadsetShow::noted, &*show_, [&](const QString& sentence) { noted = sentence; });
+    QObject::connect(&*show_, &HeadsetShow::noted, &*show_,
+                     [&](const QString& sentence) { noted = sentence; });
     xr_script::follow({});
     show_->start(wish());
     ASSERT_TRUE(waitUntil([this] { return mirrored_ >= 1 || ended_ > 0; }));

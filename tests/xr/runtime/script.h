@@ -71,9 +71,10 @@ struct Script {
     std::array<Field, 2> insetFields{Field{-0.2f, 0.2f, 0.2f, -0.2f}, Field{-0.2f, 0.2f, 0.2f, -0.2f}};
     // Frames come at times of the clock, as those of a real headset do: who is late misses some.
     bool isPaced = false;
-    bool keepsPictures = true;  // false: what is submitted is checked, and its pixels are not read
-    bool offersHands = false;   // XR_EXT_hand_tracking
-    bool offersReverb = false;  // XR_EXT_hp_mixed_reality_controller
+    bool keepsPictures = true;       // false: what is submitted is checked, and its pixels are not read
+    bool lendsUnknownImage = false;  // says of an image that is not there that it is lent
+    bool offersHands = false;        // XR_EXT_hand_tracking
+    bool offersReverb = false;       // XR_EXT_hp_mixed_reality_controller
     std::string controllers = "/interaction_profiles/oculus/touch_controller";  // that hands hold
     glm::uvec2 eyePx{64, 64};
     double framesPerS = 30.0;
