@@ -183,13 +183,13 @@ Check checkHeadset(const char* loaderLibrary) {
     Check check{.offer = (*runtime)->offer(), .missing = {}};
     if (!found) {
         check.missing = found.error();
-    } else if (const auto device = openDevice(**runtime); !device) {
+    } else if (const auto device = openDevice(**runtime, gpu::Validation::off, false); !device) {
         check.missing = device.error();
     }
     return check;
 }
 
-Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation) {
+Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation, bool isAnnounced) {
     const Functions& call = runtime.call();
     XrGraphicsRequirementsVulkan2KHR needs{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN2_KHR};
     MACULA_XR_TRY(call.GetVulkanGraphicsRequirements2KHR(runtime.instance(), runtime.system(), &needs),
@@ -220,6 +220,7 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
     if (!instance) return instance.error();
 
     gpu::DeviceOptions options;
+    options.isAnnounced = isAnnounced;
     XrVulkanGraphicsDeviceGetInfoKHR which{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR};
     which.systemId = runtime.system();
     which.vulkanInstance = instance->handle();

@@ -80,6 +80,8 @@ struct HeadsetDevice {
     gpu::Instance instance;
     std::shared_ptr<gpu::Device> device;
 };
-Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation = gpu::Validation::off);
+// `isAnnounced`: as of gpu::DeviceOptions.
+Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation = gpu::Validation::off,
+                                 bool isAnnounced = true);
 
 }  // namespace macula::xr

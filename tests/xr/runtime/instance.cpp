@@ -40,6 +40,7 @@ void followEnvironment(Script& script) {
     };
     script.hasHeadset = script.hasHeadset && !says("no-headset");
     script.offersVulkan2 = script.offersVulkan2 && !says("no-vulkan2");
+    script.needsNewerVulkan = script.needsNewerVulkan || says("newer-vulkan");
     script.offersGaze = script.offersGaze && !says("no-gaze");
     script.takesLayers = script.takesLayers && !says("no-layers");
     script.offersDepth = script.offersDepth || says("depth");

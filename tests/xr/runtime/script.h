@@ -6,8 +6,8 @@
 // are those of the session. What is wrong is noted, and where the standard has a code for it, answered.
 //
 // A program that is run from outside takes MACULA_XR_SCRIPT, words between commas: no-headset, no-vulkan2,
-// no-gaze, no-layers, depth, mask, insets, room, see-through; paced, no-pictures, and numbers: rate=30,
-// eye=1024x1024.
+// newer-vulkan, no-gaze, no-layers, depth, mask, insets, room, see-through; paced, no-pictures, and numbers:
+// rate=30, eye=1024x1024.
 #pragma once
 
 #include <array>
@@ -57,6 +57,7 @@ struct BareHand {
 struct Script {
     bool hasHeadset = true;
     bool offersVulkan2 = true;
+    bool needsNewerVulkan = false;  // than there is
     bool offersGaze = true;
     bool takesLayers = true;    // swapchains of two array layers
     bool hasStage = true;       // a STAGE space
