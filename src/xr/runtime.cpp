@@ -76,9 +76,7 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
     const XrResult created = runtime->loader_.createInstance(&info, &runtime->instance_);
     if (created == XR_ERROR_RUNTIME_UNAVAILABLE) return noRuntime();
     MACULA_XR_TRY(created, "be reached through its software");
-    auto functions = runtime->loader_.functionsOf(runtime->instance_);
-    if (!functions) return functions.error();  // the instance goes with what cannot be called
-    runtime->call_ = *functions;
+    MACULA_TRY_VOID(runtime->loader_.find(runtime->instance_, runtime->call_));
     if (runtime->isOn(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
         runtime->call_.GetVisibilityMaskKHR = runtime->loader_.maskFunctionOf(runtime->instance_);
 

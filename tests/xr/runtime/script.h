@@ -58,6 +58,7 @@ struct Script {
     bool hasHeadset = true;
     bool offersVulkan2 = true;
     bool needsNewerVulkan = false;  // than there is
+    std::string lacks;              // the name of a function that it does not have
     bool offersGaze = true;
     bool takesLayers = true;    // swapchains of two array layers
     bool hasStage = true;       // a STAGE space
