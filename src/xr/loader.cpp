@@ -50,10 +50,4 @@ Result<void> Loader::find(XrInstance instance, Functions& functions) const {
     return hasAll ? Result<void>() : brokenRuntime();
 }
 
-PFN_xrGetVisibilityMaskKHR Loader::maskFunctionOf(XrInstance instance) const {
-    PFN_xrGetVisibilityMaskKHR function = nullptr;
-    findOne(*this, instance, "xrGetVisibilityMaskKHR", function);
-    return function;
-}
-
 }  // namespace macula::xr

@@ -27,8 +27,6 @@ struct Loader {
 
     // deviceNotUsable when one is missing; those that there are, are found all the same.
     Result<void> find(XrInstance instance, Functions& functions) const;
-    // Of an instance with XR_KHR_visibility_mask; null when it is missing.
-    PFN_xrGetVisibilityMaskKHR maskFunctionOf(XrInstance instance) const;
 };
 
 }  // namespace macula::xr

@@ -78,7 +78,8 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
     MACULA_XR_TRY(created, "be reached through its software");
     MACULA_TRY_VOID(runtime->loader_.find(runtime->instance_, runtime->call_));
     if (runtime->isOn(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
-        runtime->call_.GetVisibilityMaskKHR = runtime->loader_.maskFunctionOf(runtime->instance_);
+        runtime->call_.GetVisibilityMaskKHR =
+            reinterpret_cast<PFN_xrGetVisibilityMaskKHR>(runtime->function("xrGetVisibilityMaskKHR"));
 
     XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
     MACULA_XR_TRY(runtime->call_.GetInstanceProperties(runtime->instance_, &properties),
