@@ -121,11 +121,12 @@ std::vector<OutlinePart> outlineOf(ClipTool tool, const Pose& hand, const glm::d
 
 HeldTool::Event HeldTool::follow(double seconds, const Hand& hand) {
     const bool wasHeld = isHeld_;
+    const bool mayCut = !mustBeLetGo_;
     mustBeLetGo_ = mustBeLetGo_ && holdsOn(hand.trigger, true);
-    isHeld_ = !mustBeLetGo_ && hand.grip && holdsOn(hand.trigger, wasHeld);
+    isHeld_ = mayCut && hand.grip && holdsOn(hand.trigger, wasHeld);
     if (!isHeld_) {
         if (!wasHeld) return Event::nothing;
-        return hand.grip ? Event::letGo : Event::abandoned;
+        return hand.grip && mayCut ? Event::letGo : Event::abandoned;
     }
     const bool hasMoved =
         !wasHeld || glm::distance(hand.grip->positionM, restsAt_.positionM) > kRestsWithinM ||

@@ -46,18 +46,16 @@ class HeldTool {
         begun,      // the trigger was pulled
         rested,     // it is held, and the hand has come to rest
         letGo,      // it stays cut where the hand is
-        abandoned,  // the hand was lost meanwhile
+        abandoned,  // the hand was lost meanwhile, or the trigger is that of something else
     };
     static constexpr double kRestsWithinM = 0.004;
     static constexpr double kRestsAfterS = 0.25;
 
     Event follow(double seconds, const Hand& hand);
     bool isHeld() const { return isHeld_; }
-    // A trigger that is down now is that of something else.
-    void waitForRelease() {
-        isHeld_ = false;
-        mustBeLetGo_ = true;
-    }
+    // A trigger that is down now is that of something else, or nobody knows what became of it meanwhile: what
+    // is held is abandoned at the next call.
+    void waitForRelease() { mustBeLetGo_ = true; }
 
   private:
     bool isHeld_ = false;

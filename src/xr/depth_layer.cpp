@@ -10,19 +10,18 @@ namespace macula::xr {
 
 namespace {
 
-constexpr double kMPerMm = 1e-3;
-constexpr SwapchainPair::Kind kDepths{.format = VK_FORMAT_D32_SFLOAT,
-                                      .usage = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
-                                               XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT |
-                                               XR_SWAPCHAIN_USAGE_SAMPLED_BIT,
-                                      .layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
+constexpr LentImages::Kind kDepths{.format = VK_FORMAT_D32_SFLOAT,
+                                   .usage = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT |
+                                            XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT |
+                                            XR_SWAPCHAIN_USAGE_SAMPLED_BIT,
+                                   .layout = VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL};
 
 }  // namespace
 
 hybrid::DepthRange depthRangeOf(const glm::dmat4& stageFromWorld) {
-    return {.nearest = kNearM,
+    return {.nearest = static_cast<float>(kNearM),
             .farthest = kFarM,
-            .unitsPerMm = static_cast<float>(kMPerMm * scaleOf(stageFromWorld))};
+            .unitsPerMm = static_cast<float>(kMetresPerMm * scaleOf(stageFromWorld))};
 }
 
 Result<std::optional<DepthLayer>> DepthLayer::create(const Session& session, const glm::ivec2& sizePx) {
@@ -55,7 +54,7 @@ Result<void> DepthLayer::add(const EyePictures& eyes, std::span<const gpu::Buffe
         told.subImage = pair_.part(i, eyes.eyes[i].partPx);
         told.minDepth = 0.0f;
         told.maxDepth = 1.0f;
-        told.nearZ = kNearM;
+        told.nearZ = static_cast<float>(kNearM);
         told.farZ = kFarM;
         views[i].next = &told;
     }

@@ -16,8 +16,6 @@
 
 namespace macula::xr {
 
-// The head may go inside the anatomy.
-inline constexpr float kNearM = 0.01f;
 inline constexpr float kFarM = 100.0f;
 // In metres of the room, for anatomy that stands there so large.
 hybrid::DepthRange depthRangeOf(const glm::dmat4& stageFromWorld);

@@ -120,11 +120,8 @@ Result<void> Hands::suggest(const InteractionProfile& profile) {
 }
 
 Result<void> Hands::suggestAll() {
-    const auto& offered = runtime_->offer().extensions;
     for (const InteractionProfile& profile : interactionProfiles()) {
-        if (profile.extension &&
-            std::find(offered.begin(), offered.end(), std::string(profile.extension)) == offered.end())
-            continue;
+        if (profile.extension && !runtime_->isOn(profile.extension)) continue;
         MACULA_TRY_VOID(suggest(profile));
     }
     if (!gaze_) return {};

@@ -74,6 +74,7 @@ Result<Headset> Headset::open(std::shared_ptr<Runtime> runtime, std::shared_ptr<
     MACULA_TRY(Hands hands, Hands::create(session));
     MACULA_TRY(Lent lent, lend(session, options));
     if (!controls) controls = std::make_shared<RoomControls>(RoomHost{}, view.state());
+    controls->interrupt();
     return Headset(std::move(session), std::move(hands), std::move(lent), view, placed, options.holdsRate,
                    std::move(controls));
 }
@@ -98,7 +99,10 @@ Result<Headset::Step> Headset::step() {
     Laps laps;
     MACULA_TRY(const Session::Phase phase, session_.listen());
     if (phase == Session::Phase::ended) return Step::ended;
-    if (phase == Session::Phase::waiting) return Step::waiting;
+    if (phase == Session::Phase::waiting) {
+        controls_->interrupt();
+        return Step::waiting;
+    }
     MACULA_TRY(const FrameTime time, session_.beginFrame());
     const Clock::time_point begun = Clock::now();
     times_ = {};
@@ -106,6 +110,7 @@ Result<Headset::Step> Headset::step() {
     times_.periodMs = time.periodMs;
     times_.waitMs = laps.next();
     times_.level = governor_.level();
+    if (!time.shouldRender) controls_->interrupt();
     const Result<Views> views = time.shouldRender ? draw(time) : Result<Views>(Views{});
     laps.next();
     const Views layers = views ? *views : Views{};
@@ -204,7 +209,7 @@ Result<bool> Headset::aim(std::vector<Eye> eyes, const std::optional<Pose>& gaze
         const double excess = made ? excessOf(made->sizePx, lent.sizePx()) : 1.0;
         if (excess > 1.0) made = picturesFor(views, worldFromStage, scaled(lent.sizePx(), scale / excess));
         if (!made) {  // a headset that is confused for a moment says so
-            log::warning("{}", made.error().message);
+            if (!std::exchange(isConfused_, true)) log::warning("{}", made.error().message);
             return false;
         }
         pictures = *std::move(made);
@@ -219,6 +224,7 @@ Result<bool> Headset::aim(std::vector<Eye> eyes, const std::optional<Pose>& gaze
         if (!look) look = throughMiddle(insets);
         shown.fineness = pixelsPerTangent(*shown.insets) / pixelsPerTangent(shown.eyes);
     }
+    isConfused_ = false;
     if (look) shown.gaze = gazeIn(shown.eyes.centre, shown.eyes.sizePx, worldFromStage, *look);
     return true;
 }
@@ -267,7 +273,7 @@ Result<RoomFollowed> Headset::follow(const FrameTime& time, const std::vector<Ey
     frame.seconds = secondsOf(time);
     frame.head = eyes[0].pose;
     frame.head.positionM = 0.5 * (eyes[0].pose.positionM + eyes[1].pose.positionM);
-    if (session_.wasRecentred()) stageFromWorld_.reset();
+    if (session_.wasRecentred(time.displayed)) stageFromWorld_.reset();
     if (!stageFromWorld_) {
         stageFromWorld_ = stageFromWorldBefore(frame.head, view_->seenMm());
         controls_->takeAnew();

@@ -97,7 +97,6 @@ class Headset {
         : session_(std::move(session)),
           hands_(std::move(hands)),
           lent_(std::move(lent)),
-          quads_(session_),
           copy_(session_.device()),
           view_(&view),
           controls_(std::move(controls)),
@@ -137,7 +136,8 @@ class Headset {
     Governor governor_;
     std::uint64_t framesShown_ = 0;
     FrameTimes times_;
-    double changesMs_ = 0.0;  // of this frame, for another state to be shown
+    bool isConfused_ = false;  // says what no pictures can be made for
+    double changesMs_ = 0.0;   // of this frame, for another state to be shown
     std::optional<glm::dmat4> stageFromWorld_;
     std::optional<Shown> shown_;
 };

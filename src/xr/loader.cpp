@@ -15,7 +15,7 @@ Error brokenRuntime() {
 }
 
 template <class Function>
-bool find(const Loader& loader, XrInstance instance, const char* name, Function& function) {
+bool findOne(const Loader& loader, XrInstance instance, const char* name, Function& function) {
     PFN_xrVoidFunction found = nullptr;
     if (loader.getInstanceProcAddr(instance, name, &found) != XR_SUCCESS) return false;
     function = reinterpret_cast<Function>(found);
@@ -33,27 +33,21 @@ Result<Loader> Loader::open(const char* library) {
         loader.getInstanceProcAddr =
             reinterpret_cast<PFN_xrGetInstanceProcAddr>(dlsym(opened, "xrGetInstanceProcAddr"));
     if (!loader.getInstanceProcAddr ||
-        !find(loader, XR_NULL_HANDLE, "xrEnumerateInstanceExtensionProperties", loader.enumerateExtensions) ||
-        !find(loader, XR_NULL_HANDLE, "xrCreateInstance", loader.createInstance))
+        !findOne(loader, XR_NULL_HANDLE, "xrEnumerateInstanceExtensionProperties",
+                 loader.enumerateExtensions) ||
+        !findOne(loader, XR_NULL_HANDLE, "xrCreateInstance", loader.createInstance))
         return Error{ErrorCode::deviceNotUsable,
                      "The OpenXR loader is not installed, so no headset can be found.", "",
                      "Install it (Debian/Ubuntu: sudo apt install libopenxr-loader1)."};
     return loader;
 }
 
-Result<Functions> Loader::functionsOf(XrInstance instance) const {
-    Functions functions;
-#define MACULA_XR_FUNCTION(name) \
-    if (!find(*this, instance, "xr" #name, functions.name)) return brokenRuntime();
+Result<void> Loader::find(XrInstance instance, Functions& functions) const {
+    bool hasAll = true;
+#define MACULA_XR_FUNCTION(name) hasAll = findOne(*this, instance, "xr" #name, functions.name) && hasAll;
 #include "xr/functions.inl"
 #undef MACULA_XR_FUNCTION
-    return functions;
-}
-
-PFN_xrGetVisibilityMaskKHR Loader::maskFunctionOf(XrInstance instance) const {
-    PFN_xrGetVisibilityMaskKHR function = nullptr;
-    find(*this, instance, "xrGetVisibilityMaskKHR", function);
-    return function;
+    return hasAll ? Result<void>() : brokenRuntime();
 }
 
 }  // namespace macula::xr

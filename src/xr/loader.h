@@ -25,10 +25,8 @@ struct Loader {
     // deviceNotUsable when it is not installed.
     static Result<Loader> open(const char* library = kLoaderLibrary);
 
-    // deviceNotUsable when one is missing.
-    Result<Functions> functionsOf(XrInstance instance) const;
-    // Of an instance with XR_KHR_visibility_mask; null when it is missing.
-    PFN_xrGetVisibilityMaskKHR maskFunctionOf(XrInstance instance) const;
+    // deviceNotUsable when one is missing; those that there are, are found all the same.
+    Result<void> find(XrInstance instance, Functions& functions) const;
 };
 
 }  // namespace macula::xr

@@ -7,8 +7,6 @@ namespace macula::xr {
 
 namespace {
 
-constexpr double kMetresPerMm = 1e-3;
-constexpr double kNearM = 0.01;
 constexpr double kReachM = 0.35;       // from the eyes to the nearest that can be seen, at least
 constexpr double kLeastApartM = 0.02;  // of two hands, to tell how they turn
 
@@ -31,12 +29,12 @@ glm::dquat turnBetween(const glm::dvec3& from, const glm::dvec3& to) {
 }  // namespace
 
 glm::dmat4 stageFromWorldBefore(const Pose& head, const Box& seenMm) {
-    glm::dvec3 ahead = head.orientation * glm::dvec3(0.0, 0.0, -1.0);
-    ahead.y = 0.0;
-    // Who looks straight up or down stands as the top of the head says.
+    const glm::dvec3 look = head.orientation * glm::dvec3(0.0, 0.0, -1.0);
+    glm::dvec3 ahead(look.x, 0.0, look.z);
+    // Who looks straight down has the top of the head ahead, who looks straight up has it behind.
     if (glm::length(ahead) < 1e-3) {
-        ahead = head.orientation * glm::dvec3(0.0, 1.0, 0.0);
-        ahead.y = 0.0;
+        const glm::dvec3 top = head.orientation * glm::dvec3(0.0, look.y < 0.0 ? 1.0 : -1.0, 0.0);
+        ahead = {top.x, 0.0, top.z};
     }
     ahead = glm::normalize(ahead);
     const glm::dvec3 right = glm::cross(ahead, glm::dvec3(0.0, 1.0, 0.0));

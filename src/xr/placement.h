@@ -13,6 +13,9 @@
 
 namespace macula::xr {
 
+inline constexpr double kMetresPerMm = 1e-3;
+inline constexpr double kNearM = 0.01;  // of the room: the head may go inside the anatomy
+
 // Upright at real-world scale, its middle at the height of the eyes, its anterior side towards who stands
 // there, near enough to reach for.
 glm::dmat4 stageFromWorldBefore(const Pose& head, const Box& seenMm);

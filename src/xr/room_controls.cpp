@@ -86,6 +86,12 @@ void RoomControls::tell(const std::string& sentence) {
     if (host_.note) host_.note(sentence);
 }
 
+void RoomControls::interrupt() {
+    grasp_.takeAnew();
+    for (HeldTool& tool : tools_) tool.waitForRelease();
+    pointedAt_.reset();
+}
+
 ClipTool RoomControls::toolOf(std::size_t hand) const {
     if (hand == panelHand_) return held_;
     return hasKnife_ ? ClipTool::knife : ClipTool::none;
@@ -134,6 +140,7 @@ Result<void> RoomControls::takeWanted(const Show& show) {
 Result<RoomFollowed> RoomControls::follow(const glm::dmat4& stageFromWorld, const RoomFrame& frame,
                                           const Show& show) {
     seconds_ = frame.seconds;
+    noticeUntil_ = std::min(noticeUntil_, seconds_ + kNoticeSeconds);  // a new session has its own time
     RoomFollowed followed;
     followed.stageFromWorld = stageFromWorld;
     followed.light = fade_.follow(frame.seconds, frame.isTracked);

@@ -67,8 +67,14 @@ class RoomControls {
     Result<RoomFollowed> follow(const glm::dmat4& stageFromWorld, const RoomFrame& frame, const Show& show);
     // It stands elsewhere all of a sudden: what is held does not jump back.
     void takeAnew() { grasp_.takeAnew(); }
+    // Nobody has looked at the hands for a while: what they hold is taken anew, and a cut that was begun is
+    // none, wherever they are by now.
+    void interrupt();
     // A frame of which nobody knows where the eyes are.
-    void goDark(double seconds) { fade_.goDark(seconds); }
+    void goDark(double seconds) {
+        fade_.goDark(seconds);
+        interrupt();
+    }
 
     const RoomState& state() const { return history_.now(); }
     const RoomHost& host() const { return host_; }

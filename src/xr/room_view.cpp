@@ -81,7 +81,8 @@ Result<hybrid::DrawnSplats> RoomView::drawSplats(const Camera& eye, const glm::i
         auto picture = model_.draw(eye, sizePx, nearMm_);
         if (picture) return hybrid::DrawnSplats{*picture, &model_.drawnDepths()};
         if (picture.error().code != ErrorCode::outOfMemory) return picture.error();
-        log::warning("There is no room for the peripheral model beside the pictures of the headset.");
+        if (!std::exchange(hasSaidNoRoom_, true))
+            log::warning("There is no room for the peripheral model beside the pictures of the headset.");
     }
     for (const splat::DevicePicture& nothing : nothing_)
         if (nothing.width == sizePx.x && nothing.height == sizePx.y)

@@ -136,6 +136,7 @@ class RoomView {
     };
     std::optional<Aimed> aimed_;  // the last one
     bool wasTurnOfModel_ = false;
+    bool hasSaidNoRoom_ = false;  // once, not in each frame
 };
 
 }  // namespace macula::xr

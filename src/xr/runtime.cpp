@@ -76,11 +76,10 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
     const XrResult created = runtime->loader_.createInstance(&info, &runtime->instance_);
     if (created == XR_ERROR_RUNTIME_UNAVAILABLE) return noRuntime();
     MACULA_XR_TRY(created, "be reached through its software");
-    auto functions = runtime->loader_.functionsOf(runtime->instance_);
-    if (!functions) return functions.error();  // the instance goes with what cannot be called
-    runtime->call_ = *functions;
+    MACULA_TRY_VOID(runtime->loader_.find(runtime->instance_, runtime->call_));
     if (runtime->isOn(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
-        runtime->call_.GetVisibilityMaskKHR = runtime->loader_.maskFunctionOf(runtime->instance_);
+        runtime->call_.GetVisibilityMaskKHR =
+            reinterpret_cast<PFN_xrGetVisibilityMaskKHR>(runtime->function("xrGetVisibilityMaskKHR"));
 
     XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
     MACULA_XR_TRY(runtime->call_.GetInstanceProperties(runtime->instance_, &properties),
@@ -181,11 +180,15 @@ Check checkHeadset(const char* loaderLibrary) {
     if (!runtime) return {.offer = {}, .missing = runtime.error()};
     const Result<void> found = (*runtime)->findHeadset();
     Check check{.offer = (*runtime)->offer(), .missing = {}};
-    if (!found) check.missing = found.error();
+    if (!found) {
+        check.missing = found.error();
+    } else if (const auto device = openDevice(**runtime, gpu::Validation::off, false); !device) {
+        check.missing = device.error();
+    }
     return check;
 }
 
-Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation) {
+Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation, bool isAnnounced) {
     const Functions& call = runtime.call();
     XrGraphicsRequirementsVulkan2KHR needs{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN2_KHR};
     MACULA_XR_TRY(call.GetVulkanGraphicsRequirements2KHR(runtime.instance(), runtime.system(), &needs),
@@ -216,6 +219,7 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
     if (!instance) return instance.error();
 
     gpu::DeviceOptions options;
+    options.isAnnounced = isAnnounced;
     XrVulkanGraphicsDeviceGetInfoKHR which{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR};
     which.systemId = runtime.system();
     which.vulkanInstance = instance->handle();

@@ -51,12 +51,13 @@ class Runtime {
     std::uint32_t viewCount() const { return offer_.hasInsets ? 4 : 2; }
     const std::vector<XrEnvironmentBlendMode>& blendModes() const { return blendModes_; }
     Result<XrPath> path(const std::string& text) const;
+    // Whether an extension that Macula can use is offered, and so enabled.
+    bool isOn(const char* extension) const;
     // Of an extension that is enabled; null where the runtime has it not.
     PFN_xrVoidFunction function(const char* name) const;
 
   private:
     Runtime() = default;
-    bool isOn(const char* extension) const;
     Result<void> askForViews();
     Result<void> askForBlendModes();
 
@@ -80,6 +81,8 @@ struct HeadsetDevice {
     gpu::Instance instance;
     std::shared_ptr<gpu::Device> device;
 };
-Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation = gpu::Validation::off);
+// `isAnnounced`: as of gpu::DeviceOptions.
+Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validation = gpu::Validation::off,
+                                 bool isAnnounced = true);
 
 }  // namespace macula::xr

@@ -14,6 +14,14 @@ namespace {
 
 const XrPosef kHere{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
 
+template <class Event>
+Event eventAs(const XrEventDataBuffer& buffer) {
+    static_assert(sizeof(Event) <= sizeof(buffer));
+    Event event{};
+    std::memcpy(&event, &buffer, sizeof(event));
+    return event;
+}
+
 }  // namespace
 
 XrPosef toXr(const Pose& pose) {
@@ -43,7 +51,7 @@ Session::Session(Session&& other) noexcept
       stage_(std::exchange(other.stage_, XR_NULL_HANDLE)),
       blend_(other.blend_),
       phase_(other.phase_),
-      wasRecentred_(other.wasRecentred_),
+      recentredFrom_(other.recentredFrom_),
       hasNewMasks_(other.hasNewMasks_),
       framesBegun_(other.framesBegun_),
       framesEnded_(other.framesEnded_) {}
@@ -103,17 +111,31 @@ Result<Session::Phase> Session::listen() {
         const XrResult polled = runtime_->call().PollEvent(runtime_->instance(), &event);
         if (polled == XR_EVENT_UNAVAILABLE) break;
         MACULA_XR_TRY(polled, "tell what it does");
-        if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
-            return xrError(XR_ERROR_INSTANCE_LOST, "go on");
-        if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) wasRecentred_ = true;
-        if (event.type == XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR) hasNewMasks_ = true;
-        if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) {
-            XrEventDataSessionStateChanged changed{};
-            std::memcpy(&changed, &event, sizeof(changed));
-            if (changed.session == session_) MACULA_TRY_VOID(changeTo(changed.state));
-        }
+        MACULA_TRY_VOID(hear(event));
     }
     return phase_;
+}
+
+Result<void> Session::hear(const XrEventDataBuffer& event) {
+    switch (event.type) {
+        case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
+            return xrError(XR_ERROR_INSTANCE_LOST, "go on");
+        case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
+            const auto pending = eventAs<XrEventDataReferenceSpaceChangePending>(event);
+            if (pending.session == session_)
+                recentredFrom_ = std::max(recentredFrom_.value_or(pending.changeTime), pending.changeTime);
+            return {};
+        }
+        case XR_TYPE_EVENT_DATA_VISIBILITY_MASK_CHANGED_KHR:
+            if (eventAs<XrEventDataVisibilityMaskChangedKHR>(event).session == session_) hasNewMasks_ = true;
+            return {};
+        case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: {
+            const auto changed = eventAs<XrEventDataSessionStateChanged>(event);
+            return changed.session == session_ ? changeTo(changed.state) : Result<void>();
+        }
+        default:
+            return {};
+    }
 }
 
 Result<void> Session::changeTo(XrSessionState state) {
@@ -139,8 +161,10 @@ Result<void> Session::changeTo(XrSessionState state) {
     }
 }
 
-bool Session::wasRecentred() {
-    return std::exchange(wasRecentred_, false);
+bool Session::wasRecentred(XrTime time) {
+    if (!recentredFrom_ || time < *recentredFrom_) return false;
+    recentredFrom_.reset();
+    return true;
 }
 
 bool Session::hasNewMasks() {

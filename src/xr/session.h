@@ -54,8 +54,9 @@ class Session {
 
     // Hears what the runtime has to say, and does what it asks for.
     Result<Phase> listen();
-    // Whether the space was moved since the last time that somebody asked: who wears it has recentred.
-    bool wasRecentred();
+    // Whether by that time the space is another than when somebody asked last: who wears it has recentred. It
+    // is announced before it is so.
+    bool wasRecentred(XrTime time);
     // Whether what lenses show has changed, likewise; true the first time.
     bool hasNewMasks();
     // Asks the runtime to end: frames go on until listen() says ended.
@@ -94,6 +95,7 @@ class Session {
     Result<void> create();
     void chooseBlendMode(const SessionWish& wish);
     Result<void> makeStage();
+    Result<void> hear(const XrEventDataBuffer& event);
     Result<void> changeTo(XrSessionState state);
 
     std::shared_ptr<Runtime> runtime_;
@@ -102,7 +104,7 @@ class Session {
     XrSpace stage_ = XR_NULL_HANDLE;
     XrEnvironmentBlendMode blend_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
     Phase phase_ = Phase::waiting;
-    bool wasRecentred_ = false;
+    std::optional<XrTime> recentredFrom_;  // not asked for yet
     bool hasNewMasks_ = true;
     std::uint64_t framesBegun_ = 0;
     std::uint64_t framesEnded_ = 0;

@@ -24,6 +24,9 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kListenEvery{20};
 constexpr std::chrono::seconds kMostEnding{5};  // for a runtime to end a session that is asked to
+// For software that begins anew, or a headset that is plugged in again.
+constexpr std::chrono::seconds kMostAway{10};
+constexpr std::chrono::milliseconds kLookEvery{250};
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
 
 Result<RoomScene> sceneOf(const HeadsetWish& wish, const Hears& note, Progress& progress) {
@@ -59,6 +62,18 @@ Result<std::shared_ptr<Runtime>> runtimeWithHeadset() {
     MACULA_TRY(auto runtime, Runtime::connect());
     MACULA_TRY_VOID(runtime->findHeadset());
     return runtime;
+}
+
+// After a loss: until it is there again, somebody cancels, or it was away for too long.
+Result<std::shared_ptr<Runtime>> runtimeAgain(const Progress& progress) {
+    const Clock::time_point begun = Clock::now();
+    while (true) {
+        auto runtime = runtimeWithHeadset();
+        const bool mayCome = !runtime && (runtime.error().code == ErrorCode::deviceNotUsable ||
+                                          runtime.error().code == ErrorCode::deviceLost);
+        if (!mayCome || progress.cancelled() || Clock::now() - begun > kMostAway) return runtime;
+        std::this_thread::sleep_for(kLookEvery);
+    }
 }
 
 // Until it is ended by whoever may.
@@ -158,8 +173,12 @@ Result<HeadsetFigures> showIn(std::shared_ptr<Runtime> runtime, RoomScene scene,
         kept.figures.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
         if (used) return kept.figures;
         if (used.error().code != ErrorCode::deviceLost || !losses.mayGoOn()) return used.error();
+        if (progress.cancelled()) return kept.figures;
         if (note) note(used.error().message + " It is begun again.");
-        MACULA_TRY(runtime, runtimeWithHeadset());
+        auto again = runtimeAgain(progress);
+        if (!again && progress.cancelled()) return kept.figures;
+        if (!again) return again.error();
+        runtime = *std::move(again);
     }
 }
 

@@ -59,8 +59,8 @@ std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const app::Catal
                                                                 const Volume& volume);
 
 // What is open somewhere, until who wears the headset ends it, or the progress says cancelled, which is an
-// end as any other. A session that is lost is begun again, with everything where it was; the third loss
-// within a minute is an error.
+// end as any other. A session that is lost is begun again, with everything where it was, once the headset is
+// there; an error when it is away for ten seconds, and at the third loss within a minute.
 Result<HeadsetFigures> showScene(RoomScene scene, RoomHost host, Progress& progress,
                                  const ShowWish& wish = {});
 

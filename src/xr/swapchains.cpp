@@ -11,12 +11,6 @@ namespace macula::xr {
 
 namespace {
 
-constexpr SwapchainPair::Kind kColours{.format = VK_FORMAT_R8G8B8A8_SRGB,
-                                       .usage = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT |
-                                                XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT |
-                                                XR_SWAPCHAIN_USAGE_SAMPLED_BIT,
-                                       .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
-
 bool isAllOf(std::span<const VisiblePart> parts, const glm::ivec2& sizePx) {
     return parts.size() == 1 && parts[0] == VisiblePart{glm::ivec2(0), sizePx};
 }
@@ -24,7 +18,7 @@ bool isAllOf(std::span<const VisiblePart> parts, const glm::ivec2& sizePx) {
 }  // namespace
 
 Result<Swapchains> Swapchains::create(const Session& session, const glm::ivec2& sizePx) {
-    MACULA_TRY(auto pair, SwapchainPair::create(session, sizePx, kColours));
+    MACULA_TRY(auto pair, SwapchainPair::create(session, sizePx, LentImages::kColours));
     if (!pair)
         return Error{ErrorCode::deviceNotUsable,
                      "The headset takes no pictures of 8 bits in sRGB (R8G8B8A8_SRGB).", "",

@@ -1,7 +1,6 @@
 #include "xr/tracked_hands.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -49,10 +48,7 @@ Hand handOf(std::span<const std::optional<Pose>> joints) {
 
 Result<std::optional<TrackedHands>> TrackedHands::create(const Session& session) {
     const auto& runtime = session.sharedRuntime();
-    const auto& offered = runtime->offer().extensions;
-    const std::string name = XR_EXT_HAND_TRACKING_EXTENSION_NAME;
-    if (std::find(offered.begin(), offered.end(), name) == offered.end())
-        return std::optional<TrackedHands>();
+    if (!runtime->isOn(XR_EXT_HAND_TRACKING_EXTENSION_NAME)) return std::optional<TrackedHands>();
     XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
     MACULA_XR_TRY(runtime->call().GetSystemProperties(runtime->instance(), runtime->system(), &properties),

@@ -41,6 +41,8 @@ TEST_F(XrCommand, CheckTellsWhatIsMissing) {
     EXPECT_NE(none.out.find("Scripted runtime"), std::string::npos) << "the software is there";
     expectMissing(runMacula({"xr", "--check"}, {kScripted, "MACULA_XR_SCRIPT=no-vulkan2"}),
                   "XR_KHR_vulkan_enable2");
+    expectMissing(runMacula({"xr", "--check"}, {kScripted, "MACULA_XR_SCRIPT=newer-vulkan"}),
+                  "another version of Vulkan");
     const std::string broken = write("broken.json", "{ \"file_format_version\": ");
     expectMissing(runMacula({"xr", "--check"}, {"XR_RUNTIME_JSON=" + broken}), "cannot be loaded");
     expectMissing(runMacula({"xr", "--check"}, {"XR_RUNTIME_JSON=" + at("none.json")}), "cannot be loaded");

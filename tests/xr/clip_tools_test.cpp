@@ -130,5 +130,19 @@ TEST(HeldTool, AHandThatIsLostDoesNotCutWhereNobodyKnows) {
     EXPECT_EQ(tool.follow(0.6, at({0, 1.6, -0.5}, 1.0f)), Event::begun);
 }
 
+TEST(HeldTool, WhatNobodySawTheEndOfIsNoCut) {
+    using Event = HeldTool::Event;
+    for (const float trigger : {0.0f, 1.0f}) {
+        HeldTool tool;
+        EXPECT_EQ(tool.follow(0.0, at({0, 1.6, -0.5}, 1.0f)), Event::begun);
+        tool.waitForRelease();
+        EXPECT_EQ(tool.follow(5.0, at({0.4, 1.6, -0.5}, trigger)), Event::abandoned) << trigger;
+        EXPECT_FALSE(tool.isHeld());
+        EXPECT_EQ(tool.follow(5.1, at({0.4, 1.6, -0.5}, 0.0f)), Event::nothing);
+        EXPECT_EQ(tool.follow(5.2, at({0.4, 1.6, -0.5}, 1.0f)), Event::begun);
+        EXPECT_EQ(tool.follow(5.3, at({0.4, 1.6, -0.5}, 0.0f)), Event::letGo);
+    }
+}
+
 }  // namespace
 }  // namespace macula::xr

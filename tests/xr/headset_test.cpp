@@ -88,6 +88,22 @@ TEST_F(HeadsetTest, ThirtyFramesOfAMovingHeadAreInOrder) {
     }
 }
 
+TEST_F(HeadsetTest, ARuntimeThatLendsNoImageOfItsOwnIsToldOf) {
+    connect(still());
+    show();
+    frames(3);
+    Script broken = still();
+    broken.lendsUnknownImage = true;
+    xr_script::follow(broken);
+    std::optional<Error> error;
+    for (int i = 0; i < 4 && !error; ++i)
+        if (const auto step = headset_->step(); !step) error = step.error();
+    ASSERT_TRUE(error);
+    EXPECT_EQ(error->code, ErrorCode::deviceNotUsable);
+    EXPECT_NE(error->message.find("lend a picture"), std::string::npos) << error->message;
+    EXPECT_EQ(xr_script::record().begun, xr_script::record().ended) << "its frame was ended";
+}
+
 TEST_F(HeadsetTest, ARuntimeThatTakesNoLayersGetsTwoSwapchains) {
     Script script = still();
     script.takesLayers = false;

@@ -83,6 +83,19 @@ TEST_F(LossTest, ALostRuntimeIsConnectedAgainWithWhatWasCut) {
     EXPECT_EQ(view_->scene().drawing.clip->planes.size(), 1u);
 }
 
+TEST_F(LossTest, ARuntimeThatLacksAFunctionIsToldAndLeavesNothingBehind) {
+    xr_script::Script broken;
+    broken.lacks = "xrCreateVulkanDeviceKHR";
+    xr_script::follow(broken);
+    const auto refused = Runtime::connect();
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, ErrorCode::deviceNotUsable);
+    EXPECT_NE(refused.error().message.find("OpenXR 1.0"), std::string::npos) << refused.error().message;
+    EXPECT_EQ(xr_script::record().instances, 0);
+    xr_script::follow({});
+    EXPECT_TRUE(Runtime::connect().ok()) << "it was updated";
+}
+
 TEST_F(LossTest, AHeadsetThatIsGoneIsTold) {
     connect({});
     xr_script::Script gone;

@@ -36,9 +36,13 @@ TEST(Placement, StandsBeforeWhoLooksAtRealWorldScale) {
 }
 
 TEST(Placement, ALookToTheCeilingDoesNotTiltIt) {
-    const glm::dmat4 placed = stageFromWorldBefore(turned({0, 1.7, 0}, {1, 0, 0}, 90.0), kSeen);
-    EXPECT_NEAR(scaleOf(placed), 1.0, 1e-9);
-    expectNear(transformVector(placed, {0, 0, 1000}), {0, 1, 0});
+    for (const double degrees : {90.0, -90.0}) {  // up, and to the floor
+        const glm::dmat4 placed = stageFromWorldBefore(turned({0, 1.7, 0}, {1, 0, 0}, degrees), kSeen);
+        EXPECT_NEAR(scaleOf(placed), 1.0, 1e-9);
+        expectNear(transformVector(placed, {0, 0, 1000}), {0, 1, 0});
+        EXPECT_LT(transformPoint(placed, kSeen.centre()).z, -0.35) << "it is behind who looks " << degrees;
+        expectNear(transformVector(placed, {0, -1000, 0}), {0, 0, 1});
+    }
 }
 
 TEST(Placement, FollowsTheHandThatHoldsIt) {

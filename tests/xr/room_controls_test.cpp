@@ -207,6 +207,51 @@ TEST_F(RoomControlsTest, AHandThatRestsShowsTheCutForALook) {
     EXPECT_EQ(changes_, 0);
 }
 
+TEST_F(RoomControlsTest, WhatIsLetGoWhileNobodyLooksCutsNothing) {
+    frame(knife(0.02, 1.0f));
+    frame(knife(0.02, 1.0f), 0.3);
+    ASSERT_FALSE(shown_.empty());
+    ASSERT_EQ(shown_.back().lasts, Lasts::forALook);
+    controls_->interrupt();
+    frame(knife(-0.3, 0.0f), 20.0);
+    EXPECT_EQ(planes(), 0u);
+    EXPECT_EQ(shown_.back().lasts, Lasts::forGood);
+    EXPECT_EQ(shown_.back().state, controls_->state()) << "all is back";
+    // What was grabbed does not jump to where the hand is by now.
+    TwoHands hands;
+    hands[0].grip = Pose{{-0.2, 1.2, -0.4}, {1, 0, 0, 0}};
+    hands[0].squeeze = 1.0f;
+    frame(hands);
+    const glm::dmat4 held = placed_;
+    controls_->goDark(seconds_);
+    hands[0].grip->positionM.x = 0.5;
+    frame(hands, 20.0);
+    EXPECT_EQ(placed_, held);
+    hands[0].grip->positionM.x = 0.6;
+    frame(hands);
+    EXPECT_NEAR(placed_[3].x - held[3].x, 0.1, 1e-9) << "and is held on";
+    cutAt(0.02);
+    EXPECT_EQ(planes(), 1u);
+}
+
+TEST_F(RoomControlsTest, APanelThatMovesToTheOtherWristEndsTheLookOfABall) {
+    press(PanelButton::held);
+    TwoHands hands = pointing(PanelButton::otherWrist, 0.0f);
+    hands[0].trigger = 1.0f;
+    frame(hands);
+    frame(hands, 0.3);
+    ASSERT_FALSE(shown_.empty());
+    ASSERT_EQ(shown_.back().lasts, Lasts::forALook);
+    hands = pointing(PanelButton::otherWrist, 1.0f);
+    hands[0].trigger = 1.0f;
+    frame(hands);
+    ASSERT_EQ(controls_->panelHand(), 1u);
+    EXPECT_EQ(shown_.back().lasts, Lasts::forGood);
+    EXPECT_EQ(shown_.back().state, controls_->state());
+    frame(pointing(PanelButton::otherWrist, 0.0f));
+    EXPECT_EQ(controls_->state().clip, nullptr);
+}
+
 TEST_F(RoomControlsTest, TheOtherHandHoldsABallOrABox) {
     press(PanelButton::held);
     EXPECT_EQ(controls_->toolOf(0), ClipTool::ball);

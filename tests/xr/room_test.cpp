@@ -212,6 +212,52 @@ TEST_F(RoomTest, RecentringPutsItBeforeWhoeverLooks) {
     EXPECT_NEAR(scaleOf(*headset_->placed()), 1.0, 1e-9);
 }
 
+TEST_F(RoomTest, ASpaceThatWillBeAnotherOneIsFollowedWhenItIs) {
+    connect(withHands());
+    show();
+    frames(3);
+    (*hands_)[1] = held({0.2, 1.6, -0.4}, 1.0f);
+    frames(2);
+    (*hands_)[1] = held({0.6, 1.6, -0.4}, 1.0f);
+    frames(2);
+    (*hands_)[1].reset();
+    frames(2);
+    const glm::dmat4 moved = *headset_->placed();
+    xr_script::recentre(4.5 / kRate);
+    frames(4);
+    EXPECT_EQ(*headset_->placed(), moved) << "its poses are those of before";
+    frames(1);
+    const glm::dmat4 wanted = stageFromWorldBefore({{0.0, 1.6, 0.0}, {1, 0, 0, 0}}, view_->seenMm());
+    for (int column = 0; column < 4; ++column)
+        EXPECT_NEAR(glm::distance((*headset_->placed())[column], wanted[column]), 0.0, 1e-5);
+}
+
+TEST_F(RoomTest, WhatIsLetGoWhileTheHeadsetShowsNothingIsNotCut) {
+    Script script = withHands();
+    const auto isShown = std::make_shared<bool>(true);
+    script.shouldRender = [isShown](std::uint64_t) { return *isShown; };
+    connect(script);
+    show();
+    frames(3);
+    const double markerX = transformPoint(*headset_->placed(), markerMm()).x;
+    (*hands_)[1] = held({markerX, 1.6, -0.4}, 0.0f, 1.0f);
+    frames(2);
+    *isShown = false;
+    frames(2);
+    (*hands_)[1] = held({markerX, 1.6, -0.4}, 0.0f, 0.0f);
+    *isShown = true;
+    frames(2);
+    EXPECT_EQ(view_->scene().drawing.clip, nullptr);
+    // Nor in the session after one that was lost meanwhile.
+    (*hands_)[1] = held({markerX, 1.6, -0.4}, 0.0f, 1.0f);
+    frames(2);
+    auto kept = std::make_shared<RoomControls>(headset_->controls());
+    (*hands_)[1] = held({markerX, 1.6, -0.4}, 0.0f, 0.0f);
+    open(headset_->placed(), std::move(kept));
+    frames(4);
+    EXPECT_EQ(view_->scene().drawing.clip, nullptr);
+}
+
 TEST_F(RoomTest, WhatIsHeldWhileSomebodyRecentresDoesNotJumpBack) {
     connect(withHands());
     show();

@@ -115,6 +115,33 @@ TEST_F(HeadsetWindowTest, IsMirroredChosenFromEndedAndBegunAgain) {
     EXPECT_FALSE(error_);
 }
 
+TEST_F(HeadsetWindowTest, AHeadsetThatIsUnpluggedForAMomentIsFoundAgain) {
+    QString noted;
+    QObject::connect(&*show_, &HeadsetShow::noted, &*show_,
+                     [&](const QString& sentence) { noted = sentence; });
+    xr_script::follow({});
+    show_->start(wish());
+    ASSERT_TRUE(waitUntil([this] { return mirrored_ >= 1 || ended_ > 0; }));
+    xr_script::Script gone;
+    gone.hasHeadset = false;
+    gone.loseAt = "xrEndFrame";
+    gone.answer = -17;  // XR_ERROR_SESSION_LOST
+    xr_script::follow(gone);
+    ASSERT_TRUE(waitUntil([&] { return noted.contains(QStringLiteral("begun again")) || ended_ > 0; }));
+    ASSERT_EQ(ended_, 0) << "it may come back";
+    xr_script::follow({});
+    mirrored_ = 0;
+    ASSERT_TRUE(waitUntil([this] { return mirrored_ >= 1 || ended_ > 0; }));
+    EXPECT_FALSE(error_);
+    // Nobody has to wait for one that does not come back.
+    xr_script::follow(gone);
+    noted.clear();
+    ASSERT_TRUE(waitUntil([&] { return noted.contains(QStringLiteral("begun again")) || ended_ > 0; }));
+    show_->stop();
+    ASSERT_TRUE(waitUntil([this] { return ended_ > 0; }));
+    EXPECT_FALSE(error_);
+}
+
 TEST_F(HeadsetWindowTest, WithoutAHeadsetASentenceIsSaidAndItCanBeTriedAgain) {
     xr_script::Script script;
     script.hasHeadset = false;

@@ -4029,8 +4029,8 @@
         <translation>den Augen folgen</translation>
     </message>
     <message>
-        <source>keep pictures of the size that it asks for</source>
-        <translation>Bilder der Größe halten, die es verlangt</translation>
+        <source>keep pictures of that size</source>
+        <translation>Bilder dieser Größe halten</translation>
     </message>
     <message>
         <source>lend a picture</source>
@@ -4045,10 +4045,6 @@
         <translation>seine Bedienelemente nennen</translation>
     </message>
     <message>
-        <source>show a panel</source>
-        <translation>eine Tafel zeigen</translation>
-    </message>
-    <message>
         <source>show a picture to each eye</source>
         <translation>jedem Auge ein Bild zeigen</translation>
     </message>
@@ -4059,10 +4055,6 @@
     <message>
         <source>stop showing pictures</source>
         <translation>aufhören, Bilder zu zeigen</translation>
-    </message>
-    <message>
-        <source>take a panel back</source>
-        <translation>eine Tafel zurücknehmen</translation>
     </message>
     <message>
         <source>take a picture back</source>

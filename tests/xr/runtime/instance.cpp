@@ -40,6 +40,7 @@ void followEnvironment(Script& script) {
     };
     script.hasHeadset = script.hasHeadset && !says("no-headset");
     script.offersVulkan2 = script.offersVulkan2 && !says("no-vulkan2");
+    script.needsNewerVulkan = script.needsNewerVulkan || says("newer-vulkan");
     script.offersGaze = script.offersGaze && !says("no-gaze");
     script.takesLayers = script.takesLayers && !says("no-layers");
     script.offersDepth = script.offersDepth || says("depth");
@@ -250,6 +251,10 @@ XrResult XRAPI_CALL getInstanceProcAddr(XrInstance, const char* name, PFN_xrVoid
     using Part = PFN_xrVoidFunction (*)(std::string_view);
     constexpr Part kParts[] = {instanceFunction,  vulkanFunction, sessionFunction, frameFunction,
                                swapchainFunction, actionFunction, maskFunction,    handFunction};
+    {
+        const std::lock_guard lock(state().mutex);
+        if (state().script.lacks == name) return XR_ERROR_FUNCTION_UNSUPPORTED;
+    }
     for (const Part part : kParts)
         if ((*function = part(name))) return XR_SUCCESS;
     return XR_ERROR_FUNCTION_UNSUPPORTED;

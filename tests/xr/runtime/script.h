@@ -6,8 +6,8 @@
 // are those of the session. What is wrong is noted, and where the standard has a code for it, answered.
 //
 // A program that is run from outside takes MACULA_XR_SCRIPT, words between commas: no-headset, no-vulkan2,
-// no-gaze, no-layers, depth, mask, insets, room, see-through; paced, no-pictures, and numbers: rate=30,
-// eye=1024x1024.
+// newer-vulkan, no-gaze, no-layers, depth, mask, insets, room, see-through; paced, no-pictures, and numbers:
+// rate=30, eye=1024x1024.
 #pragma once
 
 #include <array>
@@ -57,6 +57,8 @@ struct BareHand {
 struct Script {
     bool hasHeadset = true;
     bool offersVulkan2 = true;
+    bool needsNewerVulkan = false;  // than there is
+    std::string lacks;              // the name of a function that it does not have
     bool offersGaze = true;
     bool takesLayers = true;    // swapchains of two array layers
     bool hasStage = true;       // a STAGE space
@@ -71,9 +73,10 @@ struct Script {
     std::array<Field, 2> insetFields{Field{-0.2f, 0.2f, 0.2f, -0.2f}, Field{-0.2f, 0.2f, 0.2f, -0.2f}};
     // Frames come at times of the clock, as those of a real headset do: who is late misses some.
     bool isPaced = false;
-    bool keepsPictures = true;  // false: what is submitted is checked, and its pixels are not read
-    bool offersHands = false;   // XR_EXT_hand_tracking
-    bool offersReverb = false;  // XR_EXT_hp_mixed_reality_controller
+    bool keepsPictures = true;       // false: what is submitted is checked, and its pixels are not read
+    bool lendsUnknownImage = false;  // says of an image that is not there that it is lent
+    bool offersHands = false;        // XR_EXT_hand_tracking
+    bool offersReverb = false;       // XR_EXT_hp_mixed_reality_controller
     std::string controllers = "/interaction_profiles/oculus/touch_controller";  // that hands hold
     glm::uvec2 eyePx{64, 64};
     double framesPerS = 30.0;
@@ -162,7 +165,8 @@ MACULA_XR_SCRIPT_EXPORT Record record();
 MACULA_XR_SCRIPT_EXPORT void requestEnd();
 // Lenses show something else from now on (`hidden` of the script): the application is told.
 MACULA_XR_SCRIPT_EXPORT void changeMask(std::vector<glm::dvec2> hidden);
-// The person recentres the space that the application uses.
-MACULA_XR_SCRIPT_EXPORT void recentre();
+// The person recentres the space that the application uses: it is another one from so many seconds after the
+// last frame on.
+MACULA_XR_SCRIPT_EXPORT void recentre(double inSeconds = 0.0);
 
 }  // namespace macula::xr_script

@@ -215,7 +215,7 @@ void requestEnd() {
     goTo(XR_SESSION_STATE_STOPPING);
 }
 
-void recentre() {
+void recentre(double inSeconds) {
     State& s = state();
     const std::lock_guard lock(s.mutex);
     if (!s.session) return;
@@ -224,7 +224,7 @@ void recentre() {
     event.session = kSession;
     event.referenceSpaceType =
         s.script.hasStage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
-    event.changeTime = s.session->predicted;
+    event.changeTime = s.session->predicted + XrTime(inSeconds * 1e9);
     event.poseInPreviousSpace = fromPose({});
     std::memcpy(&buffer, &event, sizeof(event));
     s.events.push_back(buffer);

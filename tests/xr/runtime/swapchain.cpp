@@ -219,9 +219,9 @@ XrResult XRAPI_CALL acquire(XrSwapchain swapchain, const XrSwapchainImageAcquire
     if (!s) return result;
     if (s->acquired.size() >= kImages)
         return wrong(XR_ERROR_CALL_ORDER_INVALID, "xrAcquireSwapchainImage: all are acquired");
-    *index = s->next;
+    *index = state().script.lendsUnknownImage ? kImages : s->next;
+    s->acquired.push_back(s->next);
     s->next = (s->next + 1) % kImages;
-    s->acquired.push_back(*index);
     return XR_SUCCESS;
 }
 

@@ -8,8 +8,9 @@ namespace {
 XrResult XRAPI_CALL requirements(XrInstance, XrSystemId, XrGraphicsRequirementsVulkan2KHR* requirements) {
     const std::lock_guard lock(state().mutex);
     if (const XrResult lost = entered("xrGetVulkanGraphicsRequirements2KHR"); lost != XR_SUCCESS) return lost;
-    requirements->minApiVersionSupported = XR_MAKE_VERSION(1, 0, 0);
-    requirements->maxApiVersionSupported = XR_MAKE_VERSION(1, 3, 0xffff);
+    const bool isNewer = state().script.needsNewerVulkan;
+    requirements->minApiVersionSupported = XR_MAKE_VERSION(isNewer ? 2 : 1, 0, 0);
+    requirements->maxApiVersionSupported = XR_MAKE_VERSION(isNewer ? 2 : 1, 3, 0xffff);
     state().requirementsAsked = true;
     return XR_SUCCESS;
 }

@@ -1,0 +1,110 @@
+#include "xr/lent_images.h"
+
+#include <utility>
+
+#include "base/check.h"
+#include "xr/xr_error.h"
+
+namespace macula::xr {
+
+namespace {
+
+// A headset that does not give an image back for so long has stopped.
+constexpr XrDuration kMostWaitNs = 2'000'000'000;
+
+}  // namespace
+
+constinit const LentImages::Kind LentImages::kColours{.format = VK_FORMAT_R8G8B8A8_SRGB,
+                                                      .usage = XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT |
+                                                               XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT |
+                                                               XR_SWAPCHAIN_USAGE_SAMPLED_BIT,
+                                                      .layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+
+Result<std::optional<LentImages>> LentImages::create(const Session& session, const glm::ivec2& sizePx,
+                                                     std::uint32_t layers, const Kind& kind) {
+    XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
+    info.usageFlags = kind.usage;
+    info.format = kind.format;
+    info.sampleCount = 1;
+    info.width = static_cast<std::uint32_t>(sizePx.x);
+    info.height = static_cast<std::uint32_t>(sizePx.y);
+    info.faceCount = 1;
+    info.arraySize = layers;
+    info.mipCount = 1;
+    LentImages made(session, kind.layout);
+    const XrResult created = session.runtime().call().CreateSwapchain(session.handle(), &info, &made.handle_);
+    if (XR_FAILED(created)) made.handle_ = XR_NULL_HANDLE;
+    // Runtimes say in many ways that they take no layers.
+    const bool isOver = created == XR_ERROR_SESSION_LOST || created == XR_ERROR_INSTANCE_LOST ||
+                        created == XR_ERROR_OUT_OF_MEMORY;
+    if (XR_FAILED(created) && layers > 1 && !isOver) return std::optional<LentImages>();
+    MACULA_XR_TRY(created, "keep pictures of that size");
+    MACULA_TRY_VOID(made.findImages());
+    return std::optional<LentImages>(std::move(made));
+}
+
+LentImages::LentImages(LentImages&& other) noexcept
+    : runtime_(std::move(other.runtime_)),
+      device_(std::move(other.device_)),
+      layout_(other.layout_),
+      handle_(std::exchange(other.handle_, XR_NULL_HANDLE)),
+      images_(std::move(other.images_)),
+      lent_(other.lent_) {}
+
+LentImages::~LentImages() {
+    if (!handle_) return;
+    static_cast<void>(device_->waitForAll());  // copies into them
+    runtime_->call().DestroySwapchain(handle_);
+}
+
+Result<void> LentImages::findImages() {
+    const Functions& call = runtime_->call();
+    std::uint32_t count = 0;
+    MACULA_XR_TRY(call.EnumerateSwapchainImages(handle_, 0, &count, nullptr), "lend its pictures");
+    std::vector<XrSwapchainImageVulkan2KHR> images(count, {XR_TYPE_SWAPCHAIN_IMAGE_VULKAN2_KHR});
+    MACULA_XR_TRY(call.EnumerateSwapchainImages(handle_, count, &count,
+                                                reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data())),
+                  "lend its pictures");
+    for (const XrSwapchainImageVulkan2KHR& image : images) images_.push_back(image.image);
+    return {};
+}
+
+Result<void> LentImages::acquire() {
+    if (lent_) return {};
+    const Functions& call = runtime_->call();
+    std::uint32_t index = 0;
+    const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO};
+    MACULA_XR_TRY(call.AcquireSwapchainImage(handle_, &acquire, &index), "lend a picture");
+    XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO};
+    wait.timeout = kMostWaitNs;
+    const XrResult waited = call.WaitSwapchainImage(handle_, &wait);
+    // An image that was not waited for cannot be given back: the session is of no more use.
+    if (waited == XR_TIMEOUT_EXPIRED) return xrError(XR_ERROR_SESSION_LOST, "lend a picture");
+    MACULA_XR_TRY(waited, "lend a picture");
+    if (index >= images_.size()) return xrError(XR_ERROR_RUNTIME_FAILURE, "lend a picture");
+    lent_ = index;
+    return {};
+}
+
+Result<void> LentImages::release() {
+    if (!lent_) return {};
+    lent_.reset();
+    const XrSwapchainImageReleaseInfo release{XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO};
+    MACULA_XR_TRY(runtime_->call().ReleaseSwapchainImage(handle_, &release), "take a picture back");
+    return {};
+}
+
+gpu::LentLayer LentImages::layer(std::uint32_t number) const {
+    MACULA_CHECK(lent_.has_value());
+    return {.image = images_[*lent_], .layer = number, .layout = layout_};
+}
+
+XrSwapchainSubImage LentImages::part(std::uint32_t layer, const glm::ivec2& partPx) const {
+    XrSwapchainSubImage part{};
+    part.swapchain = handle_;
+    part.imageRect = {{0, 0}, {partPx.x, partPx.y}};
+    part.imageArrayIndex = layer;
+    return part;
+}
+
+}  // namespace macula::xr

@@ -1,0 +1,57 @@
+// An OpenXR swapchain: images that the headset lends, one at a time, and shows when they are given back.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/recorder.h"
+#include "xr/session.h"
+
+namespace macula::xr {
+
+// Must not outlive its session. Used by one thread at a time, the one that uses the device.
+class LentImages {
+  public:
+    struct Kind {
+        std::int64_t format = 0;  // a VkFormat
+        XrSwapchainUsageFlags usage = 0;
+        VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;  // in which images are lent
+    };
+    // R8G8B8A8_SRGB: our pictures are encoded already, and are copied bit by bit.
+    static const Kind kColours;
+
+    // Nothing where the runtime does not take so many layers of that.
+    static Result<std::optional<LentImages>> create(const Session& session, const glm::ivec2& sizePx,
+                                                    std::uint32_t layers, const Kind& kind);
+
+    LentImages(LentImages&& other) noexcept;
+    LentImages& operator=(LentImages&&) = delete;
+    ~LentImages();
+
+    // Waits until the headset has one to lend. One that is lent already stays.
+    Result<void> acquire();
+    // Gives it back, as it was written by what was submitted until now: it is shown next. Nothing happens
+    // where none is lent.
+    Result<void> release();
+    // Of the image, between the two.
+    gpu::LentLayer layer(std::uint32_t number) const;
+    // The upper left part of that size.
+    XrSwapchainSubImage part(std::uint32_t layer, const glm::ivec2& partPx) const;
+
+  private:
+    LentImages(const Session& session, VkImageLayout layout)
+        : runtime_(session.sharedRuntime()), device_(session.device()), layout_(layout) {}
+    Result<void> findImages();
+
+    std::shared_ptr<Runtime> runtime_;
+    std::shared_ptr<gpu::Device> device_;
+    VkImageLayout layout_;
+    XrSwapchain handle_ = XR_NULL_HANDLE;
+    std::vector<VkImage> images_;
+    std::optional<std::uint32_t> lent_;  // which of these
+};
+
+}  // namespace macula::xr
