@@ -529,16 +529,15 @@ TEST_F(BesideTest, AnotherPatientIsNeverInThe3dPictureOfThisOne) {
     EXPECT_EQ(shown.additions(), nullptr);
     BesideBar bar(*session_, *beside_);
     bar.showState();
-    EXPECT_FALSE(bar.findChild<QCheckBox*>("beside-in3d")->isEnabled());
-    EXPECT_FALSE(bar.findChild<QCheckBox*>("beside-in3d")->isChecked());
+    const auto* in3d = bar.findChild<QCheckBox*>("beside-in3d");
+    EXPECT_FALSE(in3d->isEnabled() || in3d->isChecked());
 }
 
 TEST_F(BesideTest, In3dOfFloatsAnotherCurveIsNoOtherVolume) {
     VolumeOptions options = test::sliceVolumeOptions();
     options.worldFromVoxel = kMoved * options.worldFromVoxel;
     options.unitsFromStored = {};
-    const glm::ivec3 size = options.size;
-    std::vector<float> values(std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z));
+    std::vector<float> values(test::sliceVolume()->voxelCount());
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.37f * float(i % 1000);
     auto floats = Volume::createFloat(std::move(options), std::move(values));
     ASSERT_TRUE(floats.ok());
@@ -556,10 +555,8 @@ TEST_F(BesideTest, In3dOfFloatsAnotherCurveIsNoOtherVolume) {
         return shown.additions() ? shown.additions()->second->volume : nullptr;
     };
     const auto first = volumeWith(0.3);
-    ASSERT_TRUE(first);
-    EXPECT_EQ(volumeWith(0.5), first);
-    EXPECT_NE(shown.additions()->remark.find("registration doubtful"), std::string::npos)
-        << "slices say so too";
+    ASSERT_TRUE(first && volumeWith(0.5) == first);
+    EXPECT_NE(shown.additions()->remark.find("registration doubtful"), std::string::npos);
     shown.setSecond(nullptr);
     EXPECT_EQ(shown.additions(), nullptr);
 }
