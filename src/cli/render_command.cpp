@@ -106,7 +106,7 @@ bool needsSegments(const std::vector<app::SegmentWish>& wishes,
 
 // A second volume and the colours of segments, and what there is to say of them.
 Result<Additions> additionsOf(const app::RenderWish& options, const app::StudyState& state,
-                              const std::optional<SegmentTints>& tints, const Volume& volume,
+                              const std::optional<SegmentTints>& tints, const app::StudyInput& study,
                               const std::function<void(const std::string&)>& tell, Progress& progress) {
     Additions additions;
     additions.tints = tints;
@@ -119,7 +119,7 @@ Result<Additions> additionsOf(const app::RenderWish& options, const app::StudySt
     }
     app::SecondWish wish = options.second;
     wish.how = options.how;
-    MACULA_TRY(app::SecondToDraw second, app::secondToDraw(wish, volume, beside, progress));
+    MACULA_TRY(app::SecondToDraw second, app::secondToDraw(wish, study, beside, progress));
     for (const std::string& note : second.notes) tell(note);
     additions.second = std::move(second.second);
     additions.remark = additions.remark.empty() ? second.remark : second.remark + ", " + additions.remark;
@@ -164,8 +164,7 @@ Result<void> render(const app::RenderWish& options) {
     for (const std::string& note : segments.notes) tell(note);
     MACULA_TRY_VOID(addMask(shown.clip, segments.mask, *study.volume, progress));
     if (shown.clip.mask) record.masked = shown.clip.mask->remark;
-    MACULA_TRY(request.scene.additions,
-               additionsOf(options, state, segments.tints, *study.volume, tell, progress));
+    MACULA_TRY(request.scene.additions, additionsOf(options, state, segments.tints, study, tell, progress));
     if (!trace::isProjection(state.settings.look)) record.additions = request.scene.additions.remark;
     request.scene.volume = study.volume;
     request.scene.function = std::move(preset.function);

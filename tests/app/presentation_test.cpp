@@ -429,6 +429,9 @@ TEST_F(APresentation, deidentifiedHasNoWordsOfAPerson) {
     named.title = "Doe, Jane";
     named.opacity.front().opacity = 0.5;
     state_.preset = std::make_shared<const TransferFunction>(named);
+    state_.beside.emplace();
+    state_.beside->seriesDigest = "ab";
+    state_.beside->preset = state_.preset;
     state_.clip = clip("left-half");
     state_.clip->name = state_.clip->title = "Doe, Jane";
     state_.otherKeys = R"({"bookmark": "Doe, Jane"})";
@@ -443,6 +446,8 @@ TEST_F(APresentation, deidentifiedHasNoWordsOfAPerson) {
     const PresentedState presented = again(read, *straight_);
     EXPECT_TRUE(presented.isOwn);
     EXPECT_EQ(presented.state.preset->opacity, named.opacity);
+    ASSERT_TRUE(presented.state.beside && presented.state.beside->preset);
+    EXPECT_EQ(presented.state.beside->preset->opacity, named.opacity);
     EXPECT_EQ(presented.state.clip->clip, state_.clip->clip);
 }
 

@@ -9,6 +9,8 @@
 #include "app/state/study_state.h"
 #include "app/study/second_input.h"
 #include "base/phantom.h"
+#include "support.h"
+#include "synthetic.h"
 
 namespace macula::app {
 namespace {
@@ -71,7 +73,19 @@ TEST(SecondCurve, APresetCountsMoreAndIsFittedToTheSecondVolume) {
     EXPECT_EQ(second.secondFromVolumeMm, state.secondFromStudy);
     EXPECT_FALSE(second.function->fitToVolume);
     EXPECT_NEAR(second.function->opacity.back().value, 26.0, 1e-6);
-    EXPECT_EQ(secondRemark(*second.volume), "with PT");
+    EXPECT_EQ(secondRemark(*second.volume, state, SamePatient::yes), "with PT");
+}
+
+// Slices say so on each pane; the 3D picture has nothing but its remark.
+TEST(SecondCurve, DoubtIsInTheRemark) {
+    BesideState state;
+    state.link = BesideLink::registered;
+    state.isDoubtful = true;
+    EXPECT_EQ(secondRemark(*pet(), state, SamePatient::yes), "with PT, registration doubtful");
+    EXPECT_EQ(secondRemark(*pet(), state, SamePatient::unknown),
+              "with PT, registration doubtful, perhaps of another patient");
+    state.link = BesideLink::sameFrame;
+    EXPECT_EQ(secondRemark(*pet(), state, SamePatient::no), "with PT, of ANOTHER PATIENT");
 }
 
 TEST(SecondCurve, OnlyWhatIsSeenIn3dMakesThePictureAnew) {
@@ -93,7 +107,9 @@ TEST(SecondCurve, OnlyWhatIsSeenIn3dMakesThePictureAnew) {
 }
 
 TEST(SecondInput, IsReadPlacedAndSaid) {
-    const auto study = in16Bits(std::make_shared<const Volume>(phantom::make()));
+    StudyInput study;
+    study.volume = in16Bits(std::make_shared<const Volume>(phantom::make()));
+    study.identity.isOfNobody = true;
     Progress progress;
     SecondWish wish;
     EXPECT_TRUE(check(wish, false).ok());
@@ -102,27 +118,76 @@ TEST(SecondInput, IsReadPlacedAndSaid) {
     EXPECT_FALSE(check(wish, false).ok());
     wish.path = "phantom:";
     EXPECT_TRUE(check(wish, true).ok());
-    const auto drawn = secondToDraw(wish, *study, nullptr, progress);
+    const auto drawn = secondToDraw(wish, study, nullptr, progress);
     ASSERT_TRUE(drawn) << drawn.error().message;
     EXPECT_EQ(drawn->second.secondFromVolumeMm, glm::dmat4(1.0));
     EXPECT_EQ(drawn->remark, "with CT");
     EXPECT_FALSE(drawn->notes.empty()) << "nobody checked where it lies";
     Additions added;
     added.second = drawn->second;
-    EXPECT_TRUE(validate(added, *study).ok());
+    EXPECT_TRUE(validate(added, *study.volume).ok());
 
     // A view that was saved with it says where it lies.
     BesideState beside;
     beside.seriesDigest = "phantom";
     beside.link = BesideLink::registered;
     beside.secondFromStudy[3].x = 12.0;
-    const auto placed = secondToDraw(wish, *study, &beside, progress);
+    const auto placed = secondToDraw(wish, study, &beside, progress);
     ASSERT_TRUE(placed);
     EXPECT_EQ(placed->second.secondFromVolumeMm, beside.secondFromStudy);
+    beside.volumeKey = "of another phase";  // the phantom has none: it may be this one
+    EXPECT_TRUE(secondToDraw(wish, study, &beside, progress));
     beside.secondFromStudy[3].x = 1e5;
-    EXPECT_FALSE(secondToDraw(wish, *study, &beside, progress)) << "nothing of it lies in the study";
+    EXPECT_FALSE(secondToDraw(wish, study, &beside, progress)) << "nothing of it lies in the study";
     wish.preset = "no such preset";
-    EXPECT_FALSE(secondToDraw(wish, *study, nullptr, progress));
+    EXPECT_FALSE(secondToDraw(wish, study, nullptr, progress));
+}
+
+TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
+    StudyInput study;
+    study.volume = in16Bits(std::make_shared<const Volume>(phantom::make()));
+    study.identity.patientId = "17";
+    Progress progress;
+    SecondWish wish;
+    wish.path = "phantom:";
+    const auto unknown = secondToDraw(wish, study, nullptr, progress);
+    ASSERT_TRUE(unknown) << unknown.error().message;
+    EXPECT_EQ(unknown->remark, "with CT, perhaps of another patient");
+
+    // Two folders of one series each, of which the files alone say whose they are.
+    const dicom::test::TemporaryFolder jane;
+    const dicom::test::TemporaryFolder john;
+    dicom::test::SyntheticSeries series;
+    dicom::test::writeFiles(jane.path(), series);
+    series.patientId = "SYN2";
+    dicom::test::writeFiles(john.path(), series);
+    const auto own = loadStudy(jane.path(), {}, progress);
+    ASSERT_TRUE(own) << own.error().message;
+    EXPECT_EQ(own->identity.patientId, "SYN1");
+    EXPECT_FALSE(own->volumeKey.empty());
+    study = *own;
+    bringTo16Bits(study);
+    wish.path = john.path();
+    const auto refused = secondToDraw(wish, study, nullptr, progress);
+    ASSERT_FALSE(refused) << "another patient's";
+    EXPECT_EQ(refused.error().message, "The second volume is of another patient than the study.");
+    wish.path = jane.path();
+    EXPECT_TRUE(secondToDraw(wish, study, nullptr, progress));
+
+    // What is registered of one phase of a series is not taken for another one.
+    BesideState beside;
+    beside.seriesDigest = own->seriesDigest;
+    beside.volumeKey = own->volumeKey;
+    beside.link = BesideLink::registered;
+    beside.secondFromStudy[3].x = 1.0;
+    study.volume = in16Bits(own->volume);
+    const auto same = secondToDraw(wish, study, &beside, progress);
+    ASSERT_TRUE(same);
+    EXPECT_EQ(same->second.secondFromVolumeMm, beside.secondFromStudy);
+    beside.volumeKey = "of another phase";
+    const auto unplaced = secondToDraw(wish, study, &beside, progress);
+    ASSERT_TRUE(unplaced);
+    EXPECT_EQ(unplaced->second.secondFromVolumeMm, glm::dmat4(1.0));
 }
 
 }  // namespace

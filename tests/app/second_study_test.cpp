@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "app/found_by_hand.h"
-#include "app/study/volume_key.h"
 #include "base/sha256.h"
 
 namespace macula::app {
@@ -200,6 +199,7 @@ TEST(SecondStudy, IsFoundWhereverItsSeriesHasItNow) {
     const BesideState ofOne = stored(foundWith({phaseAt("1002")}), 1);
     EXPECT_FALSE(ofOne.volume);
     EXPECT_EQ(volumeOf(*foundWith({phaseAt("1001"), phaseAt("1002")}), ofOne), 2U);
+    EXPECT_FALSE(volumeOf(*foundWith({phaseAt("1001")}), ofOne)) << "another one has taken its place";
     // A slice more, which says another number of itself, is the same volume.
     dicom::Stack more = phaseAt("1002");
     more.frames.push_back(more.frames.front());
@@ -211,7 +211,7 @@ TEST(SecondStudy, IsFoundWhereverItsSeriesHasItNow) {
 }
 
 TEST(VolumeKey, IsOfFrameOrientationAndTime) {
-    const auto key = [](const dicom::Stack& stack) { return volumeKey(*foundWith({stack}), 1); };
+    const auto key = [](const dicom::Stack& stack) { return foundWith({stack})->key(1); };
     const std::string usual = key(phaseAt("1001"));
     EXPECT_EQ(usual, key(phaseAt("1001")));
     EXPECT_EQ(usual, key(phaseAt("1001", "1.9", {1.0 - 1e-7, 1e-5, 0}))) << "other digits";
@@ -220,8 +220,8 @@ TEST(VolumeKey, IsOfFrameOrientationAndTime) {
     EXPECT_NE(usual, key(phaseAt("1001", "1.9", {0, 1, 0})));
     // Nothing tells these two apart but their order.
     const auto twins = foundWith({phaseAt("1001"), phaseAt("1001")});
-    EXPECT_EQ(volumeKey(*twins, 1), usual);
-    EXPECT_EQ(volumeKey(*twins, 2), usual + "-2");
+    EXPECT_EQ(twins->key(1), usual);
+    EXPECT_EQ(twins->key(2), usual + "-2");
     // Images that say nothing, and a stack without any.
     EXPECT_FALSE(key(test::volumeOf(3)).empty());
     dicom::Stack none = test::volumeOf(3);

@@ -271,6 +271,13 @@ TEST_F(SegmentationOfAFolder, InColourTheirVoxelsHaveTheColoursThatWereChosen) {
     EXPECT_TRUE(notLoaded && !*notLoaded);
     EXPECT_TRUE(colouredIn3dOf(onSlicesAlone(std::vector{choice})).empty());
 
+    // Back to the colours of before, when those that were asked for cannot be had.
+    const std::vector<ColouredIn3d> before{{choice.digest, 2, std::nullopt, 0.25}};
+    const auto back = withColoursIn3d(std::vector{choice}, before);
+    EXPECT_EQ(colouredIn3dOf(back), before);
+    EXPECT_FALSE(choiceOf(choiceOf(back, choice.digest), 1).isColouredIn3d);
+    EXPECT_TRUE(colouredIn3dOf(withColoursIn3d(std::vector{choice}, {})).empty());
+
     // By its label, for who has no window.
     const SegmentWish wish = *segmentWishFrom("colour:tumour");
     const auto drawn =

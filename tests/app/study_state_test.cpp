@@ -212,6 +212,17 @@ TEST(StudyState, ASecondVolumeIsTurnedAndMovedAndNothingElse) {
     EXPECT_FALSE(read(toJson(unreadable)).beside) << "the rest is not lost with it";
 }
 
+// Equal states are no step, and are not kept: whatever tells two apart has to be among what is compared.
+TEST(StudyState, AnotherPhaseBesideTheStudyIsAnotherState) {
+    BesideState beside;
+    beside.seriesDigest = "ab";
+    beside.volumeKey = "of one phase";
+    BesideState other = beside;
+    EXPECT_EQ(beside, other);
+    other.volumeKey = "of another";
+    EXPECT_NE(beside, other);
+}
+
 // A text that cannot be read would lose all that is in it.
 TEST(StudyState, WhatCannotBeReadIsNotWritten) {
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,6 +1,7 @@
 // Two volumes and coloured segments in one picture, in double, where the answer is known.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -103,6 +104,49 @@ TEST(Mixture, NoPointIsDenserThanTheBoundOfItsBrick) {
         }
         EXPECT_GT(met, 20) << edge;
     }
+}
+
+// The sum of both is what light is taken for by chance: also on faces, edges and corners of bricks, where a
+// point may be taken for one of either side.
+TEST(Mixture, NoPointIsDenserThanTheBoundWhereBothAreAndOnBordersOfBricks) {
+    const auto noise = [](int i, int j, int k) {
+        return std::uint16_t((i * 7919 + j * 104729 + k * 1299709) % 1009);
+    };
+    const auto volume =
+        scenes::volumeOf({26, 19, 23}, affine({3, 0, 0}, {0, 4, 0}, {0, 1, 2}, {7, -20, 5}), noise);
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), 0.9, glm::normalize(glm::dvec3(2, -1, 3)));
+    const auto other = scenes::volumeOf(
+        {31, 23, 42}, turn * affine({2.7, 0, 0}, {0, 3.5, 0}, {0, 0, 2.1}, {-10, -30, 3}), noise);
+    TransferFunction band = scenes::homogeneous(1.0);
+    band.opacity = {{500, 0.0}, {600, 0.9}, {700, 0.1}};
+    TransferFunction rest = scenes::homogeneous(1.0);
+    rest.opacity = {{0, 0.5}, {400, 0.0}};
+    Additions added;
+    added.second = scenes::second(other, band);
+    added.tints = scenes::tint(*volume, {3, 2, 5}, {15, 12, 9}, {.rgb = {1.0f, 0.0f, 0.0f}, .opacity = 1.0f});
+    const Mixed mixed(*volume, rest, added, {});
+    const SecondExtinction second(*added.second, *volume);
+    const SecondExtinction first(scenes::second(volume, rest), *volume);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> part(0.0, 1.0);
+    int both = 0;
+    for (int n = 0; n < 30000; ++n) {
+        glm::dvec3 p = glm::dvec3(part(random), part(random), part(random)) * glm::dvec3(volume->size());
+        // Every other one is brought to a border along some of the axes: bricks begin half a voxel before 8
+        // b.
+        for (int axis = 0; n % 2 == 1 && axis < 3; ++axis) {
+            if (part(random) < 0.6) p[axis] = std::clamp(8.0 * std::round(p[axis] / 8.0) - 0.5, 0.0, p[axis]);
+        }
+        const double there = first.at(p - 0.5) + second.at(p - 0.5);
+        for (const double aside : {-1e-9, 1e-9}) {
+            const glm::ivec3 brick = mixed.grid.brickAt(glm::max(p + aside, 0.0));
+            const glm::ivec3 within = glm::clamp(brick, glm::ivec3(0), mixed.grid.size - 1);
+            const double bound = mixed.medium.bounds[mixed.grid.index(within.x, within.y, within.z)];
+            ASSERT_LE(there, std::max(bound, 0.0)) << p.x << ' ' << p.y << ' ' << p.z;
+        }
+        both += first.at(p - 0.5) > 0.0 && second.at(p - 0.5) > 0.0 ? 1 : 0;
+    }
+    EXPECT_GT(both, 100);
 }
 
 // A second volume on the same grid is the same as one medium with both tables in it: chance included.

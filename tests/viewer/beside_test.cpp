@@ -511,6 +511,56 @@ TEST_F(BesideTest, In3dItIsThereWhileItIsLinkedAndAskedFor) {
     EXPECT_FALSE(in3d->isEnabled());
 }
 
+// Nothing in a 3D picture tells whose matter is whose.
+TEST_F(BesideTest, AnotherPatientIsNeverInThe3dPictureOfThisOne) {
+    app::OpenedStudy other = prior();
+    other.identity.patientId = "18";
+    beside_->offer(other);
+    beside_->acceptPatient();
+    beside_->cancel();
+    SegmentationKeeper segments(*session_);
+    ShownAdditions shown(*session_, segments);
+    shown.setSecond(beside_->second());
+    session_->change("Link", [](app::StudyState& next) {
+        next.beside->link = BesideLink::registered;
+        next.beside->in3d = true;  // as a file may say
+    });
+    ASSERT_TRUE(test::waitFor([&] { return shown.isAtRest(); }));
+    EXPECT_EQ(shown.additions(), nullptr);
+    BesideBar bar(*session_, *beside_);
+    bar.showState();
+    const auto* in3d = bar.findChild<QCheckBox*>("beside-in3d");
+    EXPECT_FALSE(in3d->isEnabled() || in3d->isChecked());
+}
+
+TEST_F(BesideTest, In3dOfFloatsAnotherCurveIsNoOtherVolume) {
+    VolumeOptions options = test::sliceVolumeOptions();
+    options.worldFromVoxel = kMoved * options.worldFromVoxel;
+    options.unitsFromStored = {};
+    std::vector<float> values(test::sliceVolume()->voxelCount());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.37f * float(i % 1000);
+    auto floats = Volume::createFloat(std::move(options), std::move(values));
+    ASSERT_TRUE(floats.ok());
+    openLinked(studyOf(std::make_shared<const Volume>(*std::move(floats)), "prior", "20220301"));
+    SegmentationKeeper segments(*session_);
+    ShownAdditions shown(*session_, segments);
+    shown.setSecond(beside_->second());
+    const auto volumeWith = [&](double opacity) {
+        session_->change("Opacity", [&](app::StudyState& next) {
+            next.beside->in3d = true;
+            next.beside->isDoubtful = true;
+            next.beside->opacity = opacity;
+        });
+        EXPECT_TRUE(test::waitFor([&] { return shown.isAtRest(); }));
+        return shown.additions() ? shown.additions()->second->volume : nullptr;
+    };
+    const auto first = volumeWith(0.3);
+    ASSERT_TRUE(first && volumeWith(0.5) == first);
+    EXPECT_NE(shown.additions()->remark.find("registration doubtful"), std::string::npos);
+    shown.setSecond(nullptr);
+    EXPECT_EQ(shown.additions(), nullptr);
+}
+
 TEST_F(BesideTest, TheBarShowsTheStateAndProposesOthers) {
     BesideBar bar(*session_, *beside_);
     EXPECT_TRUE(bar.isHidden());

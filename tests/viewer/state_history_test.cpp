@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 namespace macula::viewer {
@@ -203,6 +204,21 @@ TEST(StateHistory, CountsWhatIsPutInThePlaceOfAnother) {
     EXPECT_EQ(history.bytes(), empty) << "the step was of nothing else";
     history.begin({});
     EXPECT_EQ(history.bytes(), empty);
+}
+
+TEST(StateHistory, CountsThePresetOfASecondVolumeOnce) {
+    auto preset = std::make_shared<TransferFunction>();
+    preset->document.assign(100'000, ' ');
+    StateHistory history;
+    app::StudyState state;
+    state.beside.emplace();
+    state.beside->preset = std::move(preset);
+    for (const double opacity : {0.1, 0.2, 0.3}) {
+        state.beside->opacity = opacity;
+        history.push(kSlab, state);
+    }
+    EXPECT_GT(history.bytes(), 100'000u);
+    EXPECT_LT(history.bytes(), 200'000u);
 }
 
 TEST(StateHistory, WhatComesOfItselfIsNoStep) {

@@ -160,18 +160,22 @@ void sayClip(SaidState& said, const StudyState& state, const Volume& volume) {
         said.leftOut.emplace_back("Grey faces and shadows of what is cut off are for Macula alone.");
 }
 
+void removeNames(std::shared_ptr<const TransferFunction>& named) {
+    if (!named) return;
+    TransferFunction preset = *named;
+    if (publicPresetName(preset) == kCustom) {
+        preset.name = kCustom;
+        preset.title = "Custom";
+        preset.source.clear();
+    }
+    preset.document.clear();
+    named = std::make_shared<const TransferFunction>(std::move(preset));
+}
+
 // What a person has named or written may say whose it is.
 StudyState withoutNames(StudyState state) {
-    if (state.preset) {
-        TransferFunction preset = *state.preset;
-        if (publicPresetName(preset) == kCustom) {
-            preset.name = kCustom;
-            preset.title = "Custom";
-            preset.source.clear();
-        }
-        preset.document.clear();
-        state.preset = std::make_shared<const TransferFunction>(std::move(preset));
-    }
+    removeNames(state.preset);
+    if (state.beside) removeNames(state.beside->preset);
     if (state.clip && publicClipName(*state.clip) == kCustom) {
         state.clip->name = kCustom;
         state.clip->title = "Custom";

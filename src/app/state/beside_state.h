@@ -64,7 +64,7 @@ struct BesideState {
     // Which of the volumes of the series, from 0; nothing: its only one. Views of before this was kept name
     // none. Counts only where there is no key: another file in the folder may move it.
     std::optional<std::size_t> volume = {};
-    std::string volumeKey = {};  // see volumeKey; empty in views of before, and where there is no series
+    std::string volumeKey = {};  // FoundVolumes::key; empty in views of before, and where there is no series
     BesideLink link = BesideLink::byHand;
     glm::dmat4 secondFromStudy{1.0};  // mm LPS; rigid
     double boundMm = 0.0;             // of a registration: RigidRegistration::boundMm

@@ -66,6 +66,28 @@ std::vector<ColouredIn3d> colouredIn3dOf(std::span<const SegmentationChoice> cho
     return all;
 }
 
+std::vector<SegmentationChoice> withColoursIn3d(std::span<const SegmentationChoice> choices,
+                                                std::span<const ColouredIn3d> coloured) {
+    std::vector<SegmentationChoice> all;
+    for (SegmentationChoice choice : choices) {
+        if (choice.isShown) {
+            for (SegmentChoice& segment : choice.segments) segment.isColouredIn3d = false;
+        }
+        choose(all, std::move(choice));
+    }
+    for (const auto& [digest, number, rgb, opacity] : coloured) {
+        SegmentationChoice choice = choiceOf(all, digest);
+        choice.isShown = true;
+        SegmentChoice segment = choiceOf(choice, number);
+        segment.isColouredIn3d = true;
+        segment.rgb = rgb;
+        segment.opacityIn3d = opacity;
+        choose(all, std::move(choice));
+        choose(all, digest, segment);
+    }
+    return all;
+}
+
 std::vector<In3dOf> in3dOf(std::span<const SegmentationChoice> choices) {
     std::vector<In3dOf> all;
     for (const SegmentationChoice& choice : choices) {

@@ -69,6 +69,10 @@ std::vector<In3dOf> in3dOf(std::span<const SegmentationChoice> choices);
 using ColouredIn3d =
     std::tuple<std::string, std::uint16_t, std::optional<std::array<std::uint8_t, 3>>, double>;
 std::vector<ColouredIn3d> colouredIn3dOf(std::span<const SegmentationChoice> choices);
+// The same, but coloured in 3D that and nothing else, in these colours on slices too. What is coloured there
+// is shown.
+std::vector<SegmentationChoice> withColoursIn3d(std::span<const SegmentationChoice> choices,
+                                                std::span<const ColouredIn3d> coloured);
 // The same on slices and in colour, and hidden in 3D that and nothing else: in3dOf() of it is `in3d`. What
 // does something there is shown.
 std::vector<SegmentationChoice> withIn3d(std::span<const SegmentationChoice> choices,

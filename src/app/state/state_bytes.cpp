@@ -24,6 +24,7 @@ std::size_t ownBytesOf(const StudyState& state) {
     for (const slices::Measurement& measurement : state.measurements) bytes += measurement.label.size();
     for (const NamedClip& clip : state.namedClips) bytes += clip.name.size() + bytesOf(clip.cuts.scissors);
     for (const SegmentationChoice& choice : state.segmentations) bytes += bytesOf(choice.segments);
+    if (state.beside) bytes += state.beside->seriesDigest.size() + state.beside->volumeKey.size();
     return bytes;
 }
 
@@ -39,6 +40,8 @@ void forEachShared(const StudyState& state, const Tell& tell) {
     tellOf(state.cuts);
     for (const NamedClip& clip : state.namedClips) tellOf(clip.cuts);
     if (state.preset) tell(state.preset.get(), bytesOf(*state.preset));
+    if (state.beside && state.beside->preset)
+        tell(state.beside->preset.get(), bytesOf(*state.beside->preset));
     if (state.lights) tell(state.lights.get(), sizeof *state.lights);
 }
 

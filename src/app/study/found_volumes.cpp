@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "app/study/volume_key.h"
 #include "dicom/best_volume.h"
 
 namespace macula::app {
@@ -37,14 +38,19 @@ std::string seriesLine(const dicom::Series& series, const dicom::Stack& stack) {
 
 }  // namespace
 
-FoundVolumes::FoundVolumes(dicom::Scan scan, Extent extent) : scan_(std::move(scan)), extent_(extent) {
-    for (const dicom::Study& study : scan_.studies) {
+FoundVolumes::FoundVolumes(dicom::Scan scan, Extent extent)
+    : scan_(std::move(scan)), extent_(extent), volumes_(volumesOf(scan_)), keys_(volumeKeys(volumes_)) {}
+
+std::vector<FoundVolume> volumesOf(const dicom::Scan& scan) {
+    std::vector<FoundVolume> volumes;
+    for (const dicom::Study& study : scan.studies) {
         for (const dicom::Series& series : study.series) {
             for (const dicom::Stack& stack : series.stacks) {
-                if (stack.canBeVolume()) volumes_.push_back({&study, &series, &stack});
+                if (stack.canBeVolume()) volumes.push_back({&study, &series, &stack});
             }
         }
     }
+    return volumes;
 }
 
 std::vector<std::string> FoundVolumes::titles() const {

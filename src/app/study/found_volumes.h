@@ -31,7 +31,8 @@ class FoundVolumes {
 
     bool isWhole() const { return extent_ == Extent::whole; }
     const dicom::Scan& scan() const { return scan_; }
-    const std::vector<FoundVolume>& volumes() const { return volumes_; }  // in the order of the scan
+    const std::vector<FoundVolume>& volumes() const { return volumes_; }         // in the order of the scan
+    const std::string& key(std::size_t index) const { return keys_.at(index); }  // volumeKeys
     // One line each, which tells apart patients and studies where there are several.
     std::vector<std::string> titles() const;
 
@@ -50,7 +51,11 @@ class FoundVolumes {
     dicom::Scan scan_;
     Extent extent_;
     std::vector<FoundVolume> volumes_;
+    std::vector<std::string> keys_;
 };
+
+// Those of a scan, which must outlive them: stacks that can be volumes, in its order.
+std::vector<FoundVolume> volumesOf(const dicom::Scan& scan);
 
 // SOP Instance UIDs of its images, each once; none where an image has no UID.
 std::vector<std::string> imageUidsOf(const dicom::Stack& stack);

@@ -5,7 +5,6 @@
 #include <memory>
 #include <utility>
 
-#include "app/study/second_study.h"
 #include "pipeline/volume/volume_fit.h"
 
 namespace macula::app {
@@ -41,6 +40,10 @@ bool isIn3d(const BesideState& state) {
     return state.in3d && state.isLinked() && state.view != BesideView::hidden;
 }
 
+bool mayBeIn3d(const Identity& study, const Identity& second) {
+    return samePatient(study, second) != SamePatient::no;
+}
+
 SecondVolume secondIn3d(const BesideState& state, std::shared_ptr<const Volume> second) {
     TransferFunction function = state.preset
                                     ? fitted(*state.preset, *second)
@@ -53,11 +56,15 @@ SecondVolume secondIn3d(const BesideState& state, std::shared_ptr<const Volume> 
     return made;
 }
 
-std::string secondRemark(const Volume& second) {
+std::string secondRemark(const Volume& second, const BesideState& state, SamePatient patient) {
     const std::string& modality = second.modality();
     const bool isCode = !modality.empty() && modality.size() <= 16 &&
                         std::ranges::all_of(modality, [](unsigned char c) { return std::isalnum(c) != 0; });
-    return "with " + (isCode ? modality : std::string("a second volume"));
+    std::string remark = "with " + (isCode ? modality : std::string("a second volume"));
+    if (state.link == BesideLink::registered && state.isDoubtful) remark += ", registration doubtful";
+    if (patient == SamePatient::no) remark += ", of ANOTHER PATIENT";
+    if (patient == SamePatient::unknown) remark += ", perhaps of another patient";
+    return remark;
 }
 
 }  // namespace macula::app

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/state/beside_state.h"
+#include "app/study/second_study.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "pipeline/volume/additions.h"
@@ -21,11 +22,16 @@ TransferFunction secondCurve(const Volume& second, const DisplayWindow& window, 
 // Whether the state shows it in 3D: it is linked, and not hidden.
 bool isIn3d(const BesideState& state);
 
+// Whether both may be in one picture. Of another patient a second volume is on slices alone, where each pane
+// says whose it is.
+bool mayBeIn3d(const Identity& study, const Identity& second);
+
 // As the state shows it; its preset is fitted to the volume, which may take as long as reading all of its
 // voxels. `second` is stored16, and what the state is of.
 SecondVolume secondIn3d(const BesideState& state, std::shared_ptr<const Volume> second);
 
-// What pictures have to say of it, without patient data: "with PET".
-std::string secondRemark(const Volume& second);
+// What pictures have to say of it, without patient data: "with PT", and whether its place is in doubt, or
+// whose it is.
+std::string secondRemark(const Volume& second, const BesideState& state, SamePatient patient);
 
 }  // namespace macula::app

@@ -19,7 +19,10 @@ Result<void> place(const SecondWish& wish, const Volume& study, const Volume& se
     if (wish.link == SecondLink::search) {
         MACULA_TRY(const registration::RigidRegistration found,
                    registration::registerRigid(study, second, progress));
+        state.link = BesideLink::registered;
         state.secondFromStudy = found.movingFromFixed;
+        state.boundMm = found.boundMm;
+        state.isDoubtful = found.isDoubtful();
         drawn.notes.push_back(fmt::format("The second volume was registered, to {:.1f} mm.", found.boundMm));
         if (found.isDoubtful())
             drawn.notes.emplace_back(
@@ -38,6 +41,25 @@ Result<void> place(const SecondWish& wish, const Volume& study, const Volume& se
                  "Choose another series by --second-series, or register both by --registration search."};
 }
 
+// What was registered of one phase says nothing of another.
+bool isOf(const BesideState& beside, const StudyInput& second) {
+    const bool isOtherVolume =
+        !beside.volumeKey.empty() && !second.volumeKey.empty() && beside.volumeKey != second.volumeKey;
+    return beside.isLinked() && beside.seriesDigest == second.seriesDigest && !isOtherVolume;
+}
+
+Result<SamePatient> patientOf(const StudyInput& study, const StudyInput& second, SecondToDraw& drawn) {
+    const SamePatient same = samePatient(study.identity, second.identity);
+    if (same == SamePatient::no)
+        return Error{ErrorCode::inputNotUsable,
+                     "The second volume is of another patient than the study.",
+                     {},
+                     "Choose a series of the same patient by --second and --second-series."};
+    if (same == SamePatient::unknown)
+        drawn.notes.emplace_back("The images do not tell whether both volumes are of one patient.");
+    return same;
+}
+
 }  // namespace
 
 Result<void> check(const SecondWish& wish, bool linkIsGiven) {
@@ -48,17 +70,17 @@ Result<void> check(const SecondWish& wish, bool linkIsGiven) {
                  "Give its folder or file by --second, or leave out what else is said of it."};
 }
 
-Result<SecondToDraw> secondToDraw(const SecondWish& wish, const Volume& study, const BesideState* beside,
+Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& study, const BesideState* beside,
                                   Progress& progress) {
     MACULA_TRY(StudyInput input, loadStudy(wish.path, wish.series, progress, 0, wish.how));
-    bringTo16Bits(input);
     SecondToDraw drawn;
+    MACULA_TRY(const SamePatient patient, patientOf(study, input, drawn));
+    bringTo16Bits(input);
     for (const std::string& note : input.notes) drawn.notes.push_back("Second volume: " + note);
     BesideState state;
-    const bool isKnown =
-        beside != nullptr && beside->isLinked() && beside->seriesDigest == input.seriesDigest;
+    const bool isKnown = beside != nullptr && isOf(*beside, input);
     if (isKnown) state = *beside;
-    MACULA_TRY_VOID(place(wish, study, *input.volume, isKnown, state, drawn, progress));
+    MACULA_TRY_VOID(place(wish, *study.volume, *input.volume, isKnown, state, drawn, progress));
     if (!wish.preset.empty()) {
         MACULA_TRY(presets::ImportedPreset preset, presetToDraw(wish.preset, false));
         for (const std::string& note : notesOf(preset, *input.volume))
@@ -67,7 +89,7 @@ Result<SecondToDraw> secondToDraw(const SecondWish& wish, const Volume& study, c
     }
     if (state.preset && usesGradientOpacity(*state.preset))
         drawn.notes.emplace_back("The gradient opacity of the second volume's preset is not drawn.");
-    drawn.remark = secondRemark(*input.volume);
+    drawn.remark = secondRemark(*input.volume, state, patient);
     drawn.second = secondIn3d(state, input.volume);
     return drawn;
 }

@@ -40,10 +40,11 @@ struct SecondToDraw {
     std::vector<std::string> notes;  // sentences, without patient data
 };
 
-// `study` is stored16. A view that was saved with this second volume (`beside`, or null) says where it lies,
-// unless it is searched, and what it is drawn with, unless a preset is given. Fails as loadStudy,
-// choosePreset and registerRigid; inputNotUsable where nothing of it lies in the study.
-Result<SecondToDraw> secondToDraw(const SecondWish& wish, const Volume& study, const BesideState* beside,
+// The volume of `study` is stored16. A view that was saved with this second volume (`beside`, or null) says
+// where it lies, unless it is searched, and what it is drawn with, unless a preset is given. Fails as
+// loadStudy, choosePreset and registerRigid; inputNotUsable where nothing of it lies in the study, or it is
+// of another patient.
+Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& study, const BesideState* beside,
                                   Progress& progress);
 
 }  // namespace macula::app

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <vector>
 
-#include "app/study/volume_key.h"
 #include "base/parsing.h"
 #include "base/sha256.h"
 #include "dicom/read/patient.h"
@@ -81,7 +80,7 @@ std::vector<double> someValues(const Volume& volume) {
 // Empty where no folder was read.
 std::string keyOf(const OpenedStudy& study) {
     const bool isFound = study.found && study.volumeIndex < study.found->volumes().size();
-    return isFound ? volumeKey(*study.found, study.volumeIndex) : std::string();
+    return isFound ? study.found->key(study.volumeIndex) : std::string();
 }
 
 }  // namespace
@@ -180,10 +179,10 @@ std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState
         if (sha256Hex(found.volumes()[n].series->seriesInstanceUid) == state.seriesDigest)
             ofSeries.push_back(n);
     if (!state.volumeKey.empty()) {
-        const auto same = std::ranges::find_if(
-            ofSeries, [&](std::size_t n) { return volumeKey(found, n) == state.volumeKey; });
-        if (same != ofSeries.end()) return *same;
-        if (state.volume) return std::nullopt;  // another one of several is not meant
+        const auto same =
+            std::ranges::find_if(ofSeries, [&](std::size_t n) { return found.key(n) == state.volumeKey; });
+        // Another one is not meant, not even the only one that is left: isOf says the same.
+        return same != ofSeries.end() ? std::optional(*same) : std::nullopt;
     }
     if (!state.volume && ofSeries.size() != 1) return std::nullopt;
     const std::size_t place = state.volume.value_or(0);

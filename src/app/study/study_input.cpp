@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "app/study/found_volumes.h"
+#include "app/study/volume_key.h"
 #include "base/fingerprint.h"
 #include "base/parsing.h"
 #include "base/phantom.h"
@@ -110,6 +111,7 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
         if (path.empty()) input.notes.emplace_back("No folder was given: this is the built-in phantom.");
         input.volume = std::make_shared<const Volume>(phantom::make());
         input.seriesDigest = "phantom";
+        input.identity.isOfNobody = true;
         return input;
     }
 
@@ -151,6 +153,11 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
     }
     input.imageUids = imageUidsOf(*chosen->stack);
     input.seriesDigest = sha256Hex(chosen->series->seriesInstanceUid);
+    const std::vector<FoundVolume> volumes = volumesOf(scan);
+    const auto at = std::ranges::find(volumes, chosen->stack, &FoundVolume::stack);
+    if (at == volumes.end()) return input;
+    input.identity = identityOf(*at);
+    input.volumeKey = volumeKeys(volumes).at(std::size_t(at - volumes.begin()));
     return input;
 }
 

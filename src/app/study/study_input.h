@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/study/identity.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
@@ -18,7 +19,9 @@ struct StudyInput {
     std::vector<std::string> notes;           // sentences for the user, without patient data
     std::vector<std::string> warnings;        // those of them that change what is seen
     std::vector<std::string> imageUids = {};  // as imageUidsOf; empty: not known
-    std::string seriesDigest;  // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
+    std::string seriesDigest;    // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
+    std::string volumeKey = {};  // FoundVolumes::key; empty where there is no series
+    Identity identity = {};      // to compare with that of another study, and for nothing else
 };
 
 // No path, or "phantom:", is the built-in phantom. `series` chooses by its place in the list of `macula info`

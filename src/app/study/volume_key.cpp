@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
-#include "base/check.h"
 #include "base/sha256.h"
 
 namespace macula::app {
@@ -41,17 +42,16 @@ std::string factsOf(const dicom::Stack& stack) {
 
 }  // namespace
 
-std::string volumeKey(const FoundVolumes& found, std::size_t index) {
-    MACULA_CHECK(index < found.volumes().size());
-    const FoundVolume& volume = found.volumes()[index];
-    const std::string facts = factsOf(*volume.stack);
-    int before = 0;
-    for (std::size_t n = 0; n < index; ++n) {
-        const FoundVolume& other = found.volumes()[n];
-        if (other.series == volume.series && factsOf(*other.stack) == facts) ++before;
+std::vector<std::string> volumeKeys(std::span<const FoundVolume> volumes) {
+    std::map<std::pair<const dicom::Series*, std::string>, int> alike;
+    std::vector<std::string> keys;
+    keys.reserve(volumes.size());
+    for (const FoundVolume& volume : volumes) {
+        std::string digest = sha256Hex(factsOf(*volume.stack));
+        const int count = ++alike[{volume.series, digest}];
+        keys.push_back(count == 1 ? std::move(digest) : fmt::format("{}-{}", digest, count));
     }
-    const std::string digest = sha256Hex(facts);
-    return before == 0 ? digest : fmt::format("{}-{}", digest, before + 1);
+    return keys;
 }
 
 }  // namespace macula::app

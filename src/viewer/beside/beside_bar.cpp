@@ -175,8 +175,8 @@ void BesideBar::addIn3d() {
     in3d_->setObjectName(QStringLiteral("beside-in3d"));
     in3d_->setAccessibleName(tr("The second volume in the 3D picture"));
     in3d_->setToolTip(
-        tr("The second volume in one 3D picture with the study. It has to be linked by more than hand; "
-           "projections show the study alone"));
+        tr("The second volume in one 3D picture with the study. It has to be of the same patient, and linked "
+           "by more than hand; projections show the study alone"));
     connect(in3d_, &QCheckBox::clicked, this, [this](bool on) {
         if (beside_.state() == nullptr) return;
         session_.change(tr("Second volume in 3D"), [on](app::StudyState& next) { next.beside->in3d = on; });
@@ -244,8 +244,9 @@ void BesideBar::showState() {
     links_->setCurrentIndex(int(state->link));
     setItemEnabled(*links_, int(app::BesideLink::sameFrame), beside_.canShareFrame());
     const bool isOver = state->view == app::BesideView::over;
-    const bool isFused = app::isIn3d(*state);
-    in3d_->setEnabled(state->isLinked() && state->view != app::BesideView::hidden);
+    const bool mayBe = app::mayBeIn3d(session_.study().identity, second.study.identity);
+    const bool isFused = mayBe && app::isIn3d(*state);
+    in3d_->setEnabled(mayBe && state->isLinked() && state->view != app::BesideView::hidden);
     in3d_->setChecked(isFused);
     fillPresets(*state);
     presets_->setEnabled(isFused);

@@ -153,7 +153,7 @@ void BesideStudy::show(app::OpenedStudy second) {
         });
     }
     emit secondChanged();
-    if (!wasLeft && !state()->isLinked()) registerNow();
+    if (!wasLeft && state() != nullptr && !state()->isLinked()) registerNow();
 }
 
 void BesideStudy::registerNow() {

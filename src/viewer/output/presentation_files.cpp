@@ -86,6 +86,7 @@ void PresentationFiles::save(const std::filesystem::path& path, app::Presentatio
 void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
                              std::string seriesDigest, std::vector<std::string> imageUids,
                              app::StudyState usual, double aspectWidthOverHeight) {
+    openingOnSlices_.cancel();
     opening_.start([path, volume = std::move(volume), digest = std::move(seriesDigest),
                     images = std::move(imageUids), usual = std::move(usual),
                     aspectWidthOverHeight](Progress&) -> Result<app::PresentedState> {

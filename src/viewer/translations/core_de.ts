@@ -3455,6 +3455,18 @@
         <translation>mit einem zweiten Volumen</translation>
     </message>
     <message>
+        <source>registration doubtful</source>
+        <translation>Registrierung zweifelhaft</translation>
+    </message>
+    <message>
+        <source>of ANOTHER PATIENT</source>
+        <translation>von einem ANDEREN PATIENTEN</translation>
+    </message>
+    <message>
+        <source>perhaps of another patient</source>
+        <translation>vielleicht von einem anderen Patienten</translation>
+    </message>
+    <message>
         <source>with CT</source>
         <translation>mit CT</translation>
     </message>

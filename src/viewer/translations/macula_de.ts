@@ -677,8 +677,8 @@
         <translation>Das zweite Volumen im 3D-Bild</translation>
     </message>
     <message>
-        <source>The second volume in one 3D picture with the study. It has to be linked by more than hand; projections show the study alone</source>
-        <translation>Das zweite Volumen in einem 3D-Bild mit der Studie. Es muss anders als von Hand verknüpft sein; Projektionen zeigen die Studie allein</translation>
+        <source>The second volume in one 3D picture with the study. It has to be of the same patient, and linked by more than hand; projections show the study alone</source>
+        <translation>Das zweite Volumen in einem 3D-Bild mit der Studie. Es muss vom selben Patienten und anders als von Hand verknüpft sein; Projektionen zeigen die Studie allein</translation>
     </message>
     <message>
         <source>Second volume in 3D</source>
@@ -3359,6 +3359,17 @@
     <message>
         <source>Names and IDs are not kept, but previews and views tell as much of a patient as pictures do.</source>
         <translation>Namen und IDs werden nicht aufbewahrt, aber Vorschauen und Ansichten verraten so viel von einem Patienten wie Bilder.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ShownAdditions</name>
+    <message>
+        <source>There is not enough memory for the second volume in 3D.</source>
+        <translation>Für das zweite Volumen in 3D ist nicht genug Speicher da.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or look at it on slices.</source>
+        <translation>Schließen Sie andere Programme, oder sehen Sie es auf Schichten an.</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "viewer/volume/shown_additions.h"
 
+#include <new>
 #include <utility>
 
 #include "app/study/second_curve.h"
@@ -25,8 +26,10 @@ void ShownAdditions::forget() {
     joining_.cancel();
     colouring_.cancel();
     second_.reset();
+    drawn_.reset();
     wantedSecond_.reset();
     wantedTints_.clear();
+    madeTints_.clear();
     tintsOf_ = 0;
     made_ = {};
     additions_.reset();
@@ -35,7 +38,12 @@ void ShownAdditions::forget() {
 void ShownAdditions::setSecond(std::shared_ptr<const SecondSeries> second) {
     if (second == second_) return;
     second_ = std::move(second);
+    drawn_.reset();
     wantedSecond_.reset();
+    if (made_.second) {  // of another one
+        made_.second.reset();
+        show();
+    }
     update();
 }
 
@@ -48,7 +56,9 @@ void ShownAdditions::update() {
 void ShownAdditions::updateSecond() {
     const std::optional<app::BesideState>& beside = session_.state().beside;
     std::optional<app::BesideState> wanted;
-    if (beside && second_ && app::isIn3d(*beside) && app::isOf(*beside, second_->study)) wanted = beside;
+    if (beside && second_ && app::isIn3d(*beside) && app::isOf(*beside, second_->study) &&
+        app::mayBeIn3d(session_.study().identity, second_->study.identity))
+        wanted = beside;
     if (!wanted) {
         joining_.cancel();
         wantedSecond_.reset();
@@ -60,8 +70,16 @@ void ShownAdditions::updateSecond() {
     if (!wanted->window) wanted->window = second_->usualWindow;
     if (wanted == wantedSecond_) return;
     wantedSecond_ = wanted;
-    joining_.start([state = *wanted, volume = second_->study.volume](Progress&) -> Result<SecondVolume> {
-        return app::secondIn3d(state, in16Bits(volume));
+    joining_.start([state = *wanted,
+                    volume = drawn_ ? drawn_ : second_->study.volume](Progress&) -> Result<SecondVolume> {
+        try {
+            return app::secondIn3d(state, in16Bits(volume));
+        } catch (const std::bad_alloc&) {
+            return Error{ErrorCode::outOfMemory,
+                         tr("There is not enough memory for the second volume in 3D.").toStdString(),
+                         {},
+                         tr("Close other programs, or look at it on slices.").toStdString()};
+        }
     });
 }
 
@@ -83,6 +101,8 @@ void ShownAdditions::onSecond(const Result<SecondVolume>& outcome) {
         return show();
     }
     made_.second = *outcome;
+    drawn_ = made_.second->volume;
+    if (wantedSecond_) madeOf_ = *wantedSecond_;
     show();
 }
 
@@ -93,8 +113,13 @@ void ShownAdditions::updateTints() {
     if (wanted == wantedTints_ && (wanted.empty() || tintsOf_ == loaded)) return;
     wantedTints_ = std::move(wanted);
     tintsOf_ = loaded;
+    makingTints_ = wantedTints_;
+    std::erase_if(makingTints_, [this](const app::ColouredIn3d& each) {
+        return segments_.loaded(std::get<std::string>(each)) == nullptr;
+    });
     if (wantedTints_.empty()) {
         colouring_.cancel();
+        madeTints_.clear();
         if (!made_.tints) return;
         made_.tints.reset();
         return show();
@@ -107,25 +132,26 @@ void ShownAdditions::updateTints() {
 
 void ShownAdditions::onTints(const Result<std::optional<SegmentTints>>& outcome) {
     if (!outcome) {
-        made_.tints.reset();
-        session_.correct([](app::StudyState& each) {
-            std::vector<app::SegmentationChoice> plain;
-            for (app::SegmentationChoice choice : each.segmentations) {
-                for (app::SegmentChoice& segment : choice.segments) segment.isColouredIn3d = false;
-                app::choose(plain, std::move(choice));
-            }
-            each.segmentations = std::move(plain);
+        // The colours of before stay, and the state becomes that of them: menus and panels say what is seen.
+        const std::vector<app::ColouredIn3d> asked = std::exchange(wantedTints_, madeTints_);
+        session_.correct([&](app::StudyState& each) {
+            if (app::colouredIn3dOf(each.segmentations) == asked)
+                each.segmentations = app::withColoursIn3d(each.segmentations, madeTints_);
         });
         emit failed(outcome.error());
-        return show();
+        return;
     }
+    madeTints_ = makingTints_;
     made_.tints = *outcome;
     show();
 }
 
 void ShownAdditions::show() {
     made_.remark.clear();
-    if (made_.second) made_.remark = app::secondRemark(*made_.second->volume);
+    if (made_.second && second_)
+        made_.remark =
+            app::secondRemark(*made_.second->volume, madeOf_,
+                              app::samePatient(session_.study().identity, second_->study.identity));
     if (made_.tints) made_.remark += made_.remark.empty() ? "coloured segments" : ", coloured segments";
     additions_ = made_.isNothing() ? nullptr : std::make_shared<const Additions>(made_);
     emit changed();

@@ -50,9 +50,14 @@ class ShownAdditions : public QObject {
     ViewerSession& session_;
     const SegmentationKeeper& segments_;
     std::shared_ptr<const SecondSeries> second_;
+    // Its volume as it is drawn, once made: another curve is no other volume to the device.
+    std::shared_ptr<const Volume> drawn_;
     std::optional<app::BesideState> wantedSecond_;  // what the last job was asked for
+    app::BesideState madeOf_;                       // what made_.second is of
     std::vector<app::ColouredIn3d> wantedTints_;
-    std::size_t tintsOf_ = 0;  // loaded segmentations
+    std::vector<app::ColouredIn3d> makingTints_;  // those of them that are loaded
+    std::vector<app::ColouredIn3d> madeTints_;    // what made_.tints are of
+    std::size_t tintsOf_ = 0;                     // loaded segmentations
     Additions made_;
     std::shared_ptr<const Additions> additions_;
     BackgroundJob<SecondVolume> joining_;
