@@ -19,7 +19,8 @@ layout(push_constant, scalar) uniform Push {
 layout(binding = 0) uniform samplerBuffer colours;
 layout(binding = 1) uniform samplerBuffer noises;
 layout(binding = 2) uniform samplerBuffer masses;
-layout(binding = 3, scalar) writeonly buffer Shown {
+layout(binding = 3) uniform samplerBuffer surfaces;
+layout(binding = 4, scalar) writeonly buffer Shown {
     vec4 shown[];
 };
 
@@ -32,6 +33,10 @@ vec4 fetchNoise(int pixel) {
 vec4 fetchMass(int pixel) {
     return texelFetch(masses, pixel);
 }
+vec4 fetchSurface(int pixel) {
+    return texelFetch(surfaces, pixel);
+}
+#include "lib/denoise_filter.glsl"
 #include "lib/denoise_specks.glsl"
 
 void main() {

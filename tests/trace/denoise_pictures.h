@@ -102,7 +102,7 @@ inline std::vector<glm::dvec4> denoised(const shared::DenoisePush& push, const D
         pass.last = i == passes - 1 ? 1 : 0;
         state = denoiseFilter(pass, state, guides, masses);
     }
-    return how == Denoising::little ? state.colours : denoiseSpecks(push, state, masses);
+    return how == Denoising::little ? state.colours : denoiseSpecks(push, state, guides, masses);
 }
 inline std::vector<glm::dvec4> denoised(const TruePicture& picture, const DenoiseFilm& film) {
     const DenoiseGuides guides = picture.guides();

@@ -135,7 +135,7 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
         } else {
             const auto from = static_cast<std::size_t>(passes % 2);
             recorder.dispatch(kernels_->specks, threads, push,
-                              {colours_[from], noises_[from], masses_, result_});
+                              {colours_[from], noises_[from], masses_, now.surfaces(), result_});
         }
         row_ += rows;
         if (row_ < height_) return;

@@ -141,9 +141,10 @@ DenoiseState denoiseFilter(const shared::DenoisePush& push, const DenoiseState& 
 }
 
 std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const DenoiseState& state,
-                                      const std::vector<glm::dvec4>& masses) {
+                                      const DenoiseGuides& now, const std::vector<glm::dvec4>& masses) {
     Host prototype(push);
     prototype.state = &state;
+    prototype.now = &now;
     prototype.masses = &masses;
     std::vector<glm::dvec4> shown(state.colours.size());
     forEachPixel(prototype, [&](Host& host, const glm::ivec2& pixel, std::size_t index) {

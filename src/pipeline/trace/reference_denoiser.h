@@ -40,6 +40,6 @@ DenoiseState denoiseFilter(const shared::DenoisePush& push, const DenoiseState& 
                            const DenoiseGuides& now, const std::vector<glm::dvec4>& masses);
 // The colours without specks, after the last pass.
 std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const DenoiseState& state,
-                                      const std::vector<glm::dvec4>& masses);
+                                      const DenoiseGuides& now, const std::vector<glm::dvec4>& masses);
 
 }  // namespace macula::trace
