@@ -12,8 +12,8 @@
 // Needs from its host, by index of a pixel: fetchColour and fetchNoise (of the last filterPixel), fetchMass, fetchSurface;
 // and denoise_filter.glsl.
 
-// How much of what stands out is taken for noise, in standard deviations of what the filter left. More would take little
-// more away (docs/measurements/tracer.md), and of lines some.
+// How much of what stands out is taken for noise, in standard deviations of what the filter left. More takes more away, of
+// noisy lines too (docs/measurements/tracer.md).
 #define SPECK_DEVIATIONS 2.0
 // Stands for a pixel outside the picture, or one that is empty; light is 0 or more.
 #define NO_LIGHT -1.0
