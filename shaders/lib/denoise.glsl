@@ -9,7 +9,7 @@
 // Alpha likewise, with D = coverage, and weights and variance of its own. Nothing flows to or from a pixel that the guides
 // say is empty. The weights shrink with the variance, so the picture goes over into the plain mean.
 //
-// Three kernels: denoise_gather.glsl, denoise_prepare.glsl, and denoise_filter.glsl once for each pass.
+// Four kernels: denoise_gather.glsl, denoise_prepare.glsl, denoise_filter.glsl once for each pass, and denoise_specks.glsl.
 //
 // Needs from its host: denoise (DenoisePush); and fovea.glsl.
 

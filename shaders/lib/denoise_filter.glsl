@@ -14,6 +14,14 @@ struct Filtered {
     vec2 variance;
 };
 
+// Of two pixels so many pixels apart.
+float stopOfDepth(vec4 surface, vec4 noise, vec4 surfaceQ, vec4 noiseQ, float apart) {
+    float toleranceMm = float(0.5) * ((noise.z + noiseQ.z) * apart + noise.w + noiseQ.w);
+    bool depths = surface.w >= float(0.0) && surfaceQ.w >= float(0.0);
+    float deviation = (surface.w - surfaceQ.w) / max(toleranceMm, float(1e-12));
+    return depths ? float(DEPTH_STOP) * deviation * deviation : float(0.0);
+}
+
 // One pass: eight taps denoise.stride apart, with the weights of a binomial filter; what no tap takes stays.
 Filtered filterPixel(ivec2 pixel) {
     int index = indexOf(pixel);
@@ -43,10 +51,8 @@ Filtered filterPixel(ivec2 pixel) {
         vec4 surfaceQ = fetchSurface(q);
 
         float apart = sqrt(float(x * x + y * y)) * float(denoise.stride);
-        float toleranceMm = float(0.5) * ((noise.z + noiseQ.z) * apart + noise.w + noiseQ.w);
         bool depths = surface.w >= float(0.0) && surfaceQ.w >= float(0.0);
-        float deviation = (surface.w - surfaceQ.w) / max(toleranceMm, float(1e-12));
-        float stop = depths ? float(DEPTH_STOP) * deviation * deviation : float(0.0);
+        float stop = stopOfDepth(surface, noise, surfaceQ, noiseQ, apart);
         vec3 across = normal - vec3(surfaceQ.x, surfaceQ.y, surfaceQ.z);
         stop += depths ? float(0.5 * NORMAL_STOP) * dot(across, across) : float(0.0);
         float thicker = mass.w - massQ.w;

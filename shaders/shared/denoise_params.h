@@ -7,7 +7,7 @@ MACULA_SHARED_BEGIN
 struct DenoisePush {
     ivec2 imageSize;       // pixels
     int stride;            // pixels between the taps of this pass
-    int last;              // 1: the pass whose result is shown
+    int last;              // 1: the last pass of the filter
     float pixelAngle;      // width of a pixel at distance 1, as stored
     float historySamples;  // the most samples that the history counts for; 0: there is none
     int firstRow;          // of this dispatch

@@ -85,6 +85,33 @@ TEST_F(DenoiseOnDevice, IsThatOfTheReference) {
     }
 }
 
+// Where many pixels stand out alone.
+TEST_F(DenoiseOnDevice, SpecksAreThoseOfTheReference) {
+    const TruePicture picture = softTissue(40);
+    const DenoiseGuides values = picture.guides();
+    Denoiser denoiser = std::move(*Denoiser::create(device(), *DenoiseKernels::create(device()), 40, 40));
+    const Film film = std::move(*Film::create(device(), 40, 40));
+    const Guides guides = std::move(*Guides::create(device(), 40, 40));
+    upload(guides, values);
+    for (const std::uint32_t samples : {1u, 4u}) {
+        const DenoiseFilm noisy = picture.film(samples, samples);
+        upload(film, noisy);
+        ASSERT_TRUE(denoiser.run(film, guides, nullptr, picture.push().pixelAngle, Denoising::on).ok());
+        const auto result = gpu::read<glm::vec4>(denoiser.result());
+        std::vector<glm::dvec4> masses;
+        const DenoiseState state = filtered(
+            picture.push(), denoiseGather(picture.push(), noisy, values, values, {}), values, masses);
+        const auto expected = denoiseSpecks(picture.push(), state, values, masses);
+        int changed = 0;
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            for (int c = 0; c < 4; ++c)
+                EXPECT_NEAR((*result)[i][c], expected[i][c], 2e-4 * (1 + std::abs(expected[i][c]))) << i;
+            changed += std::abs(expected[i].y - state.colours[i].y) > 0.02 ? 1 : 0;
+        }
+        EXPECT_GT(changed, 40) << samples;
+    }
+}
+
 TEST_F(DenoiseOnDevice, TakesWhateverAFilmMayHold) {
     const TruePicture picture = scenery(24);
     Denoiser denoiser = std::move(*Denoiser::create(device(), *DenoiseKernels::create(device()), 24, 24));

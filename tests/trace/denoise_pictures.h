@@ -1,6 +1,7 @@
 // Pictures with a known truth, for the denoiser's tests.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <random>
 
@@ -90,10 +91,23 @@ inline TruePicture scenery(int size) {
             }};
 }
 
-// The whole of the denoiser, in double.
-inline std::vector<glm::dvec4> denoised(const shared::DenoisePush& push, const DenoiseRecord& record,
-                                        const DenoiseGuides& guides, Denoising how = Denoising::on) {
-    std::vector<glm::dvec4> masses;
+// Opaque, its light changes little from pixel to pixel, and its normals are uncertain: as in soft tissue.
+inline TruePicture softTissue(int size) {
+    std::mt19937 random(5);
+    std::normal_distribution<double> uncertain(0.0, 0.5);
+    return {size, size, [&](int x, int y) {
+                TruePixel p;
+                p.light = glm::dvec3(1.0 + 0.3 * std::sin(x / 9.0) * std::cos(y / 11.0));
+                p.normal += glm::dvec3(uncertain(random), uncertain(random), uncertain(random));
+                p.normal = glm::normalize(p.normal);
+                return p;
+            }};
+}
+
+// The denoiser but for its last step, in double.
+inline DenoiseState filtered(const shared::DenoisePush& push, const DenoiseRecord& record,
+                             const DenoiseGuides& guides, std::vector<glm::dvec4>& masses,
+                             Denoising how = Denoising::on) {
     DenoiseState state = denoisePrepare(push, record, guides, masses);
     shared::DenoisePush pass = push;
     const int passes = how == Denoising::little ? 5 : 9;
@@ -102,7 +116,15 @@ inline std::vector<glm::dvec4> denoised(const shared::DenoisePush& push, const D
         pass.last = i == passes - 1 ? 1 : 0;
         state = denoiseFilter(pass, state, guides, masses);
     }
-    return state.colours;
+    return state;
+}
+
+// The whole of the denoiser, in double.
+inline std::vector<glm::dvec4> denoised(const shared::DenoisePush& push, const DenoiseRecord& record,
+                                        const DenoiseGuides& guides, Denoising how = Denoising::on) {
+    std::vector<glm::dvec4> masses;
+    const DenoiseState state = filtered(push, record, guides, masses, how);
+    return how == Denoising::little ? state.colours : denoiseSpecks(push, state, guides, masses);
 }
 inline std::vector<glm::dvec4> denoised(const TruePicture& picture, const DenoiseFilm& film) {
     const DenoiseGuides guides = picture.guides();

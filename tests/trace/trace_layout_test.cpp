@@ -127,8 +127,8 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
          MACULA_FIELD(shared::GuidePush, planeHalfSize), MACULA_FIELD(shared::GuidePush, gaze),
          MACULA_FIELD(shared::GuidePush, foveaRadius), MACULA_FIELD(shared::GuidePush, foveaMagnification),
          MACULA_FIELD(shared::GuidePush, parallelMm), MACULA_FIELD(shared::GuidePush, firstRow)});
-    for (const auto& code :
-         {shaders::denoise_gather_comp, shaders::denoise_prepare_comp, shaders::denoise_filter_comp}) {
+    for (const auto& code : {shaders::denoise_gather_comp, shaders::denoise_prepare_comp,
+                             shaders::denoise_filter_comp, shaders::denoise_specks_comp}) {
         const auto denoise = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(denoise.ok());
         expectLayoutMatches<shared::DenoisePush>(

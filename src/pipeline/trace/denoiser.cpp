@@ -42,8 +42,9 @@ Result<std::shared_ptr<const DenoiseKernels>> DenoiseKernels::create(
     MACULA_TRY(gpu::Kernel gather, gpu::Kernel::create(device, shaders::denoise_gather_comp));
     MACULA_TRY(gpu::Kernel prepare, gpu::Kernel::create(device, shaders::denoise_prepare_comp));
     MACULA_TRY(gpu::Kernel filter, gpu::Kernel::create(device, shaders::denoise_filter_comp));
+    MACULA_TRY(gpu::Kernel specks, gpu::Kernel::create(device, shaders::denoise_specks_comp));
     return std::make_shared<const DenoiseKernels>(
-        DenoiseKernels{std::move(gather), std::move(prepare), std::move(filter)});
+        DenoiseKernels{std::move(gather), std::move(prepare), std::move(filter), std::move(specks)});
 }
 
 Denoiser::Denoiser(int width, int height, std::shared_ptr<const DenoiseKernels> kernels,
@@ -94,7 +95,8 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     const Record& record = records_[current_];
     const Record& memory = records_[1 - current_];
     const int passes = how == Denoising::little ? kFirstSweep : static_cast<int>(kStrides.size());
-    const int stages = 2 + passes;
+    const bool limitsSpecks = how != Denoising::little;
+    const int stages = 2 + passes + (limitsSpecks ? 1 : 0);
     const std::shared_ptr<gpu::Device>& device = result_.device();
     const int rowsAtOnce = keepGoing ? rowsToFilterAtOnce(*device, width_) : height_;
 
@@ -121,15 +123,19 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
             recorder.dispatch(kernels_->prepare, threads, push,
                               {record.means, record.moments, now.surfaces(), now.matters(), now.motions(),
                                masses_.buffer(), noises_[0].buffer()});
-        } else {
+        } else if (stage_ < 2 + passes) {
             const auto pass = static_cast<std::size_t>(stage_ - 2);
             const std::size_t from = pass % 2;
             push.stride = kStrides.at(pass);
-            push.last = stage_ + 1 == stages ? 1 : 0;
+            push.last = stage_ + 1 == 2 + passes ? 1 : 0;
             recorder.dispatch(
                 kernels_->filter, threads, push,
                 {pass == 0 ? record.means : colours_[from], noises_[from], masses_, now.surfaces(),
-                 push.last == 1 ? result_ : colours_[1 - from].buffer(), noises_[1 - from].buffer()});
+                 stage_ + 1 == stages ? result_ : colours_[1 - from].buffer(), noises_[1 - from].buffer()});
+        } else {
+            const auto from = static_cast<std::size_t>(passes % 2);
+            recorder.dispatch(kernels_->specks, threads, push,
+                              {colours_[from], noises_[from], masses_, now.surfaces(), result_});
         }
         row_ += rows;
         if (row_ < height_) return;

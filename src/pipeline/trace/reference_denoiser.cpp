@@ -67,6 +67,7 @@ struct Host : GlslInCpp<double> {
 #include "lib/denoise_filter.glsl"
 #include "lib/denoise_gather.glsl"
 #include "lib/denoise_prepare.glsl"
+#include "lib/denoise_specks.glsl"
 #include "lib/fovea.glsl"
 #include "lib/picture.glsl"
 #undef float
@@ -137,6 +138,19 @@ DenoiseState denoiseFilter(const shared::DenoisePush& push, const DenoiseState& 
         next.noises[index].y = filtered.variance.y;
     });
     return next;
+}
+
+std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const DenoiseState& state,
+                                      const DenoiseGuides& now, const std::vector<glm::dvec4>& masses) {
+    Host prototype(push);
+    prototype.state = &state;
+    prototype.now = &now;
+    prototype.masses = &masses;
+    std::vector<glm::dvec4> shown(state.colours.size());
+    forEachPixel(prototype, [&](Host& host, const glm::ivec2& pixel, std::size_t index) {
+        shown[index] = host.withoutSpeck(pixel);
+    });
+    return shown;
 }
 
 }  // namespace macula::trace

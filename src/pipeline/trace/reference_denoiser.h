@@ -38,5 +38,8 @@ DenoiseState denoisePrepare(const shared::DenoisePush& push, const DenoiseRecord
                             const DenoiseGuides& now, std::vector<glm::dvec4>& masses);
 DenoiseState denoiseFilter(const shared::DenoisePush& push, const DenoiseState& state,
                            const DenoiseGuides& now, const std::vector<glm::dvec4>& masses);
+// The colours without specks, after the last pass.
+std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const DenoiseState& state,
+                                      const DenoiseGuides& now, const std::vector<glm::dvec4>& masses);
 
 }  // namespace macula::trace

@@ -13,9 +13,10 @@ namespace {
 const std::string& kernelsDigest() {
     static const std::string digest = [] {
         std::string text;
-        for (const gpu::ShaderCode* code : {&shaders::trace_guides_comp, &shaders::denoise_gather_comp,
-                                            &shaders::denoise_prepare_comp, &shaders::denoise_filter_comp,
-                                            &shaders::trace_layers_comp, &shaders::trace_path_primaries_comp})
+        for (const gpu::ShaderCode* code :
+             {&shaders::trace_guides_comp, &shaders::denoise_gather_comp, &shaders::denoise_prepare_comp,
+              &shaders::denoise_filter_comp, &shaders::denoise_specks_comp, &shaders::trace_layers_comp,
+              &shaders::trace_path_primaries_comp})
             text += sha256Hex(std::as_bytes(std::span(code->words)));
         return sha256Hex(text);
     }();
