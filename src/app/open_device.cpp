@@ -1,14 +1,62 @@
 #include "app/open_device.h"
 
+#include <pwd.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <mutex>
 #include <utility>
 
 namespace macula::app {
 
-Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::LastingDevice::Tell tell) {
-    MACULA_TRY(gpu::Instance instance, gpu::Instance::create());
+namespace {
+
+namespace fs = std::filesystem;
+
+struct KernelsFolder {
+    std::mutex mutex;
+    fs::path folder;
+};
+
+KernelsFolder& kernelsFolder() {
+    static KernelsFolder the;
+    return the;
+}
+
+}  // namespace
+
+fs::path usualKernelsFolder() {
+    if (const char* chosen = std::getenv("MACULA_KERNELS"); chosen != nullptr) return chosen;
+    const fs::path below = fs::path("macula") / "kernels";
+    // The specification says that a relative path there does not count.
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && fs::path(cache).is_absolute())
+        return cache / below;
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || *home == '\0') {
+        const passwd* user = getpwuid(geteuid());
+        home = user != nullptr ? user->pw_dir : nullptr;
+    }
+    return home != nullptr && fs::path(home).is_absolute() ? home / (".cache" / below) : fs::path();
+}
+
+void keepKernelsIn(fs::path folder) {
+    KernelsFolder& the = kernelsFolder();
+    const std::lock_guard lock(the.mutex);
+    the.folder = std::move(folder);
+}
+
+gpu::DeviceOptions deviceOptions(const std::string& preferred) {
     gpu::DeviceOptions options;
     options.preferred = preferred;
-    return gpu::LastingDevice::open(std::move(instance), options, std::move(tell));
+    KernelsFolder& the = kernelsFolder();
+    const std::lock_guard lock(the.mutex);
+    options.kernelsFolder = the.folder;
+    return options;
+}
+
+Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::LastingDevice::Tell tell) {
+    MACULA_TRY(gpu::Instance instance, gpu::Instance::create());
+    return gpu::LastingDevice::open(std::move(instance), deviceOptions(preferred), std::move(tell));
 }
 
 }  // namespace macula::app

@@ -19,6 +19,7 @@ class OwnDataFolder {
         folder_ = (error ? fs::path("/tmp") : place) / ("macula-data-" + std::to_string(process_));
         fs::remove_all(folder_, error);  // of a killed process of the same number
         setenv("XDG_DATA_HOME", folder_.c_str(), 1);
+        setenv("MACULA_KERNELS", (folder_ / "kernels").c_str(), 1);
         unsetenv("MACULA_SESSIONS");
         unsetenv("MACULA_KEEP_DAYS");
     }

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "app/open_device.h"
 #include "base/check.h"
 #include "base/log.h"
 
@@ -34,12 +35,6 @@ glm::dvec2 usableGaze(const glm::dvec2& gaze) {
     return isFinite ? glm::clamp(gaze, -1.0, 1.0) : glm::dvec2(0.0);
 }
 
-gpu::DeviceOptions preferring(std::string device) {
-    gpu::DeviceOptions options;
-    options.preferred = std::move(device);
-    return options;
-}
-
 // Only light that stays in place can have a model: a model holds it.
 bool canHaveModel(const FrameInput& input) {
     return input.usesModel && trace::isPathTraced(input.drawing.settings.look) &&
@@ -50,7 +45,7 @@ bool canHaveModel(const FrameInput& input) {
 
 FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice,
                              std::shared_ptr<SceneKeeper> keeper, RenderListener listener)
-    : FrameRenderer(std::move(instance), preferring(std::move(preferredDevice)), std::move(keeper),
+    : FrameRenderer(std::move(instance), deviceOptions(preferredDevice), std::move(keeper),
                     std::move(listener)) {}
 
 FrameRenderer::FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device,

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/staging_pool.h"
 #include "pipeline/gpu/vulkan_error.h"
 
 namespace macula::gpu {
@@ -77,7 +78,9 @@ Result<Allocation> allocate(const std::shared_ptr<Device>& device, const VkMemor
     };
     VkDeviceMemory handle = VK_NULL_HANDLE;
     VkResult result = tryAllocate(&handle);
-    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY && device->pendingDestructions() > 0) {
+    const bool isFull = result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY;
+    if (isFull) device->staging().clear(device);
+    if (isFull && device->pendingDestructions() > 0) {
         // What was dropped may still hold the memory: worth one wait before giving up.
         MACULA_TRY_VOID(device->waitForAll());
         result = tryAllocate(&handle);
