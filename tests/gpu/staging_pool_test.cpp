@@ -121,16 +121,41 @@ TEST_F(StagingPoolTest, TheSmallestGoesFirst) {
     EXPECT_EQ(pool.made(), made + 1) << "those of the other kind do not";
 }
 
+// Where the host's memory is the device's.
 TEST_F(StagingPoolTest, GivesWayWhereMemoryIsShort) {
-    const Buffer buffer = local(64);
-    expectOk(uploadTo<std::uint32_t>(buffer, countingFrom(0, 16)));
-    ASSERT_GT(card_->staging().kept(), 0u);
+    if (!device()->hasUnifiedMemory()) GTEST_SKIP() << "the device has memory of its own";
+    { ASSERT_TRUE(Staging::take(device(), MemoryKind::readback, 1000).ok()); }
+    ASSERT_EQ(device()->staging().kept(), 1u);
     {
         const test::NoMemory full;
-        EXPECT_FALSE(Buffer::create(card_, {.label = "more", .bytes = 1u << 20}).ok());
+        EXPECT_FALSE(Buffer::create(device(), {.label = "more", .bytes = 1u << 20}).ok());
     }
-    EXPECT_EQ(card_->staging().kept(), 0u);
-    EXPECT_EQ(expectOk(read<std::uint32_t>(buffer)), countingFrom(0, 16));
+    EXPECT_EQ(device()->staging().kept(), 0u);
+}
+
+// What was computed comes back though there is memory for nothing more.
+TEST_F(StagingPoolTest, ResultsAreReadThroughWhatIsLeft) {
+    const Buffer large = local(400'000);
+    const Buffer small = local(64);
+    const auto values = countingFrom(5, 100'000);
+    expectOk(uploadTo<std::uint32_t>(large, values));
+    expectOk(uploadTo<std::uint32_t>(small, countingFrom(0, 16)));
+    EXPECT_EQ(expectOk(read<std::uint32_t>(small)), countingFrom(0, 16));
+    {
+        const test::NoMemory full;
+        EXPECT_EQ(expectOk(read<std::uint32_t>(large)), values) << "in portions";
+        EXPECT_GT(full.refused(), 0);
+    }
+    card_->staging().clear(card_);
+    {
+        const test::NoMemory full(100'000);
+        EXPECT_EQ(expectOk(read<std::uint32_t>(large)), values) << "in small portions";
+    }
+    card_->staging().clear(card_);
+    const test::NoMemory full;
+    const auto none = read<std::uint32_t>(large);
+    ASSERT_FALSE(none.ok());
+    EXPECT_EQ(none.error().code, ErrorCode::outOfMemory);
 }
 
 // A pool that held its device would keep it for ever.

@@ -78,8 +78,11 @@ Result<Allocation> allocate(const std::shared_ptr<Device>& device, const VkMemor
     };
     VkDeviceMemory handle = VK_NULL_HANDLE;
     VkResult result = tryAllocate(&handle);
-    const bool isFull = result == VK_ERROR_OUT_OF_DEVICE_MEMORY || result == VK_ERROR_OUT_OF_HOST_MEMORY;
-    if (isFull) device->staging().clear(device);
+    const bool isFull = result == VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    // Where both are the same memory. On a graphics card it would not help, and what was kept may be all that
+    // is left to read results back through.
+    if (isFull && kind == MemoryKind::deviceLocal && device->hasUnifiedMemory())
+        device->staging().clear(device);
     if (isFull && device->pendingDestructions() > 0) {
         // What was dropped may still hold the memory: worth one wait before giving up.
         MACULA_TRY_VOID(device->waitForAll());

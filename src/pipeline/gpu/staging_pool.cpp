@@ -1,19 +1,11 @@
 #include "pipeline/gpu/staging_pool.h"
 
 #include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "base/check.h"
 
 namespace macula::gpu {
-
-namespace {
-
-// Sizes are powers of two from here on, so that what one call leaves behind serves the next.
-constexpr std::uint64_t kLeastBytes = 64u << 10;
-
-}  // namespace
 
 Buffer StagingPool::owned(const std::shared_ptr<Device>& device, const Kept& kept) {
     Buffer buffer;
@@ -37,17 +29,34 @@ Result<Buffer> StagingPool::take(const std::shared_ptr<Device>& device, MemoryKi
         if (kept->kind != kind || kept->bytes < bytes || kept->busyUntil > completed) continue;
         if (best == kept_.end() || kept->bytes < best->bytes) best = kept;
     }
-    if (best != kept_.end()) {
-        Buffer buffer = owned(device, *best);
-        kept_.erase(best);
-        return buffer;
-    }
+    if (best != kept_.end()) return taken(device, best);
     // What is too large to be kept is no larger than it has to be.
-    const std::uint64_t size = bytes > kMostBytes ? bytes : std::max(std::bit_ceil(bytes), kLeastBytes);
+    const std::uint64_t size =
+        bytes > kMostBytes ? bytes : (bytes + kLeastBytes - 1) / kLeastBytes * kLeastBytes;
     MACULA_TRY(Buffer made,
                Buffer::create(device, {.label = "staging", .bytes = size, .usage = 0, .memory = kind}));
     ++made_;
     return made;
+}
+
+Buffer StagingPool::taken(const std::shared_ptr<Device>& device, std::vector<Kept>::iterator kept) {
+    Buffer buffer = owned(device, *kept);
+    kept_.erase(kept);
+    return buffer;
+}
+
+Result<Buffer> StagingPool::takeUpTo(const std::shared_ptr<Device>& device, MemoryKind kind,
+                                     std::uint64_t bytes) {
+    Result<Buffer> whole = take(device, kind, bytes);
+    if (whole || whole.error().code != ErrorCode::outOfMemory) return whole;
+    const Ticket completed = device->completedTicket();
+    auto largest = kept_.end();
+    for (auto kept = kept_.begin(); kept != kept_.end(); ++kept) {
+        if (kept->kind != kind || kept->busyUntil > completed) continue;
+        if (largest == kept_.end() || kept->bytes > largest->bytes) largest = kept;
+    }
+    if (largest != kept_.end()) return taken(device, largest);
+    return bytes > kLeastBytes ? take(device, kind, kLeastBytes) : std::move(whole);
 }
 
 void StagingPool::giveBack(Buffer buffer, MemoryKind kind) {
@@ -88,6 +97,12 @@ void StagingPool::destroyAll(VkDevice device) {
 
 Result<Staging> Staging::take(const std::shared_ptr<Device>& device, MemoryKind kind, std::uint64_t bytes) {
     MACULA_TRY(Buffer buffer, device->staging().take(device, kind, bytes));
+    return Staging(std::move(buffer), kind);
+}
+
+Result<Staging> Staging::takeUpTo(const std::shared_ptr<Device>& device, MemoryKind kind,
+                                  std::uint64_t bytes) {
+    MACULA_TRY(Buffer buffer, device->staging().takeUpTo(device, kind, bytes));
     return Staging(std::move(buffer), kind);
 }
 

@@ -19,10 +19,13 @@ namespace macula::gpu {
 class StagingPool {
   public:
     static constexpr std::size_t kMostOfAKind = 4;
-    static constexpr std::uint64_t kMostBytes = 16u << 20;  // of one that is kept
+    static constexpr std::uint64_t kMostBytes = 16u << 20;   // of one that is kept
+    static constexpr std::uint64_t kLeastBytes = 64u << 10;  // sizes are multiples of it
 
     // One of at least so many bytes that no submitted work uses. `kind` is upload or readback.
     Result<Buffer> take(const std::shared_ptr<Device>& device, MemoryKind kind, std::uint64_t bytes);
+    // The same where memory is short: what there is, but not less than kLeastBytes or `bytes`.
+    Result<Buffer> takeUpTo(const std::shared_ptr<Device>& device, MemoryKind kind, std::uint64_t bytes);
     // It is taken again only when all that is submitted by now is done. Of more than are kept the smallest
     // goes.
     void giveBack(Buffer buffer, MemoryKind kind);
@@ -46,6 +49,7 @@ class StagingPool {
         MemoryKind kind = MemoryKind::upload;
         Ticket busyUntil = 0;
     };
+    Buffer taken(const std::shared_ptr<Device>& device, std::vector<Kept>::iterator kept);
     static Buffer owned(const std::shared_ptr<Device>& device, const Kept& kept);
 
     std::vector<Kept> kept_;
@@ -56,6 +60,8 @@ class StagingPool {
 class Staging {
   public:
     static Result<Staging> take(const std::shared_ptr<Device>& device, MemoryKind kind, std::uint64_t bytes);
+    static Result<Staging> takeUpTo(const std::shared_ptr<Device>& device, MemoryKind kind,
+                                    std::uint64_t bytes);
 
     Staging(Staging&&) noexcept = default;
     Staging& operator=(Staging&&) = delete;

@@ -83,8 +83,10 @@ Result<void> readInto(const Buffer& buffer, std::uint64_t offsetBytes, std::span
         return {};
     }
 
-    const std::uint64_t chunk = std::min<std::uint64_t>(kChunkBytes, target.size());
-    MACULA_TRY(const Staging stage, Staging::take(device, MemoryKind::readback, chunk));
+    // In smaller portions where memory is short: results are worth more than the time.
+    MACULA_TRY(const Staging stage, Staging::takeUpTo(device, MemoryKind::readback,
+                                                      std::min<std::uint64_t>(kChunkBytes, target.size())));
+    const std::uint64_t chunk = stage.buffer().bytes();
     for (std::uint64_t done = 0; done < target.size(); done += chunk) {
         const std::uint64_t count = std::min<std::uint64_t>(chunk, target.size() - done);
         const auto ticket = submitCopy(
