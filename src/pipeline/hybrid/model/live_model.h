@@ -1,5 +1,5 @@
-// The peripheral model of what is on a screen: found, taught while nothing moves, and drawn while something
-// does. All of it in slices, so that whoever has the thread keeps it.
+// The peripheral model of what is on a screen: found, taught while nothing moves, or in the time between two
+// frames, and drawn while something does. All of it in slices, so that whoever has the thread keeps it.
 //
 //     model.show(key, settings);                       // what the scene shows now, or showed before
 //     if (model.hasWork()) model.work(20.0, keepGoing);
