@@ -315,8 +315,11 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
         gauge_.emplace(*seenMm_);
         if (!goesOn()) return {};
     }
-    MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
-    if (!gauge_->isWhole()) return {};
+    if (!gauge_->isWhole()) {
+        MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
+        // What follows cannot be interrupted, and takes long where it compiles: a picture may come between.
+        if (!gauge_->isWhole() || !goesOn()) return {};
+    }
     const ModelStart start{
         .splats = startWith_ ? *startWith_ : initialSplats(*points_), .seenMm = *seenMm_, .key = key_};
     MACULA_TRY(model_, PeripheralModel::begin(device_, start, options_.model));
