@@ -152,6 +152,7 @@ TEST_F(StagingPoolTest, ResultsAreReadThroughWhatIsLeft) {
         EXPECT_EQ(expectOk(read<std::uint32_t>(large)), values) << "in small portions";
     }
     card_->staging().clear(card_);
+    expectOk(card_->waitForAll());
     const test::NoMemory full;
     const auto none = read<std::uint32_t>(large);
     ASSERT_FALSE(none.ok());
