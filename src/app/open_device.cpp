@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <mutex>
 #include <utility>
 
 namespace macula::app {
@@ -12,16 +11,6 @@ namespace macula::app {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct KernelsFolder {
-    std::mutex mutex;
-    fs::path folder;
-};
-
-KernelsFolder& kernelsFolder() {
-    static KernelsFolder the;
-    return the;
-}
 
 }  // namespace
 
@@ -37,21 +26,6 @@ fs::path usualKernelsFolder() {
         home = user != nullptr ? user->pw_dir : nullptr;
     }
     return home != nullptr && fs::path(home).is_absolute() ? home / (".cache" / below) : fs::path();
-}
-
-void keepKernelsIn(fs::path folder) {
-    KernelsFolder& the = kernelsFolder();
-    const std::lock_guard lock(the.mutex);
-    the.folder = std::move(folder);
-}
-
-gpu::DeviceOptions deviceOptions(const std::string& preferred) {
-    gpu::DeviceOptions options;
-    options.preferred = preferred;
-    KernelsFolder& the = kernelsFolder();
-    const std::lock_guard lock(the.mutex);
-    options.kernelsFolder = the.folder;
-    return options;
 }
 
 Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::LastingDevice::Tell tell) {

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/open_device.h"
+#include "app/frame/device_options.h"
 #include "xr/xr_error.h"
 
 namespace macula::xr {

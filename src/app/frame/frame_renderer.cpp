@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "app/open_device.h"
+#include "app/frame/device_options.h"
 #include "base/check.h"
 #include "base/log.h"
 
