@@ -10,6 +10,7 @@
 
 #include "app/choice/nearest_name.h"
 #include "app/exit_codes.h"
+#include "app/open_device.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
@@ -106,6 +107,7 @@ int run(int argc, char** argv) {
         cli::printError(none.error());
         return app::exitCodeOf(none.error().code);
     }
+    app::keepKernelsIn(app::usualKernelsFolder());
     if (const auto done = action(); !done) {
         cli::printError(done.error());
         return app::exitCodeOf(done.error().code);

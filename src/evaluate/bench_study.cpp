@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/choice/lights_choice.h"
+#include "app/open_device.h"
 #include "app/study/study_input.h"
 #include "evaluate/shown_picture.h"
 
@@ -32,9 +33,7 @@ Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& pr
     }
     MACULA_TRY(trace::Environment environment, app::chooseLights(options.lights));
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
-    gpu::DeviceOptions deviceOptions;
-    deviceOptions.preferred = options.device;
-    MACULA_TRY(auto device, gpu::Device::create(instance, deviceOptions));
+    MACULA_TRY(auto device, gpu::Device::create(instance, app::deviceOptions(options.device)));
     return BenchStudy{
         .volume = study.volume,
         .function = std::move(preset.function),

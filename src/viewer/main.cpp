@@ -20,6 +20,7 @@
 #endif
 
 #include "app/exit_codes.h"
+#include "app/open_device.h"
 #include "app/quality/calibration.h"
 #include "app/quality/quality_front.h"
 #include "session/store.h"
@@ -237,6 +238,7 @@ int main(int argc, char** argv) {
         std::fputs(line->print->toLocal8Bit().constData(), stdout);
         return app::kExitDone;
     }
+    app::keepKernelsIn(app::usualKernelsFolder());
     if (line->calibrates) return calibrate(withSettings(*line, readSettingsFor(*line).settings));
     std::optional<DisplayCheck> display(std::in_place);
     if (!display->found()) {

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "app/frame/device_options.h"
 #include "xr/xr_error.h"
 
 namespace macula::xr {
@@ -218,7 +219,7 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
     if (XR_FAILED(answer)) return xrError(answer, "start Vulkan");
     if (!instance) return instance.error();
 
-    gpu::DeviceOptions options;
+    gpu::DeviceOptions options = app::deviceOptions({});
     options.isAnnounced = isAnnounced;
     XrVulkanGraphicsDeviceGetInfoKHR which{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR};
     which.systemId = runtime.system();

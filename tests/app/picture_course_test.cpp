@@ -94,6 +94,69 @@ TEST_F(PictureCourseTest, InMotionTheModelIsShownOnceForEachViewAndNothingElseIs
     }
 }
 
+// On a graphics card a frame takes a few milliseconds of the hand's sixteen.
+TEST_F(PictureCourseTest, WhatAFrameInMotionLeavesIsForLearning) {
+    course_.setModel(ModelState::ready, true);
+    course_.setHand(true);
+    course_.setFovea(true);
+    course_.setLearnsBesideHand(true);
+    for (int view = 0; view < 3; ++view) {
+        want();
+        EXPECT_EQ(go(), Step::showModel) << "first the frame";
+        EXPECT_EQ(go(), Step::traceFovea) << "then the fovea";
+        course_.setFovea(false);
+        EXPECT_EQ(go(), Step::learn);
+        course_.setLearnsBesideHand(false);  // the next input is due
+        EXPECT_EQ(next(), Step::none);
+        course_.setFovea(true);
+        course_.setLearnsBesideHand(true);
+    }
+    course_.setHand(false);
+    course_.setFovea(false);
+    EXPECT_EQ(next(), Step::trace) << "at rest the picture comes first";
+}
+
+// Where all pixels are soon there, nobody waits while small pictures are refined or a model is searched for.
+TEST_F(PictureCourseTest, WhereItIsQuickThePictureOfAllPixelsWaitsForNothing) {
+    course_.setPreviewLimit(64);
+    course_.setQuick(true);
+    for (const ModelState state : {ModelState::none, ModelState::searching}) {
+        course_.setModel(state, state == ModelState::searching);
+        want();
+        EXPECT_EQ(go(), Step::showPreview);
+        EXPECT_EQ(go(true), Step::trace);
+        EXPECT_EQ(course_.onScreen(), OnScreen::traced);
+        EXPECT_EQ(next(), state == ModelState::searching ? Step::search : Step::trace);
+    }
+    // In motion small pictures come as ever.
+    course_.setHand(true);
+    want();
+    EXPECT_EQ(go(), Step::showPreview);
+    EXPECT_EQ(go(), Step::search);
+    EXPECT_EQ(go(), Step::showPreview);
+}
+
+TEST_F(PictureCourseTest, WhereItIsQuickAYoungModelHasMostOfTheTime) {
+    course_.setPreviewLimit(64);
+    course_.setQuick(true);
+    course_.setModel(ModelState::young, true);
+    want();
+    EXPECT_EQ(go(), Step::showPreview);
+    EXPECT_EQ(go(true), Step::trace) << "the picture is first";
+    const auto learntOf = [&](int turns) {
+        int learnt = 0;
+        for (int i = 0; i < turns; ++i) learnt += go() == Step::learn ? 1 : 0;
+        return learnt;
+    };
+    EXPECT_GE(learntOf(40), 20) << "at least half";
+    EXPECT_NEAR(learntOf(40), 30, 2);
+    course_.setModel(ModelState::ready, true);
+    for (int i = 0; i < 60; ++i) go();
+    EXPECT_NEAR(learntOf(40), 20, 2) << "one that can be shown takes turns";
+    course_.setModel(ModelState::ready, false);
+    EXPECT_EQ(learntOf(10), 0);
+}
+
 TEST_F(PictureCourseTest, WhenTheHandStopsTheModelStaysUntilThePictureIsWorthShowingAndFadesIntoIt) {
     course_.setModel(ModelState::ready, true);
     course_.setHand(true);

@@ -45,6 +45,24 @@ TEST(Pace, OtherWorkIsAnother) {
     EXPECT_DOUBLE_EQ(pace.perMs(clipped), first);
 }
 
+// A graphics card is busy after a few dispatches, and one that is slow is believed at once too.
+TEST(Pace, OfAGraphicsCardIsFoundSoon) {
+    const auto dispatchesUntilBusy = [](Pace pace, double perMs) {
+        int dispatches = 0;
+        // A dispatch takes 1.5 ms at least, however small it is.
+        for (; pace.perMs(kWork) < 0.4 * perMs; ++dispatches) {
+            const double samples = 40.0 * pace.perMs(kWork);
+            pace.learn(kWork, samples, 1.5 + samples / perMs);
+        }
+        return dispatches;
+    };
+    EXPECT_GT(dispatchesUntilBusy(Pace(), 1600.0), 10);
+    EXPECT_LE(dispatchesUntilBusy(Pace(Pace::graphicsCard()), 1600.0), 4);
+    Pace slow(Pace::graphicsCard());
+    slow.learn(kWork, 800.0, 800.0);
+    EXPECT_DOUBLE_EQ(slow.perMs(kWork), 1.0);
+}
+
 // A dispatch without blocks, and one that took no time at all.
 TEST(Pace, StaysANumberAtTheExtremes) {
     Pace pace;

@@ -5,6 +5,7 @@
 #include <new>
 #include <utility>
 
+#include "app/frame/device_options.h"
 #include "base/check.h"
 #include "base/log.h"
 
@@ -15,6 +16,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kModelToldEvery{500};
+constexpr double kQuickMs = 250.0;  // a picture of all pixels that is there sooner has no need of small ones
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
 
 // Whether both are the same picture but for the size of the window.
@@ -34,12 +36,6 @@ glm::dvec2 usableGaze(const glm::dvec2& gaze) {
     return isFinite ? glm::clamp(gaze, -1.0, 1.0) : glm::dvec2(0.0);
 }
 
-gpu::DeviceOptions preferring(std::string device) {
-    gpu::DeviceOptions options;
-    options.preferred = std::move(device);
-    return options;
-}
-
 // Only light that stays in place can have a model: a model holds it.
 bool canHaveModel(const FrameInput& input) {
     return input.usesModel && trace::isPathTraced(input.drawing.settings.look) &&
@@ -50,7 +46,7 @@ bool canHaveModel(const FrameInput& input) {
 
 FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice,
                              std::shared_ptr<SceneKeeper> keeper, RenderListener listener)
-    : FrameRenderer(std::move(instance), preferring(std::move(preferredDevice)), std::move(keeper),
+    : FrameRenderer(std::move(instance), deviceOptions(preferredDevice), std::move(keeper),
                     std::move(listener)) {}
 
 FrameRenderer::FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device,
@@ -81,6 +77,8 @@ void FrameRenderer::dropModelAfter(void (hybrid::LiveModel::*keep)()) {
 }
 
 void FrameRenderer::accept(FrameInput input) {
+    rhythm_.input(input.published, input.interacting);
+    hasLearntBesideHand_ = false;
     if (!(input.noiseTarget > 0.0)) input.noiseTarget = kUnseenNoise;
     input.drawing.settings.errorThreshold = input.noiseTarget;
     if (input.place != input_.place) releaseScreen();
@@ -178,6 +176,20 @@ void FrameRenderer::tellCourse() {
     else if (works)
         state = ModelState::searching;
     course_.setModel(state, works);
+    course_.setLearnsBesideHand(works && learnsBesideHand());
+    course_.setQuick(isQuick());
+}
+
+// Once for each input: whoever holds the picture will move it soon. Where the device is the CPU, frames and
+// learning take the same cores, and a step takes longer than a frame may be late.
+bool FrameRenderer::learnsBesideHand() const {
+    return input_.interacting && !hasLearntBesideHand_ && canDrawModel() && !device_->isCpu() &&
+           rhythm_.leftMs(Clock::now()) > 0.0;
+}
+
+bool FrameRenderer::isQuick() {
+    return device_ && traced_ && !device_->isCpu() && input_.volume &&
+           traced_->expectedFullMs(input_) <= kQuickMs;
 }
 
 // The marks that are wanted are of the picture on screen, and are not there: they were hidden or are to be.

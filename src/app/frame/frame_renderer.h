@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/frame/frame_input.h"
+#include "app/frame/hand_rhythm.h"
 #include "app/frame/picture_course.h"
 #include "app/frame/render_duty.h"
 #include "app/frame/render_events.h"
@@ -90,7 +91,10 @@ class FrameRenderer {
     Result<void> showTraced();
     Result<void> fade();
     Result<void> search(const Interrupts& interrupts);
-    Result<void> workOnModel(const std::function<bool()>& keepGoing);
+    Result<void> workOnModel(const std::function<Result<void>()>& work);
+    Result<void> learnBesideHand(const std::function<bool()>& keepGoing);
+    bool learnsBesideHand() const;
+    bool isQuick();
     Result<void> learn(const Interrupts& interrupts);
     Result<void> showAgain();
     bool canDrawModel() const { return hybrid_ && model_ && model_->canBeDrawn(); }
@@ -144,6 +148,8 @@ class FrameRenderer {
 
     PictureCourse course_;
     RenderDuty duty_;
+    HandRhythm rhythm_;
+    bool hasLearntBesideHand_ = false;     // since the last input
     std::deque<Clock::time_point> shown_;  // when pictures of one kind were shown lately
     OnScreen shownKind_ = OnScreen::nothing;
     std::uint64_t modelsGiven_ = 0;  // the last wish that was answered

@@ -190,9 +190,9 @@ Result<void> FrameRenderer::fade() {
 }
 
 // A slice of the model's search or training.
-Result<void> FrameRenderer::workOnModel(const std::function<bool()>& keepGoing) {
+Result<void> FrameRenderer::workOnModel(const std::function<Result<void>()>& work) {
     try {
-        return model_->work(kSliceMs, keepGoing);
+        return work();
     } catch (const std::bad_alloc&) {
         if (device_->lost()) throw;
         return Error{ErrorCode::outOfMemory, "There is not enough memory for it.", {}, {}};
@@ -202,16 +202,28 @@ Result<void> FrameRenderer::workOnModel(const std::function<bool()>& keepGoing) 
 Result<void> FrameRenderer::search(const Interrupts& interrupts) {
     const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
     course_.searched();
-    if (const Result<void> done = workOnModel(keepGoing); !done) return withoutModel(done.error());
+    const Result<void> done = workOnModel([&] { return model_->work(kSliceMs, keepGoing); });
+    if (!done) return withoutModel(done.error());
     tellOfModel();
     return {};
 }
 
 Result<void> FrameRenderer::learn(const Interrupts& interrupts) {
     const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
+    if (course_.onScreen() == OnScreen::model) return learnBesideHand(keepGoing);
     const Clock::time_point start = Clock::now();
-    const Result<void> done = workOnModel(keepGoing);
+    const Result<void> done = workOnModel([&] { return model_->work(kSliceMs, keepGoing); });
     course_.spent(Step::learn, millisecondsBetween(start, Clock::now()));
+    if (!done) return withoutModel(done.error());
+    tellOfModel();
+    return {};
+}
+
+// In what the frame that is on screen has left of the time until the next.
+Result<void> FrameRenderer::learnBesideHand(const std::function<bool()>& keepGoing) {
+    hasLearntBesideHand_ = true;
+    const double leftMs = rhythm_.leftMs(Clock::now());
+    const Result<void> done = workOnModel([&] { return model_->workWithin(leftMs, keepGoing); });
     if (!done) return withoutModel(done.error());
     tellOfModel();
     return {};

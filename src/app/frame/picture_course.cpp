@@ -41,6 +41,7 @@ Step PictureCourse::next(TimePoint now) const {
             return model_ == ModelState::ready ? Step::showModel : Step::showPreview;
         case OnScreen::preview: {
             if (model_ == ModelState::ready) return Step::showModel;
+            if (isQuick_ && !handMoves_) return isLearningsTurn() ? Step::learn : Step::trace;
             const bool canRefine = previewSamples_ < previewLimit_;
             if (model_ == ModelState::searching) {
                 const bool isWorthIt = canRefine && (handMoves_ || previewSamples_ < kRefinedWhileSearching);
@@ -49,26 +50,34 @@ Step PictureCourse::next(TimePoint now) const {
             const bool isYoung = learns_ && model_ == ModelState::young;
             if (isYoung && handMoves_) return hasSearched_ && canRefine ? Step::showPreview : Step::learn;
             if (!handMoves_ && now - previewSince_ >= kSettle)
-                return isYoung && learntMs_ < kYoungShare * tracedMs_ ? Step::learn : Step::trace;
+                return isLearningsTurn() ? Step::learn : Step::trace;
             return canRefine ? Step::showPreview : handMoves_ ? Step::none : Step::trace;
         }
         case OnScreen::model:
             if (!handMoves_ && isTraced_) return Step::showTraced;
             if (wantsFovea_) return Step::traceFovea;
-            return handMoves_ ? Step::none : Step::trace;
+            if (handMoves_) return learnsBesideHand_ ? Step::learn : Step::none;
+            return Step::trace;
         case OnScreen::fading:
             return Step::fade;
         case OnScreen::traced: {
             // While a hand holds the picture the model does not learn: the hand will move soon.
-            const bool isThere = model_ == ModelState::ready || model_ == ModelState::young;
-            const bool learns = learns_ && isThere && !handMoves_;
             const bool searches = model_ == ModelState::searching && !handMoves_;
             if (searches) return Step::search;
-            if (learns && (hasConverged_ || learntMs_ < tracedMs_)) return Step::learn;
+            if (!handMoves_ && isLearningsTurn()) return Step::learn;
             return hasConverged_ ? Step::none : Step::trace;
         }
     }
     return Step::none;
+}
+
+// While nothing moves, beside a picture of all pixels.
+bool PictureCourse::isLearningsTurn() const {
+    const bool isYoung = model_ == ModelState::young;
+    if (!learns_ || (!isYoung && model_ != ModelState::ready)) return false;
+    if (onScreen_ == OnScreen::traced && hasConverged_) return true;
+    if (isYoung && isQuick_) return learntMs_ < kYoungShareWhereQuick * tracedMs_;
+    return learntMs_ < (onScreen_ == OnScreen::traced ? 1.0 : kYoungShare) * tracedMs_;
 }
 
 void PictureCourse::showedModel() {

@@ -7,6 +7,9 @@
 // ready, and fades into it. Then the picture converges and the model learns in turns, until both are done. A
 // model is searched for when there is none, in turns with small pictures: few of them while nothing moves.
 // One that is too young to be shown learns likewise while a hand moves, and beside tracing at rest.
+//
+// On a graphics card a frame leaves time until the next input: the model learns in that. And where a picture
+// of all pixels is soon there, it waits for nothing.
 #pragma once
 
 #include <chrono>
@@ -61,6 +64,9 @@ class PictureCourse {
     // Of the time that a young model may have beside the first pass of a traced picture: a person waits for
     // that.
     static constexpr double kYoungShare = 0.5;
+    // The same while a picture of all pixels is soon there, at any time: what a hand will want next is a
+    // model that can be shown, and the picture gets better fast enough.
+    static constexpr double kYoungShareWhereQuick = 3.0;
 
     // Another picture from now on, of the same scene or of another one. `isTraced`: of exactly this there is
     // a traced one with all pixels, which has converged or can go on.
@@ -69,6 +75,11 @@ class PictureCourse {
     void setModel(ModelState state, bool learns);
     // Whether there is a fovea to trace, other than the one there is: over the model, before all pixels are.
     void setFovea(bool isWanted) { wantsFovea_ = isWanted; }
+    // Whether the model is to learn over a frame in motion, until the next one is due.
+    void setLearnsBesideHand(bool learns) { learnsBesideHand_ = learns; }
+    // Whether a picture of all pixels is expected within kSettle or so: small ones are of no use at rest
+    // then.
+    void setQuick(bool isQuick) { isQuick_ = isQuick; }
     // How many samples small pictures are worth while a hand holds still.
     void setPreviewLimit(std::uint64_t samples) { previewLimit_ = samples; }
     // More samples are asked for than the traced picture converged with.
@@ -93,10 +104,14 @@ class PictureCourse {
     double tracedShare(TimePoint now) const;
 
   private:
+    bool isLearningsTurn() const;
+
     bool handMoves_ = false;
     ModelState model_ = ModelState::none;
     bool learns_ = false;
     bool wantsFovea_ = false;
+    bool learnsBesideHand_ = false;
+    bool isQuick_ = false;
     OnScreen onScreen_ = OnScreen::nothing;
     bool isTraced_ = false;      // worth showing
     bool hasConverged_ = false;  // the traced picture

@@ -132,6 +132,12 @@ void TracedPictures::previewWasShown(double developMs, double otherMs) {
     motionScales_.of(previewLook_).observe(view_.width, view_.height, previewMs_ + developMs, otherMs);
 }
 
+double TracedPictures::expectedFullMs(const FrameInput& input) {
+    const double nsPerPixel = motionScales_.of(input.drawing.settings.look).nsPerPixel();
+    const auto samples = double(hasNoise(input) ? kFirstDenoised : 1);
+    return samples * nsPerPixel * 1e-6 * double(input.width) * double(input.height);
+}
+
 bool TracedPictures::hasFull(const FrameInput& input) const {
     return full_ && isWorthShowing_ && isSamePicture(*full_, input);
 }

@@ -39,6 +39,8 @@ class TracedPictures {
     // and all the rest.
     void previewWasShown(double developMs, double otherMs);
 
+    // How long one of all pixels is expected to take until it is worth showing, by what small ones took.
+    double expectedFullMs(const FrameInput& input);
     // Whether the traced picture with all pixels is of exactly `input`, and has been worth showing.
     bool hasFull(const FrameInput& input) const;
     // Does nothing when the traced picture is of `input` already, worth showing or not.

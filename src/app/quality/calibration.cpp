@@ -10,6 +10,7 @@
 
 #include "app/choice/lights_choice.h"
 #include "app/choice/preset_choice.h"
+#include "app/open_device.h"
 #include "app/session/machine_documents.h"
 #include "base/log.h"
 #include "base/phantom.h"
@@ -124,9 +125,8 @@ Result<Calibration> calibrationOf(const std::string& preferredDevice,
     if (folder && !anew) {
         if (auto kept = keptCalibration(*folder, nameOf(info))) return *std::move(kept);
     }
-    gpu::DeviceOptions options;
-    options.preferred = preferredDevice;
-    MACULA_TRY(const std::shared_ptr<gpu::Device> device, gpu::Device::create(instance, options));
+    MACULA_TRY(const std::shared_ptr<gpu::Device> device,
+               gpu::Device::create(instance, deviceOptions(preferredDevice)));
     MACULA_TRY(Calibration calibration, measureCalibration(device, progress));
     if (!folder) return calibration;
     if (const auto kept = keepMachineDocument(*folder, documentId(), kVersion, toJson(calibration)); !kept)

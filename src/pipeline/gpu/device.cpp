@@ -7,7 +7,9 @@
 #include "base/log.h"
 #include "pipeline/gpu/instance_state.h"
 #include "pipeline/gpu/physical_device.h"
+#include "pipeline/gpu/pipeline_cache.h"
 #include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/staging_pool.h"
 #include "pipeline/gpu/vulkan_error.h"
 
 namespace macula::gpu {
@@ -82,6 +84,8 @@ Result<DeviceInfo> chosen(const Instance& instance, const DeviceOptions& options
 
 }  // namespace
 
+Device::Device() : staging_(std::make_unique<StagingPool>()) {}
+
 Result<std::shared_ptr<Device>> Device::create(const Instance& instance, const DeviceOptions& options) {
     std::shared_ptr<Device> device(new Device());
     MACULA_TRY_VOID(device->initialise(instance, options));
@@ -127,6 +131,9 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     const VkSemaphoreCreateInfo semaphore{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO, &timeline, 0};
     MACULA_VK_TRY(vkCreateSemaphore(device_, &semaphore, nullptr, &timeline_), doing);
     setName(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<std::uint64_t>(timeline_), "timeline");
+    // The files of a host's device are the host's business.
+    if (!options.kernelsFolder.empty() && !isLent_)
+        pipelineCache_ = PipelineCache::open(device_, info_.physical, options.kernelsFolder);
     return {};
 }
 
@@ -182,7 +189,9 @@ Device::~Device() {
     if (!device_) return;
     waitUntilIdle();
     for (const Dropped& dropped : dropped_) dropped.destroy(device_, dropped.object);
+    staging_->destroyAll(device_);
     kernels_.clear();
+    if (pipelineCache_) pipelineCache_->close(!lost());
     for (const Commands& commands : freeCommands_) {
         vkDestroyQueryPool(device_, commands.queries, nullptr);
         vkDestroyCommandPool(device_, commands.pool, nullptr);

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -23,6 +24,8 @@
 namespace macula::gpu {
 
 struct CompiledKernel;
+class PipelineCache;
+class StagingPool;
 
 // The place of a submission on the device's timeline: 1, 2, 3, ... 0 is done from the start.
 using Ticket = std::uint64_t;
@@ -60,6 +63,9 @@ struct DeviceOptions {
     VkPhysicalDevice physical = VK_NULL_HANDLE;
     std::function<VkResult(VkPhysicalDevice, const VkDeviceCreateInfo&, VkDevice*)> createDevice;
     std::optional<LentDevice> lent;  // nothing is created
+    // Where the driver's compiled kernels are kept for the next start (pipeline_cache.h); made when missing.
+    // Empty: no file is read or written. Never of a lent device.
+    std::filesystem::path kernelsFolder;
     // Takes device memory for unmapped, as on a graphics card, to test staging copies without one.
     bool separateMemory = false;
     bool isAnnounced = true;  // log::announce
@@ -113,6 +119,9 @@ class Device : public std::enable_shared_from_this<Device> {
     std::uint64_t bytesRead() const { return bytesRead_; }
     void countRead(std::uint64_t bytes) { bytesRead_ += bytes; }
 
+    // What transfer.h copies through.
+    StagingPool& staging() { return *staging_; }
+
     // Destroys what was dropped and is no longer in use. Submitting and waiting do it as well.
     void collect();
     std::size_t pendingDestructions() const;
@@ -149,7 +158,7 @@ class Device : public std::enable_shared_from_this<Device> {
     };
     static constexpr Ticket kNotYetKnown = UINT64_MAX;  // dropped while a recorder is open
 
-    Device() = default;
+    Device();
     Result<void> initialise(const Instance& instance, const DeviceOptions& options);
     Result<void> open(const DeviceOptions& options, const std::string& doing);
     Result<void> borrow(const LentDevice& lent, VkPhysicalDevice physical);
@@ -178,6 +187,8 @@ class Device : public std::enable_shared_from_this<Device> {
     // The cache of compiled kernels. Its key is the address of the shader's words, which are static data, and
     // its specialization constants as text.
     std::map<std::pair<const std::uint32_t*, std::string>, std::shared_ptr<const CompiledKernel>> kernels_;
+    std::unique_ptr<PipelineCache> pipelineCache_;  // null: none is kept on disk
+    std::unique_ptr<StagingPool> staging_;
     std::vector<Commands> freeCommands_;
     std::atomic<Ticket> submitted_{0};
     std::uint64_t bytesRead_ = 0;

@@ -73,6 +73,11 @@ class Handle {
     }
 
     VkObject get() const { return object_; }
+    // From here on somebody else sees to it that it is destroyed.
+    VkObject release() {
+        device_.reset();
+        return std::exchange(object_, VkObject{});
+    }
     explicit operator bool() const { return object_ != VkObject{}; }
     const std::shared_ptr<Device>& device() const { return device_; }
 

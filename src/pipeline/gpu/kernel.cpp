@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/gpu/pipeline_cache.h"
 #include "pipeline/gpu/vulkan_error.h"
 
 namespace macula::gpu {
@@ -85,7 +86,8 @@ VkResult createPipelineLayout(CompiledKernel& kernel, const DeviceInfo& device, 
 }
 
 VkResult createPipeline(CompiledKernel& kernel, const DeviceInfo& device, const KernelOptions& options,
-                        const SpecializationData& constants, VkShaderModule module, const char* name) {
+                        const SpecializationData& constants, VkShaderModule module, VkPipelineCache cache,
+                        const char* name) {
     const VkSpecializationInfo specialization = constants.info();
     VkComputePipelineCreateInfo info{VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
     info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
@@ -103,12 +105,12 @@ VkResult createPipeline(CompiledKernel& kernel, const DeviceInfo& device, const 
         info.stage.pNext = &subgroup;
     }
     info.layout = kernel.layout;
-    return vkCreateComputePipelines(kernel.device, VK_NULL_HANDLE, 1, &info, nullptr, &kernel.pipeline);
+    return vkCreateComputePipelines(kernel.device, cache, 1, &info, nullptr, &kernel.pipeline);
 }
 
 Result<std::shared_ptr<const CompiledKernel>> compile(const std::shared_ptr<Device>& device,
                                                       const ShaderCode& code, const KernelOptions& options,
-                                                      const std::string& doing) {
+                                                      VkPipelineCache cache, const std::string& doing) {
     const auto kernel = std::make_shared<CompiledKernel>(device->handle());
     kernel->name = code.name;
     MACULA_TRY(kernel->reflection, reflectSpirv(code.words));
@@ -129,7 +131,7 @@ Result<std::shared_ptr<const CompiledKernel>> compile(const std::shared_ptr<Devi
     const Handle<VkShaderModule> module(device, rawModule);  // only needed until the pipeline is made
 
     if (const VkResult status =
-            createPipeline(*kernel, device->info(), options, constants, module.get(), code.name);
+            createPipeline(*kernel, device->info(), options, constants, module.get(), cache, code.name);
         status < 0)
         return device->failed(status, doing);
     device->setName(VK_OBJECT_TYPE_PIPELINE, reinterpret_cast<std::uint64_t>(kernel->pipeline), code.name);
@@ -154,7 +156,9 @@ Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const Shade
         constants += fmt::format("{}/{}={};", constant.name, constant.id, constant.bits);
     auto& compiled = device->kernels_[{code.words.data(), std::move(constants)}];
     if (!compiled) {
-        MACULA_TRY(compiled, compile(device, code, options, doing));
+        const VkPipelineCache cache =
+            device->pipelineCache_ ? device->pipelineCache_->handle() : VkPipelineCache{VK_NULL_HANDLE};
+        MACULA_TRY(compiled, compile(device, code, options, cache, doing));
     }
     return Kernel(device, *compiled);
 }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/staging_pool.h"
 #include "pipeline/gpu/vulkan_error.h"
 
 namespace macula::gpu {
@@ -77,7 +78,12 @@ Result<Allocation> allocate(const std::shared_ptr<Device>& device, const VkMemor
     };
     VkDeviceMemory handle = VK_NULL_HANDLE;
     VkResult result = tryAllocate(&handle);
-    if (result == VK_ERROR_OUT_OF_DEVICE_MEMORY && device->pendingDestructions() > 0) {
+    const bool isFull = result == VK_ERROR_OUT_OF_DEVICE_MEMORY;
+    // Where both are the same memory. On a graphics card it would not help, and what was kept may be all that
+    // is left to read results back through.
+    if (isFull && kind == MemoryKind::deviceLocal && device->hasUnifiedMemory())
+        device->staging().clear(device);
+    if (isFull && device->pendingDestructions() > 0) {
         // What was dropped may still hold the memory: worth one wait before giving up.
         MACULA_TRY_VOID(device->waitForAll());
         result = tryAllocate(&handle);

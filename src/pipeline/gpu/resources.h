@@ -54,6 +54,7 @@ class Buffer {
 
   private:
     friend class TexelBuffer;
+    friend class StagingPool;
 
     Buffer() = default;
     static Result<Buffer> createUnchecked(const std::shared_ptr<Device>& device,

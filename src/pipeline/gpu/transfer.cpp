@@ -4,15 +4,12 @@
 #include <cstring>
 
 #include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/staging_pool.h"
 
 namespace macula::gpu {
 namespace {
 
-constexpr std::uint64_t kChunkBytes = 16u << 20;
-
-Result<Buffer> staging(const std::shared_ptr<Device>& device, MemoryKind kind, std::uint64_t bytes) {
-    return Buffer::create(device, {.label = "staging", .bytes = bytes, .usage = 0, .memory = kind});
-}
+constexpr std::uint64_t kChunkBytes = StagingPool::kMostBytes;
 
 bool idle(const Device& device) {
     return device.completedTicket() == device.submittedTicket();
@@ -39,14 +36,18 @@ Result<void> uploadTo(const Buffer& buffer, std::uint64_t offsetBytes, std::span
         return {};
     }
 
-    // Two staging buffers: one is filled while the other is copied.
+    // Of more than one chunk, one is filled while the other is copied.
     const std::uint64_t chunk = std::min<std::uint64_t>(kChunkBytes, bytes.size());
-    MACULA_TRY(Buffer even, staging(device, MemoryKind::upload, chunk));
-    MACULA_TRY(Buffer odd, staging(device, MemoryKind::upload, chunk));
+    std::vector<Staging> stages;
+    stages.reserve(2);
+    while (stages.size() < (chunk < bytes.size() ? 2u : 1u)) {
+        MACULA_TRY(Staging stage, Staging::take(device, MemoryKind::upload, chunk));
+        stages.push_back(std::move(stage));
+    }
     Ticket busyUntil[2] = {0, 0};
-    int slot = 0;
-    for (std::uint64_t done = 0; done < bytes.size(); done += chunk, slot ^= 1) {
-        const Buffer& stage = slot == 0 ? even : odd;
+    std::size_t slot = 0;
+    for (std::uint64_t done = 0; done < bytes.size(); done += chunk, slot = (slot + 1) % stages.size()) {
+        const Buffer& stage = stages[slot].buffer();
         const std::uint64_t count = std::min<std::uint64_t>(chunk, bytes.size() - done);
         if (auto free = device->waitFor(busyUntil[slot]); !free.ok()) return free.error();
         std::memcpy(stage.mapped().data(), bytes.data() + done, count);
@@ -62,10 +63,10 @@ Result<void> uploadTo(const Buffer& buffer, std::uint64_t offsetBytes, std::span
 
 Result<void> uploadTo(const Image& image, std::span<const std::byte> bytes) {
     MACULA_CHECK_EQ(bytes.size(), image.bytes());
-    MACULA_TRY(Buffer stage, staging(image.device(), MemoryKind::upload, bytes.size()));
-    std::memcpy(stage.mapped().data(), bytes.data(), bytes.size());
+    MACULA_TRY(const Staging stage, Staging::take(image.device(), MemoryKind::upload, bytes.size()));
+    std::memcpy(stage.data(), bytes.data(), bytes.size());
     const auto ticket = submitCopy(
-        image.device(), [&](Recorder& recorder) { recorder.copy(stage, 0, image); }, "upload");
+        image.device(), [&](Recorder& recorder) { recorder.copy(stage.buffer(), 0, image); }, "upload");
     if (!ticket.ok()) return ticket.error();
     return {};
 }
@@ -82,16 +83,19 @@ Result<void> readInto(const Buffer& buffer, std::uint64_t offsetBytes, std::span
         return {};
     }
 
-    const std::uint64_t chunk = std::min<std::uint64_t>(kChunkBytes, target.size());
-    MACULA_TRY(Buffer stage, staging(device, MemoryKind::readback, chunk));
+    // In smaller portions where memory is short: results are worth more than the time.
+    MACULA_TRY(const Staging stage, Staging::takeUpTo(device, MemoryKind::readback,
+                                                      std::min<std::uint64_t>(kChunkBytes, target.size())));
+    const std::uint64_t chunk = stage.buffer().bytes();
     for (std::uint64_t done = 0; done < target.size(); done += chunk) {
         const std::uint64_t count = std::min<std::uint64_t>(chunk, target.size() - done);
         const auto ticket = submitCopy(
-            device, [&](Recorder& recorder) { recorder.copy(buffer, offsetBytes + done, stage, 0, count); },
+            device,
+            [&](Recorder& recorder) { recorder.copy(buffer, offsetBytes + done, stage.buffer(), 0, count); },
             "readback");
         if (!ticket.ok()) return ticket.error();
         MACULA_TRY_VOID(device->waitForAll());
-        std::memcpy(target.data() + done, stage.mapped().data(), count);
+        std::memcpy(target.data() + done, stage.data(), count);
     }
     return {};
 }
@@ -99,12 +103,12 @@ Result<void> readInto(const Buffer& buffer, std::uint64_t offsetBytes, std::span
 Result<void> readInto(const Image& image, std::span<std::byte> target) {
     MACULA_CHECK_EQ(target.size(), image.bytes());
     image.device()->countRead(target.size());
-    MACULA_TRY(Buffer stage, staging(image.device(), MemoryKind::readback, image.bytes()));
+    MACULA_TRY(const Staging stage, Staging::take(image.device(), MemoryKind::readback, image.bytes()));
     const auto ticket = submitCopy(
-        image.device(), [&](Recorder& recorder) { recorder.copy(image, stage); }, "readback");
+        image.device(), [&](Recorder& recorder) { recorder.copy(image, stage.buffer()); }, "readback");
     if (!ticket.ok()) return ticket.error();
     MACULA_TRY_VOID(image.device()->waitForAll());
-    std::memcpy(target.data(), stage.mapped().data(), target.size());
+    std::memcpy(target.data(), stage.data(), target.size());
     return {};
 }
 

@@ -23,7 +23,8 @@ namespace macula::trace {
 // Used by one thread at a time, the one that uses the device. After begin or step has failed, begin is next.
 class Accumulation {
   public:
-    explicit Accumulation(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
+    explicit Accumulation(std::shared_ptr<gpu::Device> device)
+        : device_(std::move(device)), pace_(device_->isCpu() ? Pace::Guess{} : Pace::graphicsCard()) {}
 
     // A picture without samples. What is known of the device's pace stays. outOfMemory.
     Result<void> begin(int width, int height);

@@ -71,6 +71,13 @@ Result<void> Guides::compute(const SceneView& scene, const gpu::Kernel& kernel,
     return {};
 }
 
+Result<std::vector<float>> Guides::readCoverage() const {
+    MACULA_TRY(const auto matters, gpu::read<glm::vec4>(matters_.buffer()));
+    std::vector<float> coverage(matters.size());
+    std::transform(matters.begin(), matters.end(), coverage.begin(), [](const glm::vec4& m) { return m.w; });
+    return coverage;
+}
+
 Result<std::vector<GuidePixel>> Guides::read() const {
     MACULA_TRY(const auto surfaces, gpu::read<glm::vec4>(surfaces_.buffer()));
     MACULA_TRY(const auto matters, gpu::read<glm::vec4>(matters_.buffer()));

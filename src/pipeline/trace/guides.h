@@ -39,7 +39,8 @@ class Guides {
     const gpu::TexelBuffer& matters() const { return matters_; }    // albedo, coverage
     const gpu::TexelBuffer& motions() const { return motions_; }    // motion, confidence, distance before
 
-    Result<std::vector<GuidePixel>> read() const;  // waits
+    Result<std::vector<GuidePixel>> read() const;     // waits
+    Result<std::vector<float>> readCoverage() const;  // likewise: a third of the bytes
 
   private:
     Guides(int width, int height, gpu::TexelBuffer surfaces, gpu::TexelBuffer matters,

@@ -480,6 +480,26 @@ Result<TracedImage> PathTracer::readback() {
     return image;
 }
 
+Result<TracedColours> PathTracer::readColours() {
+    Impl& t = *impl_;
+    MACULA_TRY_VOID(t.prepare());
+    TracedColours colours{
+        .width = t.view.width, .height = t.view.height, .radiance = {}, .samples = {}, .coverage = {}};
+    MACULA_TRY(const Guides* guides, t.history.guides(t.scene, t.kernels));
+    MACULA_TRY(colours.coverage, guides->readCoverage());
+    const Film& film = t.accumulation.film();
+    MACULA_TRY(colours.samples, gpu::read<std::uint32_t>(film.counts()));
+    if (isDenoised(t.settings)) {
+        MACULA_TRY(const gpu::Buffer* filtered, t.denoised());
+        MACULA_TRY(colours.radiance, gpu::read<glm::vec4>(*filtered));
+        return colours;
+    }
+    MACULA_TRY(colours.radiance, gpu::read<glm::vec4>(film.sums()));
+    for (std::size_t i = 0; i < colours.radiance.size(); ++i)
+        colours.radiance[i] /= static_cast<float>(std::max(colours.samples[i], 1u));
+    return colours;
+}
+
 std::vector<Message> PathTracer::messages() const {
     return impl_->scene.scene().messages();
 }

@@ -68,6 +68,16 @@ struct TracedImage {
     bool denoised = false;               // then `radiance` is filtered, and may use what earlier views knew
 };
 
+// What a model learns from: the same radiance and samples, and the guides' coverage along the centre rays. A
+// quarter of the bytes of a TracedImage and its guides, and the host has little to do with them.
+struct TracedColours {
+    int width = 0;
+    int height = 0;
+    std::vector<glm::vec4> radiance;
+    std::vector<std::uint32_t> samples;
+    std::vector<float> coverage;
+};
+
 // The picture so far, where it lies on the device: linear, premultiplied, row 0 on top.
 struct TracedLight {
     const gpu::Buffer* values = nullptr;  // vec4 for each pixel: the mean, or the sum of its samples
@@ -184,6 +194,7 @@ class PathTracer {
                                                            const std::function<bool()>& keepGoing);
 
     Result<TracedImage> readback();                                              // waits
+    Result<TracedColours> readColours();                                         // waits
     Result<std::vector<std::uint8_t>> readDisplay(const glm::vec3& background);  // RGBA8, opaque; waits
     Result<Statistics> statistics() const;
     // What a person has to know about what is shown; part of statistics().

@@ -78,7 +78,8 @@ Result<std::uint32_t> Portions::next(
     MACULA_TRY([[maybe_unused]] const bool done, device.waitFor(ticket));
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
     // The first one compiles, and tells little; the last of a round is short.
-    const double ratio = std::clamp(kDispatchMs / std::max(ms, 0.1), 0.5, 2.0);
+    const double most = device.isCpu() ? 2.0 : 8.0;  // so much larger than the one before
+    const double ratio = std::clamp(kDispatchMs / std::max(ms, 0.1), 0.5, most);
     if (now == whole || ratio < 1.0) items_ = std::max(static_cast<std::uint32_t>(items_ * ratio), grain);
     return now;
 }

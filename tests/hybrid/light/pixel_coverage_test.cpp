@@ -37,6 +37,8 @@ TEST(PixelCoverage, AtTheEdgeOfThePictureGoesOnAsItIs) {
     EXPECT_EQ(pixelCoverage(covered({0.5f}), {1, 1}), std::vector<float>{0.5f});
     EXPECT_EQ(pixelCoverage(covered({1.0f, 0.0f}), {2, 1}), (std::vector<float>{0.875f, 0.125f}));
     EXPECT_TRUE(pixelCoverage({}, {0, 0}).empty());
+    EXPECT_EQ(pixelCoverageOf(std::vector{1.0f, 0.0f}, {2, 1}), (std::vector<float>{0.875f, 0.125f}));
+    EXPECT_TRUE(pixelCoverageOf({}, {0, 0}).empty());
 }
 
 }  // namespace

@@ -366,6 +366,34 @@ TEST_F(LiveModelTest, GivesTheThreadBackAfterEachDispatchAndGoesOnThere) {
     EXPECT_LE(model.news().steps, before.steps + 20);
 }
 
+// What a hand would have to wait for is not begun, nor what nobody knows the time of.
+TEST_F(LiveModelTest, BetweenFramesInMotionItLearnsOnlyWhatFits) {
+    trace::PathTracer screen = onScreen();
+    LiveModel model = beside(screen);
+    ASSERT_TRUE(model.show("a", {}).ok());
+    ASSERT_TRUE(model.workWithin(1e6, always).ok()) << "a search waits for the hand to rest";
+    EXPECT_EQ(model.news().stage, ModelStage::searching);
+    search(model);
+    const std::uint64_t first = model.news().steps;
+    ASSERT_TRUE(model.workWithin(1e6, always).ok());
+    EXPECT_EQ(model.news().steps, first) << "it has not learnt here before";
+    for (int i = 0; i < 5000 && (model.news().steps < first + 8 || model.news().views < 8); ++i)
+        ASSERT_TRUE(model.work(1e9, never).ok());
+
+    const auto picture = drawn(model, view().camera);
+    ModelNews before = model.news();
+    ASSERT_TRUE(model.workWithin(0.0, always).ok());
+    EXPECT_EQ(model.news(), before) << "there is no time";
+    EXPECT_EQ(drawn(model, view().camera), picture);
+    int asked = 0;
+    ASSERT_TRUE(model.workWithin(1e6, [&] { return ++asked < 40; }).ok());
+    EXPECT_EQ(model.news().stage, ModelStage::learning);
+    EXPECT_GT(model.news().steps, before.steps);
+    before = model.news();
+    ASSERT_TRUE(model.workWithin(1e6, never).ok());
+    EXPECT_LE(model.news().steps, before.steps + 1) << "the hand moves on";
+}
+
 TEST_F(LiveModelTest, IsNeverDrawnForAnotherKeyAndComesBackAsItWas) {
     trace::PathTracer screen = onScreen();
     LiveModel model = beside(screen);

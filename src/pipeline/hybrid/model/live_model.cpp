@@ -1,6 +1,7 @@
 #include "pipeline/hybrid/model/live_model.h"
 
 #include <chrono>
+#include <limits>
 #include <new>
 #include <thread>
 #include <utility>
@@ -19,6 +20,20 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kStoreIsAskedEvery{2};
 constexpr int kSideOnCpuPx = 384;  // a view of 2 samples is traced in half a second on two cores
+
+double msSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+// `goesOn`, which tells the pace how long each piece took that was done between two questions.
+std::function<bool()> measuredBy(LearningPace& pace, LearningPart part, const std::function<bool()>& goesOn) {
+    return [&pace, part, &goesOn, last = Clock::now()]() mutable {
+        constexpr double kAskedTwiceMs = 0.01;
+        const double ms = msSince(std::exchange(last, Clock::now()));
+        if (ms > kAskedTwiceMs) pace.took(part, ms);
+        return goesOn();
+    };
+}
 
 bool isOutOfMemory(const Result<void>& done) {
     return !done && done.error().code == ErrorCode::outOfMemory;
@@ -236,6 +251,7 @@ void LiveModel::end(ModelStage stage) {
     gain_ = 1.0;
     lookedAt_.reset();
     wanted_.reset();
+    isWantedTraced_ = false;
     seenMm_.reset();
     points_.reset();
     gauge_.reset();
@@ -253,13 +269,13 @@ void LiveModel::end(ModelStage stage) {
 Result<void> LiveModel::work(double budgetMs, const std::function<bool()>& keepGoing) {
     MACULA_CHECK(hasWork());
     const auto start = Clock::now();
-    const auto goesOn = [&] {
-        return std::chrono::duration<double, std::milli>(Clock::now() - start).count() < budgetMs &&
-               keepGoing();
-    };
-    Result<void> done = askingSince_                      ? askStore(goesOn)
-                        : stage_ == ModelStage::searching ? searchSome(budgetMs, goesOn)
-                                                          : learnSome(budgetMs, goesOn);
+    const auto goesOn = [&] { return msSince(start) < budgetMs && keepGoing(); };
+    return withoutRoom(askingSince_                      ? askStore(goesOn)
+                       : stage_ == ModelStage::searching ? searchSome(budgetMs, goesOn)
+                                                         : learnSome(goesOn));
+}
+
+Result<void> LiveModel::withoutRoom(Result<void> done) {
     if (!isOutOfMemory(done)) return done;
     log::warning("There is no room on the device for the peripheral model to learn.");
     // The model can still be drawn as it is.
@@ -299,8 +315,11 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
         gauge_.emplace(*seenMm_);
         if (!goesOn()) return {};
     }
-    MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
-    if (!gauge_->isWhole()) return {};
+    if (!gauge_->isWhole()) {
+        MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
+        // What follows cannot be interrupted, and takes long where it compiles: a picture may come between.
+        if (!gauge_->isWhole() || !goesOn()) return {};
+    }
     const ModelStart start{
         .splats = startWith_ ? *startWith_ : initialSplats(*points_), .seenMm = *seenMm_, .key = key_};
     MACULA_TRY(model_, PeripheralModel::begin(device_, start, options_.model));
@@ -346,36 +365,99 @@ bool LiveModel::wantsView() const {
            report.training.steps >= stepsAtLastView_ + options_.stepsBetweenViews;
 }
 
-Result<void> LiveModel::learnSome(double budgetMs, const std::function<bool()>& goesOn) {
+Result<void> LiveModel::learnSome(const std::function<bool()>& goesOn) {
     if (!gauge_->isWhole()) {
         MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
         if (gauge_->isWhole()) painter_.reset();
         return gauge_->isWhole() ? makeDrawable() : Result<void>();
     }
-    if (!wanted_ && wantsView()) {
-        MACULA_TRY(const std::optional<CandidatePose> wanted, model_->wantedView());
-        if (!wanted) {
-            views_ = options_.views;
-        } else {
-            trace::Settings settings = settings_;
-            // The same noise in all views would be learnt as if it were there.
-            settings.seed += static_cast<std::uint32_t>(views_);
-            tracer_.forgetViews();
-            MACULA_TRY_VOID(tracer_.setSettings(settings));
-            const glm::ivec2 sizePx = options_.model.wanted.sizePx;
-            MACULA_TRY_VOID(
-                tracer_.setView({.camera = wanted->camera, .width = sizePx.x, .height = sizePx.y}));
-            wanted_ = wanted->camera;
-        }
+    if (!wanted_ && wantsView()) MACULA_TRY_VOID(doPart(LearningPart::ask, goesOn));
+    if (wanted_) {
+        if (!isWantedTraced_) MACULA_TRY_VOID(doPart(LearningPart::trace, goesOn));
+        return isWantedTraced_ ? doPart(LearningPart::take, goesOn) : Result<void>();
     }
-    if (wanted_) return traceWanted(goesOn);
-    MACULA_TRY_VOID(model_->step(budgetMs, goesOn));
-    MACULA_TRY_VOID(makeDrawable());
+    MACULA_TRY_VOID(doPart(LearningPart::step, goesOn));
+    MACULA_TRY_VOID(doPart(LearningPart::show, goesOn));
     if (model_->isPaused() && !wantsView()) {
         stage_ = ModelStage::resting;
         putAway();
     }
     keepSometimes();
+    return {};
+}
+
+Result<void> LiveModel::doPart(LearningPart part, const std::function<bool()>& goesOn) {
+    const auto start = Clock::now();
+    switch (part) {
+        // Of these, what is done between two questions cannot be interrupted.
+        case LearningPart::step:
+            // `goesOn` alone says when it ends: it has to be asked after a step that took too long.
+            return model_->step(std::numeric_limits<double>::infinity(), measuredBy(pace_, part, goesOn));
+        case LearningPart::trace:
+            return traceWanted(measuredBy(pace_, part, goesOn));
+        case LearningPart::show: {
+            if (isShownDrawn()) return {};
+            MACULA_TRY_VOID(makeDrawable());
+            break;
+        }
+        case LearningPart::ask: {
+            MACULA_TRY_VOID(askForView());
+            break;
+        }
+        case LearningPart::take: {
+            MACULA_TRY_VOID(takeWanted());
+            break;
+        }
+    }
+    pace_.took(part, msSince(start));
+    return {};
+}
+
+// What is learnt while a hand moves is shown, and taken in, when there is time for it; whatever waits for
+// that keeps nobody from training.
+std::optional<LearningPart> LiveModel::nextWithin(double leftMs) const {
+    if (stage_ != ModelStage::learning || askingSince_ || !gauge_->isWhole() || !painter_)
+        return std::nullopt;
+    const auto fitting = [&](LearningPart part) {
+        return pace_.fits(part, leftMs) ? std::optional(part) : std::nullopt;
+    };
+    std::optional<LearningPart> next;
+    if (!isShownDrawn()) next = fitting(LearningPart::show);
+    if (!next && wanted_) next = fitting(isWantedTraced_ ? LearningPart::take : LearningPart::trace);
+    if (!next && !wanted_ && wantsView()) next = fitting(LearningPart::ask);
+    if (!next && !model_->isPaused()) next = fitting(LearningPart::step);
+    return next;
+}
+
+Result<void> LiveModel::workWithin(double leftMs, const std::function<bool()>& keepGoing) {
+    MACULA_CHECK(hasWork());
+    const auto start = Clock::now();
+    bool isDone = false;
+    while (const std::optional<LearningPart> next = nextWithin(leftMs - msSince(start))) {
+        isDone = true;
+        const auto goesOn = [&] { return pace_.fits(*next, leftMs - msSince(start)) && keepGoing(); };
+        if (Result<void> done = doPart(*next, goesOn); !done) return withoutRoom(std::move(done));
+        if (!keepGoing()) return {};
+    }
+    if (!isDone && model_ && !model_->isPaused()) pace_.refusedStep();
+    return {};
+}
+
+Result<void> LiveModel::askForView() {
+    MACULA_TRY(const std::optional<CandidatePose> wanted, model_->wantedView());
+    if (!wanted) {
+        views_ = options_.views;
+        return {};
+    }
+    trace::Settings settings = settings_;
+    // The same noise in all views would be learnt as if it were there.
+    settings.seed += static_cast<std::uint32_t>(views_);
+    tracer_.forgetViews();
+    MACULA_TRY_VOID(tracer_.setSettings(settings));
+    const glm::ivec2 sizePx = options_.model.wanted.sizePx;
+    MACULA_TRY_VOID(tracer_.setView({.camera = wanted->camera, .width = sizePx.x, .height = sizePx.y}));
+    wanted_ = wanted->camera;
+    isWantedTraced_ = false;
     return {};
 }
 
@@ -386,10 +468,14 @@ Result<void> LiveModel::traceWanted(const std::function<bool()>& goesOn) {
         MACULA_TRY(const bool isWhole, tracer_.trace(missing, goesOn));
         if (!isWhole || !goesOn()) return {};
     }
-    MACULA_TRY(const bool isDeveloped, tracer_.develop(goesOn));
-    if (!isDeveloped) return {};
+    MACULA_TRY(isWantedTraced_, tracer_.develop(goesOn));
+    return {};
+}
+
+Result<void> LiveModel::takeWanted() {
     MACULA_TRY(TracedView view, readToLearnFrom(tracer_, *wanted_));
     wanted_.reset();
+    isWantedTraced_ = false;
     ++views_;
     MACULA_TRY([[maybe_unused]] const Offered offered, model_->offer(std::move(view)));
     stepsAtLastView_ = model_->report().training.steps;
@@ -420,7 +506,8 @@ Result<const splat::DevicePicture*> LiveModel::draw(const Camera& camera, const 
                                                     double nearMm) {
     MACULA_CHECK(canBeDrawn());
     const auto tryDraw = [&]() -> Result<const splat::DevicePicture*> {
-        if (model_) MACULA_TRY_VOID(makeDrawable());
+        // What was learnt since is made drawable by work(): a frame does not wait for that.
+        if (model_ && !painter_) MACULA_TRY_VOID(makeDrawable());
         MACULA_TRY(const splat::RasterView view, splat::rasterView(camera, sizePx, drawn_->originMm, nearMm));
         return painter_->drawOnDevice(view);
     };
@@ -430,8 +517,8 @@ Result<const splat::DevicePicture*> LiveModel::draw(const Camera& camera, const 
 }
 
 std::shared_ptr<const splat::Splats> LiveModel::shown() const {
-    if (model_) return model_->shown().splats;
-    return stage_ == ModelStage::resuming ? drawn_ : nullptr;
+    if (painter_) return drawn_;
+    return model_ ? model_->shown().splats : nullptr;
 }
 
 std::optional<PeripheralReport> LiveModel::report() const {

@@ -1,5 +1,5 @@
-// The peripheral model of what is on a screen: found, taught while nothing moves, and drawn while something
-// does. All of it in slices, so that whoever has the thread keeps it.
+// The peripheral model of what is on a screen: found, taught while nothing moves, or in the time between two
+// frames, and drawn while something does. All of it in slices, so that whoever has the thread keeps it.
 //
 //     model.show(key, settings);                       // what the scene shows now, or showed before
 //     if (model.hasWork()) model.work(20.0, keepGoing);
@@ -19,6 +19,7 @@
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/frame/brightness_gauge.h"
+#include "pipeline/hybrid/model/learning_pace.h"
 #include "pipeline/hybrid/model/model_news.h"
 #include "pipeline/hybrid/model/model_shelf.h"
 #include "pipeline/hybrid/model/model_store.h"
@@ -77,6 +78,10 @@ class LiveModel {
     // between these. Running out of memory ends the search or the learning, and is no error.
     Result<void> work(double budgetMs, const std::function<bool()>& keepGoing);
 
+    // The same between two frames of a picture in motion: only what is expected to be done in `leftMs`, by
+    // what it took so far; nothing that was never done.
+    Result<void> workWithin(double leftMs, const std::function<bool()>& keepGoing);
+
     // Takes in what `tracer` has traced of its view, which is `view`, for a person who looks at it: the model
     // learns all of that, once for each pose. While it can be drawn; waits. Where there is no room for it, or
     // the picture has more than kMostPixelsToLearn, nothing happens.
@@ -130,9 +135,15 @@ class LiveModel {
     Result<void> searchSome(double budgetMs, const std::function<bool()>& goesOn);
     Result<void> takeFirstSteps(double budgetMs, const std::function<bool()>& goesOn);
     Result<void> beginSearch();
-    Result<void> learnSome(double budgetMs, const std::function<bool()>& goesOn);
+    Result<void> learnSome(const std::function<bool()>& goesOn);
+    Result<void> askForView();
     Result<void> traceWanted(const std::function<bool()>& goesOn);
+    Result<void> takeWanted();
+    Result<void> doPart(LearningPart part, const std::function<bool()>& goesOn);
+    std::optional<LearningPart> nextWithin(double leftMs) const;
+    Result<void> withoutRoom(Result<void> done);
     bool wantsView() const;
+    bool isShownDrawn() const { return painter_ && model_->shown().splats == drawn_; }
 
     std::shared_ptr<gpu::Device> device_;
     trace::PathTracer tracer_;
@@ -156,7 +167,9 @@ class LiveModel {
     std::optional<PeripheralModel> model_;
     std::optional<Camera> lookedAt_;  // the last pose of a picture on screen that it has learnt from
     std::optional<Camera> wanted_;    // the view that is traced for it now
-    std::size_t views_ = 0;           // views that the model was given, or asked for in vain
+    bool isWantedTraced_ = false;     // and is to be taken
+    LearningPace pace_;
+    std::size_t views_ = 0;  // views that the model was given, or asked for in vain
     std::uint64_t stepsAtLastView_ = 0;
     std::shared_ptr<const splat::Splats> drawn_;  // what the painter has
     std::optional<splat::ModelPainter> painter_;

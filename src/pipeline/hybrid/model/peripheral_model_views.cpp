@@ -59,8 +59,9 @@ Result<std::optional<CandidatePose>> PeripheralModel::wantedView() {
     const glm::ivec2 small = glm::max(glm::ivec2(size * (kLookSidePx / std::max(size.x, size.y))), 1);
     // The best candidates are of what no view has seen yet, where there may be nothing: then the next ones
     // are looked at.
-    for (std::size_t first = 0; first < wanted.size(); first += kLooks) {
-        const std::span looks = std::span(wanted).subspan(first, std::min(kLooks, wanted.size() - first));
+    std::size_t count = 1;  // mostly the best is right
+    for (std::size_t first = 0; first < wanted.size(); first += std::exchange(count, kLooks)) {
+        const std::span looks = std::span(wanted).subspan(first, std::min(count, wanted.size() - first));
         std::vector<Camera> cameras;
         std::transform(looks.begin(), looks.end(), std::back_inserter(cameras),
                        [](const CandidatePose& view) { return view.camera; });

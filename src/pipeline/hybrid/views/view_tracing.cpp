@@ -92,11 +92,10 @@ Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
 }
 
 Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& camera) {
-    MACULA_TRY(trace::TracedImage image, tracer.readback());
-    MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer.readGuides());
+    MACULA_TRY(trace::TracedColours image, tracer.readColours());
     MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
     const glm::ivec2 sizePx(image.width, image.height);
-    const std::vector<float> coverage = pixelCoverage(guides, sizePx);
+    const std::vector<float> coverage = pixelCoverageOf(image.coverage, sizePx);
     constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
     for (std::size_t i = 0; i < coverage.size(); ++i) {
         image.radiance[i].a = coverage[i];
