@@ -284,7 +284,8 @@ typedef struct macula_lent_device {
     void* physical_device; /* VkPhysicalDevice */
     void* device;          /* VkDevice */
     void* queue;           /* VkQueue, with compute */
-    /* Null both: you do not use the queue while a call of Macula runs that uses this device. */
+    /* Null both: you do not use the queue while a call of Macula runs that uses this device, and lend it once
+     * at a time. */
     macula_queue_call lock_queue;
     macula_queue_call unlock_queue;
     void* user; /* for both */
@@ -378,7 +379,7 @@ MACULA_API macula_status macula_live_show(macula_live* live, const macula_view* 
  * the frame, with VK_IMAGE_USAGE_TRANSFER_DST_BIT, not used by others meanwhile. */
 typedef struct macula_lent_image {
     uint32_t size;
-    int32_t layout;    /* VkImageLayout that it is left in; what it held before is lost */
+    int32_t layout;    /* VkImageLayout that it is left in, 0: general; what it held before is lost */
     uint64_t image;    /* VkImage */
     uint32_t layer;    /* of the image */
     uint32_t reserved; /* 0 */
