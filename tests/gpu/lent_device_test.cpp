@@ -109,8 +109,7 @@ TEST_F(LentDeviceTest, IsGivenBackWhileTheHostUsesTheQueue) {
 TEST_F(LentDeviceTest, AQueueOfAFamilyThatIsNoneIsRefused) {
     DeviceOptions options;
     options.physical = device()->physical();
-    options.lent =
-        LentDevice{.handle = device()->handle(), .queue = device()->queue(), .queueFamily = 1000};
+    options.lent = LentDevice{.handle = device()->handle(), .queue = device()->queue(), .queueFamily = 1000};
     const auto refused = Device::create(borrowed(), options);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::usage);

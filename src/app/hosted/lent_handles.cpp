@@ -52,11 +52,10 @@ Result<DeviceWay> lentWay(const LentHandles& lent) {
     DeviceWay way;
     way.instance.lent = static_cast<VkInstance>(lent.instance);
     way.device.physical = static_cast<VkPhysicalDevice>(lent.physical);
-    way.device.lent =
-        gpu::LentDevice{.handle = static_cast<VkDevice>(lent.device),
-                        .queue = static_cast<VkQueue>(lent.queue),
-                        .queueFamily = lent.queueFamily,
-                        .guard = guardOf(lent)};
+    way.device.lent = gpu::LentDevice{.handle = static_cast<VkDevice>(lent.device),
+                                      .queue = static_cast<VkQueue>(lent.queue),
+                                      .queueFamily = lent.queueFamily,
+                                      .guard = guardOf(lent)};
     return way;
 }
 

@@ -290,6 +290,7 @@ typedef struct macula_lent_device {
     macula_queue_call unlock_queue;
     void* user; /* for both */
 } macula_lent_device;
+/* As macula_device_open, with that one. */
 MACULA_API macula_status macula_device_lend(const macula_lent_device* lent, macula_device** device);
 
 /* Ends what macula_device_open or macula_device_lend began. What is opened or drawn with it goes on until its
@@ -355,6 +356,7 @@ typedef struct macula_live macula_live;
 
 enum { MACULA_WITH_MODEL = 0, MACULA_WITHOUT_MODEL = 1 };
 
+/* How a live picture is opened. */
 typedef struct macula_live_options {
     uint32_t size;
     int32_t model; /* MACULA_WITH_MODEL ... */
@@ -385,6 +387,7 @@ typedef struct macula_lent_image {
     uint32_t reserved; /* 0 */
 } macula_lent_image;
 
+/* What frame is wanted, and where to. */
 typedef struct macula_frame {
     uint32_t size;
     int32_t width; /* pixels, 1 to 16384 */
@@ -444,6 +447,7 @@ enum {
     MACULA_MODEL_FAILED = 7
 };
 
+/* How far the model is. */
 typedef struct macula_model {
     uint32_t size;
     int32_t stage;      /* MACULA_MODEL_NONE ... */
@@ -456,6 +460,7 @@ typedef struct macula_model {
     const char* stage_name; /* texts live as long as the library is loaded */
     const char* origin;     /* why it is fresh or resumed, for a person */
 } macula_model;
+/* Of what is shown. */
 MACULA_API macula_status macula_live_model(const macula_live* live, macula_model* model);
 
 /* When to stop, whatever comes first; it stops by itself when the model rests. */
