@@ -349,8 +349,8 @@ MACULA_API macula_status macula_view_record(const macula_view* view, const char*
 /* ---- The live picture ----
  *
  * Frame by frame: while a hand or a head moves, splats of a model that is learnt on the way, with a traced
- * part where the eye looks, or smaller traced pictures until there is a model; at rest traced, until nothing
- * changes any more. Show what macula_shown says of it. */
+ * part where the eye looks, or smaller traced pictures until it has learnt enough; at rest traced, until
+ * nothing changes any more. Show what macula_shown says of it. */
 
 typedef struct macula_live macula_live;
 
