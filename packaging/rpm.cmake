@@ -18,7 +18,7 @@ set(share ${CMAKE_INSTALL_FULL_DATADIR})
 set(CPACK_RPM_EXCLUDE_FROM_AUTO_FILELIST_ADDITION
     ${share}/applications ${share}/bash-completion ${share}/bash-completion/completions ${share}/doc ${share}/icons
     ${share}/icons/hicolor ${share}/icons/hicolor/scalable ${share}/icons/hicolor/scalable/apps ${share}/man ${share}/man/man1
-    ${share}/metainfo /usr/lib/python3 /usr/lib/python3/dist-packages ${CMAKE_INSTALL_FULL_LIBDIR}
+    ${share}/metainfo ${CMAKE_INSTALL_PREFIX}/lib ${CMAKE_INSTALL_PREFIX}/lib/python3 ${CMAKE_INSTALL_PREFIX}/lib/python3/dist-packages ${CMAKE_INSTALL_FULL_LIBDIR}
     ${CMAKE_INSTALL_FULL_LIBDIR}/cmake ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
 
 # macula_rpm_component(UPPER PACKAGE SUMMARY DESCRIPTION DEPENDS ANY_MACHINE). DEPENDS is as Debian has it; of that stays what Macula's

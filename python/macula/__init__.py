@@ -8,13 +8,16 @@
     live = view.live(store="MODELS")  # frame by frame, with a model that is trained and kept
 
 NOT FOR PRIMARY DIAGNOSIS. Lengths are millimetres in the patient's LPS: +x to the patient's left, +y to posterior, +z
-to superior. Show the notes of studies and pictures to whoever sees them. Objects are used by one thread at a time.
+to superior. Show the notes of studies and pictures to whoever sees them. Objects are used by one thread at a time; a
+device may be that of several. Functions that hear of progress or have the log must not call Macula.
 NumPy is used where it is installed; nothing needs it.
 """
 
+import atexit
 import ctypes
 import json
 import os
+import threading
 
 from . import _interface, _png
 
@@ -81,9 +84,21 @@ class _Watch:
             return 1
 
     def check(self, status):
-        if self._raised is not None:
-            raise self._raised
+        raised, self._raised = self._raised, None
+        if raised is not None:
+            raise raised
         _check(status)
+
+    def made(self, status, kind, handle, close):
+        """What a call has opened, which is closed where a listener has raised meanwhile."""
+        opened = kind(handle, close) if handle else None
+        try:
+            self.check(status)
+        except BaseException:
+            if opened is not None:
+                opened.close()
+            raise
+        return opened
 
 
 class _Handle:
@@ -122,6 +137,11 @@ def names(kind):
     return _texts(_library.macula_name, _KINDS[kind])
 
 
+def _log_to_nobody():
+    """At the end of Python, before what has the log is taken apart: threads of Macula may still have something to say."""
+    _library.macula_log_to(_interface.LogLine(), None, _LEVELS.index("warning"))
+
+
 _LEVELS = ("debug", "info", "warning", "error")
 _log_line = None  # must live as long as the library may call it
 
@@ -139,6 +159,9 @@ def log_to(function, least="warning"):
             pass
 
     line = _interface.LogLine() if function is None else _interface.LogLine(hear)
+    atexit.unregister(_log_to_nobody)
+    if function is not None:
+        atexit.register(_log_to_nobody)
     _check(_library.macula_log_to(line, None, _LEVELS.index(least)))
     _log_line = line
 
@@ -150,16 +173,19 @@ class Device(_Handle):
         handle = ctypes.c_void_p()
         _check(_library.macula_device_open(_bytes(preferred), handle))
         super().__init__(handle, _library.macula_device_close)
+        self._in_use = threading.Lock()  # one picture at a time, whichever thread wants it
 
 
 _device = None
+_device_in_making = threading.Lock()
 
 
 def _usual_device():
     global _device
-    if _device is None:
-        _device = Device()
-    return _device
+    with _device_in_making:
+        if _device is None:
+            _device = Device()
+        return _device
 
 
 def _camera_of(told):
@@ -259,10 +285,10 @@ class View(_Handle):
         """A Live of what the view shows now. `store`: the folder where its model is kept between runs; without one
         none is. Without `model` all is traced."""
         options = _interface.LiveOptions(model=0 if model else 1, store=_bytes(store))
-        handle, watch = ctypes.c_void_p(), _Watch(progress)
-        watch.check(_library.macula_live_open((device or _usual_device())._open(), self._open(), options,
-                                              watch.progress, handle))
-        return Live(handle, _library.macula_live_close)
+        handle, watch, device = ctypes.c_void_p(), _Watch(progress), device or _usual_device()
+        with device._in_use:
+            status = _library.macula_live_open(device._open(), self._open(), options, watch.progress, handle)
+            return watch.made(status, Live, handle, _library.macula_live_close)
 
     def draw(self, width, height, samples=0, quality=None, most_noise=0.0, denoise=None, seed=0, device=None,
              progress=None):
@@ -273,9 +299,9 @@ class View(_Handle):
         asked = _interface.Picture(width=width, height=height, denoise=_DENOISE[denoise], samples_per_pixel=samples,
                                    seed=seed, quality=_bytes(quality), most_noise=most_noise, bytes=len(rgba),
                                    rgba=ctypes.cast(pixels, ctypes.POINTER(ctypes.c_uint8)))
-        drawn, watch = _interface.Drawn(), _Watch(progress)
-        watch.check(_library.macula_draw((device or _usual_device())._open(), self._open(), asked, watch.progress,
-                                         drawn))
+        drawn, watch, device = _interface.Drawn(), _Watch(progress), device or _usual_device()
+        with device._in_use:
+            watch.check(_library.macula_draw(device._open(), self._open(), asked, watch.progress, drawn))
         told = ctypes.c_char_p()
         _check(_library.macula_view_record(self._handle, told))
         return Picture(rgba, drawn, width, height, _texts(_library.macula_view_note, self._handle),
@@ -454,8 +480,7 @@ class Study(_Handle):
 
 def _study(make, progress):
     handle, watch = ctypes.c_void_p(), _Watch(progress)
-    watch.check(make(watch.progress, handle))
-    return Study(handle, _library.macula_study_close)
+    return watch.made(make(watch.progress, handle), Study, handle, _library.macula_study_close)
 
 
 def open(path, join=False, progress=None):

@@ -145,7 +145,7 @@ def _places():
         return [told]
     found = []
     for folder in list(pathlib.Path(__file__).resolve().parents)[2:6]:  # PREFIX/lib/python3/dist-packages/macula
-        for place in [folder / "lib" / _NAME, *sorted(folder.glob("lib/*-linux-gnu*/" + _NAME))]:
+        for place in [folder / "lib" / _NAME, folder / "lib64" / _NAME, *sorted(folder.glob("lib/*-linux-gnu*/" + _NAME))]:
             if place.is_file():
                 found.append(str(place))
     return [*found, _NAME]
@@ -156,15 +156,15 @@ def load():
     for place in _places():
         try:
             library = ctypes.CDLL(place)
-        except OSError as error:
+            for name, arguments in _STATUS.items():
+                function = getattr(library, name)
+                function.restype, function.argtypes = c_int32, arguments
+            for name, (result, arguments) in _OTHERS.items():
+                function = getattr(library, name)
+                function.restype, function.argtypes = result, arguments
+        except (OSError, AttributeError) as error:  # none, or one of another version
             why = error
             continue
-        for name, arguments in _STATUS.items():
-            function = getattr(library, name)
-            function.restype, function.argtypes = c_int32, arguments
-        for name, (result, arguments) in _OTHERS.items():
-            function = getattr(library, name)
-            function.restype, function.argtypes = result, arguments
         return library
     raise ImportError(f"{_NAME} could not be loaded ({why}). Install the package libmacula0, or set MACULA_LIBRARY to "
                       "the file.")

@@ -44,14 +44,17 @@ namespace macula::c {
 
 namespace {
 
+Error broken() {
+    return badArgument("The live picture stopped because of a mistake of Macula itself.",
+                       "Close it and open it again.");
+}
+
 // body(live), which returns a Result<void>.
 template <class Body>
 macula_status with(macula_live* live, const Body& body) noexcept {
     const macula_status status = guarded([&]() -> Result<void> {
         if (live == nullptr) return nullHandle();
-        if (live->isBroken)
-            return badArgument("The live picture stopped because of a mistake of Macula itself.",
-                               "Close it and open it again.");
+        if (live->isBroken) return broken();
         return body(*live);
     });
     if (status == MACULA_FAULT && live != nullptr) live->isBroken = true;
@@ -284,6 +287,7 @@ const char* macula_live_note(const macula_live* live, std::uint32_t index) {
 macula_status macula_live_model(const macula_live* live, macula_model* model) {
     return guarded([&]() -> Result<void> {
         if (live == nullptr || model == nullptr) return nullHandle();
+        if (live->isBroken) return broken();
         return give(modelOf(*live), model) ? Result<void>() : wrongSize();
     });
 }

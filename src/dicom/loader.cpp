@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/available_memory.h"
+#include "base/check.h"
 #include "base/parallel.h"
 #include "dicom/pixels/alternation.h"
 #include "dicom/pixels/frame_decoder.h"
@@ -407,6 +408,8 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
             try {
                 if (auto volume = coarse(std::span(frames).first(coarseCount), decoder))
                     options.onCoarse(std::move(volume));
+            } catch (const CheckFailure&) {
+                throw;       // a mistake of ours, and none of the file
             } catch (...) {  // no memory, or no more threads
                 // Then the whole volume is the first to be shown, or reports the error.
             }

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "base/check.h"
 #include "base/log.h"
 #include "base/parallel.h"
 #include "dicom/read/dictionary.h"
@@ -310,6 +311,8 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
             try {
                 reportFiles(*places[i], copies[i], repeats[i], unreadable);
                 finished[i] = finish(*places[i], progress.token());
+            } catch (const CheckFailure&) {
+                throw;  // a mistake of ours, and none of the file
             } catch (...) {
                 outOfMemory = true;
             }
@@ -415,6 +418,8 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
                 if (!progress.cancelled()) glimpses.add(found[i]);
             } catch (const std::bad_alloc&) {
                 noMemory = true;  // and no file is damaged by that
+            } catch (const CheckFailure&) {
+                throw;  // a mistake of ours, and none of the file
             } catch (...) {
                 found[i].state = FileState::damaged;
             }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "dicom/object_owner.h"
 #include "dicom/read/examination.h"
 #include "dicom/read/quiet_toolkit.h"
@@ -147,6 +148,8 @@ Result<void> writeSecondaryCapture(const fs::path& path, const SecondaryCapture&
         if (examine(draft).state != FileState::complete) return failed;
         return {};
     });
+} catch (const CheckFailure&) {
+    throw;  // a mistake of ours, and none of the file
 } catch (...) {
     return Error{ErrorCode::outputNotWritable, "The DICOM file could not be written.", path.string(),
                  "Check free space and memory."};

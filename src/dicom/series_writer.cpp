@@ -12,6 +12,7 @@
 #include <mutex>
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "base/draft.h"
 #include "base/parallel.h"
 #include "base/sha256.h"
@@ -233,6 +234,8 @@ Result<void> writeSlice(const Volume& volume, const Common& common, const Series
     // DCMTK does not tell of the last bytes when the disk is full.
     if (examine(file).state != FileState::complete) return failed;
     return {};
+} catch (const CheckFailure&) {
+    throw;  // a mistake of ours, and none of the file
 } catch (...) {
     return notWritable("A DICOM file could not be written.", file, "Check free space and memory.");
 }

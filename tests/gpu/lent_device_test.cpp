@@ -90,6 +90,31 @@ TEST_F(LentDeviceTest, WaitsWhileTheHostUsesTheQueue) {
     EXPECT_TRUE(isSubmitted);
 }
 
+// Its host may hold the queue for long: what is on it may wait for the host.
+TEST_F(LentDeviceTest, IsGivenBackWhileTheHostUsesTheQueue) {
+    std::shared_ptr<Device> guest = lent(borrowed());
+    expectWorks(guest);
+    guard_->lock();
+    std::atomic<bool> isGivenBack = false;
+    std::thread other([&] {
+        guest.reset();
+        isGivenBack = true;
+    });
+    for (int i = 0; i < 500 && !isGivenBack; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(isGivenBack);
+    guard_->unlock();
+    other.join();
+}
+
+TEST_F(LentDeviceTest, AQueueOfAFamilyThatIsNoneIsRefused) {
+    DeviceOptions options;
+    options.physical = device()->physical();
+    options.lent = LentDevice{.handle = device()->handle(), .queue = device()->queue(), .queueFamily = 1000};
+    const auto refused = Device::create(borrowed(), options);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, ErrorCode::usage);
+}
+
 TEST_F(LentDeviceTest, ADeviceThatIsNoneIsRefused) {
     DeviceOptions options;
     options.physical = device()->physical();

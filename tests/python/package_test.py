@@ -1,9 +1,13 @@
 """The Python package: what it takes, gives back and refuses."""
 
 import ctypes
+import os
 import pathlib
 import re
+import subprocess
+import sys
 import tempfile
+import threading
 import unittest
 import zlib
 
@@ -43,6 +47,17 @@ class Interface(unittest.TestCase):
                        for member, _ in struct._fields_}
             self.assertEqual(members, {place.split(".")[1]: at for place, at in promised.items()
                                        if place.startswith(name + ".")}, name)
+
+    def test_it_looks_for_the_library_by_the_name_that_programs_are_linked_with(self):
+        library = pathlib.Path(os.environ["MACULA_LIBRARY"]).resolve()
+        self.assertEqual((library.parent / _interface._NAME).resolve(), library)
+
+    def test_another_library_is_no_macula(self):
+        told = subprocess.run([sys.executable, "-c", "import macula"], capture_output=True, text=True, check=False,
+                              env={**os.environ, "MACULA_LIBRARY": "libc.so.6"})
+        self.assertNotEqual(told.returncode, 0)
+        self.assertIn("ImportError", told.stderr)
+        self.assertIn("libmacula0", told.stderr)
 
     def test_every_function_that_is_called_is_in_the_header(self):
         declared = set(re.findall(r"(macula_\w+)\(", HEADER.read_text()))
@@ -124,6 +139,29 @@ class Pictures(unittest.TestCase):
         with self.assertRaises(KeyError):
             self.view.draw(16, 16, samples=1 << 20, progress=broken)
         self.assertFalse(self.view.draw(16, 16, samples=1).is_empty)  # it goes on afterwards
+
+    def test_threads_with_views_of_their_own_draw_on_one_device(self):
+        study, pictures = macula.study_of(balls(), AFFINE, unit="HU"), {}
+
+        def draw(index):
+            pictures[index] = [bytes(study_view.draw(24, 24, samples=2).rgba) for study_view in [views[index]] * 4]
+
+        views = [study.view() for _ in range(4)]
+        threads = [threading.Thread(target=draw, args=(index,)) for index in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual({picture for drawn in pictures.values() for picture in drawn}, {pictures[0][0]})
+        self.assertEqual(len(pictures), 4)
+
+    def test_what_was_opened_while_a_listener_raised_is_closed(self):
+        closed = []
+        watch = macula._Watch(None)
+        watch._raised = KeyError("mine")
+        with self.assertRaises(KeyError):
+            watch.made(0, macula._Handle, ctypes.c_void_p(7), lambda handle: closed.append(handle.value))
+        self.assertEqual(closed, [7])
 
     def test_what_is_wrong_is_said_with_what_to_do(self):
         for wrong in (lambda: self.view.set_preset("cinematic-bonne"), lambda: self.view.set_look("xray"),
@@ -217,6 +255,20 @@ class Lives(unittest.TestCase):
         macula.Device().close()
         macula.log_to(None)
         self.assertTrue(any("renders on" in line for level, line in lines))
+
+
+    def test_who_has_the_log_may_end_with_a_live_picture_open(self):
+        # Closing says what it does by threads of Macula, after Python has begun to take itself apart.
+        program = """
+import macula, sys
+macula.log_to(lambda level, line: None, least="debug")
+live = macula.open("phantom:").view().live(store=sys.argv[1])
+live.frame(32, 32)
+"""
+        with tempfile.TemporaryDirectory() as folder:
+            told = subprocess.run([sys.executable, "-c", program, folder], capture_output=True, text=True, check=False,
+                                  timeout=120)
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
 
 
 if __name__ == "__main__":

@@ -71,6 +71,12 @@ gpu::ImageOptions displayed(const char* label, std::uint32_t width, std::uint32_
     return options;
 }
 
+// No image can be left undefined.
+VkImageLayout layoutOf(const LentPicture& target) {
+    const auto layout = static_cast<VkImageLayout>(target.layout);
+    return layout == VK_IMAGE_LAYOUT_UNDEFINED ? VK_IMAGE_LAYOUT_GENERAL : layout;
+}
+
 }  // namespace
 
 Result<void> HostPicture::keep(const std::shared_ptr<gpu::Device>& device, const gpu::Image& picture) {
@@ -131,7 +137,7 @@ Result<bool> HostPicture::copyTo(const LentPicture& target, const glm::ivec2& si
     recorder.copy(from, {{0, 0}, {from.extent().width, from.extent().height}},
                   {.image = reinterpret_cast<VkImage>(target.image),
                    .layer = target.layer,
-                   .layout = static_cast<VkImageLayout>(target.layout)});
+                   .layout = layoutOf(target)});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY_VOID(device->waitForAll());
     return true;

@@ -1,6 +1,7 @@
 #include "app/hosted/hosted_loop.h"
 
 #include <algorithm>
+#include <exception>
 #include <future>
 #include <mutex>
 #include <thread>
@@ -360,7 +361,11 @@ Result<void> HostedLoop::checkIsStored(std::int64_t sinceMs) {
                          {},
                          "Check free space and permissions of the folder that was given for models."};
         };
-        asked->set_value(look());
+        try {
+            asked->set_value(look());
+        } catch (...) {
+            asked->set_exception(std::current_exception());  // of whoever waits
+        }
     });
     return answer.get();
 }

@@ -1,6 +1,7 @@
 #include "app/hosted/lent_handles.h"
 
 #include <memory>
+#include <mutex>
 #include <utility>
 
 namespace macula::app {
@@ -19,6 +20,21 @@ class GuardOfHost final : public gpu::QueueGuard {
     std::function<void()> unlock_;
 };
 
+// Of a host that does not use the queue meanwhile: several handles of Macula may, in threads of their own.
+class OwnGuard final : public gpu::QueueGuard {
+  public:
+    void lock() override { mutex_.lock(); }
+    void unlock() override { mutex_.unlock(); }
+
+  private:
+    std::mutex mutex_;
+};
+
+std::shared_ptr<gpu::QueueGuard> guardOf(const LentHandles& lent) {
+    if (lent.lock) return std::make_shared<GuardOfHost>(lent.lock, lent.unlock);
+    return std::make_shared<OwnGuard>();
+}
+
 }  // namespace
 
 Result<DeviceWay> lentWay(const LentHandles& lent) {
@@ -36,11 +52,10 @@ Result<DeviceWay> lentWay(const LentHandles& lent) {
     DeviceWay way;
     way.instance.lent = static_cast<VkInstance>(lent.instance);
     way.device.physical = static_cast<VkPhysicalDevice>(lent.physical);
-    way.device.lent =
-        gpu::LentDevice{.handle = static_cast<VkDevice>(lent.device),
-                        .queue = static_cast<VkQueue>(lent.queue),
-                        .queueFamily = lent.queueFamily,
-                        .guard = lent.lock ? std::make_shared<GuardOfHost>(lent.lock, lent.unlock) : nullptr};
+    way.device.lent = gpu::LentDevice{.handle = static_cast<VkDevice>(lent.device),
+                                      .queue = static_cast<VkQueue>(lent.queue),
+                                      .queueFamily = lent.queueFamily,
+                                      .guard = guardOf(lent)};
     return way;
 }
 

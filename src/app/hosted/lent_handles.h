@@ -23,7 +23,8 @@ struct LentHandles {
     void* device = nullptr;
     void* queue = nullptr;
     std::uint32_t queueFamily = 0;
-    // Called around each use of the queue; both, or neither. They throw nothing.
+    // Called around each use of the queue; both, or neither: then copies of the
+    // DeviceWay share a lock of their own. They throw nothing.
     std::function<void()> lock = {};
     std::function<void()> unlock = {};
 };
@@ -35,7 +36,7 @@ Result<DeviceWay> lentWay(const LentHandles& lent);
 struct LentPicture {
     std::uint64_t image = 0;  // VkImage
     std::uint32_t layer = 0;
-    std::int32_t layout = 0;  // VkImageLayout that it is left in
+    std::int32_t layout = 0;  // VkImageLayout that it is left in; 0: VK_IMAGE_LAYOUT_GENERAL
 };
 
 }  // namespace macula::app

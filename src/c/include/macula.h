@@ -284,11 +284,13 @@ typedef struct macula_lent_device {
     void* physical_device; /* VkPhysicalDevice */
     void* device;          /* VkDevice */
     void* queue;           /* VkQueue, with compute */
-    /* Null both: you do not use the queue while a call of Macula runs that uses this device. */
+    /* Null both: you do not use the queue while a call of Macula runs that uses this device, and lend it once
+     * at a time. */
     macula_queue_call lock_queue;
     macula_queue_call unlock_queue;
     void* user; /* for both */
 } macula_lent_device;
+/* As macula_device_open, with that one. */
 MACULA_API macula_status macula_device_lend(const macula_lent_device* lent, macula_device** device);
 
 /* Ends what macula_device_open or macula_device_lend began. What is opened or drawn with it goes on until its
@@ -354,6 +356,7 @@ typedef struct macula_live macula_live;
 
 enum { MACULA_WITH_MODEL = 0, MACULA_WITHOUT_MODEL = 1 };
 
+/* How a live picture is opened. */
 typedef struct macula_live_options {
     uint32_t size;
     int32_t model; /* MACULA_WITH_MODEL ... */
@@ -378,12 +381,13 @@ MACULA_API macula_status macula_live_show(macula_live* live, const macula_view* 
  * the frame, with VK_IMAGE_USAGE_TRANSFER_DST_BIT, not used by others meanwhile. */
 typedef struct macula_lent_image {
     uint32_t size;
-    int32_t layout;    /* VkImageLayout that it is left in; what it held before is lost */
+    int32_t layout;    /* VkImageLayout that it is left in, 0: general; what it held before is lost */
     uint64_t image;    /* VkImage */
     uint32_t layer;    /* of the image */
     uint32_t reserved; /* 0 */
 } macula_lent_image;
 
+/* What frame is wanted, and where to. */
 typedef struct macula_frame {
     uint32_t size;
     int32_t width; /* pixels, 1 to 16384 */
@@ -443,6 +447,7 @@ enum {
     MACULA_MODEL_FAILED = 7
 };
 
+/* How far the model is. */
 typedef struct macula_model {
     uint32_t size;
     int32_t stage;      /* MACULA_MODEL_NONE ... */
@@ -455,6 +460,7 @@ typedef struct macula_model {
     const char* stage_name; /* texts live as long as the library is loaded */
     const char* origin;     /* why it is fresh or resumed, for a person */
 } macula_model;
+/* Of what is shown. */
 MACULA_API macula_status macula_live_model(const macula_live* live, macula_model* model);
 
 /* When to stop, whatever comes first; it stops by itself when the model rests. */

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <mutex>
 
+#include "base/check.h"
 #include "base/parallel.h"
 #include "dicom/pixels/pixels.h"
 #include "dicom/read/random_file.h"
@@ -100,6 +101,8 @@ Result<void> FrameDecoder::run(std::span<const std::size_t> order, std::size_t c
             const std::size_t f = order[i];
             try {
                 errors_[f] = decode(f, worker, progress.token());
+            } catch (const CheckFailure&) {
+                throw;       // a mistake of ours, and none of the file
             } catch (...) {  // the decoders throw nothing else
                 outOfMemory = true;
             }

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include "base/check.h"
 #include "dicom/pixels/frame_index.h"
 #include "dicom/pixels/jpeg.h"
 #include "dicom/pixels/jpeg2000.h"
@@ -306,6 +307,8 @@ auto guarded(const std::filesystem::path& file, const Body& body) -> decltype(bo
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, "There is not enough memory to decode a slice.", file.string(),
                  "Close other programs, or choose a smaller series."};
+} catch (const CheckFailure&) {
+    throw;  // a mistake of ours, and none of the file
 } catch (...) {
     return Error{ErrorCode::inputNotUsable, "The pixel data of this file cannot be decoded.", file.string(),
                  "Copy the file again from its source."};

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "base/parsing.h"
 #include "dicom/decimal_string.h"
 #include "dicom/object_owner.h"
@@ -410,6 +411,8 @@ Result<void> writePresentationState(const fs::path& path, const VolumePresentati
         if (examine(draft).state != FileState::complete) return failed;
         return {};
     });
+} catch (const CheckFailure&) {
+    throw;  // a mistake of ours, and none of the file
 } catch (...) {
     return Error{ErrorCode::outputNotWritable, "The DICOM file could not be written.", path.string(),
                  "Check free space and memory."};

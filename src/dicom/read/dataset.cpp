@@ -6,6 +6,7 @@
 #include <cmath>
 #include <new>
 
+#include "base/check.h"
 #include "base/log.h"
 #include "base/utf8.h"
 #include "dicom/read/character_set.h"
@@ -351,6 +352,8 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
     return read;
 } catch (const std::bad_alloc&) {
     throw;  // a healthy file must not pass for a damaged one
+} catch (const CheckFailure&) {
+    throw;  // a mistake of ours, and none of the file
 } catch (...) {
     log::warning("reading the header of {} threw", log::Sensitive{file.native()});
     return {FileState::damaged, {}};

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "base/parallel.h"
 #include "base/sha256.h"
 #include "dicom/read/random_file.h"
@@ -146,6 +147,8 @@ std::vector<std::size_t> dropRepeats(const std::vector<std::vector<Frame>*>& all
         [&](std::size_t s) {
             try {
                 repeats[s] = findRepeats(*all[s], cancel);
+            } catch (const CheckFailure&) {
+                throw;  // a mistake of ours, and none of the file
             } catch (...) {
                 outOfMemory = true;
             }

@@ -141,6 +141,9 @@ Result<void> Device::borrow(const LentDevice& lent, VkPhysicalDevice physical) {
     if (!lent.handle || !lent.queue || !physical)
         return Error{ErrorCode::deviceNotUsable, "The program that lends a graphics device gave none.", "",
                      "Give a device, a queue of it, and what it was made of."};
+    if (!hasCompute(physical, lent.queueFamily))
+        return Error{ErrorCode::usage, "The queue that was lent is of a family that cannot compute.", "",
+                     "Give a queue with compute, and the number of its family."};
     // Nobody knows whether these were enabled.
     info_.floatAtomicAdd = false;
     info_.minSubgroupSize = 0;
@@ -287,14 +290,20 @@ void Device::loseIt() const {
     if (!lost_.exchange(true)) waitUntilIdle();
 }
 
-// A lost device is idle, too. Of a lent one only the queue is ours to wait for.
+// A lost device is idle, too. Of a lent one only what was submitted here is waited for: what else is on its
+// queue may wait for its host, which may need the guard to go on.
 void Device::waitUntilIdle() const {
     if (!isLent_) {
         vkDeviceWaitIdle(device_);
         return;
     }
-    const auto held = queueGuard_ ? std::unique_lock(*queueGuard_) : std::unique_lock<QueueGuard>();
-    vkQueueWaitIdle(queue_);
+    if (!timeline_) return;
+    const Ticket last = submitted_.load();
+    VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
+    info.semaphoreCount = 1;
+    info.pSemaphores = &timeline_;
+    info.pValues = &last;
+    vkWaitSemaphores(device_, &info, kForever);
 }
 
 Result<void> Device::checkNotLost(std::string_view doing) const {

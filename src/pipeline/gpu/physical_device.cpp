@@ -28,6 +28,11 @@ std::vector<VkQueueFamilyProperties> queueFamilies(VkPhysicalDevice device) {
 
 }  // namespace
 
+bool hasCompute(VkPhysicalDevice device, std::uint32_t queueFamily) {
+    const auto families = queueFamilies(device);
+    return queueFamily < families.size() && (families[queueFamily].queueFlags & VK_QUEUE_COMPUTE_BIT) != 0;
+}
+
 std::uint32_t timestampBits(VkPhysicalDevice device, std::uint32_t queueFamily) {
     return queueFamilies(device).at(queueFamily).timestampValidBits;
 }

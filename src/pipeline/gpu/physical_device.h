@@ -13,6 +13,9 @@ bool hasExtension(VkPhysicalDevice device, const char* name);
 // A family with compute and, if there is one, graphics (blits and presentation want it).
 std::optional<std::uint32_t> universalQueueFamily(VkPhysicalDevice device);
 
+// False where there is no such family, too.
+bool hasCompute(VkPhysicalDevice device, std::uint32_t queueFamily);
+
 // Valid bits of a timestamp of the family's queues; 0 when they have none.
 std::uint32_t timestampBits(VkPhysicalDevice device, std::uint32_t queueFamily);
 
