@@ -2,9 +2,9 @@
 // picture, or shifts it to where the eye is by then.
 #pragma once
 
+#include <deque>
 #include <glm/glm.hpp>
 #include <memory>
-#include <vector>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
@@ -38,7 +38,7 @@ class EyeDepths {
 
     std::shared_ptr<gpu::Device> device_;
     gpu::Kernel kernel_;
-    std::vector<gpu::Buffer> depths_;  // by eye
+    std::deque<gpu::Buffer> depths_;  // by eye; what was returned stays where it is when another eye comes
 };
 
 }  // namespace macula::hybrid
