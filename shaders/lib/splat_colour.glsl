@@ -6,12 +6,6 @@
 #define SH_0 0.28209479177387814
 #define SH_1 0.48860251190291992
 
-// What a vector is divided by and how long it is, so that no division is by more than 2^126, beyond which graphics cards may
-// give 0 (Vulkan, "Precision of core SPIR-V Instructions").
-float scaleFor(float length) {
-    return length > float(1e30) ? float(7.888609052210118e-31) : float(1.0);  // 2^-100
-}
-
 vec3 directionTo(vec3 position, SplatView view) {
     if (view.parallel != 0) return view.forward;
     vec3 fromEye = position - view.eyeMm;

@@ -45,10 +45,17 @@ struct SplatSight {
     float height;       // det / yy
 };
 
+// What a vector and its length are multiplied by before one is divided by the other, so that no division is by more than 2^126,
+// beyond which graphics cards may give 0 (Vulkan, "Precision of core SPIR-V Instructions").
+float scaleFor(float size) {
+    return size > float(1e30) ? float(7.888609052210118e-31) : float(1.0);  // 2^-100
+}
+
 float lengthOf(vec3 v) {
     float most = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(most > float(1e-30))) return float(0.0);
-    vec3 scaled = v / most;
+    float scale = scaleFor(most);
+    vec3 scaled = v * scale / (most * scale);
     return most * sqrt(dot(scaled, scaled));
 }
 

@@ -70,6 +70,17 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationMessages& messages) {
     return info;
 }
 
+// Loaders unload a driver with the last instance, and drivers of graphics cards cannot be loaded any number of
+// times in a process: NVIDIA's is refused after some ten, for want of static thread-local storage, and then
+// there seems to be no driver. An instance that is never destroyed keeps them.
+void keepDriversLoaded() {
+    [[maybe_unused]] static const VkInstance kept = [] {
+        VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+        VkInstance made = VK_NULL_HANDLE;
+        return vkCreateInstance(&info, nullptr, &made) == VK_SUCCESS ? made : VK_NULL_HANDLE;
+    }();
+}
+
 }  // namespace
 
 Instance::State::~State() {
@@ -162,6 +173,7 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
                      "Update the graphics driver."};
     }
     if (result != VK_SUCCESS) return vulkanError(result, "start Vulkan");
+    keepDriversLoaded();
     return finished(std::move(state));
 }
 
