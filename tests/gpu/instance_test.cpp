@@ -51,6 +51,15 @@ TEST(Instance, letsOthersCreateIt) {
     EXPECT_NE(instance->handle(), nullptr);
 }
 
+// As often as a program that recovers from losses, or a headset that is taken off and on. A driver that were
+// loaded anew each time would be refused after some ten.
+TEST(Instance, mayBeMadeManyTimes) {
+    for (int i = 0; i < 40; ++i) {
+        const Instance instance = expectOk(Instance::create());
+        ASSERT_TRUE(Device::create(instance, {.isAnnounced = false}).ok()) << i;
+    }
+}
+
 TEST(Instance, countsWhatTheValidationLayerSays) {
     const Instance instance = expectOk(Instance::create({.validation = Validation::on}));
     const auto device = expectOk(Device::create(instance));
