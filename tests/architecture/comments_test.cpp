@@ -44,7 +44,7 @@ std::set<std::string> allFileNames() {
     std::set<std::string> names;
     for (const char* folder : {"src", "shaders", "tests"})
         for (const fs::path& path : macula::test::sourcesIn(folder)) names.insert(path.filename().string());
-    for (const char* folder : {".", "docs"})
+    for (const char* folder : {".", "docs", "docs/measurements"})
         for (const auto& entry : fs::directory_iterator(macula::test::projectFolder() / folder))
             names.insert(entry.path().filename().string());
     return names;

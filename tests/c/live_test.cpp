@@ -67,12 +67,14 @@ class CLive : public ::testing::Test {
         }
         return false;
     }
+    // More than the background has.
     double light(int first, int last) const {
+        constexpr int kBackground = 8;
         double sum = 0.0;
         for (int y = 0; y < kSide; ++y)
             for (int x = first; x < last; ++x)
                 for (int channel = 0; channel < 3; ++channel)
-                    sum += rgba_[std::size_t(4 * (y * kSide + x) + channel)];
+                    sum += std::max(rgba_[std::size_t(4 * (y * kSide + x) + channel)] - kBackground, 0);
         return sum;
     }
     double left() const { return light(0, kSide / 2); }

@@ -4,6 +4,9 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <memory>
+
 #include "dicom/read/sop_class.h"
 
 namespace macula::dicom::test {
@@ -12,11 +15,14 @@ namespace {
 
 void putArea(DcmItem& item, const std::array<int, 4>& area) {
     DcmItem& displayed = nested(item, DCM_DisplayedAreaSelectionSequence);
-    const std::array<Sint32, 4> corners{area[0], area[1], area[2], area[3]};
-    EXPECT_TRUE(displayed.putAndInsertSint32(DCM_DisplayedAreaTopLeftHandCorner, corners[0], 0).good());
-    EXPECT_TRUE(displayed.putAndInsertSint32(DCM_DisplayedAreaTopLeftHandCorner, corners[1], 1).good());
-    EXPECT_TRUE(displayed.putAndInsertSint32(DCM_DisplayedAreaBottomRightHandCorner, corners[2], 0).good());
-    EXPECT_TRUE(displayed.putAndInsertSint32(DCM_DisplayedAreaBottomRightHandCorner, corners[3], 1).good());
+    const auto putCorner = [&](const DcmTag& tag, int x, int y) {
+        const std::array<Sint32, 2> corner{x, y};
+        auto made = std::make_unique<DcmSignedLong>(tag);
+        EXPECT_TRUE(made->putSint32Array(corner.data(), corner.size()).good());
+        EXPECT_TRUE(displayed.insert(made.release(), true).good());
+    };
+    putCorner(DCM_DisplayedAreaTopLeftHandCorner, area[0], area[1]);
+    putCorner(DCM_DisplayedAreaBottomRightHandCorner, area[2], area[3]);
     put(displayed, DCM_PresentationSizeMode, "SCALE TO FIT");
 }
 

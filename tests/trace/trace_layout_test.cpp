@@ -157,7 +157,7 @@ TEST(TraceLayout, OfSurfacePoints) {
     expectLayoutMatches<CandidatePush>(
         *candidates->pushConstants->block.find("push"),
         {MACULA_FIELD(CandidatePush, first), MACULA_FIELD(CandidatePush, round)});
-    expectLayoutMatches<SurfaceCell>(*candidates->bindings[9].block.find("cells"),
+    expectLayoutMatches<SurfaceCell>(*candidates->bindings[13].block.find("cells"),
                                      {MACULA_FIELD(SurfaceCell, low), MACULA_FIELD(SurfaceCell, high)});
     expectLayoutMatches<SurfaceCandidate>(
         *candidates->bindings.back().block.find("candidates"),
