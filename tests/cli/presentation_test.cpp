@@ -122,7 +122,7 @@ TEST_F(Presentation, FitsWhatIsVisibleAsRenderDoes) {
     };
     const auto presented = squareOf({"--presentation-state", state_});
     std::vector<std::string> direct = wish;
-    direct.insert(direct.end(), {"--look", "dvr"});
+    direct.insert(direct.end(), {"--look", "dvr", "--shading"});
     const auto rendered = squareOf(direct);
     ASSERT_EQ(presented.size(), rendered.size());
     double difference = 0.0;

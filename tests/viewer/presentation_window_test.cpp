@@ -33,7 +33,7 @@ class PresentationWindowTest : public WindowTest {
         app::PresentationWish wish;
         wish.volume = dicom::test::load(series);
         wish.images = *app::presentedImages(series, series.stacks.at(0));
-        wish.state.preset = app::builtInCatalogue()->presets.front();
+        wish.state.preset = app::builtInCatalogue()->presets.at(2);  // not the usual one
         wish.state.camera = frameBox(wish.volume->worldBox(), ViewDirection::left, 30.0, 1.0);
         const auto written = app::writePresentation(folder_ / "images" / "view.dcm", wish);
         ASSERT_TRUE(written.ok()) << written.error().message;
@@ -77,7 +77,7 @@ TEST_F(PresentationWindowTest, A3dViewIsShownFromWhereItWasSaved) {
         return camera && glm::length(camera->positionMm - camera_.positionMm) < 1.0;
     };
     EXPECT_TRUE(waitUntil(isThere, 30)) << window_->message().toStdString();
-    EXPECT_TRUE(window_->session().canUndo());
+    EXPECT_TRUE(waitUntil([&] { return window_->session().canUndo(); }, 30));
 }
 
 // The series is not on screen yet: it is opened, and then shown so.

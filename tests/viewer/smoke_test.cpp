@@ -53,11 +53,11 @@ class ViewerProgram : public testing::Test {
 TEST_F(ViewerProgram, OrbitsThePhantomTakesScreenshotsAndMeasuresItself) {
     QTemporaryDir folder;
     const Outcome outcome = runViewer({"--script", "orbit", "--seconds", "2", "--spp", "2", "--size",
-                                       "480x300", "--screenshots", folder.path()});
+                                       "520x300", "--screenshots", folder.path()});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
 
     const QJsonObject json = QJsonDocument::fromJson(outcome.output).object();
-    EXPECT_EQ(json["width"].toInt(), 480);
+    EXPECT_EQ(json["width"].toInt(), 520);
     EXPECT_EQ(json["height"].toInt(), 300);
     EXPECT_FALSE(json["device"].toString().isEmpty());
     // How fast is for a benchmark to say; that the picture follows the hand at all, for this.
@@ -85,7 +85,7 @@ TEST_F(ViewerProgram, OrbitsThePhantomTakesScreenshotsAndMeasuresItself) {
 
 TEST_F(ViewerProgram, OpensTheStudyAndSaysHowSoon) {
     const Outcome outcome =
-        runViewer({"--script", "opening", "--no-model", "--spp", "2", "--size", "480x300"});
+        runViewer({"--script", "opening", "--no-model", "--spp", "2", "--size", "520x300"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.errors.toStdString();
     const QJsonObject json = QJsonDocument::fromJson(outcome.output).object();
     const QJsonObject opening = json["opening"].toObject();

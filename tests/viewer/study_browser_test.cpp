@@ -524,6 +524,7 @@ TEST_F(StudyBrowserTest, APresentationStateIsChosenByMouseAndKeys) {
     const QModelIndex lost = rowTitled(QStringLiteral("3D view: OF 7.7"));
     ASSERT_TRUE(known.isValid() && lost.isValid());
     EXPECT_TRUE(tree_->isExpanded(known.parent())) << "they are all that is in their series";
+    QTest::mouseClick(tree_->viewport(), Qt::LeftButton, {}, middleOf(known));
     QTest::mouseDClick(tree_->viewport(), Qt::LeftButton, {}, middleOf(known));
     EXPECT_EQ(presented, std::vector<std::string>{"/doe/1.2"});
     // By keys alone: down from the one to the other.

@@ -188,8 +188,9 @@ TEST_F(LayersTest, InsetsShowTheSameFinerAndTheFoveaLiesInThem) {
         EXPECT_NEAR(view.pose.positionM.x, i % 2 == 0 ? -0.032 : 0.032, 1e-6);
         const glm::dvec2 found = centreOfLight(view);
         const glm::dvec2 expected = placeIn(view, markerFrom(view));
-        EXPECT_NEAR(found.x, expected.x, 0.6) << i;
-        EXPECT_NEAR(found.y, expected.y, 0.6) << i;
+        // The middle of the light of a ball of some pixels, from 8 samples.
+        EXPECT_NEAR(found.x, expected.x, 0.8) << i;
+        EXPECT_NEAR(found.y, expected.y, 0.8) << i;
     }
     // Finer: the same angle has more pixels.
     const auto pixelOf = [](const SubmittedView& view) {

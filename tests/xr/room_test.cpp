@@ -398,7 +398,7 @@ TEST_F(RoomTest, MirrorAndPictureAreOfTheLeftEyeAndNameNobody) {
     EXPECT_EQ(notes[0], "Picture macula-headset-1.png is written.");
     const image::Image picture = expectOk(image::readImage(path));
     EXPECT_EQ(picture.width, lastFrame().views[0].sizePx.x);
-    const std::vector<std::string> keys{"Description"};
+    const std::vector<std::string> keys{"ImageDescription"};
     const image::Metadata said = expectOk(image::readMetadata(path, keys));
     ASSERT_EQ(said.size(), 1u);
     EXPECT_NE(said[0].second.find("not for primary diagnosis"), std::string::npos);

@@ -535,6 +535,46 @@
         <source>Angiography</source>
         <translation>Angiographie</translation>
     </message>
+    <message>
+        <source>anterior</source>
+        <translation>anterior</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>posterior</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>superior</source>
+        <translation>superior</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>inferior</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
+    </message>
+    <message>
+        <source>Of the series</source>
+        <translation>Der Serie</translation>
+    </message>
+    <message>
+        <source>Soft tissue</source>
+        <translation>Weichteile</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alle Werte</translation>
+    </message>
 </context>
 <context>
     <name>dicom</name>
@@ -3367,18 +3407,6 @@
         <translation>Setzen Sie DISPLAY oder WAYLAND_DISPLAY, oder verwenden Sie `macula render`, das keine braucht.</translation>
     </message>
     <message>
-        <source>Of the series</source>
-        <translation>Der Serie</translation>
-    </message>
-    <message>
-        <source>Soft tissue</source>
-        <translation>Weichteile</translation>
-    </message>
-    <message>
-        <source>All values</source>
-        <translation>Alle Werte</translation>
-    </message>
-    <message>
         <source>The presentation state is of other images.</source>
         <translation>Der Presentation State ist von anderen Bildern.</translation>
     </message>
@@ -3513,6 +3541,10 @@
     <message>
         <source>Others show the study without the second volume.</source>
         <translation>Andere zeigen die Studie ohne das zweite Volumen.</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
     </message>
 </context>
 <context>
@@ -3953,34 +3985,6 @@
         <translation>„LINEAR“, „LINEAR_EXACT“ oder „SIGMOID“</translation>
     </message>
     <message>
-        <source>anterior</source>
-        <translation>anterior</translation>
-    </message>
-    <message>
-        <source>posterior</source>
-        <translation>posterior</translation>
-    </message>
-    <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>superior</source>
-        <translation>superior</translation>
-    </message>
-    <message>
-        <source>inferior</source>
-        <translation>inferior</translation>
-    </message>
-    <message>
-        <source>Presentation state</source>
-        <translation>Presentation State</translation>
-    </message>
-    <message>
         <source>a table of greys</source>
         <translation>eine Tabelle von Grauwerten</translation>
     </message>
@@ -4163,6 +4167,14 @@
     <message>
         <source>follow hands</source>
         <translation>Händen folgen</translation>
+    </message>
+    <message>
+        <source>show a panel</source>
+        <translation>eine Tafel zeigen</translation>
+    </message>
+    <message>
+        <source>take a panel back</source>
+        <translation>eine Tafel zurücknehmen</translation>
     </message>
 </context>
 <context>
