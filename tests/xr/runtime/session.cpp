@@ -1,13 +1,32 @@
 // Sessions, their states, and spaces.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <string>
 
 #include "xr/runtime/state.h"
 
 namespace macula::xr_script {
 
 namespace {
+
+// To be looked at: eye-0.ppm, eye-1.ppm and so on into the folder MACULA_XR_PICTURES, of the last frame that
+// showed anything.
+void writeLastPictures() {
+    const char* folder = std::getenv("MACULA_XR_PICTURES");
+    const auto& frames = state().record.frames;
+    const auto last = std::find_if(frames.rbegin(), frames.rend(),
+                                   [](const SubmittedFrame& frame) { return !frame.views.empty(); });
+    if (!folder || last == frames.rend()) return;
+    for (std::size_t i = 0; i < last->views.size(); ++i) {
+        const SubmittedView& view = last->views[i];
+        std::ofstream file(std::string(folder) + "/eye-" + std::to_string(i) + ".ppm", std::ios::binary);
+        file << "P6 " << view.sizePx.x << " " << view.sizePx.y << " 255\n";
+        for (const glm::u8vec4& p : view.rgba) file << char(p.x) << char(p.y) << char(p.z);
+    }
+}
 
 const XrSession kSession = reinterpret_cast<XrSession>(std::uintptr_t(0x5e55));
 
@@ -42,6 +61,7 @@ XrResult XRAPI_CALL createSession(XrInstance, const XrSessionCreateInfo* info, X
 XrResult XRAPI_CALL destroySession(XrSession) {
     const std::lock_guard lock(state().mutex);
     if (!state().session) return wrong(XR_ERROR_HANDLE_INVALID, "xrDestroySession: there is none");
+    writeLastPictures();
     endSession();
     return XR_SUCCESS;
 }
