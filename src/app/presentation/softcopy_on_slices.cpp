@@ -61,8 +61,9 @@ class Showing {
                 images_, [&](const dicom::Frame* frame) { return frame->instance->sopInstanceUid == each; });
         });
         if (first == said_.imageUids.end()) return;
-        std::ranges::stable_partition(
-            images_, [&](const dicom::Frame* frame) { return frame->instance->sopInstanceUid == *first; });
+        std::stable_partition(images_.begin(), images_.end(), [&](const dicom::Frame* frame) {
+            return frame->instance->sopInstanceUid == *first;
+        });
     }
 
     // Whether the values that its windows are of are those of the volume.
