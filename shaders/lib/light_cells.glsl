@@ -2,9 +2,9 @@
 // of slots and six texels for each cell: a mean, and what that counts for. The including file declares
 // `slots` and `cells`, and has a LitPush `push`.
 
-const int kFarthestCell = 1 << 20;
+const int kFarthestCell = 1 << 20;  // LightInSpace::kFarthest
 
-// scattered() of light_in_space.cpp.
+// LightInSpace::hashOf.
 uint scatteredKey(uvec2 key) {
     uint h = key.x * 0x9e3779b1u ^ key.y;
     h ^= h >> 16;

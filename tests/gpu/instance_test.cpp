@@ -51,8 +51,8 @@ TEST(Instance, letsOthersCreateIt) {
     EXPECT_NE(instance->handle(), nullptr);
 }
 
-// As often as a program that recovers from losses, or a headset that is taken off and on. A driver that were
-// loaded anew each time would be refused after some ten.
+// As often as a program that recovers from losses, or a headset that is taken off and on. A driver that is
+// loaded anew each time was refused after 37.
 TEST(Instance, mayBeMadeManyTimes) {
     for (int i = 0; i < 40; ++i) {
         const Instance instance = expectOk(Instance::create());

@@ -70,9 +70,9 @@ VkDebugUtilsMessengerCreateInfoEXT messengerInfo(ValidationMessages& messages) {
     return info;
 }
 
-// Loaders unload a driver with the last instance, and drivers of graphics cards cannot be loaded any number
-// of times in a process: NVIDIA's is refused after some ten, for want of static thread-local storage, and
-// then there seems to be no driver. An instance that is never destroyed keeps them.
+// The loader unloads a driver with the last instance. A driver cannot be loaded any number of times in a
+// process: after 37 of them NVIDIA's (580.159) was refused, probably for want of static thread-local storage,
+// and then there seems to be no driver. An instance that is never destroyed keeps drivers loaded.
 void keepDriversLoaded() {
     [[maybe_unused]] static const VkInstance kept = [] {
         VkInstanceCreateInfo info{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};

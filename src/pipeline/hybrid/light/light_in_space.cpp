@@ -12,10 +12,10 @@ namespace {
 
 constexpr std::uint64_t kFree = ~std::uint64_t(0);
 constexpr std::size_t kFirstSlots = 1u << 12;  // a power of two
-constexpr int kFarthest = 1 << 20;             // cells from the origin, in each direction
-constexpr int kCoarser = 3;                    // levels beyond the first
-constexpr float kMostRadiance = 1e6f;          // 1 is white; sums of larger values might not be finite
-constexpr float kPrior = 0.5f;                 // samples that the cells around count for, as a prior
+constexpr int kFarthest = LightInSpace::kFarthest;
+constexpr int kCoarser = 3;            // levels beyond the first
+constexpr float kMostRadiance = 1e6f;  // 1 is white; sums of larger values might not be finite
+constexpr float kPrior = 0.5f;         // samples that the cells around count for, as a prior
 // A cell with so many samples counts in full beside its neighbours.
 constexpr double kEnough = 4.0;
 constexpr double kAtLeast = 1e-3;
@@ -31,27 +31,16 @@ glm::ivec3 cellOf(std::uint64_t key) {
     return {part(42), part(21), part(0)};
 }
 
-// A hash of the key's two halves by the finaliser of MurmurHash3, which puts neighbours far apart: what a
-// shader without 64-bit numbers can compute too (shaders/lib/light_cells.glsl).
-std::uint32_t scattered(std::uint64_t key) {
-    auto h = static_cast<std::uint32_t>(key) * 0x9e3779b1u ^ static_cast<std::uint32_t>(key >> 32);
-    h ^= h >> 16;
-    h *= 0x85ebca6bu;
-    h ^= h >> 13;
-    h *= 0xc2b2ae35u;
-    return h ^ h >> 16;
-}
-
 // Slot of the key, or the free one where it belongs.
 std::size_t slotOf(const std::vector<std::uint64_t>& keys, std::uint64_t key) {
-    std::size_t slot = scattered(key) & (keys.size() - 1);
+    std::size_t slot = LightInSpace::hashOf(key) & (keys.size() - 1);
     while (keys[slot] != key && keys[slot] != kFree) slot = (slot + 1) & (keys.size() - 1);
     return slot;
 }
 
 // Which of the tables; their slots come from the lower bits.
 std::size_t tableOf(std::uint64_t key, std::size_t tables) {
-    return scattered(key) >> 28 & (tables - 1);
+    return LightInSpace::hashOf(key) >> 28 & (tables - 1);
 }
 
 // Whether a cell is within `most` of the origin; false for NaN.
@@ -73,6 +62,15 @@ void forEachLobe(const glm::dvec3& direction, const Body& body) {
 }
 
 }  // namespace
+
+std::uint32_t LightInSpace::hashOf(std::uint64_t key) {
+    auto h = static_cast<std::uint32_t>(key) * 0x9e3779b1u ^ static_cast<std::uint32_t>(key >> 32);
+    h ^= h >> 16;
+    h *= 0x85ebca6bu;
+    h ^= h >> 13;
+    h *= 0xc2b2ae35u;
+    return h ^ h >> 16;
+}
 
 double LightInSpace::trust(float weight) {
     return kAtLeast + std::min(double(weight), kEnough);
@@ -203,10 +201,10 @@ void LightInSpace::finish(const Level* coarser, Table& table) const {
     }
 }
 
-void LightInSpace::forEachCell(const std::function<void(const glm::ivec3&, const Cell&)>& body) const {
+void LightInSpace::forEachCell(const std::function<void(std::uint64_t, const Cell&)>& body) const {
     for (const Table& table : levels_.front())
         for (std::size_t slot = 0; slot < table.keys.size(); ++slot)
-            if (table.keys[slot] != kFree) body(cellOf(table.keys[slot]), table.cells[table.places[slot]]);
+            if (table.keys[slot] != kFree) body(table.keys[slot], table.cells[table.places[slot]]);
 }
 
 std::optional<glm::vec3> LightInSpace::at(const glm::dvec3& atMm, const glm::dvec3& direction) const {

@@ -56,10 +56,17 @@ class LightInSpace {
 
     // Sums of radiance and of weights along +x, -x, +y, -y, +z and -z; after finish() means and weights.
     using Cell = std::array<glm::vec4, 6>;
-    // What a side of a cell counts for in at(), by its weight, beside how near it is.
+    // at() weighs the means of a cell's sides by how near the cell is, times this: a side of which more
+    // samples are known counts for more.
     static double trust(float weight);
-    // Each cell once, in an order that depends on what was added alone.
-    void forEachCell(const std::function<void(const glm::ivec3& at, const Cell& cell)>& body) const;
+
+    // A cell's coordinates as a key: x << 42 | y << 21 | z, each plus 2^20.
+    static constexpr int kFarthest = 1 << 20;  // cells from the origin, in each direction
+    // The hash of a key: a finaliser of MurmurHash3 over its two halves, which a shader without 64-bit
+    // numbers computes too (scatteredKey in shaders/lib/light_cells.glsl).
+    static std::uint32_t hashOf(std::uint64_t key);
+    // Calls the body for each cell once, in an order that only depends on what was added.
+    void forEachCell(const std::function<void(std::uint64_t key, const Cell& cell)>& body) const;
 
   private:
     // Cells by place: a hash table with open addressing.

@@ -23,23 +23,6 @@ namespace {
 
 using shared::LightSlot;
 
-constexpr int kFarthest = 1 << 20;  // as in light_in_space.cpp and lib/light_cells.glsl
-
-LightSlot slotOf(const glm::ivec3& at, std::uint32_t cell) {
-    const glm::uvec3 part(at + glm::ivec3(kFarthest));
-    return {.low = part.y << 21 | part.z, .high = part.x << 10 | part.y >> 11, .cell = cell};
-}
-
-// As scatteredKey of lib/light_cells.glsl.
-std::uint32_t scattered(const LightSlot& slot) {
-    std::uint32_t h = slot.low * 0x9e3779b1u ^ slot.high;
-    h ^= h >> 16;
-    h *= 0x85ebca6bu;
-    h ^= h >> 13;
-    h *= 0xc2b2ae35u;
-    return h ^ h >> 16;
-}
-
 struct Flat {
     std::vector<LightSlot> slots;
     std::vector<glm::vec4> cells;  // six for each
@@ -50,13 +33,14 @@ Flat flat(const LightInSpace& light) {
     const LightSlot free{.low = 0, .high = shared::kFreeSlot, .cell = 0};
     table.slots.assign(std::bit_ceil(2 * light.cells() + 1), free);
     table.cells.reserve(std::max<std::size_t>(6 * light.cells(), 6));
-    light.forEachCell([&](const glm::ivec3& at, const LightInSpace::Cell& cell) {
-        const LightSlot made = slotOf(at, static_cast<std::uint32_t>(table.cells.size() / 6));
+    light.forEachCell([&](std::uint64_t key, const LightInSpace::Cell& cell) {
+        std::size_t slot = LightInSpace::hashOf(key) & (table.slots.size() - 1);
+        while (table.slots[slot].high != shared::kFreeSlot) slot = (slot + 1) & (table.slots.size() - 1);
+        table.slots[slot] = {.low = static_cast<std::uint32_t>(key),
+                             .high = static_cast<std::uint32_t>(key >> 32),
+                             .cell = static_cast<std::uint32_t>(table.cells.size() / 6)};
         for (const glm::vec4& mean : cell)
             table.cells.emplace_back(glm::vec3(mean), float(LightInSpace::trust(mean.w)));
-        std::size_t slot = scattered(made) & (table.slots.size() - 1);
-        while (table.slots[slot].high != shared::kFreeSlot) slot = (slot + 1) & (table.slots.size() - 1);
-        table.slots[slot] = made;
     });
     if (table.cells.empty())
         table.cells.resize(6, glm::vec4(0.0f));  // nothing was seen, and none points here
@@ -107,7 +91,8 @@ Result<TracedView> LightTable::lit(trace::PathTracer& tracer, const Camera& came
     const double half = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
     const glm::dvec3 eyeAt = camera.positionMm / cellMm_;
     // An eye farther than that sees nothing that is kept.
-    const glm::dvec3 eyeCell = glm::clamp(glm::floor(eyeAt), -double(kFarthest), double(kFarthest));
+    constexpr double kFarthest = LightInSpace::kFarthest;
+    const glm::dvec3 eyeCell = glm::clamp(glm::floor(eyeAt), -kFarthest, kFarthest);
     shared::LitPush push{.right = eye.right * (half * sizePx.x / sizePx.y),
                          .up = eye.up * half,
                          .forward = eye.forward,
