@@ -115,7 +115,7 @@ endif()
 function(macula_test name)
     cmake_parse_arguments(T "" "TIMEOUT;SHARES" "SOURCES;LIBS" ${ARGN})
     if(NOT T_TIMEOUT)
-        set(T_TIMEOUT 120)
+        set(T_TIMEOUT 600)
     endif()
     if(MACULA_SANITIZE OR MACULA_COVERAGE)  # which take their time
         math(EXPR T_TIMEOUT "${T_TIMEOUT} * 10")

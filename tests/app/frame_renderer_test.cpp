@@ -99,7 +99,7 @@ class FrameRendererTest : public testing::Test {
     // Whether it came to that; a machine may be slow.
     template <class IsDone>
     bool stepUntil(const IsDone& isDone) {
-        const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+        const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(8);
         while (!isDone() && std::chrono::steady_clock::now() < deadline)
             renderer_->step({.newInput = [] { return false; }, .stopping = [] { return false; }});
         return isDone();

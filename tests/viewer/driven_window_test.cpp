@@ -19,11 +19,11 @@ class DrivenWindowTest : public WindowTest {
     DrivenWindowTest() { layout_ = app::Layout::fourPanes; }
     void openPhantom() {
         window_->open({});
-        ASSERT_TRUE(waitUntil([&] { return window_->hasStudy() && last_; }, 60));
+        ASSERT_TRUE(waitUntil([&] { return window_->hasStudy() && last_; }));
         hand_.emplace(*window_);
     }
     bool atRest() {
-        return waitUntil([&] { return !hand_->isBusy(); }, 20);
+        return waitUntil([&] { return !hand_->isBusy(); });
     }
     void TearDown() override {
         hand_.reset();
@@ -44,7 +44,7 @@ TEST_F(DrivenWindowTest, DragsWheelAndKeysArrive) {
     EXPECT_NE(toCamera(window_->viewport().camera()), before);
 
     SliceView& axial = window_->slices(slices::Orientation::axial);
-    ASSERT_TRUE(waitUntil([&] { return axial.shownFrame().has_value(); }, 30));
+    ASSERT_TRUE(waitUntil([&] { return axial.shownFrame().has_value(); }));
     const auto crosshair = window_->session().state().slices.crosshairMm;
     hand_->turnWheel(axial, 4);
     ASSERT_TRUE(atRest());

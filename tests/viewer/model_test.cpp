@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <vector>
 
+#include "pipeline/splat/train/trainer_options.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -25,8 +26,8 @@ class ModelTest : public WindowTest {
                          [this](const app::FrameShown& frame) { seen_.push_back(frame); });
     }
     bool isOnScreen(app::OnScreen picture) const { return !seen_.empty() && seen_.back().picture == picture; }
-    bool waitFor(app::OnScreen picture, int seconds = 60) {
-        return waitUntil([&] { return isOnScreen(picture); }, seconds);
+    bool waitFor(app::OnScreen picture) {
+        return waitUntil([&] { return isOnScreen(picture); });
     }
     bool hasSeen(app::OnScreen picture) const {
         return std::any_of(seen_.begin(), seen_.end(),
@@ -47,7 +48,7 @@ class ModelTest : public WindowTest {
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t before = seen_.size();
             move();
-            ASSERT_TRUE(waitUntil([&] { return seen_.size() > before; }, 60));
+            ASSERT_TRUE(waitUntil([&] { return seen_.size() > before; }));
         }
     }
     void choosePreset(const char* name) {
@@ -58,11 +59,15 @@ class ModelTest : public WindowTest {
     }
     // "Preview sharpening, 130 steps", or "Preview sharp" when it has learnt all.
     bool isFit() const { return modelSays("Preview sharp"); }
-    // So far that what is kept of it in case a device is lost, some seconds older, is fit to be shown too.
-    bool hasLearntWell() const {
-        const int steps =
-            window_->modelState().section(QLatin1String(", "), 1).section(QLatin1Char(' '), 0, 0).toInt();
-        return modelSays("Preview sharp, ") || (isFit() && steps >= 2 * int(hybrid::kStepsToBeShown));
+    // So far that what is kept of it in case a device is lost, a little older, is fit to be shown too.
+    bool learnWell() {
+        if (!waitUntil([&] { return isFit(); })) return false;
+        QElapsedTimer since;
+        since.start();
+        const auto isKept = [&] {
+            return double(since.elapsed()) > 3.0 * splat::TrainerOptions{}.keepEveryMs;
+        };
+        return waitUntil([&] { return modelSays("Preview sharp, ") || isKept(); });
     }
     bool modelSays(const char* text) const { return window_->modelState().contains(QLatin1String(text)); }
 
@@ -74,7 +79,7 @@ TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesI
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(window_->badge(), QLatin1String("Final"));
-    ASSERT_TRUE(waitUntil([&] { return isFit(); }, 60));
+    ASSERT_TRUE(waitUntil([&] { return isFit(); }));
     // Nothing moves, nothing is drawn, however much the model learns.
     seen_.clear();
     QElapsedTimer idle;
@@ -107,7 +112,7 @@ TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesI
     EXPECT_FALSE(hasSeen(app::OnScreen::preview));
     EXPECT_TRUE(window_->fidelity().startsWith(QLatin1String("Path traced, ")));
     // It goes on learning while nothing moves.
-    EXPECT_TRUE(waitUntil([&] { return isFit(); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return isFit(); }));
 }
 
 TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackWithIt) {
@@ -115,7 +120,7 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
     choosePreset("cinematic-soft-tissue");
-    ASSERT_TRUE(waitUntil([&] { return !seen_.empty() && isOnScreen(app::OnScreen::traced); }, 60));
+    ASSERT_TRUE(waitUntil([&] { return !seen_.empty() && isOnScreen(app::OnScreen::traced); }));
     // Before there was a model of it that is fit to be shown there were small pictures only.
     EXPECT_EQ(seen_.front().picture, app::OnScreen::preview);
     for (const app::FrameShown& frame : seen_) {
@@ -123,8 +128,8 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
             << frame.model.steps;
     }
     // The traced picture may have been final when it was first shown.
-    ASSERT_TRUE(waitUntil([&] { return window_->badge() == QLatin1String("Final"); }, 120));
-    ASSERT_TRUE(waitUntil([&] { return isFit(); }, 60));
+    ASSERT_TRUE(waitUntil([&] { return window_->badge() == QLatin1String("Final"); }));
+    ASSERT_TRUE(waitUntil([&] { return isFit(); }));
     seen_.clear();
     choosePreset("cinematic-bone");
     ASSERT_TRUE(waitForConverged());
@@ -140,9 +145,9 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     EXPECT_EQ(window_->modelState(), QString());
     seen_.clear();
     pressKey(Qt::Key_2, Qt::ControlModifier);
-    ASSERT_TRUE(waitUntil([&] { return !seen_.empty() && seen_.back().model.steps > 0; }, 60));
+    ASSERT_TRUE(waitUntil([&] { return !seen_.empty() && seen_.back().model.steps > 0; }));
     EXPECT_EQ(seen_.back().look, trace::Look::clear);
-    EXPECT_TRUE(waitUntil([&] { return window_->badge() == QLatin1String("Final"); }, 120));
+    EXPECT_TRUE(waitUntil([&] { return window_->badge() == QLatin1String("Final"); }));
 }
 
 TEST_F(ModelTest, WithoutItAndInLooksThatHaveNoneThereAreSmallPictures) {
@@ -175,7 +180,7 @@ TEST_F(ModelTest, WithoutMemoryForItTheWindowSaysSoAndIsAsItIsWithoutAModel) {
         const macula::test::NoMemory full(1'800'000);
         seen_.clear();
         window_->viewport().setUsesModel(true);
-        ASSERT_TRUE(waitUntil([&] { return modelSays("No memory for a sharp preview"); }, 60));
+        ASSERT_TRUE(waitUntil([&] { return modelSays("No memory for a sharp preview"); }));
         EXPECT_GT(full.refused(), 0);
         press();
         drag(2);
@@ -188,18 +193,18 @@ TEST_F(ModelTest, WithoutMemoryForItTheWindowSaysSoAndIsAsItIsWithoutAModel) {
     }
     // Another clip or function leaves another room: it is tried again.
     choosePreset("cinematic-soft-tissue");
-    ASSERT_TRUE(waitUntil([&] { return isFit(); }, 60));
+    ASSERT_TRUE(waitUntil([&] { return isFit(); }));
     EXPECT_FALSE(modelSays("No memory"));
 }
 
 // The third loss within a minute is not made good: two at a time.
 TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItIsSearchedForAndWhileItIsShown) {
     window_->open(std::nullopt);
-    ASSERT_TRUE(waitUntil([&] { return modelSays("Preparing the preview"); }, 60));
+    ASSERT_TRUE(waitUntil([&] { return modelSays("Preparing the preview"); }));
     loseNow();
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(devicesLost(), 1);
-    ASSERT_TRUE(waitUntil([&] { return hasLearntWell(); }, 60));
+    ASSERT_TRUE(learnWell());
 
     press();
     drag(2);
@@ -215,7 +220,7 @@ TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItIsSearchedForAndWhileItIsShown) {
 
 TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItFadesAndWhileItLearns) {
     window_->open(std::nullopt);
-    ASSERT_TRUE(waitUntil([&] { return isFit(); }, 60));
+    ASSERT_TRUE(waitUntil([&] { return isFit(); }));
     press();
     drag(1);
     release();
@@ -223,7 +228,7 @@ TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItFadesAndWhileItLearns) {
     loseNow();
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(devicesLost(), 1);
-    ASSERT_TRUE(waitUntil([&] { return hasLearntWell(); }, 60));
+    ASSERT_TRUE(learnWell());
     seen_.clear();
     loseDeviceAt(VulkanCall::submit, 3);
     ASSERT_TRUE(waitForConverged());

@@ -36,7 +36,7 @@ TEST_F(NamesTest, StandOverThePictureAndInTheTitleUntilAKeyHidesThem) {
     EXPECT_EQ(title(), QStringLiteral("Macula"));
     window_->showStudy(ofDoe());
     ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }));
     EXPECT_TRUE(title().startsWith(QStringLiteral("DOE, JOHN \u00b7 4711 \u00b7 2020-03-04, Chest")))
         << title().toStdString();
     auto* shown = window_->findChild<QAction*>(QStringLiteral("names"));
@@ -45,30 +45,30 @@ TEST_F(NamesTest, StandOverThePictureAndInTheTitleUntilAKeyHidesThem) {
     // At once, with no other picture; and the title stays.
     const int before = frames_;
     pressKey(Qt::Key_N);
-    EXPECT_TRUE(waitUntil([&] { return !isNamed(kDoe); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return !isNamed(kDoe); }));
     EXPECT_FALSE(shown->isChecked());
     EXPECT_TRUE(title().startsWith(QStringLiteral("DOE, JOHN")));
     shown->trigger();
-    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }));
     EXPECT_EQ(frames_, before);
 
     // Another size of window, another width of the text.
     window_->resize(window_->size() + QSize(80, 40));
     ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }));
 }
 
 TEST_F(NamesTest, GoWithThePicture) {
     window_->showStudy(ofDoe());
     ASSERT_TRUE(waitForConverged());
-    ASSERT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 60));
+    ASSERT_TRUE(waitUntil([&] { return isNamed(kDoe); }));
     window_->showStudy(studyThatCannotBeShown());
     ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
-    EXPECT_TRUE(waitUntil([&] { return !isNamed(kDoe); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return !isNamed(kDoe); }));
     EXPECT_EQ(title(), QStringLiteral("Macula"));
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(waitUntil([&] { return isNamed(kPhantom); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kPhantom); }));
     EXPECT_TRUE(title().startsWith(QStringLiteral("Built-in phantom")));
 }
 
@@ -79,7 +79,7 @@ TEST_F(NamesTest, AFailedOpenLeavesNoDoubtWhosePictureItIs) {
     ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
     EXPECT_TRUE(window_->message().contains(QStringLiteral("still of the study that was open before")));
     EXPECT_FALSE(window_->message().contains(QStringLiteral("DOE")));
-    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }));
     EXPECT_TRUE(title().startsWith(QStringLiteral("DOE, JOHN")));
 }
 
@@ -169,9 +169,9 @@ TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
             return (last_ && isFarEnough(*last_)) || HasFatalFailure();
         }));
         const app::Identity& identity = identities[std::size_t(wanted)];
-        EXPECT_TRUE(waitUntil([&] { return isNamed(identity); }, 60));
+        EXPECT_TRUE(waitUntil([&] { return isNamed(identity); }));
         const QString named = QString::fromStdString(titleOf(identity)).simplified();
-        EXPECT_TRUE(waitUntil([&] { return title().startsWith(named); }, 60));
+        EXPECT_TRUE(waitUntil([&] { return title().startsWith(named); }));
     }
     EXPECT_EQ(wanted, 2);
     EXPECT_GT(pictures, 10);

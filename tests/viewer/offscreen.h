@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <cstdlib>
 #include <memory>
 #include <optional>
@@ -12,19 +11,13 @@
 #include <vector>
 
 #include "app/study/opened_study.h"
+#include "viewer/wait_until.h"
 
 namespace macula::viewer::test {
 
-// Runs the event loop until `done`; false when that takes ten seconds.
 template <class Done>
 bool waitFor(Done done) {
-    QElapsedTimer waited;
-    waited.start();
-    while (!done()) {
-        if (waited.elapsed() > 10'000) return false;
-        QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
-    }
-    return true;
+    return waitUntil(std::move(done));
 }
 
 // The offscreen platform has no theme of a desktop and no X server.

@@ -53,7 +53,7 @@ class OpeningTest : public WindowTest {
 TEST_F(OpeningTest, AStudyThatCannotBeOpenedAtTheStartLeavesNoUnfinishedWork) {
     window_->open("/no/such/folder");
     ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
-    EXPECT_TRUE(waitUntil([&] { return window_->fidelity() == QStringLiteral("No study is open"); }, 30))
+    EXPECT_TRUE(waitUntil([&] { return window_->fidelity() == QStringLiteral("No study is open"); }))
         << window_->fidelity().toStdString();
     EXPECT_FALSE(window_->message().contains(QStringLiteral("open before")));
 }
@@ -186,7 +186,7 @@ TEST_F(OpeningTest, TheRateIsThatOfPicturesInMotionAndGoesWithThem) {
         return window_->rate().contains(QStringLiteral("/s"));
     }));
     // The hand holds still.
-    EXPECT_TRUE(waitUntil([&] { return !window_->rate().contains(QStringLiteral("/s")); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return !window_->rate().contains(QStringLiteral("/s")); }));
     EXPECT_TRUE(window_->rate().contains(QStringLiteral("\u00d7")));
     sendMouse(QEvent::MouseButtonRelease, {double(x % 200), 100}, Qt::LeftButton, Qt::NoButton);
 }
@@ -199,7 +199,7 @@ TEST_F(OpeningTest, OfSeveralVolumesAnotherOneCanBeChosen) {
     ASSERT_TRUE(waitForConverged());
     QComboBox* volumes = box("Volume");
     ASSERT_TRUE(volumes != nullptr);
-    EXPECT_TRUE(waitUntil([&] { return volumes->isVisible(); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return volumes->isVisible(); }));
     ASSERT_EQ(volumes->count(), 2);
     const int first = volumes->currentIndex();
     EXPECT_TRUE(volumes->currentText().startsWith(QStringLiteral("%1 of 2: ").arg(first + 1)));

@@ -54,7 +54,7 @@ class PresentationWindowTest : public WindowTest {
     // With keys alone, once the folder is read.
     void openRow(const QString& title) {
         pressKey(Qt::Key_F2);
-        ASSERT_TRUE(waitUntil([&] { return rowThatBegins(title).isValid(); }, 30)) << title.toStdString();
+        ASSERT_TRUE(waitUntil([&] { return rowThatBegins(title).isValid(); })) << title.toStdString();
         ASSERT_TRUE(tree()->isVisible());
         tree()->setFocus();
         tree()->setCurrentIndex(rowThatBegins(title));
@@ -70,14 +70,14 @@ class PresentationWindowTest : public WindowTest {
 TEST_F(PresentationWindowTest, A3dViewIsShownFromWhereItWasSaved) {
     write3dView();
     window_->open(folder_ / "images");
-    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }, 30));
+    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
     openRow(QStringLiteral("3D view"));
     const auto isThere = [&] {
         const auto camera = window_->state().camera;
         return camera && glm::length(camera->positionMm - camera_.positionMm) < 1.0;
     };
-    EXPECT_TRUE(waitUntil(isThere, 30)) << window_->message().toStdString();
-    EXPECT_TRUE(waitUntil([&] { return window_->session().canUndo(); }, 30));
+    EXPECT_TRUE(waitUntil(isThere)) << window_->message().toStdString();
+    EXPECT_TRUE(waitUntil([&] { return window_->session().canUndo(); }));
 }
 
 // The series is not on screen yet: it is opened, and then shown so.
@@ -92,20 +92,20 @@ TEST_F(PresentationWindowTest, AViewOfSlicesOpensItsSeriesAndSetsItsWindow) {
     other.ramp = dicom::test::Ramp{.value = 2000.0, .perMm = glm::dvec3(0.5)};
     dicom::test::writeFiles(folder_ / "images" / "other", other);
     window_->open(folder_ / "images");
-    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }, 30));
+    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
     const std::string before = window_->session().study().seriesDigest;
     openRow(QStringLiteral("View of slices"));
-    ASSERT_TRUE(waitUntil([&] { return window_->session().state().slices.window.has_value(); }, 30))
+    ASSERT_TRUE(waitUntil([&] { return window_->session().state().slices.window.has_value(); }))
         << window_->message().toStdString();
     EXPECT_NE(window_->session().study().seriesDigest, before);
     EXPECT_EQ(window_->session().state().slices.window->center, -600.0);
     EXPECT_TRUE(window_->session().state().slices.asAcquired);
     // Of 8 columns four are seen, so the pane shows less than the volume.
     SliceView& pane = window_->slices(slices::acquiredOrientation(*window_->session().study().volume));
-    ASSERT_TRUE(waitUntil([&] { return pane.shownFrame() && pane.isUpToDate(); }, 30));
+    ASSERT_TRUE(waitUntil([&] { return pane.shownFrame() && pane.isUpToDate(); }));
     const double seenMm = pane.shownFrame()->mmPerPixel * pane.shownFrame()->sizePx.x;
     pane.fit();
-    ASSERT_TRUE(waitUntil([&] { return pane.isUpToDate(); }, 30));
+    ASSERT_TRUE(waitUntil([&] { return pane.isUpToDate(); }));
     EXPECT_LT(seenMm, 0.9 * pane.shownFrame()->mmPerPixel * pane.shownFrame()->sizePx.x);
 }
 
@@ -115,9 +115,9 @@ TEST_F(PresentationWindowTest, OfASeriesThatIsNotThereASentenceSaysSo) {
     said.referencedSeriesUid = "2.25.98";
     dicom::test::writeSoftcopy(folder_ / "images" / "lost.dcm", said);
     window_->open(folder_ / "images");
-    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }, 30));
+    ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
     openRow(QStringLiteral("View of slices"));
-    ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }, 10));
+    ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
     EXPECT_TRUE(window_->message().contains(QStringLiteral("not in this folder")))
         << window_->message().toStdString();
     EXPECT_FALSE(window_->session().canUndo()) << "nothing was changed";

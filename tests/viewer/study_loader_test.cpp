@@ -69,7 +69,7 @@ TEST_F(StudyLoaderTest, CancelEndsTheLoadAndNothingIsDelivered) {
     QElapsedTimer sinceCancelled;
     sinceCancelled.start();
     ASSERT_TRUE(waitUntil([&] { return loader.atRest(); }));
-    EXPECT_LT(sinceCancelled.elapsed(), 5000);
+    EXPECT_LT(sinceCancelled.elapsed(), 30'000);
     // The next load is not disturbed by what is left of the one before.
     loader.open(std::nullopt);
     ASSERT_TRUE(waitUntil([&] { return outcomes > 0; }));

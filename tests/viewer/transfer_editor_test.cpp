@@ -63,7 +63,7 @@ class TransferEditorTest : public testing::Test {
     void waitUntilCounted() {
         QElapsedTimer waited;
         waited.start();
-        while (editor_->isCounting() && waited.elapsed() < 60'000)
+        while (editor_->isCounting() && waited.elapsed() < 480'000)
             QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
         ASSERT_FALSE(editor_->isCounting());
     }

@@ -138,11 +138,11 @@ TEST_F(View3dTest, TheCubeIsOfThePictureAndAClickOnItTurnsThere) {
     openPhantom();
     const auto shown = [&] { return viewport().pictureOnScreen(); };
     ASSERT_TRUE(shown());
-    EXPECT_TRUE(waitUntil([&] { return hasMarksOf(*shown()); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return hasMarksOf(*shown()); }));
     pressKey(Qt::Key_Right);
     pressKey(Qt::Key_Right);
     ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(waitUntil([&] { return hasMarksOf(*shown()); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return hasMarksOf(*shown()); }));
     const double distanceMm = camera().distanceMm;
 
     // B takes them off at once, with no other picture, and puts them back; both can be undone.
@@ -150,10 +150,10 @@ TEST_F(View3dTest, TheCubeIsOfThePictureAndAClickOnItTurnsThere) {
     pressKey(Qt::Key_B);
     EXPECT_FALSE(window_->session().state().showsMarks);
     EXPECT_FALSE(action("cube-and-scale").isChecked());
-    EXPECT_TRUE(waitUntil([&] { return !hasMarksOf(*shown()); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return !hasMarksOf(*shown()); }));
     window_->session().undo();
     EXPECT_TRUE(action("cube-and-scale").isChecked());
-    EXPECT_TRUE(waitUntil([&] { return hasMarksOf(*shown()); }, 60));
+    EXPECT_TRUE(waitUntil([&] { return hasMarksOf(*shown()); }));
     EXPECT_EQ(frames_, before);
 
     // The side of the patient's left.
@@ -242,17 +242,16 @@ TEST_F(ParallelModelTest, WithParallelRaysTheModelFollowsTheHand) {
         return std::ranges::any_of(seen, [&](const auto& frame) { return frame.picture == picture; });
     };
     openPhantom();
-    ASSERT_TRUE(
-        waitUntil([&] { return window_->modelState().startsWith(QLatin1String("Preview sharp")); }, 60));
+    ASSERT_TRUE(waitUntil([&] { return window_->modelState().startsWith(QLatin1String("Preview sharp")); }));
     seen.clear();
     pressKey(Qt::Key_O);
-    ASSERT_TRUE(waitUntil([&] { return !seen.empty() && isParallel(seen.back().camera); }, 60));
+    ASSERT_TRUE(waitUntil([&] { return !seen.empty() && isParallel(seen.back().camera); }));
     seen.clear();
     mouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton, {});
     for (int x = 106; x < 130; x += 6) {
         const std::size_t before = seen.size();
         mouse(QEvent::MouseMove, QPointF(x, 100), Qt::NoButton, Qt::LeftButton, {});
-        ASSERT_TRUE(waitUntil([&] { return seen.size() > before; }, 60));
+        ASSERT_TRUE(waitUntil([&] { return seen.size() > before; }));
     }
     EXPECT_TRUE(window_->fidelity().startsWith(QStringLiteral("Preview, ")))
         << window_->fidelity().toStdString();

@@ -7,9 +7,12 @@
 
 namespace macula::viewer {
 
+// Only what hangs takes as long: no test depends on how fast a machine is.
+inline constexpr int kPatienceSeconds = 480;
+
 // Runs the event loop until `done` or so many seconds have passed; whether it is done.
 template <class Done>
-bool waitUntil(Done done, int seconds = 120) {
+bool waitUntil(Done done, int seconds = kPatienceSeconds) {
     QElapsedTimer waited;
     waited.start();
     while (!done()) {

@@ -110,9 +110,9 @@ class WindowTest : public testing::Test {
         return colours.size();
     }
 
-    bool waitForConverged(int seconds = 120) {
+    bool waitForConverged() {
         last_.reset();
-        return waitUntil([&] { return last_ && last_->stage == app::Stage::converged; }, seconds);
+        return waitUntil([&] { return last_ && last_->stage == app::Stage::converged; });
     }
     void sendMouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
         VulkanWindow& target = window_->viewport().window();

@@ -203,7 +203,7 @@ TEST_F(WindowTest, NothingOfTheStudyBeforeStaysWhenTheNextOneCannotBeShown) {
     EXPECT_EQ(frames_, before);
     EXPECT_TRUE(window_->description().isEmpty());
     EXPECT_TRUE(window_->viewport().letters().right.empty());
-    EXPECT_TRUE(waitUntil([&] { return coloursInTheMiddle() == 1; }, 60));
+    EXPECT_TRUE(waitUntil([&] { return coloursInTheMiddle() == 1; }));
 
     // Nor does it come back with the window.
     window_->hide();
@@ -262,7 +262,7 @@ TEST_F(WindowTest, HidingAndShowingKeepsThePicture) {
         QCoreApplication::processEvents();
         window_->show();
         ASSERT_TRUE(waitUntil([&] { return window_->viewport().window().isExposed(); }));
-        EXPECT_TRUE(waitUntil([&] { return picture() == before; }, 30));
+        EXPECT_TRUE(waitUntil([&] { return picture() == before; }));
         EXPECT_EQ(last_->stage, app::Stage::converged);
         EXPECT_EQ(last_->samplesPerPixel, shown.samplesPerPixel);
     }
@@ -384,7 +384,7 @@ TEST_F(WindowTest, MayBeClosedAtAnyMoment) {
         makeWindow();
         ASSERT_TRUE(reach());
         close();
-        EXPECT_TRUE(waitUntil([&] { return threads() <= atRest; }, 30)) << threads() << " of " << atRest;
+        EXPECT_TRUE(waitUntil([&] { return threads() <= atRest; })) << threads() << " of " << atRest;
     }
 }
 
