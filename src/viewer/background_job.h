@@ -10,6 +10,7 @@
 #include <thread>
 #include <utility>
 
+#include "base/give_way.h"
 #include "base/progress.h"
 #include "base/result.h"
 
@@ -44,6 +45,7 @@ class BackgroundJob {
         Thread& made = threads_.emplace_back();
         made.id = id;
         made.thread = std::jthread([this, id, token = made.token, work = std::move(work)] {
+            giveWay(GiveWay::toTheFrame);
             Progress progress(
                 [this, id](const ProgressUpdate& update) {
                     tell([this, id, update] {

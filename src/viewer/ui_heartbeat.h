@@ -19,6 +19,8 @@ class UiHeartbeat : public QObject {
     void stop();
     // The longest hold-up since start(), beyond the interval itself.
     double longestStallMs() const { return longestMs_; }
+    // What this thread did itself in that hold-up, of the processor; for the rest of it, others had the cores.
+    double ownWorkInItMs() const { return ownWorkInItMs_; }
     // How often it was held up for longer than a person notices.
     static constexpr double kNoticedMs = 50.0;
     long noticed() const { return noticed_; }
@@ -30,6 +32,8 @@ class UiHeartbeat : public QObject {
     QTimer timer_;
     QElapsedTimer sinceLast_;
     double longestMs_ = 0.0;
+    double ownWorkInItMs_ = 0.0;
+    double ownWorkMs_ = 0.0;  // of this thread, ever, at the last beat
     long noticed_ = 0;
     long beats_ = 0;
 };

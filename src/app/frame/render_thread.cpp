@@ -6,12 +6,8 @@
 #include <utility>
 
 #include "app/frame/frame_renderer.h"
+#include "base/give_way.h"
 #include "base/log.h"
-
-#ifdef __linux__
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
 
 namespace macula::app {
 
@@ -19,17 +15,6 @@ namespace {
 
 // A release that takes longer is logged: a dispatch takes far less, and a part of a scene nearly always does.
 constexpr std::chrono::milliseconds kReleaseIsSlow{5000};
-
-// Where the device is the CPU, tracing takes every core for as long as it lasts. The threads of the driver
-// inherit the priority of the one that makes the device, so a step down here lets the user interface and the
-// window system go first. Where there is a GPU, this thread hardly runs.
-void giveWayToTheUserInterface() {
-#ifdef __linux__
-    constexpr int kNiceness = 5;
-    // On Linux this concerns the calling thread only. If it is refused, all works, only less smoothly.
-    setpriority(PRIO_PROCESS, id_t(gettid()), kNiceness);
-#endif
-}
 
 }  // namespace
 
@@ -70,7 +55,7 @@ void RenderThread::releaseScreen() {
 
 void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std::string preferredDevice,
                        std::shared_ptr<SceneKeeper> keeper, RenderListener listener) {
-    giveWayToTheUserInterface();
+    giveWay(GiveWay::toTheFrame);
     FrameRenderer renderer(std::move(instance), std::move(preferredDevice), std::move(keeper),
                            std::move(listener));
     const Interrupts interrupts{.newInput = [this] { return inputs_.pending(); },

@@ -14,14 +14,10 @@
 #include "app/state/study_state.h"
 #include "base/check.h"
 #include "base/fingerprint.h"
+#include "base/give_way.h"
 #include "base/log.h"
 #include "base/sha256.h"
 #include "pipeline/hybrid/model/peripheral_file.h"
-
-#ifdef __linux__
-#include <sys/resource.h>
-#include <unistd.h>
-#endif
 
 namespace macula::app {
 
@@ -33,16 +29,6 @@ constexpr std::size_t kMostScenes = 64;  // as many as have names, SceneNames
 constexpr std::size_t kMostKin = 16;
 constexpr const char* kStateName = "as it was left";
 constexpr std::int64_t kStateVersion = 1;
-
-// What is read is waited for; what is packed must not take the processor from those who draw, where that is
-// the CPU: niceness 19 leaves them 19 of 20 parts of it.
-constexpr int kNicenessOfReading = 5;
-constexpr int kNicenessOfPacking = 19;
-void giveWay([[maybe_unused]] int niceness) {
-#ifdef __linux__
-    setpriority(PRIO_PROCESS, id_t(gettid()), niceness);  // of this thread, and of those that it starts
-#endif
-}
 
 std::span<const std::byte> bytesOf(const std::string& text) {
     return std::as_bytes(std::span(text.data(), text.size()));
@@ -133,7 +119,7 @@ void ModelKeeper::post(Urgency urgency, Job job) {
 void ModelKeeper::run(const std::stop_token& stop) {
     std::optional<CheckBoundary> boundary;
     if (isBounded_) boundary.emplace();
-    giveWay(kNicenessOfReading);
+    giveWay(GiveWay::toTheFrame);
     openStore();
     forgetUnused();
     std::unique_lock lock(mutex_);
@@ -477,7 +463,7 @@ void ModelKeeper::save(session::Store& store, const std::string& name) {
     std::ostringstream stream;
     Result<void> written;
     doBeside([&] {
-        giveWay(kNicenessOfPacking);
+        giveWay(GiveWay::toAll);
         written = hybrid::writePeripheral(stream, stored, packed_);
     });
     if (!written) return tell(written.error());

@@ -67,6 +67,7 @@ void DrivenSteps::end(bool isDone) {
     measured.name = steps_[at_].name;
     measured.lastedMs = double(since_.nsecsElapsed()) / 1e6;
     measured.longestStallMs = heartbeat_.longestStallMs();
+    measured.ownWorkInItMs = heartbeat_.ownWorkInItMs();
     measured.isDone = isDone;
     measured_.push_back(measured);
     emit ended(measured);
@@ -86,6 +87,7 @@ QJsonArray toJson(const std::vector<MeasuredStep>& steps) {
         array.append(QJsonObject{{"step", step.name},
                                  {"ms", rounded(step.lastedMs)},
                                  {"longestUiStallMs", rounded(step.longestStallMs)},
+                                 {"ownWorkInItMs", rounded(step.ownWorkInItMs)},
                                  {"done", step.isDone}});
     return array;
 }

@@ -25,6 +25,7 @@ struct MeasuredStep {
     QString name;
     double lastedMs = 0.0;
     double longestStallMs = 0.0;
+    double ownWorkInItMs = 0.0;  // UiHeartbeat
     bool isDone = true;
 };
 

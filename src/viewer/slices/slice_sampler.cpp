@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/give_way.h"
 #include "base/log.h"
 #include "slices/grey.h"
 
@@ -58,6 +59,7 @@ void SliceSampler::publish(SliceWish wish) {
 }
 
 void SliceSampler::run() {
+    giveWay(GiveWay::toTheHand);
     while (std::optional<SliceWish> wish = wishes_.take()) {
         if (ends_) return;
         if (!wish->volume) {
