@@ -112,7 +112,7 @@ TEST_F(WindowTest, RunningOutOfMemoryOnALostDeviceIsAsGoodAsALoss) {
     memoryEndsAtALoss = true;
     loseDeviceAt(VulkanCall::wait, 3);
     pressKey(Qt::Key_L);
-    EXPECT_TRUE(waitForConverged(20));
+    EXPECT_TRUE(waitForConverged());
     EXPECT_FALSE(memoryEndsAtALoss) << "there was memory left";
     memoryEndsAtALoss = false;
     EXPECT_EQ(devicesLost(), 1);
@@ -128,7 +128,7 @@ class LossAtTheStart : public WindowTest, public testing::WithParamInterface<Vul
 
 TEST_P(LossAtTheStart, IsMadeGood) {
     window_->showStudy(smallStudy(Unit::hounsfield));
-    EXPECT_TRUE(waitForConverged(20)) << window_->message().toStdString();
+    EXPECT_TRUE(waitForConverged()) << window_->message().toStdString();
     EXPECT_EQ(devicesLost(), 2);
 }
 

@@ -61,7 +61,7 @@ TEST_F(ScreenTest, TheLastPictureComesHoweverLateTheWindowSystemIs) {
     // More than there are pictures until then.
     answerFalsely({.call = VulkanCall::acquire, .result = VK_TIMEOUT, .times = 60});
     pressKey(Qt::Key_L);
-    EXPECT_TRUE(waitForConverged(30));
+    EXPECT_TRUE(waitForConverged());
     EXPECT_EQ(falseAnswersLeft(), 0);
     EXPECT_TRUE(window_->fidelity().contains(QStringLiteral("complete")));
 }
@@ -78,7 +78,7 @@ TEST_F(ScreenTest, ImagesThatWereNotPresentedAreNotLost) {
         EXPECT_TRUE(waitUntil([&] { return coloursInTheMiddle() == 1; })) << i;
     }
     pressKey(Qt::Key_R);
-    ASSERT_TRUE(waitForConverged(30));
+    ASSERT_TRUE(waitForConverged());
     EXPECT_GT(coloursInTheMiddle(), 20);
 }
 
@@ -89,7 +89,7 @@ TEST_F(ScreenTest, AWindowWhoseSizeCouldNotBeTakenOverShowsThePictureAllTheSame)
     EXPECT_TRUE(waitUntil([&] { return coloursInTheMiddle() == 1; }));
     answerFalsely({.times = 0});
     pressKey(Qt::Key_L);
-    ASSERT_TRUE(waitForConverged(30));
+    ASSERT_TRUE(waitForConverged());
     EXPECT_GT(coloursInTheMiddle(), 20);
 }
 
