@@ -5,6 +5,7 @@
 
 #include "app/picture/recorded_study.h"
 #include "base/progress_bar.h"
+#include "cli/addition_options.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/name_option.h"
@@ -39,6 +40,7 @@ void addHybrid(CLI::App& app, Action& action) {
     command->add_option("--lights", o.lights, "Name from macula presets");
     command->add_option("--clip", o.state.clip, "As of render");
     command->add_flag("--remove-table", o.state.removeTable, "As of render");
+    addAdditions(*command, o.additions);
     command->add_option("--size", o.size, "Picture size in pixels (default: 1280x720)")->option_text("WxH");
     auto* path =
         command->add_option("--path", o.cameraPath, "JSON file: cameras by time, see docs/hybrid-frame.md");

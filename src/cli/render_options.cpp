@@ -6,6 +6,7 @@
 #include <map>
 
 #include "app/state/parameters.h"
+#include "cli/addition_options.h"
 #include "cli/name_option.h"
 #include "cli/number_range.h"
 #include "cli/output_options.h"
@@ -126,27 +127,6 @@ void addLights(CLI::App& command, app::RenderWish& o) {
     }
 }
 
-// A second volume in the same picture.
-void addSecond(CLI::App& command, app::RenderWish& o) {
-    command.add_option(
-        "--second", o.second.path,
-        "Folder or file of a second volume, PET or another phase, in one picture with the first");
-    command.add_option("--second-series", o.second.series, "As --series, of the second volume");
-    command.add_option("--second-preset", o.second.preset,
-                       "As --preset, of the second volume (default: the colours it has over slices)");
-    command
-        .add_option_function<int>(
-            "--registration",
-            [&o](const int& link) {
-                o.second.link = static_cast<app::SecondLink>(link);
-                o.secondLinkIsGiven = true;
-            },
-            "Where the second volume lies: as its positions say (default), or searched for")
-        ->transform(
-            oneOf({{"positions", int(app::SecondLink::asItLies)}, {"search", int(app::SecondLink::search)}}))
-        ->option_text("positions|search");
-}
-
 }  // namespace
 
 void addRenderOptions(CLI::App& command, app::RenderWish& wish) {
@@ -158,13 +138,7 @@ void addRenderOptions(CLI::App& command, app::RenderWish& wish) {
     addLights(command, o);
     command.add_flag("--remove-table", o.state.removeTable,
                      "Leave out the table and what else lies beside the patient; CT only. What went is said");
-    command
-        .add_option("--segments", o.segments,
-                    "Of DICOM segmentations in the folder: draw these alone, leave them out, or colour them")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->option_text("keep:LABEL,hide:LABEL,colour:LABEL,…");
-    addSecond(command, o);
+    addAdditions(command, o.additions);
     command.add_option("--clip", o.state.clip,
                        "Name from macula presets, or JSON file: what is shown of the volume");
     command

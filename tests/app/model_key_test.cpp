@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include "app/choice/clip_choice.h"
 #include "app/choice/lights_choice.h"
 #include "app/choice/preset_choice.h"
@@ -46,6 +48,26 @@ TEST_F(ModelKey, tellsWhatIsNotTheSame) {
     EXPECT_EQ(refusal(before),
               "The saved training is of another study and another preset and another clip and other lights.");
     EXPECT_EQ(refusal("of another program\n"), "The saved training does not say what its pictures show.");
+}
+
+TEST_F(ModelKey, isOfWhatIsBesideTheVolumeToo) {
+    Additions added;
+    added.second.emplace();
+    added.second->volume = in16Bits(std::make_shared<const Volume>(phantom::make({.size = {24, 20, 16}})));
+    added.second->function = std::make_shared<const TransferFunction>(function_);
+    const auto keyWith = [&] { return trainingKey(volume_, function_, clip_, lights_, added); };
+    const std::string mixed = keyWith();
+    EXPECT_EQ(keyWith(), mixed);
+    EXPECT_EQ(refusal(mixed), "The saved training is of another second volume or other colours of segments.");
+    const auto checked = checkTrainingKey(key(), mixed, "model.macula");
+    ASSERT_FALSE(checked);
+    EXPECT_NE(checked.error().message.find("another second volume"), std::string::npos);
+    added.second->secondFromVolumeMm[3].x = 1.0;
+    EXPECT_NE(keyWith(), mixed);
+    EXPECT_FALSE(checkTrainingKey(mixed, keyWith(), "model.macula"));
+    EXPECT_TRUE(checkTrainingKey(keyWith(), keyWith(), "model.macula").ok());
+    EXPECT_EQ(trainingKey(volume_, function_, clip_, lights_, Additions{}), key()) << "nothing is as before";
+    EXPECT_EQ(refusal("additions of nothing\n"), "The saved training does not say what its pictures show.");
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "cli/run_command.h"
+#include "dicom/synthetic.h"
+#include "dicom/synthetic_segmentation.h"
 #include "image/image_file.h"
 
 namespace macula::cli {
@@ -92,10 +94,74 @@ TEST_F(Hybrid, GoesOnFromTheModelOfAnEarlierRun) {
     }
     EXPECT_EQ(second.back()["model"]["origin"], "resumed");
     EXPECT_GE(second.back()["model"]["steps"].get<std::uint64_t>(), steps);
+    // With a second volume it is another scene: what was learnt of the one alone is not shown of both.
+    const std::vector<std::string> both{"--sessions", at("sessions"),    "--second",
+                                        ball,         "--second-preset", "ct-muscle"};
+    const auto mixed = record("mixed", both);
+    ASSERT_FALSE(mixed.empty());
+    for (const json& frame : mixed) EXPECT_NE(frame["model"]["origin"], "resumed");
+    EXPECT_EQ(mixed.back()["model"]["origin"], "fresh");
+    ASSERT_GT(mixed.back()["model"]["splats"], 0);
+    EXPECT_EQ(record("mixed again", both).back()["model"]["origin"], "resumed");
     const auto none = record("third", {"--no-session"});
     EXPECT_EQ(none.back()["model"]["origin"], "fresh");
     EXPECT_FALSE(runMacula({"hybrid", ball, "-o", at("x"), "--no-session", "--sessions", at("s")}).exitCode ==
                  0);
+}
+
+// A folder of 12 x 12 x 12 voxels of 5 mm, most of them bone, with a segmentation of the middle.
+void writeSegmented(const std::string& folder) {
+    dicom::test::SyntheticSeries series;
+    series.size = {12, 12, 12};
+    series.worldFromVoxel = glm::dmat4(5.0);
+    series.worldFromVoxel[3] = {-27.5, -27.5, -27.5, 1.0};
+    series.ramp = dicom::test::Ramp{.value = 500.0, .throughMm = glm::dvec3(0.0), .perMm = {2.0, 3.0, 4.0}};
+    dicom::test::writeFiles(folder + "/ct", series);
+    dicom::test::SyntheticSegmentation segmentation;
+    segmentation.size = series.size;
+    segmentation.worldFromVoxel = series.worldFromVoxel;
+    segmentation.parts = {{.number = 1, .label = "Liver", .share = [](const glm::dvec3& mm) {
+                               return glm::length(mm) <= 15.0 ? 1.0 : 0.0;
+                           }}};
+    dicom::test::writeSegmentation(folder + "/seg/a", segmentation);
+}
+
+TEST_F(Hybrid, SegmentsAreColouredOrLeftOutAndEachFrameSaysSo) {
+    writeSegmented(at("study"));
+    const auto record = [&](const std::string& folder, const std::string& segments) {
+        return runMacula({"hybrid", at("study"), "-o", at(folder), "--size", "32x24", "--seconds", "0",
+                          "--rest", "0", "--learn", "0", "--no-session", "--segments", segments});
+    };
+    const auto expectParts = [&](const std::string& folder, const std::string& segments,
+                                 const std::string& masked, const std::string& additions) {
+        const Ran ran = record(folder, segments);
+        ASSERT_EQ(ran.exitCode, 0) << ran.err;
+        ASSERT_FALSE(framesOf(at(folder)).empty());
+        for (const json& frame : framesOf(at(folder))) {
+            EXPECT_EQ(frame["masked"], masked);
+            EXPECT_EQ(frame["additions"], additions);
+        }
+    };
+    expectParts("coloured", "colour:liver", "none", "coloured segments");
+    expectParts("hidden", "hide:Liver", "a segment left out", "none");
+    const Ran unknown = record("unknown", "keep:Spleen");
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_NE(unknown.err.find("No segmentation of this volume has a segment of that label."),
+              std::string::npos)
+        << unknown.err;
+    EXPECT_FALSE(std::filesystem::exists(at("unknown/frames.jsonl")));
+}
+
+TEST_F(Hybrid, ASecondVolumeInAnotherPlaceIsRefused) {
+    const std::string ball = writeBall();
+    std::string text = readAll(ball);
+    const std::string origin = "space origin: (-46,-46,-46)";
+    text.replace(text.find(origin), origin.size(), "space origin: (954,-46,-46)");
+    const Ran ran = runMacula({"hybrid", ball, "-o", at("f"), "--size", "32x24", "--no-session", "--second",
+                               write("far.nrrd", text)});
+    EXPECT_EQ(ran.exitCode, 3) << ran.err;
+    EXPECT_NE(ran.err.find("Nothing of the second volume lies in the study."), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(at("f/frames.jsonl")));
 }
 
 TEST_F(Hybrid, RefusesWhatItCannotRecord) {
@@ -114,6 +180,12 @@ TEST_F(Hybrid, RefusesWhatItCannotRecord) {
     expectRefusal({"-o", at("f"), "--size", "0x10"}, 2, "size");
     expectRefusal({"-o", at("f"), "--turn", "nan"}, 2, "--turn");
     expectRefusal({"-o", at("f"), "--lights", "nobody"}, 2, "lights");
+    expectRefusal({"-o", at("f"), "--second-preset", "ct-bone"}, 2, "There is no second volume.");
+    expectRefusal({"-o", at("f"), "--registration", "search"}, 2, "There is no second volume.");
+    expectRefusal({"-o", at("f"), "--second", ball, "--registration", "guess"}, 2, "--registration");
+    expectRefusal({"-o", at("f"), "--second", ball, "--second-preset", "nonsense"}, 2, "nonsense");
+    expectRefusal({"-o", at("f"), "--segments", "drop:Liver"}, 2, "keep:LABEL");
+    expectRefusal({"-o", at("f"), "--segments", "keep:Liver"}, 2, "Only a folder of DICOM files");
     EXPECT_FALSE(std::filesystem::exists(at("f"))) << "no folder is made for what cannot be recorded";
 }
 

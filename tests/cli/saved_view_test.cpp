@@ -1,4 +1,5 @@
 // A view that the window saved, drawn by the command.
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -217,6 +218,40 @@ TEST_F(RecordedView, CountsLessThanWhatIsGivenBesides) {
     const json position = cameraOf(at("left"))["positionMm"];
     EXPECT_GT(position[0].get<double>(), 100.0);
     EXPECT_NEAR(position[1].get<double>(), 0.0, 1.0);
+}
+
+// As of render: the second volume of the view is drawn where it is given, and else it is said.
+TEST_F(RecordedView, HasItsSecondVolumeWhereThatIsGiven) {
+    const json beside{{"series", "0123456789abcdef"}, {"link", "sameFrame"}, {"in3d", true}};
+    json near = camera();  // the ball, 80 mm wide, fills most of the picture
+    near["positionMm"] = {0.0, -200.0, 0.0};
+    const std::string view =
+        writeView({{"version", 1}, {"look", "dvr"}, {"camera", near}, {"beside", beside}});
+    const auto brightness = [&](const std::string& folder) {
+        std::string last;
+        for (const json& frame : framesOf(folder)) last = frame.value("file", last);
+        const auto picture = image::readImage(folder + "/" + last);
+        EXPECT_TRUE(picture.ok());
+        double sum = 0.0;
+        if (picture)
+            for (const float value : picture->pixels) sum += value;
+        return picture ? sum / double(picture->pixels.size()) : 0.0;
+    };
+    const std::vector<std::string> alone{"--session", view, "--preset", "cinematic-bone"};
+    const Ran without = record(at("alone"), alone);
+    ASSERT_EQ(without.exitCode, 0) << without.err;
+    EXPECT_NE(without.err.find("give it by --second"), std::string::npos) << without.err;
+    std::vector<std::string> both = alone;
+    both.insert(both.end(), {"--second", writeBall("second.nrrd"), "--second-preset", "ct-muscle"});
+    const Ran with = record(at("both"), both);
+    ASSERT_EQ(with.exitCode, 0) << with.err;
+    EXPECT_EQ(with.err.find("give it by --second"), std::string::npos) << with.err;
+    ASSERT_FALSE(framesOf(at("alone")).empty());
+    ASSERT_FALSE(framesOf(at("both")).empty());
+    for (const json& frame : framesOf(at("alone"))) EXPECT_EQ(frame["additions"], "none");
+    for (const json& frame : framesOf(at("both")))
+        EXPECT_TRUE(frame["additions"].get<std::string>().starts_with("with CT")) << frame["additions"];
+    EXPECT_GT(std::abs(brightness(at("both")) - brightness(at("alone"))), 0.01);
 }
 
 TEST_F(RecordedView, ThatCannotBeRecordedIsRefused) {

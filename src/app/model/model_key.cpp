@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <sstream>
+#include <utility>
 #include <vector>
 
 #include "app/model/scene_digests.h"
@@ -14,6 +15,7 @@ namespace macula::app {
 namespace {
 
 constexpr const char* kFirstLine = "macula training of";
+constexpr const char* kAdditions = "additions";  // a last line, where there are any
 
 std::vector<std::string> linesOf(const std::string& text) {
     std::vector<std::string> lines;
@@ -22,20 +24,31 @@ std::vector<std::string> linesOf(const std::string& text) {
     return lines;
 }
 
+// Takes the line out; empty where there are none.
+std::string takeAdditions(std::vector<std::string>& lines) {
+    if (lines.empty() || !lines.back().starts_with(kAdditions)) return {};
+    std::string taken = std::move(lines.back());
+    lines.pop_back();
+    return taken;
+}
+
 }  // namespace
 
 std::string trainingKey(const Volume& volume, const TransferFunction& function, const Clip& clip,
                         const trace::Environment& lights, const Additions& additions) {
-    return fmt::format("{}\nstudy {}\npreset {}\nclip {}\nlights {}\n", kFirstLine,
-                       sha256Hex(fingerprint(volume)), digestOf(function), digestOf(clip, additions, volume),
-                       digestOf(lights));
+    std::string key = fmt::format("{}\nstudy {}\npreset {}\nclip {}\nlights {}\n", kFirstLine,
+                                  sha256Hex(fingerprint(volume)), digestOf(function), digestOf(clip, volume),
+                                  digestOf(lights));
+    if (!additions.isNothing()) key += fmt::format("{} {}\n", kAdditions, digestOf(additions));
+    return key;
 }
 
 Result<void> checkTrainingKey(const std::string& saved, const std::string& now,
                               const std::filesystem::path& file) {
     if (saved == now) return {};
-    const std::vector<std::string> before = linesOf(saved);
-    const std::vector<std::string> after = linesOf(now);
+    std::vector<std::string> before = linesOf(saved);
+    std::vector<std::string> after = linesOf(now);
+    const bool hasOtherAdditions = takeAdditions(before) != takeAdditions(after);
     if (before.size() != after.size() || before.front() != after.front())
         return Error{ErrorCode::inputNotUsable, "The saved training does not say what its pictures show.",
                      file.string(), "It is of another program, or of an older one: train anew."};
@@ -45,11 +58,15 @@ Result<void> checkTrainingKey(const std::string& saved, const std::string& now,
         const std::string word = after[i].substr(0, after[i].find(' '));
         other.push_back((word == "lights" ? "other " : "another ") + word);
     }
-    return Error{
-        ErrorCode::inputNotUsable, fmt::format("The saved training is of {}.", fmt::join(other, " and ")),
-        file.string(),
-        "Give the PATH, --series, --preset, --clip, --remove-table and --lights that it was made with, "
-        "or train anew."};
+    if (hasOtherAdditions) other.emplace_back("another second volume or other colours of segments");
+    // There are no options that would bring them.
+    const char* hint =
+        hasOtherAdditions
+            ? "macula train draws no second volume and no colours of segments: train anew without them."
+            : "Give the PATH, --series, --preset, --clip, --remove-table and --lights that it was made with, "
+              "or train anew.";
+    return Error{ErrorCode::inputNotUsable,
+                 fmt::format("The saved training is of {}.", fmt::join(other, " and ")), file.string(), hint};
 }
 
 }  // namespace macula::app

@@ -13,8 +13,8 @@
 
 namespace macula::app {
 
-// A line each, of study, preset, clip (with what is beside the volume) and lights: the word and a SHA-256
-// over what they are, not over what they are called. No patient data. The volume as it is drawn, stored16.
+// A line each, of study, preset, clip, lights, and additions where there are any: the word and a SHA-256 over
+// what they are, not over what they are called. No patient data. The volume as it is drawn, stored16.
 std::string trainingKey(const Volume& volume, const TransferFunction& function, const Clip& clip,
                         const trace::Environment& lights, const Additions& additions = {});
 

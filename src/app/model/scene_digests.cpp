@@ -53,9 +53,9 @@ std::string digestOf(const Clip& clip, const Volume& volume) {
     return sha256Hex(text);
 }
 
-std::string digestOf(const Clip& clip, const Additions& additions, const Volume& volume) {
-    std::string text = digestOf(clip, volume);
-    if (additions.isNothing()) return text;
+std::string digestOf(const Additions& additions) {
+    if (additions.isNothing()) return {};
+    std::string text;
     if (additions.second) {
         const glm::dmat4& map = additions.second->secondFromVolumeMm;
         text += fmt::format("\nsecond {} {} {} {} {} {}\n", sha256Hex(fingerprint(*additions.second->volume)),
@@ -70,6 +70,12 @@ std::string digestOf(const Clip& clip, const Additions& additions, const Volume&
             text += fmt::format("tint {} {:a}\n", words(glm::dvec3(colour.rgb)), colour.opacity);
     }
     return sha256Hex(text);
+}
+
+std::string digestOf(const Clip& clip, const Additions& additions, const Volume& volume) {
+    std::string text = digestOf(clip, volume);
+    if (additions.isNothing()) return text;
+    return sha256Hex(text + "\n" + digestOf(additions));
 }
 
 std::string digestOf(const trace::Environment& lights) {

@@ -17,7 +17,9 @@ namespace macula::app {
 std::string digestOf(TransferFunction function);
 // The volume is the one that is clipped.
 std::string digestOf(const Clip& clip, const Volume& volume);
-// Of the clip and of what is shown beside the volume; where that is nothing, of the clip alone.
+// Of what is shown beside the volume; none where that is nothing.
+std::string digestOf(const Additions& additions);
+// Of the clip and of that; where that is nothing, of the clip alone.
 std::string digestOf(const Clip& clip, const Additions& additions, const Volume& volume);
 std::string digestOf(const trace::Environment& lights);
 // Of all of them; set those that do not matter to their defaults before.

@@ -15,7 +15,7 @@
 #include "app/output/output_files.h"
 #include "app/session/model_keeper.h"
 #include "app/state/drawing_of.h"
-#include "app/study/second_curve.h"
+#include "app/study/read_study.h"
 #include "app/study/shown_clip.h"
 #include "app/study/study_input.h"
 #include "base/atomic_file.h"
@@ -34,6 +34,7 @@ constexpr const char* kFramesFile = "frames.jsonl";
 Result<void> makeFolder(const RecordingWish& wish) {
     OutputFiles files(false);
     for (const fs::path& input : filesOf(wish.state)) files.read(input);
+    for (const fs::path& input : filesOf(wish.additions)) files.read(input);
     for (const fs::path& input : {wish.path, wish.cameraPath}) files.read(input);
     std::error_code error;
     if (fs::is_directory(wish.folder, error)) {
@@ -65,12 +66,55 @@ Result<RecordingOptions> optionsOf(const RecordingWish& wish, const std::optiona
     return options;
 }
 
-Result<void> write(const fs::path& folder, const LiveRecording& recording) {
+// All but the study, which is read last.
+struct Wished {
+    StudyState state;
+    AdditionChoice additions;
+    Catalogue catalogue;
+};
+
+Result<FrameInput> sceneOf(const RecordingWish& wish, Wished wished, const Hears& note, const Hears& warn,
+                           Progress& progress) {
+    StudyState& state = wished.state;
+    const StudyPlace place{wish.path, wish.series, wish.state.presentation, wish.how};
+    MACULA_TRY(ReadStudy read, readStudy(place, wished.additions.needsSegmentations(), progress));
+    StudyInput& study = read.input;
+    bringTo16Bits(study);
+    MACULA_TRY_VOID(completeState(state, wish.state, study));
+    MACULA_TRY(ShownClip shown, shownClip(state, *study.volume, progress));
+    std::ranges::for_each(study.notes, note);
+    std::ranges::for_each(study.warnings, warn);
+    std::ranges::for_each(shown.notes, note);
+    MACULA_TRY(MadeAdditions made,
+               makeAdditions(wished.additions, read, state.settings.look, shown.clip, progress));
+    std::ranges::for_each(made.notes, note);
+    FrameInput scene;
+    scene.volume = study.volume;
+    scene.drawing =
+        drawingOf(state, wished.catalogue, SeriesWindows(), study.volume,
+                  shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(shown.clip)));
+    if (!made.additions.isNothing())
+        setAdditions(scene.drawing, std::make_shared<const Additions>(std::move(made.additions)));
+    return scene;
+}
+
+// Of the drawing, as the report of a picture has it.
+nlohmann::ordered_json partsOf(const Drawing& drawing) {
+    const auto orNone = [](const std::string& said) { return said.empty() ? "none" : said; };
+    const bool isMasked = drawing.clip && drawing.clip->mask;
+    return {
+        {"masked", orNone(isMasked ? drawing.clip->mask->remark : "")},
+        {"additions", orNone(drawing.additions ? remarkOf(*drawing.additions, drawing.settings.look) : "")}};
+}
+
+Result<void> write(const fs::path& folder, const Drawing& drawing, const LiveRecording& recording) {
+    const nlohmann::ordered_json parts = partsOf(drawing);
     std::string lines;
     std::size_t pictures = 0;
     for (const RecordedFrame& frame : recording.frames) {
         nlohmann::ordered_json line{{"atS", frame.atS}, {"phase", nameOf(frame.phase)}};
         line.update(toJson(frame.shown));
+        line.update(parts);
         line["camera"] = toJson(frame.camera);
         if (!frame.rgba.empty()) {
             const std::string name = fmt::format("frame-{:04}.png", ++pictures);
@@ -89,29 +133,17 @@ Result<void> write(const fs::path& folder, const LiveRecording& recording) {
 
 Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
                                   Progress& progress) {
-    MACULA_TRY(StudyState state, stateOf(wish.state));
-    MACULA_TRY(RecordingOptions options, optionsOf(wish, state.camera));
-    MACULA_TRY(const Catalogue catalogue, builtInCatalogue());
+    Wished wished;
+    MACULA_TRY(wished.state, stateOf(wish.state));
+    MACULA_TRY(wished.additions, additionChoice(wish.additions, wish.path, wished.state));
+    MACULA_TRY(RecordingOptions options, optionsOf(wish, wished.state.camera));
+    MACULA_TRY(wished.catalogue, builtInCatalogue());
     if (!wish.lights.empty()) {
-        MACULA_TRY(state.lights, findLights(catalogue, wish.lights));
+        MACULA_TRY(wished.state.lights, findLights(wished.catalogue, wish.lights));
     }
     MACULA_TRY_VOID(makeFolder(wish));
-
-    MACULA_TRY(StudyInput study, loadStudy(wish.path, wish.series, progress, 0, wish.how));
-    bringTo16Bits(study);
-    MACULA_TRY_VOID(completeState(state, wish.state, study));
-    MACULA_TRY(ShownClip shown, shownClip(state, *study.volume, progress));
-    std::ranges::for_each(study.notes, note);
-    std::ranges::for_each(study.warnings, warn);
-    std::ranges::for_each(shown.notes, note);
-    if (state.beside && isIn3d(*state.beside))
-        note("The view has a second volume in the picture; here it is left out.");
-    FrameInput scene;
-    scene.volume = study.volume;
-    scene.drawing =
-        drawingOf(state, catalogue, SeriesWindows(), study.volume,
-                  shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(shown.clip)));
-
+    MACULA_TRY(FrameInput scene, sceneOf(wish, std::move(wished), note, warn, progress));
+    const Drawing drawing = scene.drawing;
     if (wish.sessions)
         options.keeper = std::make_shared<ModelKeeper>(
             session::StoreOptions{.folder = *wish.sessions},
@@ -119,7 +151,7 @@ Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, 
     MACULA_TRY(LiveRecording recording, recordLive(std::move(scene), options, progress));
     options.keeper.reset();  // what was learnt is saved
     if (recording.isFull) note("Pictures left out: there were too many. Lower --pictures or --size.");
-    MACULA_TRY_VOID(write(wish.folder, recording));
+    MACULA_TRY_VOID(write(wish.folder, drawing, recording));
     return recording;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/frame/live_recording.h"
+#include "app/picture/addition_wish.h"
 #include "app/state/state_wish.h"
 #include "base/progress.h"
 #include "base/result.h"
@@ -21,6 +22,7 @@ struct RecordingWish {
     std::string series;
     StateWish state;     // its camera is where the motion begins
     std::string lights;  // a built-in name
+    AdditionWish additions;
     dicom::ScanOptions how;
     std::filesystem::path cameraPath;  // camera_path.h; counts more than any other camera
     std::string size = "1280x720";

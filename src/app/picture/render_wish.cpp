@@ -9,7 +9,6 @@
 #include "app/output/output_files.h"
 #include "app/picture/picture_file.h"
 #include "app/state/drawing_of.h"
-#include "dicom/presentation/presentation_state.h"
 
 namespace macula::app {
 
@@ -19,9 +18,9 @@ Result<void> checkFiles(const RenderWish& wish) {
     MACULA_TRY_VOID(checkPictureName(wish.output));
     OutputFiles files(wish.overwrite);
     for (const std::filesystem::path& input : filesOf(wish.state)) files.read(input);
+    for (const std::filesystem::path& input : filesOf(wish.additions)) files.read(input);
     for (const std::filesystem::path& input :
-         {wish.path, wish.second.path, std::filesystem::path(wish.second.preset),
-          std::filesystem::path(wish.effort.quality), std::filesystem::path(wish.lights)})
+         {wish.path, std::filesystem::path(wish.effort.quality), std::filesystem::path(wish.lights)})
         files.read(input);
     MACULA_TRY_VOID(files.write(wish.output));
     return files.write(wish.json);
@@ -73,7 +72,6 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
     check(!wish.lights.empty() && !isTraced, "--lights", traced);
     check(isGiven("lightRotationDeg") && !isTraced, "--light-rotation", traced);
     check(isGiven("lightStrength") && !isTraced, "--light-strength", traced);
-    check(wish.second.isGiven() && isProjection(look), "--second", "all but projections");
     check(isGiven("exposure") && isProjection(look), "--exposure", "all but projections");
     if (wish.effort.denoise.value_or(false) && !isTraced)
         notes.emplace_back("This look is never denoised: --denoise does nothing.");
@@ -85,13 +83,13 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
 
 Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     MACULA_TRY_VOID(checkFiles(wish));
-    MACULA_TRY_VOID(check(wish.second, wish.secondLinkIsGiven));
     // Unlike the viewer, a picture shades ray casts only where that is asked for.
     MACULA_TRY(const auto sizePx, parseSize(wish.size));
     StateWish wished = wish.state;
     wished.aspectWidthOverHeight = double(sizePx.x) / double(sizePx.y);
     MACULA_TRY(StudyState state, stateOf(wished, {.settings = {}}));
     WishedPicture picture{.state = std::move(state), .request = {}, .lights = {}, .clip = {}};
+    MACULA_TRY(picture.additions, additionChoice(wish.additions, wish.path, picture.state));
     PictureRequest& request = picture.request;
     request.sizePx = sizePx;
     MACULA_TRY(const Effort effort, effortOf(wish.effort, picture.state.settings));
@@ -108,14 +106,6 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     request.isLinear = isExr(wish.output);
     request.memory = wish.memory;
     return picture;
-}
-
-Result<std::string> seriesWished(const RenderWish& wish, const dicom::Scan& scan) {
-    if (!wish.series.empty() || wish.state.presentation.empty()) return wish.series;
-    MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(wish.state.presentation));
-    const std::string& uid = read.presentation.series.seriesInstanceUid;
-    // One that is not there under its own name may still be meant by a deidentified one.
-    return dicom::findAllSeries(scan, uid).empty() ? std::string() : uid;
 }
 
 trace::Settings settingsToDraw(const RenderWish& wish, const StudyState& state, const Volume& volume) {

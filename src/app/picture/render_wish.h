@@ -6,12 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "app/picture/addition_wish.h"
 #include "app/picture/picture_effort.h"
 #include "app/picture/picture_request.h"
 #include "app/state/state_wish.h"
-#include "app/study/second_input.h"
-#include "app/study/study_input.h"
-#include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "dicom/scan.h"
@@ -25,10 +23,8 @@ struct RenderWish {
     std::filesystem::path output;
     std::string series;
     StateWish state;
-    std::string lights;                 // as chooseLights, a panorama too
-    std::vector<std::string> segments;  // segmentWishFrom each
-    SecondWish second;                  // in the same picture
-    bool secondLinkIsGiven = false;
+    std::string lights;  // as chooseLights, a panorama too
+    AdditionWish additions;
     bool shading = false;  // of ray casts, whatever the preset asks for
     std::string size = "768x768";
     EffortWish effort;  // counts more than the view that was saved
@@ -44,7 +40,8 @@ struct RenderWish {
 // "mip, minip and average": the looks that `isMeant` says.
 std::string looksListed(bool (*isMeant)(trace::Look));
 
-// What was given and does nothing in this look; not what a view, a quality or a default says.
+// What was given and does nothing in this look; not what a view, a quality or a default says. makeAdditions
+// tells of additions.
 std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Look look);
 
 // What a wish comes to, but for what the study decides.
@@ -53,14 +50,11 @@ struct WishedPicture {
     PictureRequest request;  // volume, preset and clip are to be put in, and settingsToDraw
     std::string lights;      // what may be told of them: publicLightsName
     std::string clip;        // publicClipName
+    AdditionChoice additions{};
 };
 
 // All that can be wrong about the wish, the study not yet read.
 Result<WishedPicture> wishedPicture(const RenderWish& wish);
-
-// As loadStudy takes it: the series that was asked for, or else the one that the presentation state is of;
-// empty where neither says which.
-Result<std::string> seriesWished(const RenderWish& wish, const dicom::Scan& scan);
 
 // For the volume, when completeState has put the preset into the state.
 trace::Settings settingsToDraw(const RenderWish& wish, const StudyState& state, const Volume& volume);

@@ -4,6 +4,7 @@
 
 #include "app/choice/lights_choice.h"
 #include "app/choice/preset_choice.h"
+#include "app/state/drawing_of.h"
 #include "app/study/shown_clip.h"
 
 namespace macula::app {
@@ -35,7 +36,7 @@ RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request,
     record.lights = publicLightsName(*picture.drawing.lights);
     record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
     if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark;
-    if (!trace::isProjection(request.settings.look)) record.additions = request.scene.additions.remark;
+    record.additions = remarkOf(request.scene.additions, request.settings.look);
     record.tableRemoved = record.masked.find(kTableLeftOut) != std::string::npos;
     record.presetFitted = request.scene.function.fitToVolume.has_value();
     record.window = request.settings.window;

@@ -46,6 +46,18 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
     return drawing;
 }
 
+std::string remarkOf(const Additions& additions, trace::Look look) {
+    return trace::isProjection(look) ? std::string() : additions.remark;
+}
+
+void setAdditions(Drawing& drawing, std::shared_ptr<const Additions> additions) {
+    drawing.additions = std::move(additions);
+    if (!drawing.additions) return;
+    const std::string remark = remarkOf(*drawing.additions, drawing.settings.look);
+    if (!remark.empty() && !drawing.remarks.empty()) drawing.remarks += ", ";
+    drawing.remarks += remark;
+}
+
 std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume, std::optional<Mask> mask) {
     Clip clip = clipFor(state.clip, state.cuts, volume);
     clip.mask = std::move(mask);

@@ -2,12 +2,15 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "app/choice/catalogue.h"
 #include "app/frame/drawing.h"
 #include "app/frame/projection_windows.h"
 #include "app/state/study_state.h"
 #include "base/volume.h"
+#include "pipeline/trace/look.h"
+#include "pipeline/volume/additions.h"
 #include "pipeline/volume/clip.h"
 
 namespace macula::app {
@@ -23,6 +26,14 @@ trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesW
 // mask leaves out, "clipped", and each number that is not what it is by default: "exposure 3".
 Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const SeriesWindows& seriesWindows,
                   const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Clip> clip);
+
+// What has to be said of a picture with these additions in that look: nothing of a projection, which does not
+// draw them.
+std::string remarkOf(const Additions& additions, trace::Look look);
+
+// Puts them into the drawing, with the remark. Null: there are none. A projection keeps them, though it does
+// not draw them: so they are there when the look changes back.
+void setAdditions(Drawing& drawing, std::shared_ptr<const Additions> additions);
 
 // The clip of the state with `mask`, if anything is hidden; else null.
 std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume, std::optional<Mask> mask);

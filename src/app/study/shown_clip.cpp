@@ -5,6 +5,7 @@
 #include "app/clip/eye_cut.h"
 #include "app/study/combined_mask.h"
 #include "app/study/scissor_mask.h"
+#include "app/study/second_curve.h"
 
 namespace macula::app {
 
@@ -39,6 +40,8 @@ Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progr
         shown.notes.emplace_back("The view keeps or hides segments; here they change nothing.");
     if (!colouredIn3dOf(state.segmentations).empty())
         shown.notes.emplace_back("The view has segments in colour; here they have none.");
+    if (state.beside && isIn3d(*state.beside))
+        shown.notes.emplace_back("The view has a second volume in the picture; here it is left out.");
     return shown;
 }
 

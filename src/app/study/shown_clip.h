@@ -25,14 +25,15 @@ std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& fo
 struct ShownClip {
     Clip clip;
     bool tableRemoved = false;       // asked for, and something was: where it was not sure, nothing went
-    std::vector<std::string> notes;  // about the table
+    std::vector<std::string> notes;  // about the table, and what a state has that is not drawn
 };
 
 // Fails as segment::findPatient where the table is to be removed. Of a state its cuts are in it too: fails as
 // scissorMask and combinedMask.
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress);
-// Segments of the state are not hidden, and a note says so: app::segmentsToDraw.
+// Segments of the state are not hidden or coloured, and its second volume is not there; notes say so, but for
+// whoever took them out of the state to draw them: app::additionChoice.
 Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress);
 
 }  // namespace macula::app

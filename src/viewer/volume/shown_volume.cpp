@@ -53,11 +53,7 @@ app::Drawing ShownVolume::drawingOf(const app::StudyState& other) const {
 app::Drawing ShownVolume::drawingOf(const app::StudyState& state, std::shared_ptr<const Clip> clip) const {
     app::Drawing drawing =
         app::drawingOf(state, session_.catalogue(), seriesWindows_, session_.study().volume, std::move(clip));
-    // Kept for projections too, which do not draw them: so they are there when the look changes back.
-    drawing.additions = additions_->additions();
-    if (!drawing.additions || trace::isProjection(drawing.settings.look)) return drawing;
-    if (!drawing.remarks.empty()) drawing.remarks += ", ";
-    drawing.remarks += drawing.additions->remark;
+    app::setAdditions(drawing, additions_->additions());
     return drawing;
 }
 

@@ -1,0 +1,58 @@
+// A second volume and segments in a picture, as somebody asks for them who has no window.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/segmentation/segments_to_draw.h"
+#include "app/state/beside_state.h"
+#include "app/state/segmentation_choice.h"
+#include "app/state/study_state.h"
+#include "app/study/read_study.h"
+#include "app/study/second_input.h"
+#include "base/progress.h"
+#include "base/result.h"
+#include "pipeline/trace/look.h"
+#include "pipeline/volume/additions.h"
+#include "pipeline/volume/clip.h"
+
+namespace macula::app {
+
+// Empty: not given.
+struct AdditionWish {
+    std::vector<std::string> segments = {};  // segmentWishFrom each
+    SecondWish second = {};                  // in the same picture; scanned as the study is
+    bool secondLinkIsGiven = false;
+};
+
+// What may be a file among what is given, for OutputFiles::read.
+std::vector<std::filesystem::path> filesOf(const AdditionWish& wish);
+
+// What is asked for, and what a view says.
+struct AdditionChoice {
+    std::vector<SegmentWish> segments;
+    std::vector<SegmentationChoice> ofView;
+    SecondWish second;
+    std::optional<BesideState> beside;  // of the view
+
+    bool needsSegmentations() const;
+};
+
+// All that can be wrong about the wish, nothing yet read of the study at that path. What the view says of
+// segments and of a second volume is in the choice then, and not in the state any more.
+Result<AdditionChoice> additionChoice(const AdditionWish& wish, const std::filesystem::path& study,
+                                      StudyState& state);
+
+struct MadeAdditions {
+    Additions additions;
+    std::vector<std::string> notes;  // sentences, without patient data
+};
+
+// For a picture in that look. The study's volume is stored16. The clip gets what segments leave of it. Fails
+// as segmentsToDraw and secondToDraw.
+Result<MadeAdditions> makeAdditions(const AdditionChoice& choice, const ReadStudy& study, trace::Look look,
+                                    Clip& clip, Progress& progress);
+
+}  // namespace macula::app

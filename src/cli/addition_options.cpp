@@ -1,0 +1,45 @@
+#include "cli/addition_options.h"
+
+#include <CLI/Option.hpp>
+#include <CLI/Validators.hpp>
+
+#include "cli/name_option.h"
+
+namespace macula::cli {
+
+namespace {
+
+// A second volume in the same picture.
+void addSecond(CLI::App& command, app::AdditionWish& o) {
+    command.add_option(
+        "--second", o.second.path,
+        "Folder or file of a second volume, PET or another phase, in one picture with the first");
+    command.add_option("--second-series", o.second.series, "As --series, of the second volume");
+    command.add_option("--second-preset", o.second.preset,
+                       "As --preset, of the second volume (default: the colours it has over slices)");
+    command
+        .add_option_function<int>(
+            "--registration",
+            [&o](const int& link) {
+                o.second.link = static_cast<app::SecondLink>(link);
+                o.secondLinkIsGiven = true;
+            },
+            "Where the second volume lies: as its positions say (default), or searched for")
+        ->transform(
+            oneOf({{"positions", int(app::SecondLink::asItLies)}, {"search", int(app::SecondLink::search)}}))
+        ->option_text("positions|search");
+}
+
+}  // namespace
+
+void addAdditions(CLI::App& command, app::AdditionWish& wish) {
+    command
+        .add_option("--segments", wish.segments,
+                    "Of DICOM segmentations in the folder: draw these alone, leave them out, or colour them")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->option_text("keep:LABEL,hide:LABEL,colour:LABEL,…");
+    addSecond(command, wish);
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,14 @@
+// What is drawn with a volume or left out of it by segments, as options of the verbs that draw a study: the
+// same names and words in each.
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "app/picture/addition_wish.h"
+
+namespace macula::cli {
+
+// --segments, --second and what is said of it. `wish` must outlive the parsing.
+void addAdditions(CLI::App& command, app::AdditionWish& wish);
+
+}  // namespace macula::cli
