@@ -14,10 +14,19 @@ OpeningTimes::OpeningTimes(MainWindow& window, QObject* parent) : QObject(parent
         connect(&window.slices(orientation), &SliceView::pictureShown, this, [this] { note(sliceMs_); });
     connect(&window, &MainWindow::frameShown, this, [this](const app::FrameShown& frame) {
         note(pictureMs_);
-        if (frame.picture != app::OnScreen::model || modelMs_ >= 0.0) return;
-        note(modelMs_);
-        modelOrigin_ = QString::fromUtf8(nameOf(frame.model.origin).data());
+        if (frame.picture == app::OnScreen::model) noteModel(frame.model);
     });
+    // At rest it is not on screen, but a hand would see it now.
+    connect(&window.viewport(), &Viewport::rendered, this, [this](const app::RenderEvent& event) {
+        const auto* changed = std::get_if<app::ModelChanged>(&event);
+        if (changed != nullptr && hybrid::isFitToBeShown(changed->model)) noteModel(changed->model);
+    });
+}
+
+void OpeningTimes::noteModel(const hybrid::ModelNews& model) {
+    if (modelMs_ >= 0.0) return;
+    note(modelMs_);
+    modelOrigin_ = QString::fromUtf8(nameOf(model.origin).data());
 }
 
 void OpeningTimes::note(double& ms) const {
