@@ -26,9 +26,10 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 std::string trainingKey(const Volume& volume, const TransferFunction& function, const Clip& clip,
                         const trace::Environment& lights, const Additions& additions) {
+    PartDigests parts;
     return fmt::format("{}\nstudy {}\npreset {}\nclip {}\nlights {}\n", kFirstLine,
-                       sha256Hex(fingerprint(volume)), digestOf(function), digestOf(clip, additions, volume),
-                       digestOf(lights));
+                       sha256Hex(fingerprint(volume)), digestOf(function),
+                       digestOf(clip, additions, volume, parts), digestOf(lights));
 }
 
 Result<void> checkTrainingKey(const std::string& saved, const std::string& now,

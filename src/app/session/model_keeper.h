@@ -23,6 +23,7 @@
 #include <thread>
 
 #include "app/frame/scene_keeper.h"
+#include "app/model/part_digests.h"
 #include "app/study/found_volumes.h"
 #include "base/check.h"
 #include "base/result.h"
@@ -69,6 +70,8 @@ class ModelKeeper final : public SceneKeeper {
     // Whether all that was handed over is done, and until it is. For tests and for those who measure.
     bool isIdle();
     void waitUntilIdle();
+    // How many volumes, masks and segments were read to know what models are of.
+    std::size_t digestsMade() const { return digests_.made(); }
 
   private:
     struct Named {  // as the store knows it
@@ -97,7 +100,6 @@ class ModelKeeper final : public SceneKeeper {
     void tell(const Error& error);
     void tellOfNoMemory(const char* sentence) noexcept;
     void tellOfFault(const CheckFailure& failure) noexcept;
-    std::string digestOf(const std::shared_ptr<const Volume>& volume);
     std::optional<Named> nameForStore(const std::string& name);
     void answer(const std::string& name, hybrid::StoredModel found);
     void record(session::Store& store, const session::OpenedVolume& volume);
@@ -131,8 +133,7 @@ class ModelKeeper final : public SceneKeeper {
     std::set<std::string> told_;             // sentences
     splat::PackedPictures packed_;  // of the model that was saved last; no job that is waited for has it
 
-    std::mutex digestMutex_;  // a digest is made once
-    std::map<std::weak_ptr<const Volume>, std::string, std::owner_less<>> digests_;
+    PartDigests digests_;  // of what is open
 
     std::jthread thread_;  // last: it uses all of the above
 };
