@@ -533,26 +533,6 @@ TEST_F(BesideTest, AnotherPatientIsNeverInThe3dPictureOfThisOne) {
     EXPECT_FALSE(in3d->isEnabled() || in3d->isChecked());
 }
 
-// A slider asks faster than the second volume is prepared: what was begun is shown, and then the newest.
-TEST_F(BesideTest, In3dADragIsFollowedAndEndsAtTheNewest) {
-    openLinked();
-    SegmentationKeeper segments(*session_);
-    ShownAdditions shown(*session_, segments);
-    shown.setSecond(beside_->second());
-    std::vector<double> opacities;
-    QObject::connect(&shown, &ShownAdditions::changed, &shown, [&] {
-        opacities.push_back(shown.additions()->second->function->opacity.back().opacity);
-    });
-    for (const double opacity : {1.0, 0.8, 0.6, 0.4, 0.2})
-        session_->change("Opacity", [&](app::StudyState& next) {
-            next.beside->in3d = true;
-            next.beside->opacity = opacity;
-        });
-    ASSERT_TRUE(test::waitFor([&] { return shown.isAtRest(); }));
-    ASSERT_EQ(opacities.size(), 2u);
-    EXPECT_NEAR(opacities.back(), 0.2 * opacities.front(), 1e-9);
-}
-
 TEST_F(BesideTest, In3dOfFloatsAnotherCurveIsNoOtherVolume) {
     VolumeOptions options = test::sliceVolumeOptions();
     options.worldFromVoxel = kMoved * options.worldFromVoxel;

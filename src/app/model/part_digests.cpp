@@ -56,7 +56,7 @@ std::string PartDigests::known(const std::shared_ptr<const void>& part, std::str
     if (const auto found = known_.find(place); found != known_.end()) return found->second.digest;
     std::string digest = make();
     ++made_;
-    known_[place] = {.part = part, .digest = digest};
+    known_.emplace(place, Known{part, digest});
     return digest;
 }
 
