@@ -132,7 +132,7 @@ TEST_F(ModelKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
         first->look(std::to_string(step), volume_, next);
         first->waitUntilIdle();
     }
-    EXPECT_EQ(first->digestsMade(), 3u) << "both volumes and the segments";
+    EXPECT_EQ(first->digests().made(), 3u) << "both volumes and the segments";
     EXPECT_TRUE(told_.empty()) << told_.front();
 }
 

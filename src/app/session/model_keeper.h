@@ -70,8 +70,9 @@ class ModelKeeper final : public SceneKeeper {
     // Whether all that was handed over is done, and until it is. For tests and for those who measure.
     bool isIdle();
     void waitUntilIdle();
-    // How many volumes, masks and segments were read to know what models are of.
-    std::size_t digestsMade() const { return digests_.made(); }
+
+    // Of what models are of: volumes, masks and segments. Of any thread.
+    PartDigests& digests() { return digests_; }
 
   private:
     struct Named {  // as the store knows it
