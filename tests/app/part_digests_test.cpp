@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "app/choice/preset_choice.h"
 #include "app/model/scene_digests.h"
@@ -130,6 +132,18 @@ TEST(PartDigests, TwoPartsOfOneOwnerAreTwo) {
     PartDigests parts;
     EXPECT_EQ(parts.of(std::shared_ptr<const Volume>(both, &both->a)), fingerprint(both->a));
     EXPECT_EQ(parts.of(std::shared_ptr<const Volume>(both, &both->b)), fingerprint(both->b));
+}
+
+TEST(PartDigests, OfManyThreadsOneReads) {
+    const auto volume = phantomOf({40, 40, 40});
+    PartDigests parts;
+    std::vector<std::string> found(6);
+    {
+        std::vector<std::jthread> threads;
+        for (std::string& each : found) threads.emplace_back([&] { each = parts.of(volume); });
+    }
+    EXPECT_EQ(parts.made(), 1u);
+    EXPECT_EQ(found, std::vector<std::string>(6, fingerprint(*volume)));
 }
 
 // What is closed is not kept, and what comes to lie in its place is another.

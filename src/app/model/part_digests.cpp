@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <exception>
 #include <span>
 
 #include "base/fingerprint.h"
@@ -49,15 +50,32 @@ std::size_t PartDigests::made() const {
 
 std::string PartDigests::known(const std::shared_ptr<const void>& part, std::string what,
                                const std::function<std::string()>& make) {
-    const std::lock_guard lock(mutex_);
-    // Another part may lie where one of these was.
-    std::erase_if(known_, [](const auto& each) { return each.second.part.expired(); });
     const auto place = std::pair(part.get(), std::move(what));
-    if (const auto found = known_.find(place); found != known_.end()) return found->second.digest;
-    std::string digest = make();
-    ++made_;
-    known_.emplace(place, Known{part, digest});
-    return digest;
+    std::promise<std::string> made;
+    {
+        std::unique_lock lock(mutex_);
+        // Another part may lie where one of these was.
+        std::erase_if(known_, [](const auto& each) { return each.second.part.expired(); });
+        if (const auto found = known_.find(place); found != known_.end()) {
+            const std::shared_future<std::string> digest = found->second.digest;
+            lock.unlock();
+            return digest.get();
+        }
+        known_.emplace(place, Known{part, made.get_future().share()});
+        ++made_;
+    }
+    try {
+        std::string digest = make();
+        made.set_value(digest);
+        return digest;
+    } catch (...) {
+        {
+            const std::lock_guard lock(mutex_);
+            known_.erase(place);  // the next one tries again
+        }
+        made.set_exception(std::current_exception());
+        throw;
+    }
 }
 
 }  // namespace macula::app

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <future>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -16,7 +17,8 @@
 namespace macula::app {
 
 // None of them ever changes: each is read once, however many scenes it is part of, and forgotten with it. Of
-// any thread; whoever asks for one that another thread makes waits for it. No patient data.
+// any thread; whoever asks for one that another thread makes waits for it, and for no other. May throw
+// std::bad_alloc. No patient data.
 class PartDigests {
   public:
     std::string of(const std::shared_ptr<const Volume>& volume);  // fingerprint
@@ -29,7 +31,7 @@ class PartDigests {
   private:
     struct Known {
         std::weak_ptr<const void> part;
-        std::string digest;
+        std::shared_future<std::string> digest;
     };
     std::string known(const std::shared_ptr<const void>& part, std::string what,
                       const std::function<std::string()>& make);
