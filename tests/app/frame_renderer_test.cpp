@@ -76,6 +76,8 @@ class FrameRendererTest : public testing::Test {
                 news_ = frame->model;
                 shown_ = *frame;
             }
+            if (std::holds_alternative<Preparing>(event)) ++preparing_;
+            if (std::holds_alternative<OutlineFound>(event)) ++outlines_;
             if (const auto* taken = std::get_if<ModelTaken>(&event)) taken_ = *taken;
             if (const auto* failure = std::get_if<RenderFailure>(&event))
                 failures_.push_back(failure->error.message);
@@ -108,6 +110,8 @@ class FrameRendererTest : public testing::Test {
     const std::shared_ptr<EmptyKeeper> keeper_ = std::make_shared<EmptyKeeper>();
     hybrid::ModelNews news_;
     std::vector<std::string> failures_;
+    int preparing_ = 0;
+    int outlines_ = 0;
     std::optional<FrameShown> shown_;
     std::optional<ModelTaken> taken_;
     FrameInput input_;
@@ -198,6 +202,43 @@ TEST_F(FrameRendererTest, LessNoiseIsTracedOnTopOfWhatThereIs) {
     ASSERT_TRUE(stepUntil(isFinal));
     EXPECT_GE(shown_->samplesPerPixel, 64u);
     EXPECT_GT(shown_->noise, 0.0);
+}
+
+// Nothing is prepared for another colour or opacity of a segment, and what a view is framed around stays.
+TEST_F(FrameRendererTest, OtherColoursOfSegmentsPrepareNothing) {
+    auto box = std::make_shared<TintBox>();
+    box->volumeSize = input_.volume->size();
+    box->size = box->volumeSize;
+    box->voxels.assign(input_.volume->voxelCount(), 1);
+    Additions added;
+    added.tints = SegmentTints{box, {{.rgb = {1.0f, 0.0f, 0.0f}, .opacity = 1.0f}}};
+    input_.usesModel = false;
+    input_.drawing.additions = std::make_shared<const Additions>(added);
+    const auto isFinal = [&] { return shown_ && shown_->stage == Stage::converged; };
+    renderer_->accept(input_);
+    ASSERT_TRUE(stepUntil(isFinal));
+    const int preparing = preparing_;
+    EXPECT_EQ(outlines_, 1);
+    for (const float opacity : {0.7f, 0.3f}) {
+        added.tints->colours.front().opacity = opacity;
+        input_.drawing.additions = std::make_shared<const Additions>(added);
+        ++input_.sequence;
+        shown_.reset();
+        renderer_->accept(input_);
+        ASSERT_TRUE(stepUntil(isFinal));
+    }
+    EXPECT_EQ(preparing_, preparing);
+    EXPECT_EQ(outlines_, 1);
+    added.second.emplace();
+    added.second->volume = input_.volume;
+    added.second->function = input_.drawing.transferFunction;
+    input_.drawing.additions = std::make_shared<const Additions>(added);
+    ++input_.sequence;
+    shown_.reset();
+    renderer_->accept(input_);
+    ASSERT_TRUE(stepUntil(isFinal));
+    EXPECT_EQ(outlines_, 2) << "a second volume may reach further";
+    EXPECT_TRUE(failures_.empty()) << failures_.front();
 }
 
 }  // namespace

@@ -113,6 +113,29 @@ TEST_F(ModelKeeperTest, TheNewestOfManyIsKept) {
     EXPECT_EQ(stored.state->training.steps, 40u);
 }
 
+// Each step of a slider is another scene: what a second volume is does not have to be found for each.
+TEST_F(ModelKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
+    const auto first = keeper();
+    Additions added;
+    added.second.emplace();
+    added.second->volume = std::make_shared<const Volume>(phantom::make({.size = {10, 9, 8}}));
+    added.second->function = drawing_.transferFunction;
+    auto box = std::make_shared<TintBox>();
+    box->volumeSize = volume_->size();
+    box->size = glm::ivec3(1);
+    box->voxels = {1};
+    added.tints = SegmentTints{box, {{.rgb = {1.0f, 0.0f, 0.0f}, .opacity = 1.0f}}};
+    for (int step = 0; step < 10; ++step) {
+        added.tints->colours.front().opacity = 0.1f * float(step);
+        Drawing next = drawing_;
+        next.additions = std::make_shared<const Additions>(added);
+        first->look(std::to_string(step), volume_, next);
+        first->waitUntilIdle();
+    }
+    EXPECT_EQ(first->digests().made(), 3u) << "both volumes and the segments";
+    EXPECT_TRUE(told_.empty()) << told_.front();
+}
+
 // As of a run that began anew, because the disk was slow.
 TEST_F(ModelKeeperTest, AModelThatHasLearntLessReplacesNone) {
     store("a", drawing_, 50);

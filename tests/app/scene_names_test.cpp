@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "pipeline/volume/mask_bits.h"
+
 namespace macula::app {
 namespace {
 
@@ -63,6 +65,44 @@ TEST(SceneNames, OfManyTheLastUsedAreRemembered) {
     EXPECT_TRUE(forgotten.expired());
     std::sort(seen.begin(), seen.end());
     EXPECT_EQ(std::adjacent_find(seen.begin(), seen.end()), seen.end());
+}
+
+// Scenes are remembered by the dozen: with what is large they would fill the memory.
+TEST(SceneNames, KnowSegmentsMasksAndVolumesWithoutKeepingThem) {
+    SceneNames names;
+    const Drawing plain = drawing();
+    const auto withBox = [&](std::shared_ptr<const TintBox> box, float opacity) {
+        Drawing coloured = plain;
+        Additions added;
+        added.tints = SegmentTints{std::move(box), {{.opacity = opacity}}};
+        coloured.additions = std::make_shared<const Additions>(added);
+        return coloured;
+    };
+    auto box = std::make_shared<const TintBox>();
+    const std::weak_ptr<const TintBox> goneBox = box;
+    const std::string first = names.of(1, withBox(box, 1.0f));
+    EXPECT_EQ(names.of(1, withBox(box, 1.0f)), first);
+    EXPECT_NE(names.of(1, withBox(box, 0.5f)), first);
+    box.reset();
+    EXPECT_TRUE(goneBox.expired());
+    EXPECT_NE(names.of(1, withBox(std::make_shared<const TintBox>(), 1.0f)), first);
+
+    auto bits = std::make_shared<const MaskBits>();
+    const std::weak_ptr<const MaskBits> goneBits = bits;
+    Drawing masked = drawing();
+    const auto mask = [&](std::shared_ptr<const MaskBits> of) {
+        Clip clip;
+        clip.mask.emplace();
+        clip.mask->bits = std::move(of);
+        masked.clip = std::make_shared<const Clip>(clip);
+    };
+    mask(bits);
+    const std::string second = names.of(1, masked);
+    EXPECT_EQ(names.of(1, masked), second);
+    mask(std::make_shared<const MaskBits>());
+    EXPECT_NE(names.of(1, masked), second);
+    bits.reset();
+    EXPECT_TRUE(goneBits.expired());
 }
 
 TEST(SceneNames, DifferInWhateverAModelDependsOn) {

@@ -1,6 +1,7 @@
 // Two volumes and coloured segments in one picture, on the device against the same maths in double.
 #include <cmath>
 
+#include "pipeline/trace/device_scene.h"
 #include "trace/gpu_scene.h"
 #include "trace/mixed_scenes.h"
 
@@ -129,6 +130,52 @@ TEST_F(MixtureOnDevice, WhatIsSeenIsOfBoth) {
     ASSERT_TRUE(t.setAdditions({}).ok());
     ASSERT_TRUE(t.trace(1).ok());
     EXPECT_EQ(meanOf(*t.readback()), with);
+}
+
+// Another colour or opacity of a segment is another table: bounds and voxels stay, and the picture is that of
+// a tracer that never had other ones.
+TEST_F(MixtureOnDevice, OtherColoursAreATableAlone) {
+    const Phantom phantom;
+    Additions other = phantom.scene.additions;
+    other.tints->colours.front() = {.rgb = {0.9f, 0.1f, 0.7f}, .opacity = 0.1f};
+    DeviceScene scene(device());
+    ASSERT_TRUE(scene.setVolume(phantom.scene.volume).ok());
+    ASSERT_TRUE(scene.setAdditions(phantom.scene.additions).ok());
+    ASSERT_TRUE(scene.setTransferFunction(phantom.scene.function).ok());
+    ASSERT_TRUE(scene.setEnvironment(kSky).ok());
+    const float* const bounds = scene.bounds().data();
+    const std::uint64_t edition = scene.edition();
+    ASSERT_TRUE(scene.setAdditions(other).ok());
+    EXPECT_TRUE(scene.isComplete());
+    EXPECT_EQ(scene.bounds().data(), bounds) << "they were made anew";
+    EXPECT_GT(scene.edition(), edition) << "pictures begin anew";
+    other.second->secondFromVolumeMm[3].x += 5.0;
+    ASSERT_TRUE(scene.setAdditions(other).ok());
+    EXPECT_NE(scene.bounds().data(), bounds) << "the second volume lies elsewhere";
+    other.second = phantom.scene.additions.second;
+
+    const auto pictureOf = [&](PathTracer& t) {
+        EXPECT_TRUE(t.trace(2).ok());
+        return t.readback().value().radiance;
+    };
+    const auto fresh = [&](const Additions& additions) {
+        PathTracer t = tracer(phantom.scene.volume, phantom.scene.function, kSky, phantom.scene.view, {});
+        EXPECT_TRUE(t.setAdditions(additions).ok());
+        return pictureOf(t);
+    };
+    PathTracer t = tracer(phantom.scene.volume, phantom.scene.function, kSky, phantom.scene.view, {});
+    ASSERT_TRUE(t.setAdditions(phantom.scene.additions).ok());
+    const auto before = pictureOf(t);
+    ASSERT_TRUE(t.setAdditions(other).ok());
+    const auto after = pictureOf(t);
+    EXPECT_NE(after, before);
+    EXPECT_EQ(after, fresh(other));
+    // Segments that come and go change no bounds either.
+    other.tints.reset();
+    ASSERT_TRUE(t.setAdditions(other).ok());
+    EXPECT_EQ(pictureOf(t), fresh(other));
+    ASSERT_TRUE(t.setAdditions(phantom.scene.additions).ok());
+    EXPECT_EQ(pictureOf(t), before);
 }
 
 // Colours are of a volume: another one, of another size, has none until they are set for it.

@@ -300,10 +300,15 @@ TEST(Mixture, WhatIsNotUsableIsToldAndNotDrawn) {
     added.tints = scenes::tint(*volume, {0, 0, 0}, volume->size(), {});
     EXPECT_TRUE(validate(added, *volume).ok());
     EXPECT_FALSE(validate(added, *scenes::turnedCube()).ok());  // of another volume
+    // What is known to be valid is not gone through again; with fewer colours it is not known.
+    const Additions valid = added;
+    EXPECT_TRUE(validate(added, *volume, valid).ok());
     added.tints->colours.front().opacity = std::numeric_limits<float>::quiet_NaN();
     EXPECT_FALSE(validate(added, *volume).ok());
+    EXPECT_FALSE(validate(added, *volume, valid).ok());
     added.tints->colours.clear();  // a voxel without a colour
     EXPECT_FALSE(validate(added, *volume).ok());
+    EXPECT_FALSE(validate(added, *volume, valid).ok());
 }
 
 }  // namespace

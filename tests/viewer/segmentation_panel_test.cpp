@@ -135,8 +135,50 @@ TEST_F(SegmentationPanelTest, InColourASegmentIsTintedIn3d) {
     panel_->setColour(QColor(0, 255, 0));
     ASSERT_TRUE(atRest());
     EXPECT_EQ(shown.additions()->tints->colours.front().rgb, glm::vec3(0.0f, 1.0f, 0.0f));
+    EXPECT_EQ(shown.additions()->tints->box, tints.box) << "colours are a table beside it";
     EXPECT_EQ(left(), session_->study().volume->voxelCount()) << "nothing is hidden by it";
     click("segment-coloured");
+    EXPECT_EQ(shown.additions(), nullptr);
+}
+
+// The voxels of segments are gone through once, however fast a hand moves a slider; each step is seen at
+// once.
+TEST_F(SegmentationPanelTest, InColourASliderGoesThroughNoVoxels) {
+    openFolder();
+    ShownAdditions shown(*session_, *keeper_);
+    std::vector<std::shared_ptr<const TintBox>> boxes;
+    QObject::connect(&shown, &ShownAdditions::changed, &shown, [&] {
+        if (shown.additions()) boxes.push_back(shown.additions()->tints->box);
+    });
+    const auto atRest = [&] { return settled() && test::waitFor([&] { return shown.isAtRest(); }); };
+    showFirst();
+    select(1);
+    click("segment-coloured");
+    auto& opacity = find<QSlider>("segment-opacity-3d");
+    // While they are gone through: the first picture has the newest opacity.
+    for (int percent = 90; percent >= 50; percent -= 10) opacity.setValue(percent);
+    EXPECT_TRUE(boxes.empty());
+    ASSERT_TRUE(atRest());
+    ASSERT_EQ(boxes.size(), 1u);
+    EXPECT_FLOAT_EQ(shown.additions()->tints->colours.front().opacity, 0.5f);
+    for (int percent = 40; percent >= 0; percent -= 10) {
+        opacity.setValue(percent);
+        EXPECT_TRUE(shown.isAtRest());
+        EXPECT_FLOAT_EQ(shown.additions()->tints->colours.front().opacity, float(percent) / 100.0f);
+    }
+    // Away and back is the same geometry, another segment is another one.
+    click("segment-coloured");
+    EXPECT_EQ(shown.additions(), nullptr);
+    click("segment-coloured");
+    EXPECT_TRUE(shown.additions());
+    EXPECT_EQ(std::ranges::count(boxes, boxes.front()), std::ptrdiff_t(boxes.size()));
+    select(0);
+    click("segment-coloured");
+    ASSERT_TRUE(atRest());
+    ASSERT_TRUE(shown.additions());
+    EXPECT_NE(shown.additions()->tints->box, boxes.front());
+    EXPECT_EQ(shown.additions()->tints->colours.size(), 2u);
+    shown.forget();
     EXPECT_EQ(shown.additions(), nullptr);
 }
 

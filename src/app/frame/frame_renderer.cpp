@@ -26,6 +26,12 @@ bool isSameScene(FrameInput a, const FrameInput& b) {
     return isSamePicture(a, b);
 }
 
+bool isSameMatter(const std::optional<std::shared_ptr<const Additions>>& applied,
+                  const std::shared_ptr<const Additions>& wanted) {
+    static const Additions kNone;
+    return applied && macula::isSameMatter(*applied ? **applied : kNone, wanted ? *wanted : kNone);
+}
+
 float encodedSrgb(float linear) {
     return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
@@ -398,9 +404,12 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
         if (interrupted()) return false;
     }
     if (applied_.additions != drawing.additions) {
-        if (applied_.transferFunction) listener_(Preparing{"Preparing what is shown"});
         traced_->sceneChanged();
-        outlineOf_.reset();
+        // Other colours take no time, and change no outline.
+        if (!isSameMatter(applied_.additions, drawing.additions)) {
+            if (applied_.transferFunction) listener_(Preparing{"Preparing what is shown"});
+            outlineOf_.reset();
+        }
         applied_.additions.reset();
         MACULA_TRY_VOID(tracer.setAdditions(drawing.additions ? *drawing.additions : Additions{}));
         applied_.additions = drawing.additions;

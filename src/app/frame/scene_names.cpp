@@ -3,15 +3,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace macula::app {
 
+template <class T>
+SceneNames::Which<T> SceneNames::take(std::shared_ptr<const T>& from) {
+    Which<T> which{from, from.get()};
+    from.reset();
+    return which;
+}
+
 SceneNames::Scene SceneNames::sceneOf(const Drawing& drawing) {
-    return {.transferFunction = drawing.transferFunction,
-            .lights = drawing.lights,
-            .clip = drawing.clip ? *drawing.clip : Clip{},
-            .additions = drawing.additions ? *drawing.additions : Additions{},
-            .settings = settingsOfLight(drawing)};
+    Scene scene;
+    scene.transferFunction = drawing.transferFunction;
+    scene.lights = drawing.lights;
+    if (drawing.clip) scene.clip = *drawing.clip;
+    if (drawing.additions) scene.additions = *drawing.additions;
+    scene.settings = settingsOfLight(drawing);
+    if (std::optional<Mask>& mask = scene.clip.mask) {
+        scene.labels = take(mask->labels);
+        scene.bits = take(mask->bits);
+    }
+    if (scene.additions.second) scene.second = take(scene.additions.second->volume);
+    if (scene.additions.tints) scene.segments = take(scene.additions.tints->box);
+    return scene;
 }
 
 std::string SceneNames::of(std::uint64_t study, const Drawing& drawing) {

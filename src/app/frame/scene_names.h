@@ -23,11 +23,28 @@ class SceneNames {
     std::string of(std::uint64_t study, const Drawing& drawing);
 
   private:
+    // The same object, told without keeping it: masks, volumes and segments are large.
+    template <class T>
+    struct Which {
+        std::weak_ptr<const T> owner;  // no other takes its place while this is known
+        const T* object = nullptr;
+
+        bool operator==(const Which& b) const {
+            return object == b.object && !owner.owner_before(b.owner) && !b.owner.owner_before(owner);
+        }
+    };
+    template <class T>
+    static Which<T> take(std::shared_ptr<const T>& from);
+
     struct Scene {
         std::shared_ptr<const TransferFunction> transferFunction;  // kept, so that no other takes its place
         std::shared_ptr<const trace::LightRig> lights;
-        Clip clip;
-        Additions additions;
+        Clip clip;            // without the four that follow
+        Additions additions;  // likewise
+        Which<LabelMap> labels;
+        Which<MaskBits> bits;
+        Which<Volume> second;
+        Which<TintBox> segments;
         trace::Settings settings;
 
         bool operator==(const Scene&) const = default;

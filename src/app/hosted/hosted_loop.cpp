@@ -14,7 +14,6 @@
 #include "app/model/taken_model.h"
 #include "app/session/scene_key.h"
 #include "app/state/study_state.h"
-#include "base/fingerprint.h"
 
 namespace macula::app {
 
@@ -341,7 +340,8 @@ Result<void> HostedLoop::save(Progress& progress) {
 Result<void> HostedLoop::checkIsStored(std::int64_t sinceMs) {
     const std::vector<Error> troubles = troubles_->take();
     if (!troubles.empty()) return troubles.front();
-    const session::ModelKey key = sceneKey(fingerprint(*input_.volume), *input_.volume, input_.drawing);
+    PartDigests& known = keeper_->digests();
+    const session::ModelKey key = sceneKey(known.of(input_.volume), *input_.volume, input_.drawing, known);
     const auto asked = std::make_shared<std::promise<Result<void>>>();
     std::future<Result<void>> answer = asked->get_future();
     keeper_->withStore([asked, key, sinceMs](session::Store* store) {

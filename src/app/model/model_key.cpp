@@ -36,10 +36,11 @@ std::string takeAdditions(std::vector<std::string>& lines) {
 
 std::string trainingKey(const Volume& volume, const TransferFunction& function, const Clip& clip,
                         const trace::Environment& lights, const Additions& additions) {
+    PartDigests parts;
     std::string key = fmt::format("{}\nstudy {}\npreset {}\nclip {}\nlights {}\n", kFirstLine,
-                                  sha256Hex(fingerprint(volume)), digestOf(function), digestOf(clip, volume),
-                                  digestOf(lights));
-    if (!additions.isNothing()) key += fmt::format("{} {}\n", kAdditions, digestOf(additions));
+                                  sha256Hex(fingerprint(volume)), digestOf(function),
+                                  digestOf(clip, volume, parts), digestOf(lights));
+    if (!additions.isNothing()) key += fmt::format("{} {}\n", kAdditions, digestOf(additions, parts));
     return key;
 }
 

@@ -5,9 +5,7 @@
 #include <span>
 #include <type_traits>
 
-#include "base/fingerprint.h"
 #include "base/sha256.h"
-#include "pipeline/volume/mask_bits.h"
 #include "pipeline/volume/transfer_function_json.h"
 
 namespace macula::app {
@@ -34,7 +32,7 @@ std::string digestOf(TransferFunction function) {
     return sha256Hex(toJson(function));
 }
 
-std::string digestOf(const Clip& clip, const Volume& volume) {
+std::string digestOf(const Clip& clip, const Volume& volume, PartDigests& parts) {
     std::string text = clip.removedCastsShadow ? "shadow\n" : "";
     if (clip.box)
         text += fmt::format("box {} {} {} {} {} {}\n", clip.ofBox == Keep::inside, words(clip.box->centreMm),
@@ -46,36 +44,36 @@ std::string digestOf(const Clip& clip, const Volume& volume) {
     if (clip.ball)
         text += fmt::format("ball {} {} {:a}\n", clip.ofBall == Keep::inside, words(clip.ball->centreMm),
                             clip.ball->radiusMm);
-    if (clip.mask) text += "mask " + digestOfAll<std::uint32_t>(maskBits(*clip.mask, volume).words) + "\n";
+    if (clip.mask) text += "mask " + parts.of(*clip.mask, volume) + "\n";
     if (clip.greyFaces)
         text += fmt::format("grey {:a} {:a} {} {}\n", clip.greyFaces->center, clip.greyFaces->width,
                             clip.greyFaces->function, clip.facesBelowWindowAreBlack ? "black" : "clear");
     return sha256Hex(text);
 }
 
-std::string digestOf(const Additions& additions) {
+std::string digestOf(const Additions& additions, PartDigests& parts) {
     if (additions.isNothing()) return {};
     std::string text;
     if (additions.second) {
         const glm::dmat4& map = additions.second->secondFromVolumeMm;
-        text += fmt::format("\nsecond {} {} {} {} {} {}\n", sha256Hex(fingerprint(*additions.second->volume)),
+        text += fmt::format("\nsecond {} {} {} {} {} {}\n", sha256Hex(parts.of(additions.second->volume)),
                             digestOf(*additions.second->function), words(glm::dvec3(map[0])),
                             words(glm::dvec3(map[1])), words(glm::dvec3(map[2])), words(glm::dvec3(map[3])));
     }
     if (additions.tints) {
         const TintBox& box = *additions.tints->box;
         text += fmt::format("\ntints {} {}", words(glm::dvec3(box.low)), words(glm::dvec3(box.size)));
-        text += " " + sha256Hex(std::as_bytes(std::span(box.voxels))) + "\n";
+        text += " " + parts.of(additions.tints->box) + "\n";
         for (const SegmentTints::Colour& colour : additions.tints->colours)
             text += fmt::format("tint {} {:a}\n", words(glm::dvec3(colour.rgb)), colour.opacity);
     }
     return sha256Hex(text);
 }
 
-std::string digestOf(const Clip& clip, const Additions& additions, const Volume& volume) {
-    std::string text = digestOf(clip, volume);
+std::string digestOf(const Clip& clip, const Additions& additions, const Volume& volume, PartDigests& parts) {
+    std::string text = digestOf(clip, volume, parts);
     if (additions.isNothing()) return text;
-    return sha256Hex(text + "\n" + digestOf(additions));
+    return sha256Hex(text + "\n" + digestOf(additions, parts));
 }
 
 std::string digestOf(const trace::Environment& lights) {

@@ -1,22 +1,52 @@
 // Segments that have a colour of their own in 3D.
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "app/segmentation/segment_mask.h"
 #include "app/state/segmentation_choice.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "base/voxel_set.h"
 #include "pipeline/volume/additions.h"
 
 namespace macula::app {
 
-// The colours that were chosen for segments in 3D, as in3dOf leaves them out. Where segments lie over one
-// another the later one counts. Segments that have no voxel in the volume, or whose segmentation is not among
-// those loaded, count for nothing. Nothing where none is coloured. cancelled, or outOfMemory; inputNotUsable
-// for more than 255 different colours.
+// Which voxels have which of some colours, and not what these are: all that a TintBox depends on.
+struct TintGeometry {
+    struct Part {
+        std::shared_ptr<const VoxelSet> voxels;
+        std::uint8_t colour = 1;  // 1 + its index
+
+        bool operator==(const Part&) const = default;  // of the same set
+    };
+    std::vector<Part> parts;  // where they lie over one another the later one counts
+
+    bool operator==(const TintGeometry&) const = default;
+};
+
+// The colours that were chosen for segments in 3D, as in3dOf leaves them out, and where they go. Each segment
+// has a colour of its own, though others may have the same, so that another colour or opacity is the same
+// geometry; where there are more segments than colours can be, those of one colour share it. Segments that
+// have no voxel in the volume, or whose segmentation is not among those loaded, count for nothing. Reads no
+// voxels. inputNotUsable for more than 255 different colours of more than 255 segments.
+struct PlannedTints {
+    TintGeometry geometry;
+    std::vector<SegmentTints::Colour> colours;
+};
+Result<PlannedTints> plannedTints(std::span<const SegmentationChoice> choices,
+                                  const LoadedSegmentations& loaded);
+
+// Of at least one part. cancelled, or outOfMemory.
+Result<std::shared_ptr<const TintBox>> tintBox(const TintGeometry& geometry, const Volume& volume,
+                                               Progress& progress);
+
+// Both at once; nothing where none is coloured.
 Result<std::optional<SegmentTints>> segmentTints(std::span<const SegmentationChoice> choices,
                                                  const LoadedSegmentations& loaded, const Volume& volume,
                                                  Progress& progress);

@@ -13,7 +13,6 @@
 #include "app/state/state_keys.h"
 #include "app/state/study_state.h"
 #include "base/check.h"
-#include "base/fingerprint.h"
 #include "base/give_way.h"
 #include "base/log.h"
 #include "base/sha256.h"
@@ -262,14 +261,6 @@ void ModelKeeper::tellOfFault(const CheckFailure& failure) noexcept {
     }
 }
 
-std::string ModelKeeper::digestOf(const std::shared_ptr<const Volume>& volume) {
-    const std::lock_guard lock(digestMutex_);
-    std::erase_if(digests_, [](const auto& made) { return made.first.expired(); });
-    const auto found = digests_.find(volume);
-    if (found != digests_.end()) return found->second;
-    return digests_[volume] = fingerprint(*volume);
-}
-
 void ModelKeeper::look(const std::string& name, std::shared_ptr<const Volume> volume,
                        const Drawing& drawing) {
     {
@@ -330,8 +321,8 @@ std::optional<ModelKeeper::Named> ModelKeeper::nameForStore(const std::string& n
         volume = scene->second.volume;
         drawing = scene->second.drawing;
     }
-    const std::string digest = digestOf(volume);
-    Named named{.key = sceneKey(digest, *volume, drawing), .volume = openedVolume(*volume, digest)};
+    const std::string digest = digests_.of(volume);
+    Named named{.key = sceneKey(digest, *volume, drawing, digests_), .volume = openedVolume(*volume, digest)};
     const std::lock_guard lock(mutex_);
     if (const auto scene = scenes_.find(name); scene != scenes_.end()) {
         scene->second.named = named;
@@ -474,7 +465,7 @@ void ModelKeeper::save(session::Store& store, const std::string& name) {
 std::optional<std::string> ModelKeeper::stateOf(const std::shared_ptr<const Volume>& volume,
                                                 std::chrono::milliseconds patience) {
     try {
-        const std::string digest = digestOf(volume);
+        const std::string digest = digests_.of(volume);
         auto found = std::make_shared<std::promise<std::optional<std::string>>>();
         auto future = found->get_future();
         post(Urgency::isWaitedFor, [this, found, id = stateIdOf(*volume, digest),
@@ -513,7 +504,7 @@ void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string js
     // Before whoever asks for it next.
     post(Urgency::isWaitedFor,
          [this, volume = std::move(volume), json = std::move(json)](session::Store& store) {
-             const std::string digest = digestOf(volume);
+             const std::string digest = digests_.of(volume);
              record(store, openedVolume(*volume, digest));
              const session::DocumentId id = stateIdOf(*volume, digest);
              const auto before = store.getDocument(id);

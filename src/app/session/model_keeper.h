@@ -23,6 +23,7 @@
 #include <thread>
 
 #include "app/frame/scene_keeper.h"
+#include "app/model/part_digests.h"
 #include "app/study/found_volumes.h"
 #include "base/check.h"
 #include "base/result.h"
@@ -70,6 +71,9 @@ class ModelKeeper final : public SceneKeeper {
     bool isIdle();
     void waitUntilIdle();
 
+    // Of what models are of: volumes, masks and segments. Of any thread.
+    PartDigests& digests() { return digests_; }
+
   private:
     struct Named {  // as the store knows it
         session::ModelKey key;
@@ -97,7 +101,6 @@ class ModelKeeper final : public SceneKeeper {
     void tell(const Error& error);
     void tellOfNoMemory(const char* sentence) noexcept;
     void tellOfFault(const CheckFailure& failure) noexcept;
-    std::string digestOf(const std::shared_ptr<const Volume>& volume);
     std::optional<Named> nameForStore(const std::string& name);
     void answer(const std::string& name, hybrid::StoredModel found);
     void record(session::Store& store, const session::OpenedVolume& volume);
@@ -131,8 +134,7 @@ class ModelKeeper final : public SceneKeeper {
     std::set<std::string> told_;             // sentences
     splat::PackedPictures packed_;  // of the model that was saved last; no job that is waited for has it
 
-    std::mutex digestMutex_;  // a digest is made once
-    std::map<std::weak_ptr<const Volume>, std::string, std::owner_less<>> digests_;
+    PartDigests digests_;  // of what is open
 
     std::jthread thread_;  // last: it uses all of the above
 };

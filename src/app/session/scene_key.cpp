@@ -22,6 +22,12 @@ constexpr const char* kTracer = "tracer";
 }  // namespace
 
 session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing) {
+    PartDigests parts;
+    return sceneKey(volumeDigest, volume, drawing, parts);
+}
+
+session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing,
+                           PartDigests& parts) {
     MACULA_CHECK(drawing.transferFunction && drawing.lights);
     trace::Settings settings = settingsOfLight(drawing);
     const std::string lights =
@@ -33,7 +39,7 @@ session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume
             .trainer = splat::kTrainerVersion,
             .parts = {{"transfer-function", digestOf(*drawing.transferFunction)},
                       {"clip", digestOf(drawing.clip ? *drawing.clip : Clip{},
-                                        drawing.additions ? *drawing.additions : Additions{}, volume)},
+                                        drawing.additions ? *drawing.additions : Additions{}, volume, parts)},
                       {kLights, lights},
                       {"settings", digestOf(settings)},
                       {kTracer, sha256Hex(fmt::format("macula tracer {}", trace::kTracerVersion))}}};

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/frame/drawing.h"
+#include "app/model/part_digests.h"
 #include "base/volume.h"
 #include "session/model_key.h"
 
@@ -13,7 +14,10 @@ namespace macula::app {
 
 // The same key means the same voxels, geometry, preset, clip, table, lights, and settings that light depends
 // on, of the same trainer and tracer: by what they are, and not by what they are called. Of a complete
-// drawing.
+// drawing. What of the parts is known is not read again: a whole second volume takes as long as the first.
+session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing,
+                           PartDigests& parts);
+// The same, for who asks once.
 session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing);
 
 // What a model can begin with that was stored under another key: splats of the same look.

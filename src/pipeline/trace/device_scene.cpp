@@ -1,6 +1,8 @@
 #include "pipeline/trace/device_scene.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <limits>
 #include <span>
 
@@ -106,15 +108,17 @@ Result<void> DeviceScene::makeMask() {
 }
 
 Result<void> DeviceScene::setAdditions(const Additions& additions) {
-    if (volume_) MACULA_TRY_VOID(validate(additions, *volume_));
+    if (volume_) MACULA_TRY_VOID(validate(additions, *volume_, additions_));
     ++edition_;
+    const bool sameMatter = isComplete() && isSameMatter(additions, additions_);
     const bool sameTints =
         additions.tints && additions_.tints && additions.tints->box == additions_.tints->box;
     additions_ = additions;
     if (!sameTints) tints_.reset();
     additionTable_.reset();
     if (second_ && (!additions.second || additions.second->volume != second_->volume)) second_.reset();
-    return volume_ && function_ ? makeTables() : Result<void>();
+    if (!volume_ || !function_) return {};
+    return sameMatter ? makeAdditionTables() : makeTables();
 }
 
 // Projections show the values of the volume alone.
@@ -176,9 +180,9 @@ Result<void> DeviceScene::makeAdditionTables() {
     }
     if (!tints_ && additions_.tints) {
         const std::vector<std::uint8_t>& voxels = additions_.tints->box->voxels;
+        static_assert(std::endian::native == std::endian::little);  // the first voxel is in the lowest bits
         std::vector<std::uint32_t> words((voxels.size() + 3) / 4, 0);
-        for (std::size_t n = 0; n < voxels.size(); ++n)
-            words[n / 4] |= std::uint32_t(voxels[n]) << (8 * (n % 4));
+        std::memcpy(words.data(), voxels.data(), voxels.size());
         MACULA_TRY(tints_, makeTexels<std::uint32_t>(device_, "segments", VK_FORMAT_R32_UINT, words));
     }
     return {};

@@ -45,7 +45,8 @@ class DeviceScene {
     // Shows all of it again when the clip is nothing. After setVolume it stays.
     Result<void> setClip(const Clip& clip);
     // A second volume and coloured segments, or nothing; of projections neither counts. Both belong to the
-    // volume: a new one has none until they are set again. outOfMemory as setTransferFunction.
+    // volume: a new one has none until they are set again. Where segments have other colours alone, a table
+    // of these is all that is made anew. outOfMemory as setTransferFunction.
     Result<void> setAdditions(const Additions& additions);
     LightFrame lightFrame() const { return environment_ ? environment_->frame() : LightFrame::patient; }
     // What kernels are specialised for.

@@ -44,15 +44,20 @@ bool isWhole(const TintBox& box) {
     return box.voxels.size() == voxels && voxels <= std::size_t(std::numeric_limits<std::int32_t>::max());
 }
 
-Result<void> validate(const SegmentTints& tints, const Volume& volume) {
+bool isKnown(const SegmentTints& tints, const std::optional<SegmentTints>& valid) {
+    return valid && tints.box == valid->box && tints.colours.size() >= valid->colours.size();
+}
+
+Result<void> validate(const SegmentTints& tints, const Volume& volume,
+                      const std::optional<SegmentTints>& valid) {
     const bool isOf = tints.box && tints.box->volumeSize == volume.size() && isWhole(*tints.box);
     if (!isOf || tints.colours.size() > SegmentTints::kMostColours)
         return Error{ErrorCode::usage,
                      "The coloured segments are not of this volume.",
                      {},
                      "Show the segmentation again."};
-    const auto most = std::ranges::max_element(tints.box->voxels);
-    if (std::size_t(*most) > tints.colours.size())
+    if (!isKnown(tints, valid) &&
+        std::size_t(*std::ranges::max_element(tints.box->voxels)) > tints.colours.size())
         return Error{
             ErrorCode::usage, "A coloured segment has no colour.", {}, "Show the segmentation again."};
     for (const SegmentTints::Colour& colour : tints.colours) {
@@ -82,10 +87,14 @@ Box roomInSecond(const glm::dmat4& secondFromVoxel, const glm::ivec3& brick, con
 
 }  // namespace
 
-Result<void> validate(const Additions& additions, const Volume& volume) {
+Result<void> validate(const Additions& additions, const Volume& volume, const Additions& valid) {
     if (additions.second) MACULA_TRY_VOID(validate(*additions.second));
-    if (additions.tints) MACULA_TRY_VOID(validate(*additions.tints, volume));
+    if (additions.tints) MACULA_TRY_VOID(validate(*additions.tints, volume, valid.tints));
     return {};
+}
+
+bool isSameMatter(const Additions& a, const Additions& b) {
+    return a.second == b.second;
 }
 
 glm::dmat4 secondVoxelFromVoxel(const SecondVolume& second, const Volume& volume) {

@@ -16,8 +16,9 @@ ShownAdditions::ShownAdditions(ViewerSession& session, const SegmentationKeeper&
       joining_(this, {.progressed = [](const ProgressUpdate&) {},
                       .ended = [this](const Result<SecondVolume>& outcome) { onSecond(outcome); }}),
       colouring_(
-          this, {.progressed = [](const ProgressUpdate&) {},
-                 .ended = [this](const Result<std::optional<SegmentTints>>& outcome) { onTints(outcome); }}) {
+          this,
+          {.progressed = [](const ProgressUpdate&) {},
+           .ended = [this](const Result<std::shared_ptr<const TintBox>>& outcome) { onTintBox(outcome); }}) {
     connect(&session_, &ViewerSession::changed, this, &ShownAdditions::update);
     connect(&segments_, &SegmentationKeeper::listChanged, this, &ShownAdditions::update);
 }
@@ -31,6 +32,10 @@ void ShownAdditions::forget() {
     wantedTints_.clear();
     madeTints_.clear();
     tintsOf_ = 0;
+    wantedColours_.clear();
+    makingGeometry_ = {};
+    boxOf_ = {};
+    box_.reset();
     made_ = {};
     additions_.reset();
 }
@@ -39,6 +44,7 @@ void ShownAdditions::setSecond(std::shared_ptr<const SecondSeries> second) {
     if (second == second_) return;
     second_ = std::move(second);
     drawn_.reset();
+    joining_.cancel();  // of the one before
     wantedSecond_.reset();
     if (made_.second) {  // of another one
         made_.second.reset();
@@ -70,7 +76,13 @@ void ShownAdditions::updateSecond() {
     if (!wanted->window) wanted->window = second_->usualWindow;
     if (wanted == wantedSecond_) return;
     wantedSecond_ = wanted;
-    joining_.start([state = *wanted,
+    // A slider asks faster than it is made: the newest is, when the one before is there.
+    if (!joining_.running()) join();
+}
+
+void ShownAdditions::join() {
+    joiningOf_ = *wantedSecond_;
+    joining_.start([state = joiningOf_,
                     volume = drawn_ ? drawn_ : second_->study.volume](Progress&) -> Result<SecondVolume> {
         try {
             return app::secondIn3d(state, in16Bits(volume));
@@ -84,6 +96,7 @@ void ShownAdditions::updateSecond() {
 }
 
 void ShownAdditions::onSecond(const Result<SecondVolume>& outcome) {
+    const bool isOutdated = wantedSecond_ && *wantedSecond_ != joiningOf_;
     Result<void> usable;
     if (outcome) {
         Additions added;
@@ -93,6 +106,7 @@ void ShownAdditions::onSecond(const Result<SecondVolume>& outcome) {
         usable = outcome.error();
     }
     if (!usable) {
+        if (isOutdated) return join();  // nobody wants this one any more
         made_.second.reset();
         session_.correct([](app::StudyState& each) {
             if (each.beside) each.beside->in3d = false;
@@ -102,7 +116,8 @@ void ShownAdditions::onSecond(const Result<SecondVolume>& outcome) {
     }
     made_.second = *outcome;
     drawn_ = made_.second->volume;
-    if (wantedSecond_) madeOf_ = *wantedSecond_;
+    madeOf_ = joiningOf_;
+    if (isOutdated) join();
     show();
 }
 
@@ -117,20 +132,28 @@ void ShownAdditions::updateTints() {
     std::erase_if(makingTints_, [this](const app::ColouredIn3d& each) {
         return segments_.loaded(std::get<std::string>(each)) == nullptr;
     });
-    if (wantedTints_.empty()) {
-        colouring_.cancel();
-        madeTints_.clear();
-        if (!made_.tints) return;
-        made_.tints.reset();
-        return show();
+    if (wantedTints_.empty()) return showNoTints();
+    auto planned = app::plannedTints(session_.state().segmentations, segments_.allLoaded());
+    if (!planned) {
+        makingGeometry_ = {};
+        // Told as what fails later is: whoever changes the state now is not done with it.
+        return colouring_.start(
+            [error = planned.error()](Progress&) -> Result<std::shared_ptr<const TintBox>> { return error; });
     }
-    colouring_.start([choices = session_.state().segmentations, loaded = segments_.allLoaded(),
-                      volume = session_.study().volume](Progress& progress) {
-        return app::segmentTints(choices, loaded, *volume, progress);
+    if (planned->geometry.parts.empty()) return showNoTints();
+    wantedColours_ = std::move(planned->colours);
+    if (box_ && planned->geometry == boxOf_) {
+        colouring_.cancel();
+        return showTints();
+    }
+    if (colouring_.running() && planned->geometry == makingGeometry_) return;  // it gets these colours
+    makingGeometry_ = std::move(planned->geometry);
+    colouring_.start([geometry = makingGeometry_, volume = session_.study().volume](Progress& progress) {
+        return app::tintBox(geometry, *volume, progress);
     });
 }
 
-void ShownAdditions::onTints(const Result<std::optional<SegmentTints>>& outcome) {
+void ShownAdditions::onTintBox(const Result<std::shared_ptr<const TintBox>>& outcome) {
     if (!outcome) {
         // The colours of before stay, and the state becomes that of them: menus and panels say what is seen.
         const std::vector<app::ColouredIn3d> asked = std::exchange(wantedTints_, madeTints_);
@@ -141,8 +164,23 @@ void ShownAdditions::onTints(const Result<std::optional<SegmentTints>>& outcome)
         emit failed(outcome.error());
         return;
     }
+    box_ = *outcome;
+    boxOf_ = std::move(makingGeometry_);
+    makingGeometry_ = {};
+    showTints();
+}
+
+void ShownAdditions::showTints() {
     madeTints_ = makingTints_;
-    made_.tints = *outcome;
+    made_.tints = SegmentTints{box_, wantedColours_};
+    show();
+}
+
+void ShownAdditions::showNoTints() {
+    colouring_.cancel();
+    madeTints_ = makingTints_;
+    if (!made_.tints) return;
+    made_.tints.reset();
     show();
 }
 

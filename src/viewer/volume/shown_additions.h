@@ -44,7 +44,10 @@ class ShownAdditions : public QObject {
     void updateSecond();
     void updateTints();
     void onSecond(const Result<SecondVolume>& outcome);
-    void onTints(const Result<std::optional<SegmentTints>>& outcome);
+    void join();
+    void onTintBox(const Result<std::shared_ptr<const TintBox>>& outcome);
+    void showTints();
+    void showNoTints();
     void show();
 
     ViewerSession& session_;
@@ -52,16 +55,22 @@ class ShownAdditions : public QObject {
     std::shared_ptr<const SecondSeries> second_;
     // Its volume as it is drawn, once made: another curve is no other volume to the device.
     std::shared_ptr<const Volume> drawn_;
-    std::optional<app::BesideState> wantedSecond_;  // what the last job was asked for
-    app::BesideState madeOf_;                       // what made_.second is of
+    std::optional<app::BesideState> wantedSecond_;
+    app::BesideState joiningOf_;  // what the last job was asked for
+    app::BesideState madeOf_;     // what made_.second is of
     std::vector<app::ColouredIn3d> wantedTints_;
     std::vector<app::ColouredIn3d> makingTints_;  // those of them that are loaded
     std::vector<app::ColouredIn3d> madeTints_;    // what made_.tints are of
     std::size_t tintsOf_ = 0;                     // loaded segmentations
+    // Voxels are gone through for another geometry alone: colours are a table beside it.
+    std::vector<SegmentTints::Colour> wantedColours_;
+    app::TintGeometry makingGeometry_;
+    app::TintGeometry boxOf_;
+    std::shared_ptr<const TintBox> box_;  // the last one, though none of it may be shown
     Additions made_;
     std::shared_ptr<const Additions> additions_;
     BackgroundJob<SecondVolume> joining_;
-    BackgroundJob<std::optional<SegmentTints>> colouring_;
+    BackgroundJob<std::shared_ptr<const TintBox>> colouring_;
 };
 
 }  // namespace macula::viewer

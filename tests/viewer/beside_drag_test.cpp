@@ -1,0 +1,115 @@
+// A slider of a second volume in the 3D picture. On Qt's platform without a screen.
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "viewer/beside/beside_study.h"
+#include "viewer/offscreen.h"
+#include "viewer/segmentation/segmentation_keeper.h"
+#include "viewer/slice_volume.h"
+#include "viewer/volume/shown_additions.h"
+
+namespace macula::viewer {
+namespace {
+
+app::OpenedStudy studyOf(std::shared_ptr<const Volume> volume, std::string digest, std::string date) {
+    app::OpenedStudy study;
+    study.volume = std::move(volume);
+    study.seriesDigest = std::move(digest);
+    study.identity.patientName = "Doe^Jane";
+    study.identity.patientId = "17";
+    study.identity.birthDate = "19700101";
+    study.identity.studyDate = std::move(date);
+    return study;
+}
+
+// Of floats: in 16 bits each is a copy, so that two conversions are told apart.
+std::shared_ptr<const Volume> floats() {
+    VolumeOptions options = test::sliceVolumeOptions();
+    options.unitsFromStored = {};
+    std::vector<float> values(test::sliceVolume()->voxelCount());
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.37f * float(i % 1000);
+    auto made = Volume::createFloat(std::move(options), std::move(values));
+    EXPECT_TRUE(made.ok());
+    return std::make_shared<const Volume>(*std::move(made));
+}
+
+class BesideDragTest : public test::OffscreenTest {
+  protected:
+    void SetUp() override {
+        OffscreenTest::SetUp();
+        session_.emplace(app::Catalogue{});
+        beside_.emplace(*session_);
+        session_->show(studyOf(test::sliceVolume(), "current", "20240301"), {});
+        beside_->offer(studyOf(floats(), "prior", "20220301"));
+        beside_->cancel();
+        session_->change("Link", [](app::StudyState& next) {
+            next.beside->link = app::BesideLink::registered;
+            next.beside->secondFromStudy = glm::dmat4(1.0);
+        });
+        segments_.emplace(*session_);
+        shown_.emplace(*session_, *segments_);
+        shown_->setSecond(beside_->second());
+        QObject::connect(&*shown_, &ShownAdditions::changed, &*shown_, [this] {
+            seen_.push_back(shown_->additions() ? shown_->additions()->second : std::nullopt);
+        });
+    }
+    void TearDown() override {
+        shown_.reset();
+        segments_.reset();
+        beside_.reset();
+        session_.reset();
+        OffscreenTest::TearDown();
+    }
+    void drag(std::initializer_list<double> opacities) {
+        for (const double opacity : opacities)
+            session_->drag("Opacity", [&](app::StudyState& next) {
+                next.beside->in3d = true;
+                next.beside->opacity = opacity;
+            });
+    }
+    bool atRest() {
+        return test::waitFor([this] { return shown_->isAtRest(); });
+    }
+    static double opacityOf(const std::optional<SecondVolume>& second) {
+        return second ? second->function->opacity.back().opacity : -1.0;
+    }
+
+    std::optional<ViewerSession> session_;
+    std::optional<BesideStudy> beside_;
+    std::optional<SegmentationKeeper> segments_;
+    std::optional<ShownAdditions> shown_;
+    std::vector<std::optional<SecondVolume>> seen_;
+};
+
+// It asks faster than the volume is prepared: what was begun is shown, and then the newest, of one copy.
+TEST_F(BesideDragTest, IsFollowedAndEndsAtTheNewestOfOneVolume) {
+    drag({1.0, 0.8, 0.6, 0.4, 0.2});
+    ASSERT_TRUE(atRest());
+    ASSERT_EQ(seen_.size(), 2u);
+    EXPECT_NEAR(opacityOf(seen_[1]), 0.2 * opacityOf(seen_[0]), 1e-9);
+    ASSERT_TRUE(seen_[0] && seen_[1]);
+    EXPECT_EQ(seen_[0]->volume, seen_[1]->volume);
+}
+
+TEST_F(BesideDragTest, WhatIsTakenAwayMeanwhileNeverComes) {
+    drag({1.0, 0.5});
+    session_->change("In 3D too", [](app::StudyState& next) { next.beside->in3d = false; });
+    ASSERT_TRUE(atRest());
+    EXPECT_EQ(shown_->additions(), nullptr);
+    drag({0.7});
+    shown_->setSecond(nullptr);
+    ASSERT_TRUE(atRest());
+    QTest::qWait(50);  // what was begun ends meanwhile
+    EXPECT_TRUE(seen_.empty());
+    EXPECT_EQ(shown_->additions(), nullptr);
+}
+
+}  // namespace
+}  // namespace macula::viewer
