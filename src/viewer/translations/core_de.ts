@@ -3439,6 +3439,18 @@
         <translation>Er hat mehrere Fenster; das seines ersten Bildes wird gezeigt.</translation>
     </message>
     <message>
+        <source>It is of some of the images alone; the others are shown in the same way.</source>
+        <translation>Er gilt nur für einen Teil der Bilder; die anderen werden ebenso gezeigt.</translation>
+    </message>
+    <message>
+        <source>It asks for the true size on the screen, which is not shown: slices fit their pane.</source>
+        <translation>Er verlangt die wahre Größe auf dem Bildschirm, die nicht gezeigt wird: Schichten füllen ihr Feld.</translation>
+    </message>
+    <message>
+        <source>It asks for a fixed magnification, which is not shown: slices fit their pane.</source>
+        <translation>Er verlangt eine feste Vergrößerung, die nicht gezeigt wird: Schichten füllen ihr Feld.</translation>
+    </message>
+    <message>
         <source>Where its images lie is not known: the slices stay where they are.</source>
         <translation>Wo seine Bilder liegen, ist nicht bekannt: die Schichten bleiben, wo sie sind.</translation>
     </message>
@@ -3991,6 +4003,10 @@
     <message>
         <source>a displayed area that is none</source>
         <translation>einen Bildausschnitt, der keiner ist</translation>
+    </message>
+    <message>
+        <source>an unreadable list of frames</source>
+        <translation>eine unlesbare Liste von Einzelbildern</translation>
     </message>
     <message>
         <source>annotations</source>
