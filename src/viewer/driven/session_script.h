@@ -22,7 +22,7 @@ struct SessionScriptOptions {
     app::StudySource study;
     bool opensOnly = false;  // ends once slice, picture and model are there
     SessionWork work;
-    double modelSeconds = 60.0;  // for the first frame of splats, at most
+    double modelSeconds = 60.0;  // for the first frame of the preview, at most
 };
 
 // The files of the study are taken out of the system's cache first. `finished` carries the exit code: 0, that
