@@ -14,7 +14,7 @@ struct Words {
     Q_DECLARE_TR_FUNCTIONS(HeadsetWords)
 };
 
-// Texts of buttons have at most 15 letters, those of "quality" and "hold" with what is put in.
+// Texts of buttons have at most 15 letters, that of "hold" with what is put in; "quality" has 32.
 void fillPanel(xr::RoomWords& words) {
     words.shift = Words::tr("Shift").toStdString();
     words.knifeOn = Words::tr("Knife: on").toStdString();
@@ -43,8 +43,7 @@ void fillSentences(xr::RoomWords& words) {
     words.isRealSize = Words::tr("Real size 1:1: a millimetre is a millimetre.").toStdString();
     words.isBeforeYou = Words::tr("Before you, at real size 1:1.").toStdString();
     words.nothingLeft = Words::tr("Nothing would be left to see: that was not done.").toStdString();
-    words.noMoreCuts =
-        Words::tr("No more than six cuts: undo one, or reset the clips.").toStdString();
+    words.noMoreCuts = Words::tr("No more than six cuts: undo one, or reset the clips.").toStdString();
     words.lostPlace = Words::tr("The headset has lost its place. Look around.").toStdString();
     words.pictureWritten = Words::tr("Picture %1 is written.").toStdString();
 }
