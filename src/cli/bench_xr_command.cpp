@@ -111,18 +111,12 @@ void addBenchXr(CLI::App& bench, Action& action) {
 
 #else
 
+#include "cli/no_headset.h"
+
 namespace macula::cli {
 
-// What is given besides does not matter.
 void addBenchXr(CLI::App& bench, Action& action) {
-    auto* command = bench.add_subcommand("xr", "Frames in a headset (this build cannot)");
-    command->allow_extras();
-    command->callback([&action] {
-        action = []() -> Result<void> {
-            return Error{ErrorCode::deviceNotUsable, "This build of Macula knows no headsets.", "",
-                         "Build it with the package libopenxr-dev installed."};
-        };
-    });
+    addWithoutHeadset(bench, action, "Frames in a headset");
 }
 
 }  // namespace macula::cli

@@ -86,18 +86,12 @@ void addXr(CLI::App& app, Action& action) {
 
 #else
 
+#include "cli/no_headset.h"
+
 namespace macula::cli {
 
-// What is given besides does not matter.
 void addXr(CLI::App& app, Action& action) {
-    auto* command = app.add_subcommand("xr", "Show a study in a headset (this build cannot)");
-    command->allow_extras();
-    command->callback([&action] {
-        action = []() -> Result<void> {
-            return Error{ErrorCode::deviceNotUsable, "This build of Macula knows no headsets.", "",
-                         "Build it with the package libopenxr-dev installed."};
-        };
-    });
+    addWithoutHeadset(app, action, "Show a study in a headset");
 }
 
 }  // namespace macula::cli

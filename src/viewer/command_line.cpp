@@ -115,7 +115,7 @@ struct Options {
                                        "X", "1"};
     const QCommandLineOption samples{"spp", "Samples per pixel of a converged picture.", "N", "512"};
     const QCommandLineOption noModel{
-        "no-model", "Small traced pictures while a hand moves, instead of a model of splats."};
+        "no-model", "Small traced pictures while a hand moves, instead of the preview of a model."};
     const QCommandLineOption sessions{
         "sessions", "Where models, and how studies were left, are kept for the next time.", "FOLDER"};
     const QCommandLineOption noSession{"no-session", "Keep nothing, and begin anew."};

@@ -42,20 +42,6 @@ glm::dquat turnOf(const glm::dmat4& stageFromWorld) {
 
 }  // namespace
 
-std::string_view nameOf(ClipTool tool) {
-    switch (tool) {
-        case ClipTool::none:
-            return "nothing";
-        case ClipTool::knife:
-            return "knife";
-        case ClipTool::ball:
-            return "ball";
-        case ClipTool::box:
-            return "box";
-    }
-    return {};
-}
-
 std::optional<Clip> withTool(const Clip* before, ClipTool tool, const Pose& hand,
                              const glm::dmat4& stageFromWorld) {
     Clip clip = before ? *before : Clip{};

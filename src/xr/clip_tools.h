@@ -7,7 +7,6 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "pipeline/volume/clip.h"
@@ -16,7 +15,6 @@
 namespace macula::xr {
 
 enum class ClipTool { none, knife, ball, box };
-std::string_view nameOf(ClipTool tool);  // "knife"
 
 // In the room, whatever the size of the anatomy: 6 cm around a point 10 cm ahead of the hand.
 inline constexpr double kToolReachM = 0.10;

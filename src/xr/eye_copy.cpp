@@ -92,20 +92,21 @@ PictureWriter::~PictureWriter() {
     if (thread_.joinable()) thread_.join();
 }
 
-void PictureWriter::start(EyeView view, std::filesystem::path folder) {
+void PictureWriter::start(EyeView view, std::filesystem::path folder, RoomWords words) {
     MACULA_CHECK(!isBusy());
-    thread_ = std::thread([this, view = std::move(view), folder = std::move(folder)] {
-        std::string sentence = "The picture could not be written.";
-        try {
-            const auto written = writeEyeView(view, folder);
-            sentence = written ? fmt::format("Picture {} is written.", written->filename().string())
-                               : written.error().message;
-        } catch (const std::exception&) {
-            sentence = "There is not enough memory for the picture.";
-        }
-        const std::lock_guard lock(mutex_);
-        told_ = std::move(sentence);
-    });
+    thread_ =
+        std::thread([this, view = std::move(view), folder = std::move(folder), words = std::move(words)] {
+            std::string sentence = words.ofError("The picture could not be written.");
+            try {
+                const auto written = writeEyeView(view, folder);
+                sentence = written ? filled(words.pictureWritten, written->filename().string())
+                                   : words.ofError(written.error().message);
+            } catch (const std::exception&) {
+                sentence = words.ofError("There is not enough memory for the picture.");
+            }
+            const std::lock_guard lock(mutex_);
+            told_ = std::move(sentence);
+        });
 }
 
 std::optional<std::string> PictureWriter::told() {

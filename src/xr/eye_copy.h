@@ -14,6 +14,7 @@
 #include "pipeline/gpu/resources.h"
 #include "xr/eyes.h"
 #include "xr/room_state.h"
+#include "xr/room_words.h"
 
 namespace macula::xr {
 
@@ -52,8 +53,9 @@ class PictureWriter {
     ~PictureWriter();  // waits for what is under way
 
     bool isBusy() const { return thread_.joinable(); }
-    void start(EyeView view, std::filesystem::path folder);  // after isBusy was false
-    // Once, when it is written or was not: a sentence for who wears the headset.
+    // After isBusy was false.
+    void start(EyeView view, std::filesystem::path folder, RoomWords words);
+    // Once, when it is written or was not: a sentence for who wears the headset, in these words.
     std::optional<std::string> told();
 
   private:

@@ -304,7 +304,7 @@ Result<void> Headset::copyForOthers() {
     const RoomHost& host = controls_->host();
     if (auto view = copy_.take()) {
         if (copiesForPicture_) {
-            writer_->start(*view, host.pictures);
+            writer_->start(*view, host.pictures, host.words);
             wantsPicture_ = copiesForPicture_ = false;
         }
         if (host.mirror) host.mirror(*std::move(view));

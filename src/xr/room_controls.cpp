@@ -59,12 +59,6 @@ PanelPicture pointer() {
     return picture;
 }
 
-std::string sizeText(double scale) {
-    if (std::abs(scale - 1.0) < 0.005) return "Real size 1:1";
-    return scale >= 1.0 ? fmt::format("{:.2f} times real size", scale)
-                        : fmt::format("1/{:.2f} of real size", 1.0 / scale);
-}
-
 }  // namespace
 
 RoomControls::RoomControls(RoomHost host, RoomState first)
@@ -101,7 +95,7 @@ Result<bool> RoomControls::change(RoomState next, const Show& show) {
     if (next == state()) return true;
     MACULA_TRY(const bool isShown, show(next, Lasts::forGood));
     if (!isShown) {
-        tell("Nothing would be left to see: that was not done.");
+        tell(words().nothingLeft);
         return false;
     }
     history_.push(std::move(next));
@@ -135,6 +129,13 @@ Result<void> RoomControls::takeWanted(const Show& show) {
     history_.push(*std::move(wanted));
     wasWanted_ = true;
     return {};
+}
+
+std::string RoomControls::sizeText(double scale) const {
+    if (std::abs(scale - 1.0) < 0.005) return words().realSize;
+    const double times = scale >= 1.0 ? scale : 1.0 / scale;
+    return filled(scale >= 1.0 ? words().larger : words().smaller,
+                  words().ofNumber(fmt::format("{:.2f}", times)));
 }
 
 Result<RoomFollowed> RoomControls::follow(const glm::dmat4& stageFromWorld, const RoomFrame& frame,
@@ -238,12 +239,12 @@ Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, con
             followed.stageFromWorld = scaledAbout(
                 followed.stageFromWorld, transformPoint(followed.stageFromWorld, frame.seenMm.centre()), 1.0);
             grasp_.takeAnew();
-            tell("Real size 1:1: a millimetre is a millimetre.");
+            tell(words().isRealSize);
             return {};
         case PanelButton::recentre:
             followed.stageFromWorld = stageFromWorldBefore(frame.head, frame.seenMm);
             grasp_.takeAnew();
-            tell("Before you, at real size 1:1.");
+            tell(words().isBeforeYou);
             return {};
         case PanelButton::otherWrist:
             panelHand_ = 1 - panelHand_;
@@ -295,9 +296,10 @@ RoomState RoomControls::withShift(int steps) const {
 std::string RoomControls::shiftText() const {
     const TransferFunction& now = *state().transferFunction;
     const auto index = presetIndex();
-    if (!index || now.opacity.empty() || host_.presets[*index]->opacity.empty()) return "Shift";
+    if (!index || now.opacity.empty() || host_.presets[*index]->opacity.empty()) return words().shift;
     const double by = now.opacity.front().value - host_.presets[*index]->opacity.front().value;
-    return fmt::format("Shift {:+.3g}{}", by + 0.0, now.unit == Unit::hounsfield ? " HU" : "");
+    return fmt::format("{} {}{}", words().shift, words().ofNumber(fmt::format("{:+.3g}", by + 0.0)),
+                       now.unit == Unit::hounsfield ? " HU" : "");
 }
 
 void RoomControls::grasp(const RoomFrame& frame, const TwoHands& hands, RoomFollowed& followed) {
@@ -350,8 +352,7 @@ Result<void> RoomControls::cut(std::size_t hand, const Pose& at, Lasts lasts, co
     };
     if (!clip) {
         if (lasts == Lasts::forALook) return {};
-        if (toolOf(hand) == ClipTool::knife)
-            tell("Six cuts are all there can be: undo one, or reset the clips.");
+        if (toolOf(hand) == ClipTool::knife) tell(words().noMoreCuts);
         return comeBack();
     }
     RoomState next = state();
@@ -369,18 +370,18 @@ void RoomControls::showPanel(RoomFollowed& followed) {
     PanelTexts texts = texts_;
     if (!(seconds_ < noticeUntil_)) texts.news.clear();
     const TransferFunction& preset = *state().transferFunction;
-    texts.preset = preset.title.empty() ? preset.name : preset.title;
+    texts.preset = preset.title.empty() ? preset.name : words().ofTitle(preset.title);
     texts.shift = shiftText();
-    texts.knife = hasKnife_ ? "Knife: on" : "Knife: off";
-    texts.held = fmt::format("Hold: {}", nameOf(held_));
-    texts.quality = fmt::format("Quality: {}", nameOf(state().quality));
+    texts.knife = hasKnife_ ? words().knifeOn : words().knifeOff;
+    texts.held = filled(words().hold, words().of(held_));
+    texts.quality = filled(words().quality, words().of(state().quality));
     texts.size = sizeText(scaleOf(followed.stageFromWorld));
     texts.canUndo = history_.canUndo();
     texts.canTakePictures = !host_.pictures.empty();
     texts_ = std::move(texts);
     if (!panel_) return;
     if (!(texts_ == drawnTexts_) || drawnPointedAt_ != pointedAt_) {
-        draw(RoomPicture::panel, WristPanel::draw(texts_, pointedAt_));
+        draw(RoomPicture::panel, WristPanel::draw(texts_, words(), pointedAt_));
         drawnTexts_ = texts_;
         drawnPointedAt_ = pointedAt_;
     }
@@ -392,7 +393,7 @@ void RoomControls::showPanel(RoomFollowed& followed) {
 
 void RoomControls::showNotice(const RoomFrame& frame, RoomFollowed& followed) {
     if (fade_.isLost()) {
-        notice_ = "The headset has lost its place. Look around.";
+        notice_ = words().lostPlace;
         noticeUntil_ = frame.seconds + 1.0;
     }
     if (notice_.empty() || !(frame.seconds < noticeUntil_)) return;

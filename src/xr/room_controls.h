@@ -15,7 +15,7 @@
 #include "xr/comfort.h"
 #include "xr/grasp.h"
 #include "xr/panel_picture.h"
-#include "xr/room_state.h"
+#include "xr/room_host.h"
 #include "xr/wrist_panel.h"
 
 namespace macula::xr {
@@ -78,7 +78,8 @@ class RoomControls {
 
     const RoomState& state() const { return history_.now(); }
     const RoomHost& host() const { return host_; }
-    // Stands before the eyes for some seconds, and goes to the host. `sentence` names no patient.
+    // Stands before the eyes for some seconds, and goes to the host. `sentence` names no patient, and is in
+    // the words of the host.
     void tell(const std::string& sentence);
 
     // A picture that floats. Its number changes when it does.
@@ -112,6 +113,8 @@ class RoomControls {
     RoomState withShift(int steps) const;
     std::optional<std::size_t> presetIndex() const;
     std::string shiftText() const;
+    std::string sizeText(double scale) const;
+    const RoomWords& words() const { return host_.words; }
     void showPanel(RoomFollowed& followed);
     void showNotice(const RoomFrame& frame, RoomFollowed& followed);
     void draw(RoomPicture which, PanelPicture picture);

@@ -15,18 +15,6 @@ bool isEqual(const std::shared_ptr<const Value>& a, const std::shared_ptr<const 
 
 }  // namespace
 
-std::string_view nameOf(RoomQuality quality) {
-    switch (quality) {
-        case RoomQuality::fast:
-            return "fast";
-        case RoomQuality::balanced:
-            return "balanced";
-        case RoomQuality::fine:
-            return "fine";
-    }
-    return {};
-}
-
 double foveaShareOf(RoomQuality quality) {
     switch (quality) {
         case RoomQuality::fast:

@@ -1,16 +1,11 @@
-// What a person can choose in the room, as one value, and who hears of it. Knows no OpenXR.
+// What a person can choose in the room, as one value. Knows no OpenXR.
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <functional>
+#include <glm/glm.hpp>
 #include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
-#include "base/result.h"
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
@@ -18,7 +13,6 @@ namespace macula::xr {
 
 // How much of the time of frames goes to what is traced where the eyes look.
 enum class RoomQuality { fast, balanced, fine };
-std::string_view nameOf(RoomQuality quality);      // "balanced"
 double foveaShareOf(RoomQuality quality);          // of the usual budget: 1 is balanced
 std::uint32_t mostSamplesOf(RoomQuality quality);  // of each pixel of it, while nothing moves
 
@@ -50,18 +44,6 @@ class RoomHistory {
 struct EyeView {
     glm::ivec2 sizePx{0};
     std::vector<std::uint8_t> rgba;  // opaque
-};
-
-// The window, or the command. All is called on the thread of the headset, and may be empty.
-struct RoomHost {
-    std::vector<std::shared_ptr<const TransferFunction>> presets = {};  // to choose from
-    std::filesystem::path pictures = {};  // where those that are taken go; empty: none can be taken
-    std::function<void(const std::string&)> note = {};
-    std::function<void(const RoomState&)> changed = {};
-    // What was chosen elsewhere since the last time.
-    std::function<std::optional<RoomState>()> wanted = {};
-    // A few times a second.
-    std::function<void(EyeView)> mirror = {};
 };
 
 }  // namespace macula::xr

@@ -13,7 +13,7 @@
 #include "base/result.h"
 #include "dicom/scan.h"
 #include "xr/frame_statistics.h"
-#include "xr/room_state.h"
+#include "xr/room_host.h"
 #include "xr/room_view.h"
 #include "xr/runtime.h"
 

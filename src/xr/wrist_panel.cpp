@@ -52,7 +52,7 @@ const Place& placeOf(PanelButton button) {
     return kPlaces.front();
 }
 
-std::string textOf(PanelButton button, const PanelTexts& texts) {
+std::string textOf(PanelButton button, const PanelTexts& texts, const RoomWords& words) {
     switch (button) {
         case PanelButton::presetBefore:
         case PanelButton::shiftLower:
@@ -65,19 +65,19 @@ std::string textOf(PanelButton button, const PanelTexts& texts) {
         case PanelButton::held:
             return texts.held;
         case PanelButton::resetClips:
-            return "Reset clips";
+            return words.resetClips;
         case PanelButton::undo:
-            return "Undo";
+            return words.undo;
         case PanelButton::picture:
-            return "Take picture";
+            return words.takePicture;
         case PanelButton::quality:
             return texts.quality;
         case PanelButton::realSize:
-            return "Real size 1:1";
+            return words.realSize;
         case PanelButton::recentre:
-            return "Before me";
+            return words.recentre;
         case PanelButton::otherWrist:
-            return "Other wrist";
+            return words.otherWrist;
     }
     return {};
 }
@@ -134,7 +134,8 @@ bool WristPanel::isOffered(PanelButton button, const PanelTexts& texts) {
     return true;
 }
 
-PanelPicture WristPanel::draw(const PanelTexts& texts, std::optional<PanelButton> pointedAt) {
+PanelPicture WristPanel::draw(const PanelTexts& texts, const RoomWords& words,
+                              std::optional<PanelButton> pointedAt) {
     PanelPicture picture(kSizePx, kBack);
     picture.frame({0, 0}, kSizePx, 2, kEdge);
     picture.writeInto(texts.size, {8, 8}, {kSizePx.x - 16, 30}, 2, kText);
@@ -143,13 +144,13 @@ PanelPicture WristPanel::draw(const PanelTexts& texts, std::optional<PanelButton
         const bool isPointedAt = isOffered && pointedAt == place.button;
         picture.fill(place.fromPx, place.sizePx, isPointedAt ? kPointedAt : kButton);
         if (isPointedAt) picture.frame(place.fromPx, place.sizePx, 2, kText);
-        picture.writeInto(textOf(place.button, texts), place.fromPx, place.sizePx, 2,
+        picture.writeInto(textOf(place.button, texts, words), place.fromPx, place.sizePx, 2,
                           isOffered ? kText : kFaint);
     }
     picture.writeInto(texts.preset, {64, 44}, {272, kRowPx}, 2, kText);
     picture.writeInto(texts.shift, {64, 96}, {272, kRowPx}, 2, kText);
     picture.writeInto(texts.news, {8, 408}, {kSizePx.x - 16, 30}, 2, kText);
-    picture.writeInto("Not for primary diagnosis", {8, 442}, {kSizePx.x - 16, 30}, 2, kFaint);
+    picture.writeInto(words.notForDiagnosis, {8, 442}, {kSizePx.x - 16, 30}, 2, kFaint);
     return picture;
 }
 

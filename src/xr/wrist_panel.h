@@ -8,6 +8,7 @@
 
 #include "xr/eyes.h"
 #include "xr/panel_picture.h"
+#include "xr/room_words.h"
 
 namespace macula::xr {
 
@@ -27,7 +28,7 @@ enum class PanelButton {
     otherWrist,
 };
 
-// All that is written on it.
+// What is written on it, and changes.
 struct PanelTexts {
     std::string preset;
     std::string shift;    // "Shift +20 HU"
@@ -61,7 +62,8 @@ class WristPanel {
 
     // Whether somebody can press it now.
     static bool isOffered(PanelButton button, const PanelTexts& texts);
-    static PanelPicture draw(const PanelTexts& texts, std::optional<PanelButton> pointedAt);
+    static PanelPicture draw(const PanelTexts& texts, const RoomWords& words,
+                             std::optional<PanelButton> pointedAt);
 };
 
 }  // namespace macula::xr

@@ -31,6 +31,18 @@ class SoftcopyOnSlicesTest : public testing::Test {
         said_.imageUids = {slices_[5].sopInstanceUid, slices_[2].sopInstanceUid};
     }
 
+    // All slices in one file, whose frames are in their order.
+    void useOneFileOfManyFrames() {
+        dicom::test::writeMultiFrame(folder_ / "frames" / "all.dcm", series_, slices_);
+        auto scanned = dicom::test::scan(folder_ / "frames");
+        ASSERT_TRUE(scanned);
+        study_.found = std::make_shared<const FoundVolumes>(*std::move(scanned));
+        ASSERT_EQ(study_.found->volumes().size(), 1u);
+        study_.volume = dicom::test::load(*study_.found->volumes()[0].series);
+        ASSERT_TRUE(study_.volume);
+        said_.imageUids = {dicom::test::MultiFrame().sopInstanceUid};
+    }
+
     Result<SoftcopyOnSlices> opened(const SliceState& usual = {}) {
         dicom::test::writeSoftcopy(path_, said_);
         return openSoftcopy(path_, study_, usual);
@@ -60,6 +72,10 @@ class SoftcopyOnSlicesTest : public testing::Test {
 };
 
 TEST_F(SoftcopyOnSlicesTest, TheFirstImageItNamesIsShownThroughItsWindow) {
+    for (const dicom::test::Slice& slice : slices_) {
+        if (slice.sopInstanceUid != said_.imageUids[0] && slice.sopInstanceUid != said_.imageUids[1])
+            said_.imageUids.push_back(slice.sopInstanceUid);
+    }
     const SoftcopyOnSlices state = shown();
     ASSERT_TRUE(state.slices.window);
     EXPECT_EQ(state.slices.window->center, -600.0);
@@ -70,7 +86,38 @@ TEST_F(SoftcopyOnSlicesTest, TheFirstImageItNamesIsShownThroughItsWindow) {
     EXPECT_LT(glm::length(*state.slices.crosshairMm - middle), 1e-3);
     EXPECT_FALSE(state.slices.isInverted);
     EXPECT_FALSE(state.area) << "all of the image is seen";
-    EXPECT_TRUE(state.notes.empty());
+    EXPECT_TRUE(state.notes.empty()) << state.notes.front();
+}
+
+TEST_F(SoftcopyOnSlicesTest, OfSomeOfTheImagesItSaysSo) {
+    EXPECT_TRUE(tells(shown(), "some of the images"));
+}
+
+TEST_F(SoftcopyOnSlicesTest, OfAFileOfManyFramesTheFirstThatItNamesIsShown) {
+    ASSERT_NO_FATAL_FAILURE(useOneFileOfManyFrames());
+    EXPECT_FALSE(tells(shown(), "some of the images")) << "without numbers it is of all frames";
+    said_.frames = "6\\3";  // from 1: those of slices_[5] and slices_[2]
+    const SoftcopyOnSlices state = shown();
+    ASSERT_TRUE(state.slices.crosshairMm);
+    const glm::dvec3 middle = placeMm(0.5 * (series_.size.x - 1), 0.5 * (series_.size.y - 1));
+    EXPECT_LT(glm::length(*state.slices.crosshairMm - middle), 1e-3);
+    EXPECT_TRUE(state.slices.window);
+    EXPECT_TRUE(tells(state, "some of the images"));
+    said_.frames = std::to_string(slices_.size() + 1);
+    const auto beyond = opened();
+    ASSERT_FALSE(beyond.ok());
+    EXPECT_NE(beyond.error().message.find("other images"), std::string::npos);
+}
+
+TEST_F(SoftcopyOnSlicesTest, ASizeOnTheScreenThatIsNotShownIsTold) {
+    said_.area = {2, 3, 5, 4};
+    EXPECT_FALSE(tells(shown(), "fit their pane"));
+    said_.sizeMode = "TRUE SIZE";
+    EXPECT_TRUE(tells(shown(), "true size"));
+    EXPECT_TRUE(shown().area) << "what is to be seen is seen";
+    said_.sizeMode = "MAGNIFY";
+    said_.area = {1, 1, series_.size.x, series_.size.y};
+    EXPECT_TRUE(tells(shown(), "magnification"));
 }
 
 TEST_F(SoftcopyOnSlicesTest, APartOfTheImageIsWhereItLiesInThePatient) {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/found_by_hand.h"
+#include "app/study/presented_volume.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/uid.h"
 
@@ -270,7 +271,7 @@ dicom::OtherObject presentationOf(const std::string& label, const std::string& d
                               .referencedSeriesUids = std::move(series),
                               .label = label};
     object.presentation = dicom::PresentationHeading{
-        label, "Of Jane, " + label, date, "101112", "READER^NIGHT", std::vector<std::string>{"1.1"}};
+        label, "Of Jane, " + label, date, "101112", "READER^NIGHT", {{.sopInstanceUid = "1.1"}}};
     return object;
 }
 
@@ -332,6 +333,29 @@ TEST(PresentationRows, SayWhyTheyCannotBeShown) {
 }
 
 // Of nobody: the UIDs are made anew, and say of which series it is to who has that.
+// Two phases in one file: those whose frames it names are meant.
+TEST(PresentationRows, OfFramesOfOneFileTheVolumeIsMeantThatHasThem) {
+    dicom::Stack early = test::volumeOf(4);
+    dicom::Stack late = test::volumeOf(4);
+    auto file = std::make_shared<dicom::Instance>(*early.frames.front().instance);
+    file->sopInstanceUid = "1.1";
+    for (int n = 0; n < 4; ++n) {
+        early.frames[std::size_t(n)].number = n;
+        late.frames[std::size_t(n)].number = 4 + n;
+        early.frames[std::size_t(n)].instance = late.frames[std::size_t(n)].instance = file;
+    }
+    dicom::Series images = test::seriesOf(2, "Thorax", {early, late});
+    images.seriesInstanceUid = "1.2";
+    dicom::Scan scan;
+    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20210405", "Chest", {std::move(images)}));
+    scan.patients = 1;
+    const FoundVolumes found(std::move(scan));
+    dicom::OtherObject object = presentationOf("NEW", "20240229", {"1.2"}, sop::kSoftcopyPresentationState);
+    EXPECT_EQ(presentedVolume(object, 0, found).index, 0u);
+    object.presentation->images.front().numbers = {6, 7};
+    EXPECT_EQ(presentedVolume(object, 0, found).index, 1u);
+}
+
 TEST(PresentationRows, WithoutAPatientAreOfTheOneSeriesThatTheirUidsWereMadeOf) {
     dicom::Scan scan;
     dicom::Series images = test::seriesOf(2, "Thorax", {test::volumeOf(4)});

@@ -13,7 +13,7 @@ namespace macula::dicom::test {
 
 namespace {
 
-void putArea(DcmItem& item, const std::array<int, 4>& area) {
+void putArea(DcmItem& item, const std::array<int, 4>& area, const std::string& sizeMode) {
     DcmItem& displayed = nested(item, DCM_DisplayedAreaSelectionSequence);
     const auto putCorner = [&](const DcmTag& tag, int x, int y) {
         const std::array<Sint32, 2> corner{x, y};
@@ -23,7 +23,7 @@ void putArea(DcmItem& item, const std::array<int, 4>& area) {
     };
     putCorner(DCM_DisplayedAreaTopLeftHandCorner, area[0], area[1]);
     putCorner(DCM_DisplayedAreaBottomRightHandCorner, area[2], area[3]);
-    put(displayed, DCM_PresentationSizeMode, "SCALE TO FIT");
+    put(displayed, DCM_PresentationSizeMode, sizeMode);
 }
 
 }  // namespace
@@ -50,6 +50,7 @@ void writeSoftcopy(const std::filesystem::path& file, const SyntheticSoftcopy& s
             DcmItem& image = appended(series, DCM_ReferencedImageSequence);
             put(image, DCM_ReferencedSOPClassUID, std::string(sop_class::kCtImage));
             put(image, DCM_ReferencedSOPInstanceUID, uid);
+            if (!s.frames.empty()) put(image, DCM_ReferencedFrameNumber, s.frames);
         }
         if (s.rescale) {
             put(item, DCM_RescaleSlope, decimal(s.rescale->first));
@@ -63,7 +64,7 @@ void writeSoftcopy(const std::filesystem::path& file, const SyntheticSoftcopy& s
         putWord(item, DCM_ImageRotation, s.rotationDeg);
         put(item, DCM_ImageHorizontalFlip, s.isFlipped ? "Y" : "N");
         put(item, DCM_PresentationLUTShape, s.isInverse ? "INVERSE" : "IDENTITY");
-        if (s.area) putArea(item, *s.area);
+        if (s.area) putArea(item, *s.area, s.sizeMode);
     });
     shell.edits.insert(shell.edits.end(), s.edits.begin(), s.edits.end());
     writeShell(file, shell);

@@ -20,6 +20,7 @@ struct SyntheticSoftcopy {
     std::string patientId = "SYN1";
     std::string referencedSeriesUid = "2.25.1001";
     std::vector<std::string> imageUids;
+    std::string frames;  // of each of them, from 1, with backslashes between; empty: all
     std::string label = "LUNG";
     std::string description = "Seen by night";
     std::string date = "20240229";
@@ -29,6 +30,7 @@ struct SyntheticSoftcopy {
     bool isFlipped = false;
     bool isInverse = false;
     std::optional<std::array<int, 4>> area;  // top left column and row, bottom right column and row
+    std::string sizeMode = "SCALE TO FIT";   // of the area
     std::vector<Edit> edits;                 // the last word
 };
 

@@ -109,7 +109,7 @@ TEST(SessionTable, SaysWhatIsNotMet) {
     EXPECT_TRUE(isMet("first slice"));
     EXPECT_FALSE(isMet("first 3D picture, cold"));
     EXPECT_TRUE(isMet("resumed: first 3D picture")) << "800 ms after the study was read";
-    EXPECT_TRUE(rowOf("splats fit to be shown |").contains(QStringLiteral("none")));
+    EXPECT_TRUE(rowOf("preview sharp enough to be shown |").contains(QStringLiteral("none")));
     EXPECT_FALSE(isMet("longest UI stall (gallery)"));
     EXPECT_TRUE(isMet("orbit at 1280 x 720"));
     EXPECT_TRUE(rowOf("files taken").contains(QStringLiteral("25 % still in it")));

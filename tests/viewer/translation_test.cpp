@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QXmlStreamReader>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -93,6 +94,25 @@ TEST(Translation, EnglishHasBothFormsOfEachCount) {
         EXPECT_TRUE(text.source.contains(QLatin1String("%n")) || text.source.contains(QLatin1String("%Ln")));
         EXPECT_EQ(placesOf(text.source), placesOf(text.translation)) << text.source.toStdString();
     }
+}
+
+// On a panel of a headset: src/xr/room_words.h says how many letters fit. A sharp s is two.
+TEST(Translation, WordsOfTheHeadsetFitItsPanel) {
+    std::map<QString, QString> words;
+    for (const Text& text : textsIn(folder() + QStringLiteral("macula_de.ts"))) {
+        if (text.context != QLatin1String("HeadsetWords")) continue;
+        words[text.source] = QString(text.translation).replace(QStringLiteral("ß"), QStringLiteral("SS"));
+    }
+    ASSERT_EQ(words.size(), 26u);
+    constexpr int kButtonLetters = 15;
+    constexpr int kSentenceLetters = 52;
+    for (const char* button : {"Knife: on", "Knife: off", "Reset clips", "Undo", "Take picture",
+                               "Other wrist", "Real size 1:1", "Before me"})
+        EXPECT_LE(words.at(button).size(), kButtonLetters) << button;
+    for (const char* held : {"nothing", "ball", "box"})
+        EXPECT_LE(words.at("Hold: %1").arg(words.at(held)).size(), kButtonLetters) << held;
+    for (const auto& [source, translation] : words)
+        EXPECT_LE(translation.size(), kSentenceLetters) << source.toStdString();
 }
 
 // What tr() marks in the sources, against the file: packaging/translations adds what is missing there.

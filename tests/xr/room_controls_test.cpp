@@ -32,8 +32,10 @@ std::shared_ptr<const TransferFunction> preset(const std::string& name) {
 
 class RoomControlsTest : public ::testing::Test {
   protected:
-    void SetUp() override {
+    void SetUp() override { begin({}); }
+    void begin(RoomWords words) {
         RoomHost host;
+        host.words = std::move(words);
         host.presets = {preset("one"), preset("two"), preset("three")};
         host.pictures = "somewhere";
         host.note = [this](const std::string& sentence) { notes_.push_back(sentence); };
@@ -187,7 +189,7 @@ TEST_F(RoomControlsTest, KnifeAndResetAreSteps) {
     for (int i = 0; i < 7; ++i) cutAt(0.03 + 0.01 * i);
     EXPECT_EQ(planes(), Clip::kMostPlanes);
     ASSERT_FALSE(notes_.empty());
-    EXPECT_NE(notes_.back().find("Six cuts"), std::string::npos);
+    EXPECT_NE(notes_.back().find("six cuts"), std::string::npos);
 }
 
 TEST_F(RoomControlsTest, AHandThatRestsShowsTheCutForALook) {
@@ -286,6 +288,35 @@ TEST_F(RoomControlsTest, WhatWouldRemoveAllIsNotDoneAndSaid) {
     ASSERT_EQ(told.floating.size(), 1u);
     EXPECT_EQ(told.floating[0].picture, RoomPicture::notice);
     EXPECT_TRUE(frame({}, 10.0).floating.empty()) << "for some seconds";
+}
+
+TEST_F(RoomControlsTest, ItSpeaksInTheWordsOfItsHost) {
+    RoomWords german;
+    german.shift = "Versatz";
+    german.hold = "Halte: %1";
+    german.ball = "Kugel";
+    german.quality = "Qualit\xc3\xa4t: %1";
+    german.balanced = "ausgewogen";
+    german.isBeforeYou = "Vor Ihnen.";
+    german.larger = "%1-mal";
+    german.edited = "bearbeitet";
+    german.titles = {{"one", "eins"}};
+    german.decimalSign = ',';
+    begin(german);
+    press(PanelButton::held);
+    frame({});
+    EXPECT_EQ(controls_->texts().preset, "eins");
+    EXPECT_EQ(controls_->texts().held, "Halte: Kugel");
+    EXPECT_EQ(controls_->texts().quality, "Qualit\xc3\xa4t: ausgewogen");
+    press(PanelButton::shiftHigher);
+    frame({});
+    EXPECT_EQ(controls_->texts().preset, "eins (bearbeitet)");
+    EXPECT_EQ(controls_->texts().shift.find("Versatz +"), 0u);
+    press(PanelButton::recentre);
+    EXPECT_EQ(notes_.back(), "Vor Ihnen.");
+    placed_ = scaledAbout(placed_, glm::dvec3(0.0), 2.5);
+    frame({});
+    EXPECT_EQ(controls_->texts().size, "2,50-mal");
 }
 
 TEST_F(RoomControlsTest, SizeIsSaidAndGoesBackToReal) {

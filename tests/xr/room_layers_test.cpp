@@ -147,7 +147,7 @@ TEST_F(RoomLayersTest, QualityIsAShareOfWhatTheGovernorAllows) {
     for (const Case& c :
          {Case{RoomQuality::balanced, 4, 4}, Case{RoomQuality::fine, 4, 16}, Case{RoomQuality::fine, 1, 4},
           Case{RoomQuality::fast, 8, 2}, Case{RoomQuality::fast, 1, 1}}) {
-        SCOPED_TRACE(std::string(nameOf(c.quality)) + " " + std::to_string(c.allowed));
+        SCOPED_TRACE(RoomWords().of(c.quality) + " " + std::to_string(c.allowed));
         RoomState state = view_->state();
         state.quality = c.quality;
         ASSERT_TRUE(expectOk(view_->show(state)));

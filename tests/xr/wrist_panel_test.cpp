@@ -82,12 +82,43 @@ TEST(WristPanel, ShowsWhatIsPointedAtAndWhatCannotBePressed) {
     PanelTexts texts;
     texts.preset = "CT-Bone";
     texts.knife = "Knife: on";
-    const PanelPicture usual = WristPanel::draw(texts, {});
-    EXPECT_NE(WristPanel::draw(texts, PanelButton::knife), usual);
-    EXPECT_EQ(WristPanel::draw(texts, PanelButton::undo), usual) << "there is nothing to undo";
+    const PanelPicture usual = WristPanel::draw(texts, RoomWords(), {});
+    EXPECT_NE(WristPanel::draw(texts, RoomWords(), PanelButton::knife), usual);
+    EXPECT_EQ(WristPanel::draw(texts, RoomWords(), PanelButton::undo), usual) << "there is nothing to undo";
     texts.canUndo = true;
-    EXPECT_NE(WristPanel::draw(texts, {}), usual);
+    EXPECT_NE(WristPanel::draw(texts, RoomWords(), {}), usual);
     EXPECT_EQ(usual.sizePx(), WristPanel::kSizePx);
+}
+
+// What does not fit is cut, and a button that is cut says nothing.
+TEST(WristPanel, WordsFitTheirButtons) {
+    const RoomWords words;
+    const int half = (188 + 2) / 12;
+    for (const std::string& text :
+         {words.knifeOn, words.knifeOff, filled(words.hold, words.nothing), filled(words.hold, words.ball),
+          filled(words.hold, words.box), words.resetClips, words.undo, words.takePicture, words.otherWrist,
+          words.realSize, words.recentre})
+        EXPECT_LE(int(signsOf(text).size()), half) << text;
+    for (const std::string& text : {words.isRealSize, words.isBeforeYou, words.nothingLeft, words.noMoreCuts,
+                                    words.lostPlace, filled(words.pictureWritten, "macula-headset-100.png")})
+        EXPECT_LE(int(signsOf(text).size()), 52) << text;
+    RoomWords others;
+    others.undo =
+        "Zur\xc3\xbc"
+        "ck";
+    EXPECT_NE(WristPanel::draw({}, others, {}), WristPanel::draw({}, words, {}));
+}
+
+TEST(RoomWords, OfATitleAndItsCopies) {
+    RoomWords words;
+    words.edited = "bearbeitet";
+    words.titles = {{"Cinematic bone", "Cinematic Knochen"}};
+    EXPECT_EQ(words.ofTitle("Cinematic bone"), "Cinematic Knochen");
+    EXPECT_EQ(words.ofTitle("Cinematic bone (edited 2)"), "Cinematic Knochen (bearbeitet 2)");
+    EXPECT_EQ(words.ofTitle("Mine"), "Mine");
+    EXPECT_EQ(words.ofTitle(""), "");
+    EXPECT_EQ(words.ofError("The disk is full."), "The disk is full.") << "not known, and told all the same";
+    EXPECT_EQ(filled("no place", "x"), "no place");
 }
 
 int dotsIn(const PanelPicture& picture, const PanelColour& colour) {
@@ -111,7 +142,15 @@ TEST(PanelPicture, LettersAreWhereTheyAreWritten) {
 }
 
 TEST(PanelPicture, LongTextsAreCutAndSignsWithoutLettersAreBoxes) {
-    EXPECT_EQ(signsOf("a\xc3\xa4z").size(), 3u);
+    EXPECT_EQ(signsOf("a\xc3\xa4z"), U"a\u00e4z");
+    EXPECT_EQ(signsOf("\xc3\x9f"), U"SS");
+    EXPECT_EQ(signsOf("\xe2\x82\xac"), U"\uFFFD") << "a euro has no letter";
+    EXPECT_EQ(signsOf("\xc3"), U"\uFFFD") << "cut off";
+    EXPECT_EQ(signsOf("\x80"), U"") << "no sign begins so";
+    for (const char32_t* pair : {U"\u00e4\u00c4", U"\u00f6\u00d6", U"\u00fc\u00dc"}) {
+        EXPECT_EQ(lettersOf(pair[0]), lettersOf(pair[1]));
+        EXPECT_NE(lettersOf(pair[0]), lettersOf(U'\uFFFD'));
+    }
     EXPECT_EQ(lettersOf(U'\uFFFD')[0], 0x1f);
     EXPECT_NE(lettersOf(U'A'), lettersOf(U'B'));
     const PanelColour dark(0, 0, 0, 255);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
+#include <string_view>
 #include <utility>
 
 #include "app/study/found_volumes.h"
@@ -18,8 +19,14 @@ bool isSame(double a, double b) {
     return std::abs(a - b) <= kSameNumber * std::max({std::abs(a), std::abs(b), 1.0});
 }
 
-bool isOf(const std::vector<std::string>& images, const std::string& uid) {
-    return images.empty() || std::ranges::find(images, uid) != images.end();
+bool refersTo(const dicom::ReferencedFrames& image, const dicom::Frame& frame) {
+    return image.sopInstanceUid == frame.instance->sopInstanceUid && image.holds(frame.number);
+}
+
+// Where it names no images, it is of all that the object is of.
+bool isOf(const std::vector<dicom::ReferencedFrames>& images, const dicom::Frame& frame) {
+    return images.empty() ||
+           std::ranges::any_of(images, [&](const auto& image) { return refersTo(image, frame); });
 }
 
 class Showing {
@@ -38,6 +45,8 @@ class Showing {
         for (const std::string& what : said_.leftOut)
             shown_.notes.push_back(
                 dicom::message(dicom::key::kPresentationLeftOut, {{"what", what}}).sentence);
+        if (images_.size() < stack_.frames.size())
+            note("It is of some of the images alone; the others are shown in the same way.");
         showWindow();
         // The object's own greys take the place of those of the images (PS3.3 C.11.6); slices begin with
         // these.
@@ -48,22 +57,36 @@ class Showing {
 
   private:
     void note(const char* sentence) { shown_.notes.emplace_back(sentence); }
-    const std::string& uid() const { return images_.front()->instance->sopInstanceUid; }
+    const dicom::Frame& first() const { return *images_.front(); }
+
+    // Where an image, and in it a frame, stands among those that the object names; of all frames of an image,
+    // the first comes first.
+    using Order = std::pair<std::size_t, std::size_t>;
 
     void findImages() {
-        const std::set<std::string> wanted(said_.imageUids.begin(), said_.imageUids.end());
+        std::multimap<std::string_view, std::size_t> wanted;
+        for (std::size_t i = 0; i < said_.images.size(); ++i)
+            wanted.emplace(said_.images[i].sopInstanceUid, i);
+        Order least{said_.images.size(), 0};
         for (const dicom::Frame& frame : stack_.frames) {
-            if (wanted.contains(frame.instance->sopInstanceUid)) images_.push_back(&frame);
+            std::optional<Order> named;
+            const auto [from, to] = wanted.equal_range(frame.instance->sopInstanceUid);
+            for (auto at = from; at != to && !named; ++at) {
+                const std::vector<int>& numbers = said_.images[at->second].numbers;
+                const auto number = std::ranges::find(numbers, frame.number + 1);
+                if (numbers.empty()) {
+                    named = Order(at->second, std::size_t(frame.number));
+                } else if (number != numbers.end()) {
+                    named = Order(at->second, std::size_t(number - numbers.begin()));
+                }
+            }
+            if (!named) continue;
+            images_.push_back(&frame);
+            if (*named >= least) continue;
+            // The first that the object names, and not the lowest one.
+            least = *named;
+            std::swap(images_.front(), images_.back());
         }
-        // The first that the object names, and not the lowest one.
-        const auto first = std::ranges::find_if(said_.imageUids, [&](const std::string& each) {
-            return std::ranges::any_of(
-                images_, [&](const dicom::Frame* frame) { return frame->instance->sopInstanceUid == each; });
-        });
-        if (first == said_.imageUids.end()) return;
-        std::stable_partition(images_.begin(), images_.end(), [&](const dicom::Frame* frame) {
-            return frame->instance->sopInstanceUid == *first;
-        });
     }
 
     // Whether the values that its windows are of are those of the volume.
@@ -78,7 +101,7 @@ class Showing {
 
     void showWindow() {
         const auto meant = std::ranges::find_if(
-            said_.windows, [&](const dicom::SoftcopyWindow& window) { return isOf(window.images, uid()); });
+            said_.windows, [&](const dicom::SoftcopyWindow& window) { return isOf(window.images, first()); });
         if (meant == said_.windows.end()) {
             if (!said_.windows.empty()) note("It has no window for its first image here.");
             return;
@@ -94,7 +117,7 @@ class Showing {
     }
 
     void showPlace() {
-        const dicom::Frame& image = *images_.front();
+        const dicom::Frame& image = first();
         if (!image.plane) return note("Where its images lie is not known: the slices stay where they are.");
         shown_.slices.asAcquired = true;
         const dicom::ImagePlane& plane = *image.plane;
@@ -110,8 +133,12 @@ class Showing {
                 "It turns or mirrors its images, which slices here never do: its part of the image is not "
                 "shown.");
         const auto meant = std::ranges::find_if(
-            said_.areas, [&](const dicom::DisplayedArea& area) { return isOf(area.images, uid()); });
+            said_.areas, [&](const dicom::DisplayedArea& area) { return isOf(area.images, first()); });
         if (meant == said_.areas.end()) return;
+        if (meant->size == dicom::DisplayedSize::trueSize)
+            note("It asks for the true size on the screen, which is not shown: slices fit their pane.");
+        if (meant->size == dicom::DisplayedSize::magnified)
+            note("It asks for a fixed magnification, which is not shown: slices fit their pane.");
         const glm::dvec2 low(meant->topLeft);
         const glm::dvec2 high(meant->bottomRight);
         if (low.x <= 1.0 && low.y <= 1.0 && high.x >= size.x && high.y >= size.y) return;

@@ -32,10 +32,10 @@ struct SoftcopyOnSlices {
 
 // On the images of the volume that the object is of: the cross-hair goes to the middle of what is seen of the
 // first of them, in the planes of the acquisition. Windows are of the volume's values only where the object
-// makes them as its images do. Slices are never turned nor mirrored: of an object that does, the area is left
-// out. What is left out stays as in `usual`. inputNotUsable when it is of none of these images; `where` is
-// for the error.
-// `isLowBright` as OpenedStudy has it.
+// makes them as its images do. Of a file of many frames only those that it names are meant; all slices are
+// shown as the first is, which is told. Slices are never turned nor mirrored: of an object that does, the
+// area is left out. What is left out stays as in `usual`. inputNotUsable when it is of none of these images;
+// `where` is for the error. `isLowBright` as OpenedStudy has it.
 Result<SoftcopyOnSlices> softcopyOn(const dicom::SoftcopyState& said, const dicom::Stack& stack,
                                     const Volume& volume, bool isLowBright, SliceState usual,
                                     const std::string& where);

@@ -26,11 +26,20 @@ Referred refersTo(const dicom::OtherObject& object, const dicom::Series& series)
     return holds(object.referencedSeriesUids, dicom::uidFrom(uid)) ? Referred::anew : Referred::no;
 }
 
+// Frames of one file stand in several volumes where it has several phases: each frame counts.
 std::size_t imagesIn(const dicom::OtherObject& object, const dicom::Stack& stack, Referred referred) {
-    const std::vector<std::string>& wanted = object.presentation->imageUids;
-    const std::vector<std::string> images = imageUidsOf(stack);
-    return std::size_t(std::ranges::count_if(images, [&](const std::string& uid) {
-        return holds(wanted, referred == Referred::anew ? dicom::uidFrom(uid) : uid);
+    const std::vector<dicom::ReferencedFrames>& wanted = object.presentation->images;
+    const dicom::Instance* instance = nullptr;  // of `image`: frames of one file follow each other
+    auto image = wanted.end();
+    return std::size_t(std::ranges::count_if(stack.frames, [&](const dicom::Frame& frame) {
+        if (frame.instance.get() != instance) {
+            instance = frame.instance.get();
+            const std::string uid = referred == Referred::anew ? dicom::uidFrom(instance->sopInstanceUid)
+                                                               : instance->sopInstanceUid;
+            image = std::ranges::lower_bound(wanted, uid, {}, &dicom::ReferencedFrames::sopInstanceUid);
+            if (image != wanted.end() && image->sopInstanceUid != uid) image = wanted.end();
+        }
+        return image != wanted.end() && image->holds(frame.number);
     }));
 }
 

@@ -14,9 +14,10 @@ struct PresentedVolume {
     std::string whyNot = {};                // a sentence; empty where there is a volume
 };
 
-// Of the series that the object refers to, the volume that has most of its images. The series must be of the
-// patient whom the object is of, unless the object names nobody: then it has made UIDs anew (dicom::uidFrom),
-// which are of one series only. `patient` is Study::patient of the study that the object lies in.
+// Of the series that the object refers to, the volume that has most of its images, or frames of them. The
+// series must be of the patient whom the object is of, unless the object names nobody: then it has made UIDs
+// anew (dicom::uidFrom), which are of one series only. `patient` is Study::patient of the study that the
+// object lies in.
 PresentedVolume presentedVolume(const dicom::OtherObject& object, int patient, const FoundVolumes& found);
 
 }  // namespace macula::app

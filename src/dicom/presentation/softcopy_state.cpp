@@ -1,5 +1,6 @@
 #include "dicom/presentation/softcopy_state.h"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <utility>
@@ -22,16 +23,19 @@ constexpr Tag kRotation{0x0070, 0x0042};
 constexpr Tag kTopLeft{0x0070, 0x0052};
 constexpr Tag kBottomRight{0x0070, 0x0053};
 constexpr Tag kDisplayedAreas{0x0070, 0x005A};
+constexpr Tag kPresentationSizeMode{0x0070, 0x0100};
 constexpr Tag kPresentationLuts{0x2050, 0x0010};
 constexpr Tag kPresentationLutShape{0x2050, 0x0020};
 constexpr int kLargestPixel = 65536;
 
-std::vector<std::string> imagesOf(const Dataset& item) {
-    std::vector<std::string> uids;
-    for (const Dataset& image : item.items(tags::kReferencedImages)) {
-        if (auto uid = image.text(tags::kReferencedSopInstanceUid)) uids.push_back(std::move(*uid));
-    }
-    return uids;
+std::vector<ReferencedFrames> imagesOf(const Dataset& item) {
+    return referencedFrames(item.items(tags::kReferencedImages));
+}
+
+DisplayedSize sizeOf(const Dataset& item) {
+    const std::string mode = item.shortText(kPresentationSizeMode);
+    if (mode == "TRUE SIZE") return DisplayedSize::trueSize;
+    return mode == "MAGNIFY" ? DisplayedSize::magnified : DisplayedSize::fitted;
 }
 
 // Nothing: it says no window, or one that shows no value.
@@ -52,7 +56,7 @@ std::optional<DisplayWindow> windowOf(const Dataset& item) {
 void readReferences(const Dataset& file, SoftcopyState& state) {
     for (const Dataset& series : file.items(tag::kReferencedSeries)) {
         if (auto uid = series.text(tag::kSeriesInstanceUid)) state.seriesUids.push_back(std::move(*uid));
-        for (std::string& uid : imagesOf(series)) state.imageUids.push_back(std::move(uid));
+        for (ReferencedFrames& image : imagesOf(series)) state.images.push_back(std::move(image));
     }
 }
 
@@ -76,7 +80,7 @@ void readPlace(const Dataset& file, SoftcopyState& state) {
         const auto first = item.numbers(kTopLeft, 2);
         const auto last = item.numbers(kBottomRight, 2);
         if (!first || !last) continue;
-        DisplayedArea area{.images = imagesOf(item)};
+        DisplayedArea area{.images = imagesOf(item), .size = sizeOf(item)};
         bool isUsable = true;
         for (int axis = 0; axis < 2; ++axis) {
             const double low = (*first)[std::size_t(axis)];
@@ -95,7 +99,14 @@ void readPlace(const Dataset& file, SoftcopyState& state) {
     }
 }
 
+bool areDamaged(const std::vector<ReferencedFrames>& images) {
+    return std::ranges::any_of(images, &ReferencedFrames::isDamaged);
+}
+
 void noteTheRest(const Dataset& file, SoftcopyState& state) {
+    if (areDamaged(state.images) || std::ranges::any_of(state.windows, areDamaged, &SoftcopyWindow::images) ||
+        std::ranges::any_of(state.areas, areDamaged, &DisplayedArea::images))
+        state.leftOut.emplace_back("an unreadable list of frames");
     if (!file.items(tags::kGraphicAnnotations).empty()) state.leftOut.emplace_back("annotations");
     if (file.has(kShutterShape)) state.leftOut.emplace_back("a shutter");
     if (!file.items(kMaskSubtraction).empty()) state.leftOut.emplace_back("a subtraction of images");
@@ -121,7 +132,7 @@ Result<SoftcopyState> readSoftcopyState(const std::filesystem::path& path) try {
                          "Choose a file of the kind Grayscale Softcopy Presentation State.");
     SoftcopyState state;
     readReferences(file, state);
-    if (state.seriesUids.empty() || state.imageUids.empty())
+    if (state.seriesUids.empty() || state.images.empty())
         return notUsable("The presentation state does not say which images it is of.",
                          "Copy the file again from its source, or choose another presentation state.");
     readValues(file, state);

@@ -10,22 +10,28 @@
 
 #include "base/result.h"
 #include "base/volume.h"
+#include "dicom/read/referenced_frames.h"
 
 namespace macula::dicom {
 
-// `images` are SOP Instance UIDs; none: all that the object is of.
+// `images`, none: all that the object is of.
 struct SoftcopyWindow {
-    std::vector<std::string> images;
+    std::vector<ReferencedFrames> images;
     std::optional<DisplayWindow> window;  // of values after the rescale below; nothing: it is a table
 
     bool operator==(const SoftcopyWindow&) const = default;
 };
 
+// Presentation Size Mode (PS3.3 C.10.4): as large as fits, in millimetres of the screen, or so many pixels of
+// the screen for each of the image.
+enum class DisplayedSize { fitted, trueSize, magnified };
+
 // Corners in pixels, (column, row) from 1 (PS3.3 C.10.4); bottom right is within. Its columns and rows grow.
 struct DisplayedArea {
-    std::vector<std::string> images;
+    std::vector<ReferencedFrames> images;
     glm::ivec2 topLeft{1};
     glm::ivec2 bottomRight{1};
+    DisplayedSize size = DisplayedSize::fitted;
 
     bool operator==(const DisplayedArea&) const = default;
 };
@@ -33,7 +39,7 @@ struct DisplayedArea {
 // Texts and UIDs may name a patient: never logged.
 struct SoftcopyState {
     std::vector<std::string> seriesUids;  // in the order of the file, as are images
-    std::vector<std::string> imageUids;
+    std::vector<ReferencedFrames> images;
     // How images are to be turned and mirrored before they are seen (PS3.3 C.10.6).
     int rotationDeg = 0;
     bool isFlipped = false;

@@ -71,17 +71,16 @@ PresentationHeading headingOf(const Dataset& header, const std::vector<Dataset>&
                                 .date = header.shortText(tags::kCreationDate),
                                 .time = header.shortText(tags::kCreationTime),
                                 .creator = header.text(tags::kContentCreatorName).value_or(""),
-                                .imageUids = {}};
+                                .images = {}};
+    std::vector<ReferencedFrames> images;
     for (const Dataset& series : referencedSeries) {
         // Those of slices name them so, those of volumes as instances (PS3.3 C.11.11 and C.12.2).
-        for (const Tag images : {tags::kReferencedImages, tags::kReferencedInstances}) {
-            for (const Dataset& image : series.items(images)) {
-                if (auto uid = image.text(tags::kReferencedSopInstanceUid))
-                    heading.imageUids.push_back(std::move(*uid));
-            }
+        for (const Tag named : {tags::kReferencedImages, tags::kReferencedInstances}) {
+            for (ReferencedFrames& image : referencedFrames(series.items(named)))
+                images.push_back(std::move(image));
         }
     }
-    sortOut(heading.imageUids);
+    heading.images = byImage(std::move(images));
     return heading;
 }
 

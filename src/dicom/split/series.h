@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "dicom/read/referenced_frames.h"
 #include "dicom/split/stack.h"
 
 namespace macula::dicom {
@@ -14,10 +15,10 @@ namespace macula::dicom {
 struct PresentationHeading {
     std::string label;
     std::string description;
-    std::string date;                    // YYYYMMDD
-    std::string time;                    // HHMMSS
-    std::string creator;                 // components separated by ^
-    std::vector<std::string> imageUids;  // sorted, each once
+    std::string date;                      // YYYYMMDD
+    std::string time;                      // HHMMSS
+    std::string creator;                   // components separated by ^
+    std::vector<ReferencedFrames> images;  // as byImage
 
     bool operator==(const PresentationHeading&) const = default;
 };

@@ -7,6 +7,8 @@
 #include <QWheelEvent>
 #include <QWindow>
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace macula::viewer {
@@ -64,6 +66,18 @@ void DrivenHand::drag(QObject& target, QPointF from, QPointF to, Qt::MouseButton
     straight.button = button;
     straight.modifiers = modifiers;
     drag(std::move(straight));
+}
+
+void DrivenHand::dragAround(QObject& target, double radiusShare) {
+    Drag circle;
+    circle.target = &target;
+    const QPointF middle = middleOf(target);
+    const double radius = radiusShare * 2.0 * std::min(middle.x(), middle.y());
+    circle.path = [middle, radius](double share) {
+        const double angle = 2.0 * std::numbers::pi * share;
+        return middle + radius * QPointF(std::cos(angle), std::sin(angle));
+    };
+    drag(std::move(circle));
 }
 
 void DrivenHand::move() {

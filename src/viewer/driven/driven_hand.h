@@ -31,6 +31,8 @@ class DrivenHand : public QObject {
     void drag(Drag drag);
     void drag(QObject& target, QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton,
               Qt::KeyboardModifiers modifiers = Qt::NoModifier);
+    // Once around its middle, clockwise from the right; the radius is a share of its shorter side.
+    void dragAround(QObject& target, double radiusShare);
     // One notch after the other; negative ones are towards the person.
     void turnWheel(QWidget& target, int notches);
     bool isBusy() const { return dragging_.target != nullptr || notches_ != 0; }

@@ -58,7 +58,7 @@ void addResumed(Table& table, const QJsonObject& resumed) {
     };
     table.addMs(QStringLiteral("resumed: study read, cold files"), read, {});
     table.addMs(QStringLiteral("resumed: first 3D picture after that"), later("pictureMs"), kResumedLaterMs);
-    table.addMs(QStringLiteral("resumed: splats fit to be shown after that"), later("modelMs"), {});
+    table.addMs(QStringLiteral("resumed: preview sharp after that"), later("modelMs"), {});
 }
 
 void addStalls(Table& table, const QJsonObject& session) {
@@ -107,7 +107,7 @@ QString sessionTable(const QJsonObject& session, const QJsonObject& resumed) {
                 window ? std::optional(*window + started) : std::nullopt, kWindowMs);
     table.addMs(QStringLiteral("first slice, cold files"), openingOf(session, "sliceMs"), kSliceMs);
     table.addMs(QStringLiteral("first 3D picture, cold files"), openingOf(session, "pictureMs"), kPictureMs);
-    table.addMs(QStringLiteral("splats fit to be shown"), openingOf(session, "modelMs"), {});
+    table.addMs(QStringLiteral("preview sharp enough to be shown"), openingOf(session, "modelMs"), {});
     if (!resumed.isEmpty()) addResumed(table, resumed);
     addStalls(table, session);
     const QJsonObject orbit = session.value(QLatin1String("orbit")).toObject();

@@ -22,7 +22,7 @@ struct SessionScriptOptions {
     app::StudySource study;
     bool opensOnly = false;  // ends once slice, picture and model are there
     SessionWork work;
-    double modelSeconds = 60.0;  // for the the splats to be fit to be shown, at most
+    double modelSeconds = 60.0;  // for the preview to be sharp enough to be shown, at most
 };
 
 // The files of the study are taken out of the system's cache first. `finished` carries the exit code: 0, that

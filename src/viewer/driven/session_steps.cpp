@@ -258,16 +258,7 @@ class SessionSteps {
         }).patienceMs = 5'000;
         addByHand("scissors", [&window = window_, &hand = hand_] {
             hand.press(Qt::Key_X);
-            VulkanWindow& target = window.viewport().window();
-            const QPointF middle = DrivenHand::middleOf(target);
-            const double radius = 0.15 * std::min(target.width(), target.height());
-            DrivenHand::Drag drag;
-            drag.target = &target;
-            drag.path = [middle, radius](double share) {
-                const double angle = 2.0 * std::numbers::pi * share;
-                return middle + radius * QPointF(std::cos(angle), std::sin(angle));
-            };
-            hand.drag(std::move(drag));
+            hand.dragAround(window.viewport().window(), 0.15);
         });
         add(
             "voxels cut", {}, [&window = window_] { return !window.cutting(); }, kLookMs);

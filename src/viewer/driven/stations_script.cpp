@@ -11,9 +11,7 @@
 #include <QThreadPool>
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <utility>
 
 #include "app/exit_codes.h"
@@ -122,16 +120,7 @@ void StationsScript::addTools(std::vector<DrivenStep>& all) {
         [this] { return window_.viewport().isCameraOnScreen(); }));
     all.push_back(between([this] {
         hand_.press(Qt::Key_X);
-        VulkanWindow& target = window_.viewport().window();
-        const QPointF middle = DrivenHand::middleOf(target);
-        const double radius = 0.2 * std::min(target.width(), target.height());
-        DrivenHand::Drag drag;
-        drag.target = &target;
-        drag.path = [middle, radius](double share) {
-            const double angle = 2.0 * std::numbers::pi * share;
-            return middle + radius * QPointF(std::cos(angle), std::sin(angle));
-        };
-        hand_.drag(std::move(drag));
+        hand_.dragAround(window_.viewport().window(), 0.2);
     }));
     all.push_back(between({}, [this] { return !window_.cutting(); }));
     all.push_back(station("scissors", {}));

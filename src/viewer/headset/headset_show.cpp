@@ -1,5 +1,7 @@
 #ifdef MACULA_HAS_XR
 #include "xr/study_in_headset.h"  // before Qt, see vulkan_window.h
+
+#include "viewer/headset/headset_words.h"
 #endif
 
 #include "viewer/headset/headset_show.h"
@@ -37,13 +39,14 @@ QImage imageOf(const xr::EyeView& view) {
     return lent.copy();
 }
 
-Result<std::string> showIn(HeadsetWish wish, const Told& told,
+Result<std::string> showIn(HeadsetWish wish, xr::RoomWords words, const Told& told,
                            std::function<std::optional<HeadsetChoice>()> wanted, Progress& progress) {
     xr::RoomScene scene;
     scene.volume = in16Bits(wish.volume);
     scene.drawing = std::move(wish.drawing);
     xr::RoomHost host;
     host.presets = std::move(wish.presets);
+    host.words = std::move(words);
     host.pictures = std::move(wish.pictures);
     host.note = told.note;
     host.mirror = [&told](const xr::EyeView& view) { told.mirror(imageOf(view)); };
@@ -115,19 +118,20 @@ void HeadsetShow::start([[maybe_unused]] HeadsetWish wish) {
         const std::lock_guard lock(shared->mutex);
         return std::exchange(shared->wanted, std::nullopt);
     };
+    const xr::RoomWords words = headsetWords(wish.presets);
     // Cancelled by a token of its own: an end that somebody asks for is told when it has come.
-    job_.start(
-        [wish = std::move(wish), told, wanted, token = token_](Progress&) mutable -> Result<std::string> {
-            Progress progress({}, token);
-            try {
-                return showIn(std::move(wish), *told, wanted, progress);
-            } catch (const std::exception&) {
-                return Error{ErrorCode::outOfMemory,
-                             "There is not enough memory for the headset.",
-                             {},
-                             "Close other programs."};
-            }
-        });
+    job_.start([wish = std::move(wish), words, told, wanted,
+                token = token_](Progress&) mutable -> Result<std::string> {
+        Progress progress({}, token);
+        try {
+            return showIn(std::move(wish), words, *told, wanted, progress);
+        } catch (const std::exception&) {
+            return Error{ErrorCode::outOfMemory,
+                         "There is not enough memory for the headset.",
+                         {},
+                         "Close other programs."};
+        }
+    });
 #else
     job_.start([](Progress&) -> Result<std::string> {
         return Error{ErrorCode::deviceNotUsable,

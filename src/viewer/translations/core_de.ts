@@ -3439,6 +3439,18 @@
         <translation>Er hat mehrere Fenster; das seines ersten Bildes wird gezeigt.</translation>
     </message>
     <message>
+        <source>It is of some of the images alone; the others are shown in the same way.</source>
+        <translation>Er gilt nur für einen Teil der Bilder; die anderen werden ebenso gezeigt.</translation>
+    </message>
+    <message>
+        <source>It asks for the true size on the screen, which is not shown: slices fit their pane.</source>
+        <translation>Er verlangt die wahre Größe auf dem Bildschirm, die nicht gezeigt wird: Schichten füllen ihr Feld.</translation>
+    </message>
+    <message>
+        <source>It asks for a fixed magnification, which is not shown: slices fit their pane.</source>
+        <translation>Er verlangt eine feste Vergrößerung, die nicht gezeigt wird: Schichten füllen ihr Feld.</translation>
+    </message>
+    <message>
         <source>Where its images lie is not known: the slices stay where they are.</source>
         <translation>Wo seine Bilder liegen, ist nicht bekannt: die Schichten bleiben, wo sie sind.</translation>
     </message>
@@ -3991,6 +4003,10 @@
     <message>
         <source>a displayed area that is none</source>
         <translation>einen Bildausschnitt, der keiner ist</translation>
+    </message>
+    <message>
+        <source>an unreadable list of frames</source>
+        <translation>eine unlesbare Liste von Einzelbildern</translation>
     </message>
     <message>
         <source>annotations</source>
@@ -5068,10 +5084,6 @@
         <translation>Das Bild konnte nicht geschrieben werden.</translation>
     </message>
     <message>
-        <source>Picture %1 is written.</source>
-        <translation>Das Bild %1 ist geschrieben.</translation>
-    </message>
-    <message>
         <source>There is not enough memory for the picture.</source>
         <translation>Für das Bild ist nicht genug Speicher da.</translation>
     </message>
@@ -5110,22 +5122,6 @@
     <message>
         <source>Install it (Debian/Ubuntu: sudo apt install libopenxr-loader1).</source>
         <translation>Installieren Sie ihn (Debian/Ubuntu: sudo apt install libopenxr-loader1).</translation>
-    </message>
-    <message>
-        <source>Nothing would be left to see: that was not done.</source>
-        <translation>Es bliebe nichts zu sehen: das wurde nicht getan.</translation>
-    </message>
-    <message>
-        <source>Real size 1:1: a millimetre is a millimetre.</source>
-        <translation>Wahre Größe 1:1: ein Millimeter ist ein Millimeter.</translation>
-    </message>
-    <message>
-        <source>Before you, at real size 1:1.</source>
-        <translation>Vor Ihnen, in wahrer Größe 1:1.</translation>
-    </message>
-    <message>
-        <source>Six cuts are all there can be: undo one, or reset the clips.</source>
-        <translation>Mehr als sechs Schnitte gehen nicht: machen Sie einen rückgängig, oder setzen Sie den Beschnitt zurück.</translation>
     </message>
     <message>
         <source>In a headset only path-traced pictures can be shown.</source>

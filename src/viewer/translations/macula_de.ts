@@ -117,6 +117,113 @@
     </message>
 </context>
 <context>
+    <name>HeadsetWords</name>
+    <message>
+        <source>Shift</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Knife: on</source>
+        <translation>Messer: an</translation>
+    </message>
+    <message>
+        <source>Knife: off</source>
+        <translation>Messer: aus</translation>
+    </message>
+    <message>
+        <source>Hold: %1</source>
+        <translation>Halte: %1</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Reset clips</source>
+        <translation>Beschnitt weg</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take picture</source>
+        <translation>Bild aufnehmen</translation>
+    </message>
+    <message>
+        <source>Other wrist</source>
+        <translation>Andere Hand</translation>
+    </message>
+    <message>
+        <source>Real size 1:1</source>
+        <translation>Maßstab 1:1</translation>
+    </message>
+    <message>
+        <source>%1 times real size</source>
+        <translation>%1-mal wahre Größe</translation>
+    </message>
+    <message>
+        <source>1/%1 of real size</source>
+        <translation>1/%1 der wahren Größe</translation>
+    </message>
+    <message>
+        <source>Before me</source>
+        <translation>Vor mich</translation>
+    </message>
+    <message>
+        <source>Quality: %1</source>
+        <translation>Qualität: %1</translation>
+    </message>
+    <message>
+        <source>fast</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>balanced</source>
+        <translation>ausgewogen</translation>
+    </message>
+    <message>
+        <source>fine</source>
+        <translation>fein</translation>
+    </message>
+    <message>
+        <source>Not for primary diagnosis</source>
+        <translation>Nicht zur Primärdiagnose</translation>
+    </message>
+    <message>
+        <source>Real size 1:1: a millimetre is a millimetre.</source>
+        <translation>Maßstab 1:1: ein Millimeter ist ein Millimeter.</translation>
+    </message>
+    <message>
+        <source>Before you, at real size 1:1.</source>
+        <translation>Vor Ihnen, im Maßstab 1:1.</translation>
+    </message>
+    <message>
+        <source>Nothing would be left to see: that was not done.</source>
+        <translation>Es bliebe nichts zu sehen: das geschah nicht.</translation>
+    </message>
+    <message>
+        <source>No more than six cuts: undo one, or reset the clips.</source>
+        <translation>Höchstens sechs Schnitte: nehmen Sie einen zurück.</translation>
+    </message>
+    <message>
+        <source>The headset has lost its place. Look around.</source>
+        <translation>Das Headset weiß nicht, wo es ist. Sehen Sie umher.</translation>
+    </message>
+    <message>
+        <source>Picture %1 is written.</source>
+        <translation>Bild %1 ist gespeichert.</translation>
+    </message>
+</context>
+<context>
     <name>Help</name>
     <message>
         <source>Keys and Mouse</source>

@@ -43,7 +43,8 @@ TEST_F(SoftcopyStateTest, WhatIsSaidIsRead) {
     said_.isInverse = true;
     const SoftcopyState state = read();
     EXPECT_EQ(state.seriesUids, std::vector<std::string>{"2.25.1001"});
-    EXPECT_EQ(state.imageUids, (std::vector<std::string>{"2.25.8", "2.25.7"}));
+    EXPECT_EQ(state.images,
+              (std::vector<ReferencedFrames>{{.sopInstanceUid = "2.25.8"}, {.sopInstanceUid = "2.25.7"}}));
     EXPECT_EQ(state.slope, 1.0);
     EXPECT_EQ(state.intercept, -1024.0);
     ASSERT_EQ(state.windows.size(), 1u);
@@ -53,6 +54,7 @@ TEST_F(SoftcopyStateTest, WhatIsSaidIsRead) {
     ASSERT_EQ(state.areas.size(), 1u);
     EXPECT_EQ(state.areas[0].topLeft, glm::ivec2(3, 2));
     EXPECT_EQ(state.areas[0].bottomRight, glm::ivec2(6, 5));
+    EXPECT_EQ(state.areas[0].size, DisplayedSize::fitted);
     EXPECT_TRUE(state.isInverse);
     EXPECT_FALSE(state.isFlipped);
     EXPECT_EQ(state.rotationDeg, 0);
@@ -96,6 +98,43 @@ TEST_F(SoftcopyStateTest, WhatIsNoneIsAnErrorThatSaysSo) {
     EXPECT_NE(refused().message.find("which images"), std::string::npos);
 }
 
+// Numbers that are none mean all frames, which is told.
+TEST_F(SoftcopyStateTest, FramesOfAnImageAreReadAsTheyAreNamed) {
+    said_.imageUids = {"2.25.8"};
+    said_.frames = "3\\1\\3";
+    EXPECT_EQ(read().images,
+              (std::vector<ReferencedFrames>{{.sopInstanceUid = "2.25.8", .numbers = {3, 1, 3}}}));
+    EXPECT_TRUE(read().leftOut.empty());
+    for (const char* none : {"0", "-2", "2\\x", "1.5", "99999999999"}) {
+        said_.frames = none;
+        const SoftcopyState state = read();
+        ASSERT_EQ(state.images.size(), 1u);
+        EXPECT_TRUE(state.images[0].numbers.empty()) << none;
+        EXPECT_EQ(state.leftOut, std::vector<std::string>{"an unreadable list of frames"}) << none;
+    }
+}
+
+TEST_F(SoftcopyStateTest, ImagesThatAreNamedTwiceAreOneWithTheFramesOfBoth) {
+    const std::vector<ReferencedFrames> images = byImage({{.sopInstanceUid = "2", .numbers = {5, 1}},
+                                                          {.sopInstanceUid = "1"},
+                                                          {.sopInstanceUid = "2", .numbers = {1, 3}},
+                                                          {.sopInstanceUid = "1", .numbers = {4}}});
+    EXPECT_EQ(images, (std::vector<ReferencedFrames>{{.sopInstanceUid = "1"},
+                                                     {.sopInstanceUid = "2", .numbers = {1, 3, 5}}}));
+    EXPECT_TRUE(images[1].holds(2));
+    EXPECT_FALSE(images[1].holds(3)) << "frames of a file count from 0, those of an object from 1";
+}
+
+TEST_F(SoftcopyStateTest, TheSizeOnTheScreenIsRead) {
+    said_.area = {3, 2, 6, 5};
+    said_.sizeMode = "TRUE SIZE";
+    EXPECT_EQ(read().areas.at(0).size, DisplayedSize::trueSize);
+    said_.sizeMode = "MAGNIFY";
+    EXPECT_EQ(read().areas.at(0).size, DisplayedSize::magnified);
+    said_.sizeMode = "";
+    EXPECT_EQ(read().areas.at(0).size, DisplayedSize::fitted);
+}
+
 TEST_F(SoftcopyStateTest, CutOffAnywhereItIsReadOrRefused) {
     said_.area = {3, 2, 6, 5};
     writeSoftcopy(path_, said_);
@@ -125,8 +164,12 @@ TEST_F(SoftcopyStateTest, TheScanKnowsWhatItIsOfAndWhatItCallsItself) {
     EXPECT_EQ(object.label, "Seen by night");
     ASSERT_TRUE(object.presentation);
     EXPECT_EQ(*object.presentation,
-              (PresentationHeading{"LUNG", "Seen by night", "20240229", "101112", "Reader^Night",
-                                   std::vector<std::string>{"2.25.7", "2.25.8"}}));
+              (PresentationHeading{"LUNG",
+                                   "Seen by night",
+                                   "20240229",
+                                   "101112",
+                                   "Reader^Night",
+                                   {{.sopInstanceUid = "2.25.7"}, {.sopInstanceUid = "2.25.8"}}}));
     EXPECT_TRUE(hasMessage(series, key::kPresentationState));
     EXPECT_FALSE(hasMessage(series, key::kUnsupportedSopClass));
 }

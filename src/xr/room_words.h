@@ -1,0 +1,59 @@
+// What is written in the room: on the panel, and before the eyes. In English, unless a host has other words.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "xr/clip_tools.h"
+#include "xr/room_state.h"
+
+namespace macula::xr {
+
+// %1 stands for what is put in. A button at half the width of the panel has 15 letters; letters are those of
+// panel_letters.h.
+struct RoomWords {
+    std::string shift = "Shift";
+    std::string knifeOn = "Knife: on";
+    std::string knifeOff = "Knife: off";
+    std::string hold = "Hold: %1";
+    std::string nothing = "nothing";
+    std::string ball = "ball";
+    std::string box = "box";
+    std::string resetClips = "Reset clips";
+    std::string undo = "Undo";
+    std::string takePicture = "Take picture";
+    std::string otherWrist = "Other wrist";
+    std::string realSize = "Real size 1:1";
+    std::string larger = "%1 times real size";
+    std::string smaller = "1/%1 of real size";
+    std::string recentre = "Before me";
+    std::string quality = "Quality: %1";
+    std::string fast = "fast";
+    std::string balanced = "balanced";
+    std::string fine = "fine";
+    std::string notForDiagnosis = "Not for primary diagnosis";
+
+    std::string isRealSize = "Real size 1:1: a millimetre is a millimetre.";
+    std::string isBeforeYou = "Before you, at real size 1:1.";
+    std::string nothingLeft = "Nothing would be left to see: that was not done.";
+    std::string noMoreCuts = "No more than six cuts: undo one, or reset the clips.";
+    std::string lostPlace = "The headset has lost its place. Look around.";
+    std::string pictureWritten = "Picture %1 is written.";
+
+    std::string edited = "edited";              // of a preset that was changed, app::ownCopy
+    std::map<std::string, std::string> titles;  // of presets that are built in, by the English one
+    std::map<std::string, std::string> errors;  // sentences of other rooms, by the English one
+    char decimalSign = '.';
+
+    const std::string& of(RoomQuality chosen) const;
+    const std::string& of(ClipTool tool) const;  // that a hand holds; the knife is none of these
+    std::string ofTitle(std::string_view title) const;
+    std::string ofError(const std::string& sentence) const;
+    std::string ofNumber(std::string number) const;  // with a point as the decimal sign
+};
+
+// `what` in the place of %1.
+std::string filled(std::string pattern, std::string_view what);
+
+}  // namespace macula::xr
