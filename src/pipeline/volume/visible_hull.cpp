@@ -13,6 +13,7 @@ namespace macula {
 namespace {
 
 constexpr double kLeastDepth = 0.1;  // optical; less is no outline
+constexpr int kNowhere = -1;         // in a row
 constexpr int kBisections = 10;      // to a thousandth of a voxel
 
 double cross(const glm::dvec2& o, const glm::dvec2& a, const glm::dvec2& b) {
@@ -57,31 +58,34 @@ class Rows {
     }
 
     // Where along an axis the row through `voxel` begins to be seen, from its low end (`step` 1) or its high
-    // end (-1).
-    std::optional<double> end(glm::ivec3 voxel, int axis, int step) const {
+    // end (-1). Nothing where it does not begin before `known`, a place on the axis.
+    std::optional<double> end(glm::ivec3 voxel, int axis, int step, double known) const {
         const int count = volume_.size()[axis];
         const double stepMm = glm::length(glm::dvec3(volume_.worldFromVoxel()[axis]));
         double depth = 0.0;
-        std::optional<double> begin;
+        int begin = kNowhere;
         for (int i = step > 0 ? 0 : count - 1; i >= 0 && i < count; i += step) {
+            if (begin == kNowhere && (i - step - known) * step >= 0.0) return std::nullopt;
             voxel[axis] = i;
             if (!maySee(voxel)) {
                 const int brick = (i + 1) / kBrickVoxels;
                 i = brick * kBrickVoxels +
                     (step > 0 ? kBrickVoxels - 2 : -1);  // the last one of it on the way
-                begin.reset();
+                begin = kNowhere;
                 depth = 0.0;
                 continue;
             }
             const double extinction = extinctionAt(voxel);
             if (extinction < leastPerMm_) {
-                begin.reset();
+                begin = kNowhere;
                 depth = 0.0;
                 continue;
             }
-            if (!begin) begin = borderBefore(voxel, axis, step);
+            if (begin == kNowhere) begin = i;
             depth += extinction * stepMm;
-            if (depth >= kLeastDepth) return begin;
+            if (depth < kLeastDepth) continue;
+            voxel[axis] = begin;
+            return borderBefore(voxel, axis, step);
         }
         return std::nullopt;
     }
@@ -147,22 +151,56 @@ class Rows {
     double opaqueFrom_;  // above this entry there may be a face of the clip
 };
 
-// Adds the ends of all rows along `axis` in the plane `normal` = index.
-void addEnds(const Rows& rows, const glm::ivec3& size, int axis, int normal, int index,
-             std::vector<glm::dvec2>& ends) {
-    const int other = 3 - axis - normal;
-    for (int i = 0; i < size[other]; ++i) {
-        glm::ivec3 voxel(0);
-        voxel[normal] = index;
-        voxel[other] = i;
-        for (const int step : {1, -1}) {
-            const std::optional<double> at = rows.end(voxel, axis, step);
-            if (!at) break;
-            glm::dvec3 point(voxel);
-            point[axis] = *at;
-            ends.emplace_back(point[normal == 0 ? 1 : 0], point[normal == 2 ? 1 : 2]);
-        }
+// Of a row, in voxels; nothing where the low end is above the high one.
+struct Ends {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    bool areThere() const { return low <= high; }
+};
+
+// Where a convex polygon is cut by the line of this x.
+Ends cutAt(const std::vector<glm::dvec2>& polygon, double x) {
+    Ends cut;
+    const auto add = [&cut](double y) {
+        cut.low = std::min(cut.low, y);
+        cut.high = std::max(cut.high, y);
+    };
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const glm::dvec2& a = polygon[i];
+        const glm::dvec2& b = polygon[(i + 1) % polygon.size()];
+        if (a.x == x) add(a.y);
+        if ((a.x - x) * (b.x - x) < 0.0) add(a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y));
     }
+    return cut;
+}
+
+// Ends of the rows of one plane along its x: in the plane's coordinates, `place` of a row is its y.
+using RowsAlongX = std::vector<Ends>;
+std::vector<glm::dvec2> hullOf(const RowsAlongX& rows) {
+    std::vector<glm::dvec2> points;
+    for (std::size_t place = 0; place < rows.size(); ++place) {
+        if (!rows[place].areThere()) continue;
+        points.emplace_back(rows[place].low, place);
+        points.emplace_back(rows[place].high, place);
+    }
+    return convexHull(std::move(points));
+}
+
+// The hull with the ends of the rows along the plane's y too, which is `axis`; `first` is the first voxel of
+// the plane. What does not reach out of the hull is not looked for.
+std::vector<glm::dvec2> widened(std::vector<glm::dvec2> hull, const Rows& rows, const glm::ivec3& first,
+                                int axis, int columns) {
+    std::vector<glm::dvec2> points = hull;
+    for (int x = 0; x < columns; ++x) {
+        const Ends known = cutAt(hull, x);
+        const glm::ivec3 voxel(x, first.y, first.z);
+        const std::optional<double> low = rows.end(voxel, axis, 1, known.low);
+        if (!low && !known.areThere()) continue;  // nothing is seen in it
+        const std::optional<double> high = rows.end(voxel, axis, -1, known.high);
+        if (low) points.emplace_back(x, *low);
+        if (high) points.emplace_back(x, *high);
+    }
+    return convexHull(std::move(points));
 }
 
 }  // namespace
@@ -172,22 +210,30 @@ std::vector<glm::dvec3> visibleHullMm(const Volume& volume, const BrickGrid& gri
     MACULA_CHECK_EQ(medium.bounds.size(), grid.ranges.size());
     const Rows rows(volume, grid, medium, clip, mask, additions);
     const glm::ivec3 size = volume.size();
-    // Slices hold the rows of two axes, the planes across j those of the third.
+    // Slices hold the rows along x, which lie in memory as they are read, and those along y; the planes
+    // across y those along z.
+    std::vector<RowsAlongX> alongX(std::size_t(size.z), RowsAlongX(std::size_t(size.y)));
     std::vector<std::vector<glm::dvec3>> hulls(std::size_t(size.z) + std::size_t(size.y));
-    parallelFor(hulls.size(), [&](std::size_t plane) {
-        const bool isSlice = plane < std::size_t(size.z);
-        const int index = static_cast<int>(isSlice ? plane : plane - std::size_t(size.z));
-        std::vector<glm::dvec2> ends;
-        if (isSlice) {
-            addEnds(rows, size, 0, 2, index, ends);
-            addEnds(rows, size, 1, 2, index, ends);
-        } else {
-            addEnds(rows, size, 2, 1, index, ends);
+    const auto keep = [&](std::size_t plane, const glm::dvec3& voxel) {
+        hulls[plane].push_back(transformPoint(volume.worldFromVoxel(), voxel));
+    };
+    parallelFor(std::size_t(size.z), [&](std::size_t z) {
+        for (int y = 0; y < size.y; ++y) {
+            const glm::ivec3 first(0, y, int(z));
+            const std::optional<double> low = rows.end(first, 0, 1, std::numeric_limits<double>::infinity());
+            if (!low) continue;
+            const std::optional<double> high =
+                rows.end(first, 0, -1, -std::numeric_limits<double>::infinity());
+            if (high) alongX[z][std::size_t(y)] = {*low, *high};
         }
-        for (const glm::dvec2& p : convexHull(std::move(ends)))
-            hulls[plane].push_back(
-                transformPoint(volume.worldFromVoxel(),
-                               isSlice ? glm::dvec3(p.x, p.y, index) : glm::dvec3(p.x, index, p.y)));
+        for (const glm::dvec2& p : widened(hullOf(alongX[z]), rows, {0, 0, int(z)}, 1, size.x))
+            keep(z, {p.x, p.y, double(z)});
+    });
+    parallelFor(std::size_t(size.y), [&](std::size_t y) {
+        RowsAlongX ends;
+        for (const RowsAlongX& slice : alongX) ends.push_back(slice[y]);
+        for (const glm::dvec2& p : widened(hullOf(ends), rows, {0, int(y), 0}, 2, size.x))
+            keep(std::size_t(size.z) + y, {p.x, double(y), p.y});
     });
     std::vector<glm::dvec3> points;
     for (const auto& hull : hulls) points.insert(points.end(), hull.begin(), hull.end());
