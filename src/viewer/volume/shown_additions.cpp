@@ -64,7 +64,7 @@ void ShownAdditions::updateSecond() {
     std::optional<app::BesideState> wanted;
     if (beside && second_ && app::isIn3d(*beside) && app::isOf(*beside, second_->study) &&
         app::mayBeIn3d(session_.study().identity, second_->study.identity))
-        wanted = beside;
+        wanted = app::partIn3d(*beside);
     if (!wanted) {
         joining_.cancel();
         wantedSecond_.reset();
@@ -72,8 +72,7 @@ void ShownAdditions::updateSecond() {
         made_.second.reset();
         return show();
     }
-    wanted->view = app::BesideView::beside;  // how it is on slices matters to nobody here
-    if (!wanted->window) wanted->window = second_->usualWindow;
+    if (!wanted->window && !wanted->preset) wanted->window = second_->usualWindow;
     if (wanted == wantedSecond_) return;
     wantedSecond_ = wanted;
     // A slider asks faster than it is made: the newest is, when the one before is there.
