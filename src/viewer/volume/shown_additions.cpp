@@ -190,6 +190,8 @@ void ShownAdditions::show() {
             app::secondRemark(*made_.second->volume, madeOf_,
                               app::samePatient(session_.study().identity, second_->study.identity));
     if (made_.tints) made_.remark += made_.remark.empty() ? "coloured segments" : ", coloured segments";
+    // The same once more would begin the picture anew.
+    if (made_.isNothing() ? additions_ == nullptr : additions_ && *additions_ == made_) return;
     additions_ = made_.isNothing() ? nullptr : std::make_shared<const Additions>(made_);
     emit changed();
 }
