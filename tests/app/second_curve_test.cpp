@@ -217,6 +217,10 @@ TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
     const auto unplaced = secondToDraw(wish, study, &beside, progress);
     ASSERT_TRUE(unplaced);
     EXPECT_EQ(unplaced->second.secondFromVolumeMm, glm::dmat4(1.0));
+    beside.in3d = true;
+    const auto told = secondToDraw(wish, study, &beside, progress);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->notes.size(), unplaced->notes.size() + 1) << "the view had another one in the picture";
 }
 
 }  // namespace
