@@ -19,7 +19,8 @@ class UiHeartbeat : public QObject {
     void stop();
     // The longest hold-up since start(), beyond the interval itself.
     double longestStallMs() const { return longestMs_; }
-    // What this thread did itself in that hold-up, of the processor; for the rest of it, others had the cores.
+    // What this thread did itself in that hold-up, of the processor; for the rest of it, others had the
+    // cores.
     double ownWorkInItMs() const { return ownWorkInItMs_; }
     // How often it was held up for longer than a person notices.
     static constexpr double kNoticedMs = 50.0;

@@ -86,6 +86,9 @@ TEST(AdditionWish, TakesWhatTheViewSaysOutOfTheState) {
     EXPECT_FALSE(shown->clip.mask);
     EXPECT_TRUE(isTold(made->notes, "segments of the view are not here"));
     EXPECT_TRUE(isTold(made->notes, "give it by --second"));
+    const auto projected = makeAdditions(*choice, study, trace::Look::mip, shown->clip, progress);
+    ASSERT_TRUE(projected);
+    EXPECT_FALSE(isTold(projected->notes, "--second")) << "a projection would not draw it";
 }
 
 TEST(AdditionWish, IsInTheDrawingAndSaidButOfAProjection) {

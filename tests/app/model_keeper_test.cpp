@@ -202,7 +202,8 @@ TEST_F(ModelKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
 
 // Its colours are of other pictures than those that are traced now.
 TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
-    session::ModelKey key = sceneKey(fingerprint(*volume_), *volume_, drawing_);
+    PartDigests parts;
+    session::ModelKey key = sceneKey(fingerprint(*volume_), *volume_, drawing_, parts);
     const auto tracer = std::ranges::find(key.parts, "tracer", &session::KeyPart::name);
     ASSERT_NE(tracer, key.parts.end());
     tracer->digest = sha256Hex("an older one");

@@ -40,7 +40,8 @@ Drawing drawing() {
 }
 
 session::ModelKey keyOf(const Volume& volume, const Drawing& of) {
-    return sceneKey(fingerprint(volume), volume, of);
+    PartDigests parts;
+    return sceneKey(fingerprint(volume), volume, of, parts);
 }
 
 TEST(SceneKey, IsOfWhatThingsAreAndNotOfTheirNames) {

@@ -47,6 +47,35 @@ TEST(SecondCurve, HasTheColoursAndTheWindowThatItHasOverSlices) {
     EXPECT_TRUE(validate(secondCurve(*pet(), window(3.0, 3.0 + 1e-9), slices::ColourTable::green, 1.0)).ok());
 }
 
+TEST(SecondCurve, OfThePictureIn3dIsNotHowItIsOnSlices) {
+    BesideState state;
+    state.link = BesideLink::registered;
+    state.in3d = true;
+    const auto changes = [&](const auto& edit) {
+        BesideState next = state;
+        edit(next);
+        StudyState before;
+        StudyState after;
+        before.beside = state;
+        after.beside = next;
+        const bool isStale = staleAfter(before, after) == Stale::matter;
+        EXPECT_EQ(isStale, partIn3d(next) != partIn3d(state));
+        return isStale;
+    };
+    const auto look = [](BesideState& b) { b.view = BesideView::over; };
+    const auto bound = [](BesideState& b) { b.boundMm = 0.4; };
+    const auto opacity = [](BesideState& b) { b.opacity = 0.1; };
+    const auto colours = [](BesideState& b) { b.colours = slices::ColourTable::grey; };
+    const auto levels = [](BesideState& b) { b.window = window(0.0, 7.0); };
+    EXPECT_FALSE(changes(look) || changes(bound));
+    EXPECT_TRUE(changes(opacity) && changes(colours) && changes(levels)) << "they are its curve";
+    state.preset = std::make_shared<const TransferFunction>();
+    EXPECT_FALSE(changes(look) || changes(bound) || changes(opacity) || changes(colours) || changes(levels));
+    EXPECT_TRUE(changes([](BesideState& b) { b.preset.reset(); }));
+    EXPECT_TRUE(changes([](BesideState& b) { b.secondFromStudy[3].x = 1.0; }));
+    EXPECT_TRUE(changes([](BesideState& b) { b.isDoubtful = true; })) << "the picture says so";
+}
+
 TEST(SecondCurve, IsIn3dOnlyWhereItIsLinkedAndShown) {
     BesideState state;
     state.in3d = true;
@@ -188,6 +217,10 @@ TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
     const auto unplaced = secondToDraw(wish, study, &beside, progress);
     ASSERT_TRUE(unplaced);
     EXPECT_EQ(unplaced->second.secondFromVolumeMm, glm::dmat4(1.0));
+    beside.in3d = true;
+    const auto told = secondToDraw(wish, study, &beside, progress);
+    ASSERT_TRUE(told);
+    EXPECT_EQ(told->notes.size(), unplaced->notes.size() + 1) << "the view had another one in the picture";
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/picture/addition_wish.h"
 #include "app/segmentation/found_segmentation.h"
 #include "app/segmentation/loaded_segmentation.h"
 #include "app/segmentation/segment_mask.h"
@@ -286,7 +287,31 @@ TEST_F(SegmentationOfAFolder, InColourTheirVoxelsHaveTheColoursThatWereChosen) {
     EXPECT_FALSE(drawn->mask) << "nothing is hidden";
     ASSERT_TRUE(drawn->tints);
     EXPECT_EQ(drawn->tints->colours.size(), 1u);
-    EXPECT_EQ(drawn->notes.size(), 1u) << "colours are no values of the preset";
+    EXPECT_TRUE(drawn->notes.empty());
+}
+
+// Of a picture with segments in colour is said what is seen in it, and of one that has no colours that.
+TEST_F(SegmentationOfAFolder, InColourAPictureSaysSoButAProjection) {
+    open();
+    ReadStudy study;
+    study.input.volume = in16Bits(study_.volume);
+    study.found = study_.found;
+    StudyState state;
+    AdditionWish wish;
+    wish.segments = {"colour:tumour"};
+    const auto choice = additionChoice(wish, folder_.path(), state);
+    ASSERT_TRUE(choice) << choice.error().message;
+    const auto noteIn = [&](trace::Look look) {
+        Clip clip;
+        Progress progress;
+        const auto made = makeAdditions(*choice, study, look, clip, progress);
+        EXPECT_TRUE(made && made->additions.tints && made->notes.size() == 1);
+        return made && made->notes.size() == 1 ? made->notes.front() : std::string();
+    };
+    EXPECT_EQ(noteIn(trace::Look::cinematic),
+              "Segments are coloured: in them colours are no values of the preset.");
+    EXPECT_EQ(noteIn(trace::Look::mip),
+              "Segments have no colours in this look: they have in all but projections.");
 }
 
 TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {

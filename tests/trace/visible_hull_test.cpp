@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <random>
 
 #include "pipeline/volume/entry_map.h"
@@ -23,12 +25,28 @@ TransferFunction ramp() {
     return f;
 }
 
+// What is left of the volume, and what is beside it.
+struct Parts {
+    Clip clip = {};
+    std::optional<MaskBits> mask = {};
+    Additions additions = {};
+
+    const MaskBits* bits() const { return mask ? &*mask : nullptr; }
+    bool show(const Volume& volume, const glm::dvec3& voxel) const {
+        const glm::ivec3 nearest(glm::round(voxel));
+        return (!mask || mask->shows(nearest.x, nearest.y, nearest.z)) &&
+               shows(clip, transformPoint(volume.worldFromVoxel(), voxel));
+    }
+};
+
 // Every row along every axis, voxel by voxel, in double precision: nothing is skipped, all ends are kept.
-Places allEndsMm(const Volume& volume, const Medium& medium) {
+Places allEndsMm(const Volume& volume, const Medium& medium, const Parts& parts) {
     const EntryMap map = entryMapOf(volume);
     const double leastPerMm = 0.1 / volume.worldBox().diagonal();
     const glm::ivec3 size = volume.size();
-    const auto extinctionAt = [&](const glm::dvec3& voxel) {
+    std::optional<SecondExtinction> second;
+    if (parts.additions.second) second.emplace(*parts.additions.second, volume);
+    const auto ownAt = [&](const glm::dvec3& voxel) {
         const glm::ivec3 low = glm::ivec3(glm::floor(voxel));
         double entry = 0.0;
         for (int corner = 0; corner < 8; ++corner) {
@@ -44,6 +62,9 @@ Places allEndsMm(const Volume& volume, const Medium& medium) {
         const double part = entry - double(first);
         return double(medium.extinctionPerMm[first]) * (1.0 - part) +
                (part > 0.0 ? double(medium.extinctionPerMm[first + 1]) * part : 0.0);
+    };
+    const auto extinctionAt = [&](const glm::dvec3& voxel) {
+        return parts.show(volume, voxel) ? ownAt(voxel) + (second ? second->at(voxel) : 0.0) : 0.0;
     };
     Places places;
     for (int axis = 0; axis < 3; ++axis) {
@@ -91,11 +112,12 @@ double reach(const Places& places, const glm::dvec3& direction) {
     return most;
 }
 
-void expectSameHull(const Volume& volume, const TransferFunction& function) {
+void expectSameHull(const Volume& volume, const TransferFunction& function, const Parts& parts = {}) {
     const BrickGrid grid = makeBrickGrid(volume);
-    const Medium medium = makeMedium(volume, grid, function);
-    const Places all = allEndsMm(volume, medium);
-    const Places hull = visibleHullMm(volume, grid, medium);
+    const Medium medium = makeMedium(volume, grid, function, parts.clip, parts.bits(),
+                                     addedBounds(parts.additions, volume, grid));
+    const Places all = allEndsMm(volume, medium, parts);
+    const Places hull = visibleHullMm(volume, grid, medium, parts.clip, parts.bits(), parts.additions);
     ASSERT_EQ(hull.empty(), all.empty());
     EXPECT_LE(hull.size(), 2 * all.size());
     std::mt19937 random(3);
@@ -134,6 +156,38 @@ TEST(VisibleHull, IsThatOfEveryRowOfEveryAxis) {
                                           : std::uniform_int_distribution<int>(0, 99)(random));
             expectSameHull(volumeOf(size, oblique, std::move(values)), ramp());
         }
+    }
+}
+
+// What is hidden leaves holes in rows, and the second volume fills some of them.
+TEST(VisibleHull, WithAMaskAClipAndASecondVolumeIsThatOfEveryRowToo) {
+    std::mt19937 random(5);
+    const glm::ivec3 size(23, 18, 20);
+    const auto scattered = [&](double share, const glm::dmat4& worldFromVoxel) {
+        std::vector<std::uint16_t> values(voxelsOf(size));
+        for (std::uint16_t& value : values)
+            value = std::uniform_real_distribution<double>(0, 1)(random) < share ? 2500 : 50;
+        return volumeOf(size, worldFromVoxel, std::move(values));
+    };
+    for (const double share : {0.02, 0.4}) {
+        const Volume volume = scattered(share, glm::dmat4(1.0));
+        Parts parts;
+        parts.clip.ball = Ball{.centreMm = {9.0, 8.3, 11.0}, .radiusMm = 8.6};
+        expectSameHull(volume, ramp(), parts);
+        parts.clip.ofBall = Keep::outside;
+        parts.clip.planes = {{.normal = glm::normalize(glm::dvec3(1.0, 0.4, 0.0)), .offsetMm = 3.1}};
+        parts.mask = MaskBits{size, std::vector<std::uint32_t>((voxelsOf(size) + 31) / 32)};
+        for (std::uint32_t& word : parts.mask->words) word = std::uint32_t(random() | random());
+        expectSameHull(volume, ramp(), parts);
+        glm::dmat4 moved(1.1);
+        moved[3] = {-2.4, 3.7, 1.2, 1.0};
+        parts.additions.second.emplace();
+        parts.additions.second->volume = std::make_shared<const Volume>(scattered(0.03, moved));
+        parts.additions.second->function = std::make_shared<const TransferFunction>(ramp());
+        expectSameHull(volume, ramp(), parts);
+        parts.clip = {};
+        parts.mask.reset();
+        expectSameHull(volume, ramp(), parts);
     }
 }
 

@@ -98,6 +98,33 @@ TEST_F(BesideDragTest, IsFollowedAndEndsAtTheNewestOfOneVolume) {
     EXPECT_EQ(seen_[0]->volume, seen_[1]->volume);
 }
 
+// With a preset of its own in 3D, its sliders over slices are of slices alone.
+TEST_F(BesideDragTest, WithAPresetOverSlicesNothingOfItChangesIn3d) {
+    TransferFunction preset;
+    preset.name = "preset";
+    preset.colour = {{0.0, {1.0, 1.0, 1.0}}};
+    preset.opacity = {{0.0, 0.0}, {300.0, 0.5}};
+    session_->change("Preset", [&](app::StudyState& next) {
+        next.beside->preset = std::make_shared<const TransferFunction>(preset);
+    });
+    drag({1.0});
+    ASSERT_TRUE(atRest());
+    ASSERT_EQ(seen_.size(), 1u);
+    const auto before = shown_->additions();
+    drag({0.8, 0.3});
+    session_->change("Window", [](app::StudyState& next) {
+        next.beside->window = DisplayWindow{.center = 1.0, .width = 2.0, .explanation = {}, .function = {}};
+        next.beside->colours = slices::ColourTable::grey;
+        next.beside->boundMm = 0.5;
+    });
+    ASSERT_TRUE(atRest());
+    EXPECT_EQ(seen_.size(), 1u);
+    EXPECT_EQ(shown_->additions(), before);
+    session_->change("Place", [](app::StudyState& next) { next.beside->secondFromStudy[3].x = 3.0; });
+    ASSERT_TRUE(atRest());
+    EXPECT_EQ(seen_.size(), 2u);
+}
+
 TEST_F(BesideDragTest, WhatIsTakenAwayMeanwhileNeverComes) {
     drag({1.0, 0.5});
     session_->change("In 3D too", [](app::StudyState& next) { next.beside->in3d = false; });

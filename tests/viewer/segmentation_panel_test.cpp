@@ -182,6 +182,35 @@ TEST_F(SegmentationPanelTest, InColourASliderGoesThroughNoVoxels) {
     EXPECT_EQ(shown.additions(), nullptr);
 }
 
+// Of another segmentation on slices the picture in 3D is not begun anew.
+TEST_F(SegmentationPanelTest, InColourAnotherSegmentationThatIsLoadedChangesNothing) {
+    dicom::test::SyntheticSegmentation other;
+    other.size = series_.size;
+    other.worldFromVoxel = series_.worldFromVoxel;
+    other.sopInstanceUid = "2.25.5555";
+    other.seriesUid = "2.25.5556";
+    other.parts = {{.number = 1, .label = "Kidney", .share = ball(5.0)},
+                   {.number = 2, .label = "Cyst", .share = ball(2.0)}};
+    dicom::test::writeSegmentation(folder_ / "seg/c", other);
+    openFolder();
+    ASSERT_TRUE(keeper_->found().at(1).canBeShown());
+    ShownAdditions shown(*session_, *keeper_);
+    int told = 0;
+    QObject::connect(&shown, &ShownAdditions::changed, &shown, [&] { ++told; });
+    const auto atRest = [&] { return settled() && test::waitFor([&] { return shown.isAtRest(); }); };
+    select(1);
+    click("segment-coloured");
+    ASSERT_TRUE(atRest());
+    ASSERT_EQ(told, 1);
+    const auto before = shown.additions();
+    ASSERT_TRUE(before);
+    tree().topLevelItem(1)->setCheckState(0, Qt::Checked);
+    ASSERT_TRUE(atRest());
+    ASSERT_EQ(keeper_->allLoaded().size(), 2u);
+    EXPECT_EQ(told, 1);
+    EXPECT_EQ(shown.additions(), before);
+}
+
 TEST_F(SegmentationPanelTest, WithoutAStudyItSaysWhatToDo) {
     EXPECT_EQ(tree().topLevelItemCount(), 0);
     EXPECT_EQ(find<QLabel>("segments-notes").text(), QLatin1String("Open a study first."));

@@ -405,7 +405,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     }
     if (applied_.additions != drawing.additions) {
         traced_->sceneChanged();
-        // Other colours take no time, and change no outline.
+        // Other segments, or other colours of them, take little time and change no outline.
         if (!isSameMatter(applied_.additions, drawing.additions)) {
             if (applied_.transferFunction) listener_(Preparing{"Preparing what is shown"});
             outlineOf_.reset();

@@ -39,11 +39,11 @@ Result<void> addMask(Clip& clip, const std::optional<Mask>& mask, const Volume& 
     return {};
 }
 
-Result<void> addSecond(const AdditionChoice& choice, const ReadStudy& study, MadeAdditions& made,
-                       Progress& progress) {
+Result<void> addSecond(const AdditionChoice& choice, const ReadStudy& study, trace::Look look,
+                       MadeAdditions& made, Progress& progress) {
     const BesideState* beside = choice.beside ? &*choice.beside : nullptr;
     if (!choice.second.isGiven()) {
-        if (beside != nullptr && isIn3d(*beside))
+        if (beside != nullptr && isIn3d(*beside) && !trace::isProjection(look))
             made.notes.emplace_back(
                 "The view has a second volume in the picture; give it by --second to draw both.");
         return {};
@@ -97,8 +97,14 @@ Result<MadeAdditions> makeAdditions(const AdditionChoice& choice, const ReadStud
     std::ranges::move(segments.notes, std::back_inserter(made.notes));
     MACULA_TRY_VOID(addMask(clip, segments.mask, *study.input.volume, progress));
     made.additions.tints = std::move(segments.tints);
-    if (made.additions.tints) made.additions.remark = "coloured segments";
-    MACULA_TRY_VOID(addSecond(choice, study, made, progress));
+    if (made.additions.tints) {
+        made.additions.remark = "coloured segments";
+        made.notes.emplace_back(
+            trace::isProjection(look)
+                ? "Segments have no colours in this look: they have in all but projections."
+                : "Segments are coloured: in them colours are no values of the preset.");
+    }
+    MACULA_TRY_VOID(addSecond(choice, study, look, made, progress));
     return made;
 }
 

@@ -47,7 +47,7 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
 // What a wish comes to, but for what the study decides.
 struct WishedPicture {
     StudyState state;
-    PictureRequest request;  // volume, preset and clip are to be put in, and settingsToDraw
+    PictureRequest request;  // volume, preset, clip and additions are to be put in, and settingsToDraw
     std::string lights;      // what may be told of them: publicLightsName
     std::string clip;        // publicClipName
     AdditionChoice additions{};

@@ -89,8 +89,6 @@ Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolu
             "coloured.");
     MACULA_TRY(drawn.mask, segmentMask(choices, loaded, voxels, progress));
     MACULA_TRY(drawn.tints, segmentTints(choices, loaded, voxels, progress));
-    if (drawn.tints)
-        drawn.notes.emplace_back("Segments are coloured: in them colours are no values of the preset.");
     if (!hidden.empty() && !drawn.mask)
         drawn.notes.emplace_back("No voxel of these segments lies in the volume; all of it is shown.");
     return drawn;

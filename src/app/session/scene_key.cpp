@@ -21,11 +21,6 @@ constexpr const char* kTracer = "tracer";
 
 }  // namespace
 
-session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing) {
-    PartDigests parts;
-    return sceneKey(volumeDigest, volume, drawing, parts);
-}
-
 session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing,
                            PartDigests& parts) {
     MACULA_CHECK(drawing.transferFunction && drawing.lights);

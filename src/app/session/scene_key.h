@@ -17,8 +17,6 @@ namespace macula::app {
 // drawing. What of the parts is known is not read again: a whole second volume takes as long as the first.
 session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing,
                            PartDigests& parts);
-// The same, for who asks once.
-session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing);
 
 // What a model can begin with that was stored under another key: splats of the same look.
 enum class Kinship {

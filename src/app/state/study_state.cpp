@@ -33,9 +33,7 @@ bool sameLights(const StudyState& a, const StudyState& b) {
 // What of a second volume changes the picture in 3D: nothing where it is not in it.
 std::optional<BesideState> secondIn3dOf(const StudyState& state) {
     if (!state.beside || !isIn3d(*state.beside)) return std::nullopt;
-    BesideState second = *state.beside;
-    second.view = BesideView::beside;
-    return second;
+    return partIn3d(*state.beside);
 }
 
 // Settings without what the table of parameters has, and without what is no part of a state.

@@ -40,6 +40,17 @@ bool isIn3d(const BesideState& state) {
     return state.in3d && state.isLinked() && state.view != BesideView::hidden;
 }
 
+BesideState partIn3d(BesideState state) {
+    const BesideState usual;
+    state.view = usual.view;
+    state.boundMm = usual.boundMm;
+    if (!state.preset) return state;
+    state.window = usual.window;
+    state.opacity = usual.opacity;
+    state.colours = usual.colours;
+    return state;
+}
+
 bool mayBeIn3d(const Identity& study, const Identity& second) {
     return samePatient(study, second) != SamePatient::no;
 }

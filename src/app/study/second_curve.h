@@ -22,6 +22,10 @@ TransferFunction secondCurve(const Volume& second, const DisplayWindow& window, 
 // Whether the state shows it in 3D: it is linked, and not hidden.
 bool isIn3d(const BesideState& state);
 
+// What of it the picture in 3D depends on; the rest is as by default. How it looks on slices does not matter
+// where a preset says what it looks like there.
+BesideState partIn3d(BesideState state);
+
 // Whether both may be in one picture. Of another patient a second volume is on slices alone, where each pane
 // says whose it is.
 bool mayBeIn3d(const Identity& study, const Identity& second);

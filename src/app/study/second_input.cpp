@@ -80,6 +80,9 @@ Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& stud
     BesideState state;
     const bool isKnown = beside != nullptr && isOf(*beside, input);
     if (isKnown) state = *beside;
+    if (!isKnown && beside != nullptr && isIn3d(*beside))
+        drawn.notes.emplace_back(
+            "The view was saved with another second volume: its place and look are not those of this one.");
     MACULA_TRY_VOID(place(wish, *study.volume, *input.volume, isKnown, state, drawn, progress));
     if (!wish.preset.empty()) {
         MACULA_TRY(presets::ImportedPreset preset, presetToDraw(wish.preset, false));

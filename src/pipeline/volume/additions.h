@@ -62,13 +62,13 @@ struct Additions {
     bool operator==(const Additions&) const = default;
 };
 
-// usage when a transform is not rigid, a colour or an opacity is not one, or tints are not of that volume;
-// inputNotUsable as validate of the function. `valid` are of that volume and known to be valid: a box of
-// segments that is theirs is not gone through again.
+// usage when a transform cannot be inverted, a colour or an opacity is not one, or tints are not of that
+// volume; inputNotUsable as validate of the function. `valid` are of that volume and known to be valid: a box
+// of segments that is theirs is not gone through again.
 Result<void> validate(const Additions& additions, const Volume& volume, const Additions& valid = {});
 
-// Whether they differ in colours of segments at most, so that bounds, outlines and voxels on the device are
-// the same: a segment takes extinction away and never adds any.
+// Whether they differ in coloured segments at most, wherever these lie, so that bounds, outlines and voxels
+// on the device are the same: a segment takes extinction away and never adds any.
 bool isSameMatter(const Additions& a, const Additions& b);
 
 // With integers at voxel centres, from the volume to the second one.

@@ -64,7 +64,7 @@ void ShownAdditions::updateSecond() {
     std::optional<app::BesideState> wanted;
     if (beside && second_ && app::isIn3d(*beside) && app::isOf(*beside, second_->study) &&
         app::mayBeIn3d(session_.study().identity, second_->study.identity))
-        wanted = beside;
+        wanted = app::partIn3d(*beside);
     if (!wanted) {
         joining_.cancel();
         wantedSecond_.reset();
@@ -72,8 +72,7 @@ void ShownAdditions::updateSecond() {
         made_.second.reset();
         return show();
     }
-    wanted->view = app::BesideView::beside;  // how it is on slices matters to nobody here
-    if (!wanted->window) wanted->window = second_->usualWindow;
+    if (!wanted->window && !wanted->preset) wanted->window = second_->usualWindow;
     if (wanted == wantedSecond_) return;
     wantedSecond_ = wanted;
     // A slider asks faster than it is made: the newest is, when the one before is there.
@@ -191,6 +190,8 @@ void ShownAdditions::show() {
             app::secondRemark(*made_.second->volume, madeOf_,
                               app::samePatient(session_.study().identity, second_->study.identity));
     if (made_.tints) made_.remark += made_.remark.empty() ? "coloured segments" : ", coloured segments";
+    // The same once more would begin the picture anew.
+    if (made_.isNothing() ? additions_ == nullptr : additions_ && *additions_ == made_) return;
     additions_ = made_.isNothing() ? nullptr : std::make_shared<const Additions>(made_);
     emit changed();
 }
