@@ -19,7 +19,8 @@ class OpeningTimes : public QObject {
 
     void start() { clock_.start(); }  // before the window is shown
     // Milliseconds since then, -1 for what has not come: "windowMs", "studyReadMs" (decoded), "sliceMs",
-    // "pictureMs" (any of the volume), "modelMs" (splats fit to be shown), and how that model came ("modelOrigin").
+    // "pictureMs" (any of the volume), "modelMs" (splats fit to be shown), and how that model came
+    // ("modelOrigin").
     QJsonObject toJson() const;
 
   private:
