@@ -61,8 +61,8 @@ void MainWindow::askForPresentation() {
 
 void MainWindow::openPresentation(const std::filesystem::path& path) {
     const app::OpenedStudy& shown = study();
-    std::vector<std::string> images;
-    if (shown.found) images = app::imageUidsOf(*shown.found->volumes().at(shown.volumeIndex).stack);
+    std::vector<dicom::ReferencedFrames> images;
+    if (shown.found) images = app::imagesOf(*shown.found->volumes().at(shown.volumeIndex).stack);
     app::StudyState usual = state();
     // It is of the 3D view, which may be hidden.
     if (usual.layout != app::Layout::volume) usual.layout = app::Layout::fourPanes;

@@ -19,8 +19,8 @@ class UiHeartbeat : public QObject {
     void stop();
     // The longest hold-up since start(), beyond the interval itself.
     double longestStallMs() const { return longestMs_; }
-    // What this thread did itself in that hold-up, of the processor; for the rest of it, others had the
-    // cores.
+    // The processor time of this thread in that hold-up; for the rest of it the thread waited, for a core or
+    // for something else. 0 on systems other than Linux.
     double ownWorkInItMs() const { return ownWorkInItMs_; }
     // How often it was held up for longer than a person notices.
     static constexpr double kNoticedMs = 50.0;

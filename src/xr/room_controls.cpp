@@ -297,8 +297,13 @@ std::string RoomControls::shiftText() const {
     const TransferFunction& now = *state().transferFunction;
     const auto index = presetIndex();
     if (!index || now.opacity.empty() || host_.presets[*index]->opacity.empty()) return words().shift;
-    const double by = now.opacity.front().value - host_.presets[*index]->opacity.front().value;
-    return fmt::format("{} {}{}", words().shift, words().ofNumber(fmt::format("{:+.3g}", by + 0.0)),
+    const double across = now.opacity.back().value - now.opacity.front().value;
+    double by = now.opacity.front().value - host_.presets[*index]->opacity.front().value;
+    if (std::abs(by) < 1e-9 * across) by = 0.0;  // rounding, of steps to and fro
+    // Three digits, but no power of ten: "+1040", and not "+1.04e+03".
+    const std::string number =
+        std::abs(by) < 999.5 ? fmt::format("{:+.3g}", by + 0.0) : fmt::format("{:+.0f}", by);
+    return fmt::format("{} {}{}", words().shift, words().ofNumber(number),
                        now.unit == Unit::hounsfield ? " HU" : "");
 }
 

@@ -4,6 +4,23 @@
 
 namespace macula::xr {
 
+namespace {
+
+constexpr std::string_view kMark = " (edited";  // and " 2" from the second on, and ")": see app::ownCopy
+
+// Where the mark of a copy begins; npos where a person named it otherwise.
+std::size_t markOfCopy(std::string_view title) {
+    const auto markAt = title.rfind(kMark);
+    if (markAt == std::string_view::npos || !title.ends_with(')')) return std::string_view::npos;
+    std::string_view number = title.substr(markAt + kMark.size());
+    number.remove_suffix(1);
+    const bool isCopy = number.empty() || (number.size() > 1 && number.front() == ' ' &&
+                                           number.find_first_not_of("0123456789", 1) == number.npos);
+    return isCopy ? markAt : std::string_view::npos;
+}
+
+}  // namespace
+
 const std::string& RoomWords::of(RoomQuality chosen) const {
     if (chosen == RoomQuality::fast) return fast;
     return chosen == RoomQuality::fine ? fine : balanced;
@@ -15,13 +32,12 @@ const std::string& RoomWords::of(ClipTool tool) const {
 }
 
 std::string RoomWords::ofTitle(std::string_view title) const {
-    constexpr std::string_view kMark = " (edited";  // and a number, see app::ownCopy
-    const auto mark = title.rfind(kMark);
-    const std::string preset(title.substr(0, mark));
+    const auto markAt = markOfCopy(title);
+    const std::string preset(title.substr(0, markAt));
     const auto known = titles.find(preset);
     std::string text = known == titles.end() ? preset : known->second;
-    if (mark != std::string_view::npos)
-        text.append(" (").append(edited).append(title.substr(mark + kMark.size()));
+    if (markAt != std::string_view::npos)
+        text.append(" (").append(edited).append(title.substr(markAt + kMark.size()));
     return text;
 }
 

@@ -16,6 +16,7 @@
 #include "app/study/found_volumes.h"
 #include "base/sha256.h"
 #include "support.h"
+#include "synthetic.h"
 
 namespace macula::app {
 namespace {
@@ -471,7 +472,7 @@ TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
         wish.isDeidentified = isDeidentified;
         const auto written = writePresentation(path, wish);
         ASSERT_TRUE(written.ok()) << written.error().message;
-        const auto opened = openPresentation(path, *wish.volume, digest, imageUidsOf(stack));
+        const auto opened = openPresentation(path, *wish.volume, digest, imagesOf(stack));
         ASSERT_TRUE(opened.ok()) << opened.error().message;
         EXPECT_TRUE(opened->isOwn);
         StudyState expected = state_;
@@ -479,14 +480,15 @@ TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
         EXPECT_EQ(opened->state, expected) << "the preset is a built-in one, and keeps its name";
         EXPECT_TRUE(opened->notes.empty());
         // Of another phase of the series, and of a part of the images.
-        const auto otherPhase =
-            openPresentation(path, *wish.volume, digest, std::vector<std::string>{"2.25.1", "2.25.2"});
+        const auto otherPhase = openPresentation(
+            path, *wish.volume, digest,
+            std::vector<dicom::ReferencedFrames>{{.sopInstanceUid = "2.25.1"}, {.sopInstanceUid = "2.25.2"}});
         ASSERT_FALSE(otherPhase.ok());
         EXPECT_EQ(otherPhase.error().code, ErrorCode::inputNotUsable);
-        auto uids = imageUidsOf(stack);
-        ASSERT_GT(uids.size(), 1u);
-        uids.pop_back();
-        const auto part = openPresentation(path, *wish.volume, digest, uids);
+        auto some = imagesOf(stack);
+        ASSERT_GT(some.size(), 1u);
+        some.pop_back();
+        const auto part = openPresentation(path, *wish.volume, digest, some);
         ASSERT_TRUE(part.ok());
         EXPECT_EQ(part->notes.size(), 1u);
         EXPECT_FALSE(openPresentation(path, *wish.volume, sha256Hex("another"), {}).ok());
@@ -496,6 +498,51 @@ TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
     for (dicom::Frame& frame : unnamed.frames) frame.frameOfReferenceUid.clear();
     EXPECT_EQ(presentedImages(series, unnamed).error().code, ErrorCode::usage);
     EXPECT_FALSE(presentedImages(series, dicom::Stack{}).ok());
+}
+
+// Two phases in one file: a view of one is not taken for one of the other.
+TEST_F(APresentation, ofSomeFramesOfAFileNamesThem) {
+    const dicom::test::SyntheticSeries described;
+    dicom::test::writeMultiFrame(folder_ / "study" / "all.dcm", described, dicom::test::slicesOf(described));
+    const auto scan = dicom::test::scan(folder_ / "study");
+    ASSERT_TRUE(scan);
+    const dicom::Series& series = scan->studies.at(0).series.at(0);
+    const dicom::Stack& whole = series.stacks.at(0);
+    const std::size_t half = whole.frames.size() / 2;
+    ASSERT_GT(half, 1u);
+    dicom::Stack first = whole;
+    first.frames.clear();
+    dicom::Stack second = first;
+    for (const dicom::Frame& frame : whole.frames)
+        (std::size_t(frame.number) < half ? first : second).frames.push_back(frame);
+    const auto ofAll = presentedImages(series, whole);
+    ASSERT_TRUE(ofAll.ok()) << ofAll.error().message;
+    ASSERT_EQ(ofAll->series.images.size(), 1u);
+    EXPECT_TRUE(ofAll->series.images[0].frames.empty());
+    PresentationWish wish;
+    wish.state = state_;
+    wish.volume = dicom::test::load(series, whole);
+    wish.images = *presentedImages(series, second);
+    ASSERT_EQ(wish.images.series.images.size(), 1u);
+    EXPECT_EQ(wish.images.series.images[0].frames.front(), int(half) + 1) << "from 1";
+    EXPECT_EQ(wish.images.series.images[0].frames.size(), second.frames.size());
+    const std::filesystem::path path = folder_ / "presentation.dcm";
+    const std::string digest = sha256Hex(series.seriesInstanceUid);
+    for (const bool isDeidentified : {false, true}) {
+        wish.isDeidentified = isDeidentified;
+        ASSERT_TRUE(writePresentation(path, wish).ok());
+        const auto read = dicom::readPresentationState(path);
+        ASSERT_TRUE(read.ok());
+        EXPECT_EQ(read->presentation.series.images[0].frames, wish.images.series.images[0].frames);
+        const auto same = openPresentation(path, *wish.volume, digest, imagesOf(second));
+        ASSERT_TRUE(same.ok()) << same.error().message;
+        EXPECT_TRUE(same->isOwn);
+        EXPECT_TRUE(same->notes.empty());
+        EXPECT_FALSE(openPresentation(path, *wish.volume, digest, imagesOf(first)).ok()) << "another phase";
+        const auto more = openPresentation(path, *wish.volume, digest, imagesOf(whole));
+        ASSERT_TRUE(more.ok());
+        EXPECT_EQ(more->notes.size(), 1u) << "of a part of these";
+    }
 }
 
 TEST_F(APresentation, isAWishLikeAView) {
@@ -518,9 +565,9 @@ TEST_F(APresentation, isAWishLikeAView) {
     EXPECT_EQ(state->camera, state_.camera);
     EXPECT_EQ(state->clip, wish.state.clip);
     EXPECT_EQ(preset->publicName, "ct-bone");
-    study.imageUids = {"2.25.1"};  // another phase
+    study.images = {{.sopInstanceUid = "2.25.1"}};  // another phase
     EXPECT_FALSE(completeState(*state, typed, study).ok());
-    study.imageUids.clear();
+    study.images.clear();
     study.seriesDigest = sha256Hex("another");
     EXPECT_FALSE(completeState(*state, typed, study).ok());
     // Of another program all is seen in a narrower picture, too.

@@ -332,7 +332,6 @@ TEST(PresentationRows, SayWhyTheyCannotBeShown) {
     for (const std::size_t child : series.children) EXPECT_FALSE(tree.rows[child].presentation);
 }
 
-// Of nobody: the UIDs are made anew, and say of which series it is to who has that.
 // Two phases in one file: those whose frames it names are meant.
 TEST(PresentationRows, OfFramesOfOneFileTheVolumeIsMeantThatHasThem) {
     dicom::Stack early = test::volumeOf(4);
@@ -356,6 +355,7 @@ TEST(PresentationRows, OfFramesOfOneFileTheVolumeIsMeantThatHasThem) {
     EXPECT_EQ(presentedVolume(object, 0, found).index, 1u);
 }
 
+// Of nobody: the UIDs are made anew, and say of which series it is to who has that.
 TEST(PresentationRows, WithoutAPatientAreOfTheOneSeriesThatTheirUidsWereMadeOf) {
     dicom::Scan scan;
     dicom::Series images = test::seriesOf(2, "Thorax", {test::volumeOf(4)});

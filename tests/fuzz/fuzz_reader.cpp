@@ -6,6 +6,7 @@
 #include "dicom/loader.h"
 #include "dicom/pixels/pixels.h"
 #include "dicom/presentation/presentation_state.h"
+#include "dicom/presentation/softcopy_state.h"
 #include "dicom/read/examination.h"
 #include "dicom/read/media_directory.h"
 #include "dicom/scan.h"
@@ -59,6 +60,7 @@ void loadBest(const Scan& scan) {
 
 void loadLabels(const std::filesystem::path& file) {
     (void)readPresentationState(file);
+    (void)readSoftcopyState(file);
     const auto segmentation = readSegmentation(file);
     if (!segmentation || cellsOf(segmentation->columns, segmentation->rows) > kMostCells) return;
     Progress progress;

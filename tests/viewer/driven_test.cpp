@@ -3,6 +3,7 @@
 
 #include <QJsonObject>
 #include <QThread>
+#include <ctime>
 #include <fstream>
 
 #include "support.h"
@@ -46,6 +47,29 @@ TEST_F(DrivenStepsTest, EachIsMeasuredByItself) {
     EXPECT_FALSE(measured[3].isDone);
     EXPECT_EQ(longestStallMs(measured), measured[0].longestStallMs);
     EXPECT_EQ(toJson(measured).size(), 4);
+}
+
+double processorMsOfThisThread() {
+    timespec worked{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &worked);
+    return 1e3 * double(worked.tv_sec) + 1e-6 * double(worked.tv_nsec);
+}
+
+// Of a hold-up it is told how much of it the thread worked, however busy the machine is.
+TEST_F(DrivenStepsTest, WhoWaitsDoesNotWork) {
+    DrivenSteps steps({step("waits", [] { QThread::msleep(600); }), step("works", [] {
+                           const double before = processorMsOfThisThread();
+                           while (processorMsOfThisThread() < before + 600.0) {
+                           }
+                       })});
+    bool isFinished = false;
+    QObject::connect(&steps, &DrivenSteps::finished, &steps, [&] { isFinished = true; });
+    steps.start();
+    ASSERT_TRUE(test::waitFor([&] { return isFinished; }));
+    ASSERT_EQ(steps.measured().size(), 2u);
+    EXPECT_GT(steps.measured()[0].longestStallMs, 500.0);
+    EXPECT_LT(steps.measured()[0].ownWorkInItMs, 300.0);
+    EXPECT_GT(steps.measured()[1].ownWorkInItMs, 500.0);
 }
 
 TEST_F(DrivenStepsTest, NothingFollowsOnceStopped) {

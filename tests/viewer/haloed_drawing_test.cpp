@@ -7,6 +7,7 @@
 #include <QImage>
 #include <QPixmapCache>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "viewer/offscreen.h"
@@ -16,17 +17,24 @@ namespace {
 
 class HaloedTextTest : public test::OffscreenTest {
   protected:
+    static QFont pixels(int size) {
+        QFont font;
+        font.setPixelSize(size);
+        return font;
+    }
     // On grey.
-    static QImage drawn(const QString& text, const QPointF& at, double pixelRatio) {
+    static QImage drawn(const QString& text, const QPointF& at, double pixelRatio,
+                        const QFont& font = pixels(20), const QColor& ink = QColor(255, 240, 200),
+                        double dotsPerInch = 96.0) {
         QImage image(int(260 * pixelRatio), int(60 * pixelRatio), QImage::Format_ARGB32_Premultiplied);
         image.setDevicePixelRatio(pixelRatio);
+        image.setDotsPerMeterX(int(std::lround(dotsPerInch / 0.0254)));
+        image.setDotsPerMeterY(int(std::lround(dotsPerInch / 0.0254)));
         image.fill(QColor(90, 90, 90));
         QPainter painter(&image);
         painter.setRenderHint(QPainter::Antialiasing);
-        QFont font;
-        font.setPixelSize(20);
         painter.setFont(font);
-        drawHaloedText(painter, at, text, QColor(255, 240, 200));
+        drawHaloedText(painter, at, text, ink);
         return image;
     }
     static int lit(const QImage& image) {
@@ -54,6 +62,25 @@ TEST_F(HaloedTextTest, IsTheSameTheSecondTimeAndOnEachScreen) {
     }
     EXPECT_GT(lit(drawn(QStringLiteral("R"), {10, 35}, 2.0)),
               2 * lit(drawn(QStringLiteral("R"), {10, 35}, 1.0)));
+}
+
+// What is kept of one is never shown for another.
+TEST_F(HaloedTextTest, AnotherFontColourOrScreenIsAnotherPicture) {
+    QPixmapCache::clear();
+    const QString text = QStringLiteral("Ap 12");
+    const QImage usual = drawn(text, {10, 35}, 1.0);
+    EXPECT_GT(lit(drawn(text, {10, 35}, 1.0, pixels(30))), lit(usual));
+    QFont bold = pixels(20);
+    bold.setBold(true);
+    EXPECT_NE(drawn(text, {10, 35}, 1.0, bold), usual);
+    EXPECT_EQ(lit(drawn(text, {10, 35}, 1.0, pixels(20), QColor(0, 120, 255))), 0);
+    EXPECT_EQ(drawn(text, {10, 35}, 1.0), usual);
+    QFont points;
+    points.setPointSizeF(12.0);
+    const QColor ink(255, 240, 200);
+    const int once = lit(drawn(text, {10, 40}, 1.0, points, ink, 96.0));
+    EXPECT_GT(lit(drawn(text, {10, 40}, 1.0, points, ink, 192.0)), 2 * once);
+    EXPECT_EQ(lit(drawn(text, {10, 40}, 1.0, points, ink, 96.0)), once);
 }
 
 // Also where it begins left of its base line, between two pixels, and where nothing is to be drawn.

@@ -4,7 +4,6 @@
 #include <QApplication>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
-#include <QElapsedTimer>
 #include <QImage>
 #include <QMouseEvent>
 #include <QPushButton>
@@ -20,6 +19,7 @@
 #include "base/phantom.h"
 #include "pipeline/volume/volume_fit.h"
 #include "viewer/transfer/transfer_function_editor.h"
+#include "viewer/wait_until.h"
 
 namespace macula::viewer {
 namespace {
@@ -61,11 +61,7 @@ class TransferEditorTest : public testing::Test {
         show(phantom::make({.size = {32, 28, 20}}), preset(name));
     }
     void waitUntilCounted() {
-        QElapsedTimer waited;
-        waited.start();
-        while (editor_->isCounting() && waited.elapsed() < 480'000)
-            QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
-        ASSERT_FALSE(editor_->isCounting());
+        ASSERT_TRUE(waitUntil([&] { return !editor_->isCounting(); }));
     }
 
     TransferCurve& curve() { return editor_->curve(); }

@@ -105,14 +105,30 @@ TEST(Translation, WordsOfTheHeadsetFitItsPanel) {
     }
     ASSERT_EQ(words.size(), 26u);
     constexpr int kButtonLetters = 15;
+    constexpr int kPanelLetters = 32;
     constexpr int kSentenceLetters = 52;
     for (const char* button : {"Knife: on", "Knife: off", "Reset clips", "Undo", "Take picture",
                                "Other wrist", "Real size 1:1", "Before me"})
         EXPECT_LE(words.at(button).size(), kButtonLetters) << button;
     for (const char* held : {"nothing", "ball", "box"})
         EXPECT_LE(words.at("Hold: %1").arg(words.at(held)).size(), kButtonLetters) << held;
+    for (const char* quality : {"fast", "balanced", "fine"})
+        EXPECT_LE(words.at("Quality: %1").arg(words.at(quality)).size(), kPanelLetters) << quality;
+    for (const char* size : {"%1 times real size", "1/%1 of real size"})
+        EXPECT_LE(words.at(size).arg("100,00").size(), kPanelLetters) << size;
+    EXPECT_LE(words.at("Not for primary diagnosis").size(), kPanelLetters);
+    words["Picture %1 is written."] = words.at("Picture %1 is written.").arg("macula-headset-100.png");
     for (const auto& [source, translation] : words)
         EXPECT_LE(translation.size(), kSentenceLetters) << source.toStdString();
+    for (const Text& text : textsIn(folder() + QStringLiteral("core_de.ts"))) {
+        if (!text.source.startsWith(QLatin1String("The folder for pictures ")) &&
+            text.source != QLatin1String("The picture could not be written.") &&
+            text.source != QLatin1String("There is not enough memory for the picture."))
+            continue;
+        EXPECT_LE(QString(text.translation).replace(QStringLiteral("ß"), QStringLiteral("SS")).size(),
+                  kSentenceLetters)
+            << text.source.toStdString();
+    }
 }
 
 // What tr() marks in the sources, against the file: packaging/translations adds what is missing there.

@@ -33,10 +33,11 @@ std::shared_ptr<const TransferFunction> preset(const std::string& name) {
 class RoomControlsTest : public ::testing::Test {
   protected:
     void SetUp() override { begin({}); }
-    void begin(RoomWords words) {
+    void begin(RoomWords words, std::vector<std::shared_ptr<const TransferFunction>> presets = {
+                                    preset("one"), preset("two"), preset("three")}) {
         RoomHost host;
         host.words = std::move(words);
-        host.presets = {preset("one"), preset("two"), preset("three")};
+        host.presets = std::move(presets);
         host.pictures = "somewhere";
         host.note = [this](const std::string& sentence) { notes_.push_back(sentence); };
         host.changed = [this](const RoomState&) { ++changes_; };
@@ -171,6 +172,22 @@ TEST_F(RoomControlsTest, AShiftMovesTheCurveAndSaysHowFar) {
     press(PanelButton::presetNext);
     EXPECT_EQ(presetName(), "two") << "the one after that which it was copied from";
     EXPECT_EQ(controls_->texts().shift, "Shift +0 HU");
+}
+
+TEST_F(RoomControlsTest, AShiftIsSaidWithoutPowersOfTen) {
+    TransferFunction wide = *preset("wide");
+    wide.opacity = {{.value = 0.0, .opacity = 0.0}, {.value = 4000.0, .opacity = 1.0}};
+    TransferFunction odd = *preset("odd");
+    odd.opacity = {{.value = 0.3, .opacity = 0.0}, {.value = 812.9, .opacity = 1.0}};
+    begin({},
+          {std::make_shared<const TransferFunction>(wide), std::make_shared<const TransferFunction>(odd)});
+    for (int i = 0; i < 13; ++i) press(PanelButton::shiftLower);
+    EXPECT_EQ(controls_->texts().shift, "Shift -1040 HU");
+    press(PanelButton::presetNext);
+    for (int i = 0; i < 3; ++i) press(PanelButton::shiftHigher);
+    for (int i = 0; i < 3; ++i) press(PanelButton::shiftLower);
+    EXPECT_NE(controls_->state().transferFunction->opacity.front().value, 0.3) << "rounded";
+    EXPECT_EQ(controls_->texts().shift, "Shift +0 HU") << "to and fro";
 }
 
 TEST_F(RoomControlsTest, KnifeAndResetAreSteps) {

@@ -102,6 +102,10 @@ TEST(WristPanel, WordsFitTheirButtons) {
     for (const std::string& text : {words.isRealSize, words.isBeforeYou, words.nothingLeft, words.noMoreCuts,
                                     words.lostPlace, filled(words.pictureWritten, "macula-headset-100.png")})
         EXPECT_LE(int(signsOf(text).size()), 52) << text;
+    for (const std::string& text : {filled(words.quality, words.fast), filled(words.quality, words.balanced),
+                                    filled(words.quality, words.fine), filled(words.larger, "100.00"),
+                                    filled(words.smaller, "100.00"), words.notForDiagnosis})
+        EXPECT_LE(int(signsOf(text).size()), (384 + 2) / 12) << text;
     RoomWords others;
     others.undo =
         "Zur\xc3\xbc"
@@ -115,7 +119,10 @@ TEST(RoomWords, OfATitleAndItsCopies) {
     words.titles = {{"Cinematic bone", "Cinematic Knochen"}};
     EXPECT_EQ(words.ofTitle("Cinematic bone"), "Cinematic Knochen");
     EXPECT_EQ(words.ofTitle("Cinematic bone (edited 2)"), "Cinematic Knochen (bearbeitet 2)");
-    EXPECT_EQ(words.ofTitle("Mine"), "Mine");
+    EXPECT_EQ(words.ofTitle("Cinematic bone (edited)"), "Cinematic Knochen (bearbeitet)");
+    for (const char* own :
+         {"Mine", "Mine (edited by hand)", "Mine (edited 2", "Mine (edited )", "Mine (editedly)"})
+        EXPECT_EQ(words.ofTitle(own), own) << "whoever made it named it so";
     EXPECT_EQ(words.ofTitle(""), "");
     EXPECT_EQ(words.ofError("The disk is full."), "The disk is full.") << "not known, and told all the same";
     EXPECT_EQ(filled("no place", "x"), "no place");

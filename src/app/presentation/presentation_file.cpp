@@ -1,6 +1,7 @@
 #include "app/presentation/presentation_file.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -12,13 +13,22 @@ namespace macula::app {
 Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom::Stack& stack) {
     PresentedImages images;
     images.series.seriesInstanceUid = series.seriesInstanceUid;
-    std::set<std::string> known;
+    std::map<std::string, std::vector<int>> framesOf;
+    std::set<std::string> wholeFiles;
     for (const dicom::Frame& frame : stack.frames) {
         if (images.series.frameOfReferenceUid.empty())
             images.series.frameOfReferenceUid = frame.frameOfReferenceUid;
         const dicom::Instance& image = *frame.instance;
-        if (known.insert(image.sopInstanceUid).second)
-            images.series.images.push_back({image.sopClassUid, image.sopInstanceUid});
+        std::vector<int>& frames = framesOf[image.sopInstanceUid];
+        if (frames.empty()) images.series.images.push_back({image.sopClassUid, image.sopInstanceUid});
+        frames.push_back(frame.number + 1);
+        // What is of all of a file names no frames of it.
+        if (int(frames.size()) == image.frames) wholeFiles.insert(image.sopInstanceUid);
+    }
+    for (dicom::ReferencedImage& image : images.series.images) {
+        if (wholeFiles.contains(image.sopInstanceUid)) continue;
+        image.frames = std::move(framesOf[image.sopInstanceUid]);
+        std::ranges::sort(image.frames);
     }
     const bool isNamed = std::ranges::all_of(images.series.images, [](const dicom::ReferencedImage& image) {
         return !image.sopClassUid.empty() && !image.sopInstanceUid.empty();

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <set>
 #include <utility>
 
 #include "app/presentation/cropping_clip.h"
@@ -130,15 +129,34 @@ enum class ImagesShown { all, some, none };
 
 // Of what the presentation refers to, deidentified or not, in the volume that is open.
 ImagesShown imagesShown(const std::vector<dicom::ReferencedImage>& referenced,
-                        std::span<const std::string> imageUids) {
-    if (referenced.empty() || imageUids.empty()) return ImagesShown::all;
-    std::set<std::string> wanted;
-    for (const dicom::ReferencedImage& image : referenced) wanted.insert(image.sopInstanceUid);
-    const auto both = std::size_t(std::ranges::count_if(imageUids, [&](const std::string& uid) {
-        return wanted.contains(uid) || wanted.contains(dicom::uidFrom(uid));
-    }));
+                        std::span<const dicom::ReferencedFrames> images) {
+    if (referenced.empty() || images.empty()) return ImagesShown::all;
+    std::vector<dicom::ReferencedFrames> wanted;
+    for (const dicom::ReferencedImage& image : referenced)
+        wanted.push_back({.sopInstanceUid = image.sopInstanceUid, .numbers = image.frames});
+    wanted = dicom::byImage(std::move(wanted));
+    const auto find = [&](const std::string& uid) {
+        const auto found =
+            std::ranges::lower_bound(wanted, uid, {}, &dicom::ReferencedFrames::sopInstanceUid);
+        return found != wanted.end() && found->sopInstanceUid == uid ? found : wanted.end();
+    };
+    std::size_t both = 0;
+    bool areSame = true;
+    for (const dicom::ReferencedFrames& image : images) {
+        auto found = find(image.sopInstanceUid);
+        if (found == wanted.end()) found = find(dicom::uidFrom(image.sopInstanceUid));
+        // A file of one frame is that frame.
+        const std::vector<int> own = image.numbers.empty() ? std::vector{1} : image.numbers;
+        const auto isMeant = [&](int number) { return found->holds(number - 1); };
+        if (found == wanted.end() || std::ranges::none_of(own, isMeant)) {
+            areSame = false;
+            continue;
+        }
+        ++both;
+        areSame = areSame && (found->numbers.empty() || found->numbers == own);
+    }
     if (both == 0) return ImagesShown::none;
-    return both == imageUids.size() && both == wanted.size() ? ImagesShown::all : ImagesShown::some;
+    return areSame && both == wanted.size() ? ImagesShown::all : ImagesShown::some;
 }
 
 }  // namespace
@@ -170,12 +188,12 @@ Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState 
 
 Result<void> completeFor(PresentedState& presented, const dicom::PresentationState& read,
                          const Volume& volume, std::string_view seriesDigest,
-                         std::span<const std::string> imageUids, const std::string& where) {
+                         std::span<const dicom::ReferencedFrames> images, const std::string& where) {
     const dicom::VolumePresentation& said = read.presentation;
     if (!isSeries(said.series, seriesDigest))
         return Error{ErrorCode::inputNotUsable, "The presentation state is of another series.", where,
                      "Open that series, or choose another presentation state."};
-    const auto shown = imagesShown(said.series.images, imageUids);
+    const auto shown = imagesShown(said.series.images, images);
     if (shown == ImagesShown::none)
         return Error{ErrorCode::inputNotUsable,
                      "The presentation state is of other images of this series, such as another phase.",
@@ -213,11 +231,11 @@ void widenFor(PresentedState& presented, double aspectWidthOverHeight) {
 }
 
 Result<PresentedState> openPresentation(const std::filesystem::path& path, const Volume& volume,
-                                        std::string_view seriesDigest, std::span<const std::string> imageUids,
-                                        StudyState usual) {
+                                        std::string_view seriesDigest,
+                                        std::span<const dicom::ReferencedFrames> images, StudyState usual) {
     MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(path));
     MACULA_TRY(PresentedState presented, stateOf(read, std::move(usual), path.string()));
-    MACULA_TRY_VOID(completeFor(presented, read, volume, seriesDigest, imageUids, path.string()));
+    MACULA_TRY_VOID(completeFor(presented, read, volume, seriesDigest, images, path.string()));
     return presented;
 }
 

@@ -11,6 +11,7 @@
 #include "base/result.h"
 #include "base/volume.h"
 #include "dicom/presentation/presentation_state.h"
+#include "dicom/read/referenced_frames.h"
 
 namespace macula::app {
 
@@ -27,13 +28,13 @@ struct PresentedState {
 Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState usual,
                                const std::string& where);
 
-// Of the series that is open (StudyInput::seriesDigest) and the images of its volume (imageUidsOf; none: they
+// Of the series that is open (StudyInput::seriesDigest) and the images of its volume (imagesOf; none: they
 // are not known, and not compared), and with what needs its volume: the clip, and what the values are.
 // inputNotUsable when it is of another series, or of none of these images, or its clip leaves nothing or is
 // of too many planes.
 Result<void> completeFor(PresentedState& presented, const dicom::PresentationState& read,
                          const Volume& volume, std::string_view seriesDigest,
-                         std::span<const std::string> imageUids, const std::string& where);
+                         std::span<const dicom::ReferencedFrames> images, const std::string& where);
 
 // A picture of that aspect, where it is narrower than the view, becomes as wide as that: more is seen above
 // and below. Nothing else changes.
@@ -41,7 +42,8 @@ void widenFor(PresentedState& presented, double aspectWidthOverHeight);
 
 // A file, the first two of the above.
 Result<PresentedState> openPresentation(const std::filesystem::path& path, const Volume& volume,
-                                        std::string_view seriesDigest, std::span<const std::string> imageUids,
+                                        std::string_view seriesDigest,
+                                        std::span<const dicom::ReferencedFrames> images,
                                         StudyState usual = {});
 
 }  // namespace macula::app

@@ -41,7 +41,7 @@ Result<void> completePresented(StudyState& state, const StateWish& wish, StudyIn
     const std::string where = wish.presentation.string();
     MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(wish.presentation));
     MACULA_TRY(PresentedState presented, stateOf(read, {}, where));
-    MACULA_TRY_VOID(completeFor(presented, read, *study.volume, study.seriesDigest, study.imageUids, where));
+    MACULA_TRY_VOID(completeFor(presented, read, *study.volume, study.seriesDigest, study.images, where));
     state.seriesDigest = study.seriesDigest;
     if (wish.clip.empty()) state.clip = presented.state.clip;
     if (state.preset && presented.state.preset) {

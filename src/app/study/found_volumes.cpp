@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "app/study/volume_key.h"
@@ -111,11 +110,15 @@ std::optional<std::size_t> FoundVolumes::indexOf(const dicom::Stack* stack) cons
     return static_cast<std::size_t>(found - volumes_.begin());
 }
 
-std::vector<std::string> imageUidsOf(const dicom::Stack& stack) {
-    std::set<std::string> uids;
-    for (const dicom::Frame& frame : stack.frames) uids.insert(frame.instance->sopInstanceUid);
-    if (uids.contains(std::string())) return {};
-    return {uids.begin(), uids.end()};
+std::vector<dicom::ReferencedFrames> imagesOf(const dicom::Stack& stack) {
+    std::vector<dicom::ReferencedFrames> images;
+    for (const dicom::Frame& frame : stack.frames) {
+        if (frame.instance->sopInstanceUid.empty()) return {};
+        dicom::ReferencedFrames& image = images.emplace_back();
+        image.sopInstanceUid = frame.instance->sopInstanceUid;
+        if (frame.instance->frames > 1) image.numbers.push_back(frame.number + 1);
+    }
+    return dicom::byImage(std::move(images));
 }
 
 Identity identityOf(const FoundVolume& volume) {

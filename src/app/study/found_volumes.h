@@ -8,6 +8,7 @@
 
 #include "app/study/identity.h"
 #include "base/result.h"
+#include "dicom/read/referenced_frames.h"
 #include "dicom/scan.h"
 
 namespace macula::app {
@@ -57,8 +58,9 @@ class FoundVolumes {
 // Those of a scan, which must outlive them: stacks that can be volumes, in its order.
 std::vector<FoundVolume> volumesOf(const dicom::Scan& scan);
 
-// SOP Instance UIDs of its images, each once; none where an image has no UID.
-std::vector<std::string> imageUidsOf(const dicom::Stack& stack);
+// Its images, by UID, each once; of a file of many frames those that are in it. None where an image has no
+// UID.
+std::vector<dicom::ReferencedFrames> imagesOf(const dicom::Stack& stack);
 
 Identity identityOf(const FoundVolume& volume);
 // Without a series.

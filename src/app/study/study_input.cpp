@@ -151,7 +151,7 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
                                        [&](const std::string& n) { return n.starts_with(assumption); });
         if (!known) input.notes.push_back(assumption);
     }
-    input.imageUids = imageUidsOf(*chosen->stack);
+    input.images = imagesOf(*chosen->stack);
     input.seriesDigest = sha256Hex(chosen->series->seriesInstanceUid);
     const std::vector<FoundVolume> volumes = volumesOf(scan);
     const auto at = std::ranges::find(volumes, chosen->stack, &FoundVolume::stack);

@@ -11,14 +11,15 @@
 #include "base/result.h"
 #include "base/volume.h"
 #include "dicom/best_volume.h"
+#include "dicom/read/referenced_frames.h"
 
 namespace macula::app {
 
 struct StudyInput {
     std::shared_ptr<const Volume> volume;
-    std::vector<std::string> notes;           // sentences for the user, without patient data
-    std::vector<std::string> warnings;        // those of them that change what is seen
-    std::vector<std::string> imageUids = {};  // as imageUidsOf; empty: not known
+    std::vector<std::string> notes;                    // sentences for the user, without patient data
+    std::vector<std::string> warnings;                 // those of them that change what is seen
+    std::vector<dicom::ReferencedFrames> images = {};  // as imagesOf; empty: not known
     std::string seriesDigest;    // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
     std::string volumeKey = {};  // FoundVolumes::key; empty where there is no series
     Identity identity = {};      // to compare with that of another study, and for nothing else

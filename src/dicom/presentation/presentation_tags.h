@@ -9,6 +9,7 @@ inline constexpr Tag kReferencedInstances{0x0008, 0x114A};
 inline constexpr Tag kReferencedImages{0x0008, 0x1140};
 inline constexpr Tag kReferencedSopClassUid{0x0008, 0x1150};
 inline constexpr Tag kReferencedSopInstanceUid{0x0008, 0x1155};
+inline constexpr Tag kReferencedFrameNumber{0x0008, 0x1160};
 inline constexpr Tag kPixelPresentation{0x0008, 0x9205};
 inline constexpr Tag kStudiesContainingOtherInstances{0x0008, 0x1200};
 inline constexpr Tag kWindowCenter{0x0028, 0x1050};

@@ -13,6 +13,7 @@
 #include "dicom/presentation/presentation_tags.h"
 #include "dicom/presentation/srgb_profile.h"
 #include "dicom/read/dataset.h"
+#include "dicom/read/referenced_frames.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/uid.h"
 
@@ -100,11 +101,15 @@ class Reader {
 
     Result<void> readSeries(const Dataset& set) {
         PresentedSeries& series = state_.presentation.series;
+        bool isDamaged = false;
         for (const Dataset& item : set.items(tags::kReferencedImages)) {
-            ReferencedImage image{item.text(tags::kReferencedSopClassUid).value_or(""),
-                                  item.text(tags::kReferencedSopInstanceUid).value_or("")};
-            if (!image.sopInstanceUid.empty()) series.images.push_back(std::move(image));
+            for (ReferencedFrames& image : referencedFrames({item})) {
+                isDamaged = isDamaged || image.isDamaged;
+                series.images.push_back({item.text(tags::kReferencedSopClassUid).value_or(""),
+                                         std::move(image.sopInstanceUid), std::move(image.numbers)});
+            }
         }
+        if (isDamaged) leftOut("an unreadable list of frames");
         series.frameOfReferenceUid = file_.text(tag::kFrameOfReferenceUid).value_or("");
         std::vector<Dataset> all = file_.items(tag::kReferencedSeries);
         for (const Dataset& study : file_.items(tags::kStudiesContainingOtherInstances)) {

@@ -73,6 +73,7 @@ std::string digestOf(const VolumePresentation& presentation) {
     for (const ReferencedImage& image : presentation.series.images) {
         all.add(image.sopClassUid);
         all.add(image.sopInstanceUid);
+        for (const int frame : image.frames) all.add(double(frame));
     }
     all.add(double(presentation.method));
     all.add(presentation.palette);

@@ -16,6 +16,7 @@ namespace macula::dicom {
 struct ReferencedImage {
     std::string sopClassUid;
     std::string sopInstanceUid;
+    std::vector<int> frames = {};  // from 1; none: all of them
 
     bool operator==(const ReferencedImage&) const = default;
 };

@@ -1,6 +1,7 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -232,6 +233,8 @@ void writeRelationship(ItemWriter to, const VolumePresentation& p) {
              {set.item(tags::kReferencedImages, i), series.item(tags::kReferencedInstances, i)}) {
             item.text(tags::kReferencedSopClassUid, image.sopClassUid);
             item.text(tags::kReferencedSopInstanceUid, image.sopInstanceUid);
+            if (!image.frames.empty())
+                item.text(tags::kReferencedFrameNumber, fmt::format("{}", fmt::join(image.frames, "\\")));
         }
     }
     ItemWriter input = to.item(tags::kInputs, 0);

@@ -84,11 +84,11 @@ void PresentationFiles::save(const std::filesystem::path& path, app::Presentatio
 }
 
 void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
-                             std::string seriesDigest, std::vector<std::string> imageUids,
+                             std::string seriesDigest, std::vector<dicom::ReferencedFrames> images,
                              app::StudyState usual, double aspectWidthOverHeight) {
     openingOnSlices_.cancel();
     opening_.start([path, volume = std::move(volume), digest = std::move(seriesDigest),
-                    images = std::move(imageUids), usual = std::move(usual),
+                    images = std::move(images), usual = std::move(usual),
                     aspectWidthOverHeight](Progress&) -> Result<app::PresentedState> {
         try {
             MACULA_TRY(app::PresentedState presented,

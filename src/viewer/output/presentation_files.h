@@ -25,10 +25,10 @@ class PresentationFiles : public QObject {
     explicit PresentationFiles(QObject* parent = nullptr);
 
     void save(const std::filesystem::path& path, app::PresentationWish wish);
-    // For the volume that is open, of these images (app::imageUidsOf); what the file does not say is as in
+    // For the volume that is open, of these images (app::imagesOf); what the file does not say is as in
     // `usual`. All of its view is seen in a picture of that aspect; 0: not known.
     void open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
-              std::string seriesDigest, std::vector<std::string> imageUids, app::StudyState usual,
+              std::string seriesDigest, std::vector<dicom::ReferencedFrames> images, app::StudyState usual,
               double aspectWidthOverHeight = 0.0);
     // One of slices, for the study that is open; what the file does not say is as in `usual`.
     void openOnSlices(const std::filesystem::path& path, app::OpenedStudy study, app::SliceState usual);

@@ -14,9 +14,10 @@ const QColor kHalo(0, 0, 0, 190);
 constexpr double kHaloPx = 1.5;       // on each side
 constexpr double kMostKeptPx = 2048;  // of a text's width
 
-void paintText(QPainter& painter, const QPointF& at, const QString& text, const QColor& ink) {
+void paintText(QPainter& painter, const QFont& font, const QPointF& at, const QString& text,
+               const QColor& ink) {
     QPainterPath path;
-    path.addText(at, painter.font(), text);
+    path.addText(at, font, text);
     painter.strokePath(path, QPen(kHalo, 2.0 * kHaloPx, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.fillPath(path, ink);
 }
@@ -26,13 +27,16 @@ struct KeptText {
     QPixmap picture;
     QPointF begin;
 };
-KeptText keptText(const QFont& font, const QString& text, const QColor& ink, double pixelRatio) {
+KeptText keptText(const QPainter& on, const QString& text, const QColor& ink, double pixelRatio) {
+    const QFont font = on.font();
     const QRectF letters = QFontMetricsF(font).boundingRect(text);
     const double edge = std::ceil(kHaloPx) + 1.0;
     KeptText kept{.picture = {},
                   .begin = {edge + std::ceil(-letters.left()), edge + std::ceil(-letters.top())}};
-    const QString key = QStringLiteral("macula haloed text|%1|%2|%3|%4")
+    // A font of so many points has as many pixels as the screen says, which its own key does not.
+    const QString key = QStringLiteral("macula haloed text|%1|%2|%3|%4|%5")
                             .arg(font.key())
+                            .arg(on.device()->logicalDpiY())
                             .arg(ink.rgba(), 0, 16)
                             .arg(pixelRatio)
                             .arg(text);
@@ -45,8 +49,7 @@ KeptText keptText(const QFont& font, const QString& text, const QColor& ink, dou
     {
         QPainter painter(&kept.picture);
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setFont(font);
-        paintText(painter, kept.begin, text, ink);
+        paintText(painter, font, kept.begin, text, ink);
     }
     QPixmapCache::insert(key, kept.picture);
     return kept;
@@ -65,9 +68,9 @@ void drawHaloed(QPainter& painter, const QPainterPath& path, const QColor& ink, 
 void drawHaloedText(QPainter& painter, const QPointF& at, const QString& text, const QColor& ink) {
     const bool isShifted = painter.transform().type() <= QTransform::TxTranslate;
     if (!isShifted || QFontMetricsF(painter.font()).horizontalAdvance(text) > kMostKeptPx)
-        return paintText(painter, at, text, ink);
+        return paintText(painter, painter.font(), at, text, ink);
     const double pixelRatio = painter.device()->devicePixelRatioF();
-    const KeptText kept = keptText(painter.font(), text, ink, pixelRatio);
+    const KeptText kept = keptText(painter, text, ink, pixelRatio);
     // On whole pixels of the device: letters stay sharp.
     const auto whole = [&](double px) { return std::round(px * pixelRatio) / pixelRatio; };
     painter.drawPixmap(QPointF(whole(at.x() - kept.begin.x()), whole(at.y() - kept.begin.y())), kept.picture);
