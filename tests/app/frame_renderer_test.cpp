@@ -70,18 +70,20 @@ class FrameRendererTest : public testing::Test {
     void SetUp() override {
         auto instance = gpu::Instance::create();
         if (!instance) FAIL() << "packaging/bootstrap installs a Vulkan driver: " << instance.error().message;
-        renderer_.emplace(std::move(*instance), std::string(), keeper_, [this](const RenderEvent& event) {
-            if (const auto* changed = std::get_if<ModelChanged>(&event)) news_ = changed->model;
-            if (const auto* frame = std::get_if<FrameShown>(&event)) {
-                news_ = frame->model;
-                shown_ = *frame;
-            }
-            if (std::holds_alternative<Preparing>(event)) ++preparing_;
-            if (std::holds_alternative<OutlineFound>(event)) ++outlines_;
-            if (const auto* taken = std::get_if<ModelTaken>(&event)) taken_ = *taken;
-            if (const auto* failure = std::get_if<RenderFailure>(&event))
-                failures_.push_back(failure->error.message);
-        });
+        renderer_.emplace(std::move(*instance), gpu::DeviceOptions{}, keeper_,
+                          [this](const RenderEvent& event) {
+                              if (const auto* changed = std::get_if<ModelChanged>(&event))
+                                  news_ = changed->model;
+                              if (const auto* frame = std::get_if<FrameShown>(&event)) {
+                                  news_ = frame->model;
+                                  shown_ = *frame;
+                              }
+                              if (std::holds_alternative<Preparing>(event)) ++preparing_;
+                              if (std::holds_alternative<OutlineFound>(event)) ++outlines_;
+                              if (const auto* taken = std::get_if<ModelTaken>(&event)) taken_ = *taken;
+                              if (const auto* failure = std::get_if<RenderFailure>(&event))
+                                  failures_.push_back(failure->error.message);
+                          });
         input_.place = std::make_shared<const DarkPlace>();
         input_.width = 48;
         input_.height = 36;

@@ -67,6 +67,7 @@ TEST(FunctionLength, OverlooksCommentsLiteralsAndDirectives) {
     EXPECT_EQ(found("void b() {\n    c(R\"x(}\n)\"})x\");\n}"), "b:1+4");
     EXPECT_EQ(found("#define A(b) \\\n    void b() {\nvoid c() {\n}"), "c:3+2");
     EXPECT_EQ(found("void b() {\n    c(1'000'000);\n}"), "b:1+3");
+    EXPECT_EQ(found("void b() {\n    c(U'{', u8'\"', L'}');\n}"), "b:1+3");
     EXPECT_EQ(found("void b() {"), "braces do not match");
     EXPECT_EQ(found("void b() {\n}\n}"), "braces do not match");
 }

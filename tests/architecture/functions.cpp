@@ -32,6 +32,14 @@ std::size_t endOfLiteral(std::string_view text, std::size_t from) {
     return text.size();
 }
 
+// Whether a character begins at this quote: not in 1'000, but in 'a' and in U'a'.
+bool beginsCharacter(std::string_view text, std::size_t at) {
+    std::size_t word = at;
+    while (word > 0 && isWord(text[word - 1])) --word;
+    const std::string_view prefix = text.substr(word, at - word);
+    return prefix.empty() || prefix == "L" || prefix == "u" || prefix == "U" || prefix == "u8";
+}
+
 // The place behind a directive that begins at `from`, and behind the lines that continue it.
 std::size_t endOfDirective(std::string_view text, std::size_t from) {
     std::size_t end = text.find('\n', from);
@@ -51,8 +59,8 @@ std::string codeAlone(std::string_view text) {
             end = std::min(text.find("*/", i + 2), text.size() - 2) + 2;
         else if (text[i] == '"')
             end = endOfLiteral(text, i);
-        else if (text[i] == '\'' && (i == 0 || !isWord(text[i - 1])))
-            end = endOfLiteral(text, i);  // not 1'000
+        else if (text[i] == '\'' && beginsCharacter(text, i))
+            end = endOfLiteral(text, i);
         else if (text[i] == '#' && isLineStart)
             end = endOfDirective(text, i);
         if (end == i) {

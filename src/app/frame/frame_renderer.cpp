@@ -5,7 +5,6 @@
 #include <new>
 #include <utility>
 
-#include "app/frame/device_options.h"
 #include "base/check.h"
 #include "base/log.h"
 
@@ -49,11 +48,6 @@ bool canHaveModel(const FrameInput& input) {
 }
 
 }  // namespace
-
-FrameRenderer::FrameRenderer(gpu::Instance instance, std::string preferredDevice,
-                             std::shared_ptr<SceneKeeper> keeper, RenderListener listener)
-    : FrameRenderer(std::move(instance), deviceOptions(preferredDevice), std::move(keeper),
-                    std::move(listener)) {}
 
 FrameRenderer::FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device,
                              std::shared_ptr<SceneKeeper> keeper, RenderListener listener)

@@ -42,10 +42,8 @@ struct Interrupts {
 // Used by one thread, the render thread.
 class FrameRenderer {
   public:
-    // `keeper` keeps models between runs; null: nobody does.
-    FrameRenderer(gpu::Instance instance, std::string preferredDevice, std::shared_ptr<SceneKeeper> keeper,
-                  RenderListener listener);
-    // The same on a device that is opened, or lent, in another way; places add their extensions.
+    // The device is opened, or lent, as told; places add their extensions. `keeper` keeps models between
+    // runs; null: nobody does.
     FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device, std::shared_ptr<SceneKeeper> keeper,
                   RenderListener listener);
     ~FrameRenderer();

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "app/frame/device_options.h"
 #include "app/frame/frame_renderer.h"
-#include "base/give_way.h"
 #include "base/log.h"
 
 namespace macula::app {
@@ -55,9 +55,9 @@ void RenderThread::releaseScreen() {
 
 void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std::string preferredDevice,
                        std::shared_ptr<SceneKeeper> keeper, RenderListener listener) {
-    giveWay(GiveWay::toTheFrame);
-    FrameRenderer renderer(std::move(instance), std::move(preferredDevice), std::move(keeper),
-                           std::move(listener));
+    gpu::DeviceOptions device = deviceOptions(preferredDevice);
+    device.givesWay = true;
+    FrameRenderer renderer(std::move(instance), std::move(device), std::move(keeper), std::move(listener));
     const Interrupts interrupts{.newInput = [this] { return inputs_.pending(); },
                                 .stopping = [&stop] { return stop.stop_requested(); }};
     std::optional<std::uint64_t> owed;  // whoever waits for the screen waits until this is published

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "base/check.h"
+#include "base/give_way.h"
 #include "base/log.h"
 #include "pipeline/gpu/instance_state.h"
 #include "pipeline/gpu/physical_device.h"
@@ -181,6 +182,7 @@ Result<void> Device::open(const DeviceOptions& options, const std::string& doing
     deviceInfo.pQueueCreateInfos = &queueInfo;
     deviceInfo.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
     deviceInfo.ppEnabledExtensionNames = extensions.data();
+    if (options.givesWay && isCpu()) giveWay(GiveWay::toTheFrame);
     MACULA_VK_TRY(options.createDevice ? options.createDevice(info_.physical, deviceInfo, &device_)
                                        : vkCreateDevice(info_.physical, &deviceInfo, nullptr, &device_),
                   doing);

@@ -66,6 +66,9 @@ struct DeviceOptions {
     // Where the driver's compiled kernels are kept for the next start (pipeline_cache.h); made when missing.
     // Empty: no file is read or written. Never of a lent device.
     std::filesystem::path kernelsFolder;
+    // Where the device is the processor, this thread and those of the driver let a window's go first
+    // (give_way.h), for good. On a card a thread that submits frames must not be late.
+    bool givesWay = false;
     // Takes device memory for unmapped, as on a graphics card, to test staging copies without one.
     bool separateMemory = false;
     bool isAnnounced = true;  // log::announce
