@@ -18,6 +18,7 @@ endfunction()
 # files in whole kibibytes, and one for whatever else there is.
 function(macula_pack_debian package)
     execute_process(COMMAND dpkg-deb -R ${package} ${work}/all COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND chmod -R u+rw,go=rX ${work}/all COMMAND_ERROR_IS_FATAL ANY)  # scripts have what the umask left
     file(GLOB_RECURSE entries LIST_DIRECTORIES ON ${work}/all/*)
     list(FILTER entries EXCLUDE REGEX "/all/DEBIAN(/|$)")
     set(kibibytes 0)
