@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "viewer/language/core_words.h"
+#include "viewer/say.h"
 #include "viewer/status_texts.h"
 
 namespace macula::viewer {
@@ -77,6 +78,7 @@ ClipPanel::ClipPanel(ViewerSession& session, QWidget* parent)
     column->addWidget(makeCuts());
     column->addWidget(makeSizes());
     column->addWidget(trouble_);
+    say(*trouble_, {});
     column->addStretch(1);
 
     connect(&session_, &ViewerSession::studyShown, this, &ClipPanel::showStudy);
@@ -229,7 +231,7 @@ void ClipPanel::chooseFromList(int index) {
 
 // What is refused leaves all as it is, and the controls go back to it.
 void ClipPanel::propose(const Edited& edited, bool isDrag, bool showsAll) {
-    trouble_->setText(edited ? QString() : reason(edited.error()));
+    say(*trouble_, edited ? QString() : reason(edited.error()));
     if (edited) {
         const auto edit = [&](app::StudyState& next) {
             next.clip = *edited;
@@ -242,7 +244,7 @@ void ClipPanel::propose(const Edited& edited, bool isDrag, bool showsAll) {
 
 void ClipPanel::showStudy() {
     lastOwn_.reset();
-    trouble_->clear();
+    say(*trouble_, {});
     if (session_.hasStudy()) {
         const Box all = volume().worldBox();
         const glm::dvec3 voxel = app::voxelExtentMm(volume());
@@ -313,8 +315,7 @@ void ClipPanel::showFaces() {
             besides << (shape.ofBall == Keep::outside ? tr("A ball is removed.")
                                                       : tr("Only a ball is kept."));
     }
-    besides_->setText(besides.join(QLatin1Char(' ')));
-    besides_->setVisible(!besides.isEmpty());
+    say(*besides_, besides.join(QLatin1Char(' ')));
 }
 
 // While it is hidden it does not follow the cross-hair.

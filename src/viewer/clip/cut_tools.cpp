@@ -10,6 +10,7 @@
 #include "app/clip/eye_cut.h"
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/language/core_words.h"
+#include "viewer/say.h"
 
 namespace macula::viewer {
 
@@ -95,7 +96,7 @@ void CutTools::setScissorsOut(bool out) {
 
 void CutTools::tell(const Result<void>& done) {
     showCuts();
-    if (!done) trouble_->setText(inWindowsLanguage(done.error()));
+    if (!done) say(*trouble_, inWindowsLanguage(done.error()));
 }
 
 void CutTools::setUsable(QWidget& control, const QString& does) {
@@ -117,8 +118,7 @@ void CutTools::showCuts() {
                              "else is"));
     setUsable(*uncut_, tr("Shows again what the scissors removed"));
     const bool isLeftOut = cuts.eye && !app::hasRoomForEyeCut(session_.state().clip);
-    trouble_->setText(isLeftOut ? tr("The clip has six planes: the cut from the eye is not shown.")
-                                : QString());
+    say(*trouble_, isLeftOut ? tr("The clip has six planes: the cut from the eye is not shown.") : QString());
     eye_->setChecked(cuts.eye.has_value());
     if (cuts.eye && session_.hasStudy()) {
         const ValueRange range = app::eyeCutRangeMm(cuts.eye->plane.normal, *session_.study().volume);
@@ -136,7 +136,7 @@ void CutTools::showCuts() {
         uncut_->setEnabled(false);
         uncut_->setToolTip(tr("Nothing is cut with the scissors."));
     }
-    count_->setText(cuts.scissors.empty() ? QString() : tr("Cuts: %1").arg(cuts.scissors.size()));
+    say(*count_, cuts.scissors.empty() ? QString() : tr("Cuts: %1").arg(cuts.scissors.size()));
 }
 
 }  // namespace macula::viewer
