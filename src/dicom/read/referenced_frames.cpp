@@ -61,8 +61,7 @@ std::vector<ReferencedFrames> byImage(std::vector<ReferencedFrames> references) 
     }
     for (ReferencedFrames& image : images) {
         std::ranges::sort(image.numbers);
-        const auto rest = std::ranges::unique(image.numbers);
-        image.numbers.erase(rest.begin(), rest.end());
+        image.numbers.erase(std::unique(image.numbers.begin(), image.numbers.end()), image.numbers.end());
     }
     return images;
 }
