@@ -1,5 +1,6 @@
 // macula bench: that the benchmarks of the tracer run to their end and say what they promise. How fast
 // anything is, is not tested.
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -71,7 +72,11 @@ TEST_F(Bench, TradeoffTellsWhatItMeasuredAlsoWhenThePlotCannotBeWritten) {
     ASSERT_EQ(report["results"].size(), 2u * 2u * 5u * 6u);  // filters, denoising, bounces, samples
     // Of one setting, with 1 to 32 samples.
     EXPECT_EQ(report["results"][5]["samples"], 32);
-    EXPECT_GT(report["results"][0]["traceMs"].get<double>(), 0.0);
+    // Over all settings: one of them may have been held up.
+    std::array<double, 6> traceMs{};
+    for (std::size_t i = 0; i < report["results"].size(); ++i)
+        traceMs[i % 6] += report["results"][i]["traceMs"].get<double>();
+    EXPECT_LT(traceMs[0], traceMs[5]);
     EXPECT_GT(report["results"][5]["psnrDb"].get<double>(),
               report["results"][0]["psnrDb"].get<double>() + 3.0);
 }

@@ -50,8 +50,9 @@ struct MadeAdditions {
     std::vector<std::string> notes;  // sentences, without patient data
 };
 
-// For a picture in that look. The study's volume is stored16. The clip gets what segments leave of it. Fails
-// as segmentsToDraw and secondToDraw.
+// Makes what is drawn beside the study, as far as `look` draws it; the volume of the study must be stored16.
+// Writes to `clip` the mask of the segments that are left out. Errors: those of segmentsToDraw and
+// secondToDraw.
 Result<MadeAdditions> makeAdditions(const AdditionChoice& choice, const ReadStudy& study, trace::Look look,
                                     Clip& clip, Progress& progress);
 

@@ -30,11 +30,11 @@ struct TintGeometry {
     bool operator==(const TintGeometry&) const = default;
 };
 
-// The colours that were chosen for segments in 3D, as in3dOf leaves them out, and where they go. Each segment
-// has a colour of its own, though others may have the same, so that another colour or opacity is the same
-// geometry; where there are more segments than colours can be, those of one colour share it. Segments that
-// have no voxel in the volume, or whose segmentation is not among those loaded, count for nothing. Reads no
-// voxels. inputNotUsable for more than 255 different colours of more than 255 segments.
+// The colour table for segments in 3D, and which entry each segment has. It is planned from what was chosen
+// (in3dOf) and reads no voxels. Each segment has an entry of its own, so that another colour or opacity
+// changes the table and not the geometry; of more than 255 segments, those of one colour share an entry.
+// Segments without a voxel in the volume, and those whose segmentation is not loaded, are left out. Error:
+// inputNotUsable for more than 255 different colours of more than 255 segments.
 struct PlannedTints {
     TintGeometry geometry;
     std::vector<SegmentTints::Colour> colours;

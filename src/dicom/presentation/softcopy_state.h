@@ -22,8 +22,8 @@ struct SoftcopyWindow {
     bool operator==(const SoftcopyWindow&) const = default;
 };
 
-// Presentation Size Mode (PS3.3 C.10.4): as large as fits, in millimetres of the screen, or so many pixels of
-// the screen for each of the image.
+// Presentation Size Mode (PS3.3 C.10.4). `fitted`: the area fills the pane. `trueSize`: a millimetre of the
+// patient is one on the screen. `magnified`: each pixel of the image covers a given number of screen pixels.
 enum class DisplayedSize { fitted, trueSize, magnified };
 
 // Corners in pixels, (column, row) from 1 (PS3.3 C.10.4); bottom right is within. Its columns and rows grow.

@@ -186,10 +186,11 @@ std::vector<glm::dvec2> hullOf(const RowsAlongX& rows) {
     return convexHull(std::move(points));
 }
 
-// The hull with the ends of the rows along the plane's y too, which is `axis`; `first` is the first voxel of
-// the plane. What does not reach out of the hull is not looked for.
-std::vector<glm::dvec2> widened(std::vector<glm::dvec2> hull, const Rows& rows, const glm::ivec3& first,
-                                int axis, int columns) {
+// The convex hull that also has the ends of the rows along the plane's y, which is `axis` of the volume;
+// `first` is the first voxel of the plane. A row is searched only as far as the hull: what begins inside of
+// it would not change it.
+std::vector<glm::dvec2> widened(const std::vector<glm::dvec2>& hull, const Rows& rows,
+                                const glm::ivec3& first, int axis, int columns) {
     std::vector<glm::dvec2> points = hull;
     for (int x = 0; x < columns; ++x) {
         const Ends known = cutAt(hull, x);

@@ -9,7 +9,8 @@
 
 namespace macula::viewer {
 
-// On the UI thread. `presets` are those to choose from there: their titles are translated, too.
+// The texts of the wrist panel in the language of the window, with the titles of `presets`, which can be
+// chosen there. Called on the UI thread, since Qt's translators belong to it.
 xr::RoomWords headsetWords(const std::vector<std::shared_ptr<const TransferFunction>>& presets);
 
 }  // namespace macula::viewer
