@@ -75,7 +75,7 @@ class BesideDragTest : public test::OffscreenTest {
             });
     }
     bool atRest() {
-        return test::waitFor([this] { return shown_->isAtRest(); });
+        return waitUntil([this] { return shown_->isAtRest(); });
     }
     static double opacityOf(const std::optional<SecondVolume>& second) {
         return second ? second->function->opacity.back().opacity : -1.0;

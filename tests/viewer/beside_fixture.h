@@ -92,7 +92,7 @@ class BesideTest : public test::OffscreenTest {
     SliceView& second() { return pair_->second(); }
     bool settled() {
         settle();  // sizes come with events
-        return test::waitFor(
+        return waitUntil(
             [&] { return study().isUpToDate() && (!pair_->showsBoth() || second().isUpToDate()); });
     }
     static QImage pictureOf(SliceView& view) {

@@ -111,7 +111,7 @@ TEST_F(BesideTest, AnyOtherIsRegisteredByItself) {
     QObject::connect(&*beside_, &BesideStudy::ended, &*beside_, [&] { hasEnded = true; });
     beside_->offer(studyOf(std::make_shared<const Volume>(*std::move(volume)), "prior", "20220301"));
     EXPECT_TRUE(beside_->isRegistering());
-    ASSERT_TRUE(test::waitFor([&] { return hasEnded; }));
+    ASSERT_TRUE(waitUntil([&] { return hasEnded; }));
     ASSERT_EQ(beside_->state()->link, BesideLink::registered) << (error_ ? error_->message : "");
     EXPECT_NEAR(beside_->state()->secondFromStudy[3].z, 30.0, 2.0);
     session_->undo();
@@ -122,7 +122,7 @@ TEST_F(BesideTest, WhatCannotBeRegisteredStaysLinkedByHandAndSaysWhy) {
     auto volume = Volume::create({.size = glm::ivec3(24), .unit = Unit::hounsfield, .modality = "CT"},
                                  std::vector<std::uint16_t>(13824, 1000));
     beside_->offer(studyOf(std::make_shared<const Volume>(*std::move(volume)), "flat", "20220301"));
-    ASSERT_TRUE(test::waitFor([&] { return error_.has_value(); }));
+    ASSERT_TRUE(waitUntil([&] { return error_.has_value(); }));
     EXPECT_NE(error_->message.find("the same value everywhere"), std::string::npos);
     EXPECT_EQ(beside_->state()->link, BesideLink::byHand);
 }
@@ -155,7 +155,7 @@ TEST_F(BesideTest, ClosingItAndAnotherStudyLeaveNothing) {
     EXPECT_FALSE(pair_->showsBoth());
     ASSERT_TRUE(settled());
     EXPECT_TRUE(study().tags().isEmpty());
-    EXPECT_TRUE(test::waitFor([&] { return volume.expired(); })) << "its memory is not given back";
+    EXPECT_TRUE(waitUntil([&] { return volume.expired(); })) << "its memory is not given back";
     openLinked();
     session_->show(current_, {});
     EXPECT_EQ(beside_->second(), nullptr);
@@ -179,7 +179,7 @@ TEST_F(BesideTest, In3dItIsThereWhileItIsLinkedAndAskedFor) {
     in3d->click();
     EXPECT_TRUE(state().beside->in3d);
     EXPECT_TRUE(presets->isEnabled());
-    const auto atRest = [&] { return test::waitFor([&] { return shown.isAtRest(); }); };
+    const auto atRest = [&] { return waitUntil([&] { return shown.isAtRest(); }); };
     ASSERT_TRUE(atRest());
     ASSERT_TRUE(shown.additions() && shown.additions()->second);
     EXPECT_EQ(shown.additions()->second->secondFromVolumeMm, kMoved);
@@ -222,7 +222,7 @@ TEST_F(BesideTest, AnotherPatientIsNeverInThe3dPictureOfThisOne) {
         next.beside->link = BesideLink::registered;
         next.beside->in3d = true;  // as a file may say
     });
-    ASSERT_TRUE(test::waitFor([&] { return shown.isAtRest(); }));
+    ASSERT_TRUE(waitUntil([&] { return shown.isAtRest(); }));
     EXPECT_EQ(shown.additions(), nullptr);
     BesideBar bar(*session_, *beside_);
     bar.showState();
@@ -248,7 +248,7 @@ TEST_F(BesideTest, In3dOfFloatsAnotherCurveIsNoOtherVolume) {
             next.beside->isDoubtful = true;
             next.beside->opacity = opacity;
         });
-        EXPECT_TRUE(test::waitFor([&] { return shown.isAtRest(); }));
+        EXPECT_TRUE(waitUntil([&] { return shown.isAtRest(); }));
         return shown.additions() ? shown.additions()->second->volume : nullptr;
     };
     const auto first = volumeWith(0.3);

@@ -36,7 +36,7 @@ TEST_F(DrivenStepsTest, EachIsMeasuredByItself) {
     QObject::connect(&steps, &DrivenSteps::ended, &steps, [&](const MeasuredStep& s) { ended << s.name; });
     QObject::connect(&steps, &DrivenSteps::finished, &steps, [&] { isFinished = true; });
     steps.start();
-    ASSERT_TRUE(test::waitFor([&] { return isFinished; }));
+    ASSERT_TRUE(waitUntil([&] { return isFinished; }));
     EXPECT_EQ(ended, (QStringList{"deaf", "quick", "later", "never"}));
     const auto& measured = steps.measured();
     ASSERT_EQ(measured.size(), 4u);
@@ -65,7 +65,7 @@ TEST_F(DrivenStepsTest, WhoWaitsDoesNotWork) {
     bool isFinished = false;
     QObject::connect(&steps, &DrivenSteps::finished, &steps, [&] { isFinished = true; });
     steps.start();
-    ASSERT_TRUE(test::waitFor([&] { return isFinished; }));
+    ASSERT_TRUE(waitUntil([&] { return isFinished; }));
     ASSERT_EQ(steps.measured().size(), 2u);
     EXPECT_GT(steps.measured()[0].longestStallMs, 500.0);
     EXPECT_LT(steps.measured()[0].ownWorkInItMs, 300.0);
@@ -78,7 +78,7 @@ TEST_F(DrivenStepsTest, NothingFollowsOnceStopped) {
     QObject::connect(&steps, &DrivenSteps::ended, &steps, [&] { steps.stop(); });
     QObject::connect(&steps, &DrivenSteps::finished, &steps, [&] { isFinished = true; });
     steps.start();
-    ASSERT_TRUE(test::waitFor([&] { return steps.measured().size() == 1; }));
+    ASSERT_TRUE(waitUntil([&] { return steps.measured().size() == 1; }));
     QThread::msleep(60);
     settle();
     EXPECT_EQ(steps.measured().size(), 1u);

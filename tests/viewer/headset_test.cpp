@@ -89,7 +89,7 @@ TEST_F(HeadsetPanelTest, WithoutARuntimeASentenceIsSaidAndTheWindowGoesOn) {
     QObject::connect(&show, &HeadsetShow::ended, &show, [&] { ++ended; });
     for (int attempt = 1; attempt <= 2; ++attempt) {
         show.start({.volume = smallStudy().volume, .drawing = {}, .presets = {}, .pictures = {}});
-        ASSERT_TRUE(test::waitFor([&] { return ended == attempt; }));
+        ASSERT_TRUE(waitUntil([&] { return ended == attempt; }));
         ASSERT_EQ(errors.size(), std::size_t(attempt));
         EXPECT_EQ(errors.back().code, ErrorCode::deviceNotUsable);
         EXPECT_TRUE(errors.back().message.ends_with('.')) << errors.back().message;

@@ -35,7 +35,7 @@ class KeyboardTest : public test::OffscreenTest {
     static void activate(QWidget& window) {
         window.show();
         window.activateWindow();
-        ASSERT_TRUE(test::waitFor([&] { return window.isActiveWindow(); }));
+        ASSERT_TRUE(waitUntil([&] { return window.isActiveWindow(); }));
         settle();
     }
     // A panel stands in a window, beside something else that the focus can go to.
@@ -61,7 +61,7 @@ TEST_F(KeyboardTest, TheClipPanel) {
 
 TEST_F(KeyboardTest, TheTransferFunction) {
     auto* editor = new TransferFunctionEditor(*session_);
-    ASSERT_TRUE(test::waitFor([&] { return !editor->isCounting(); }));
+    ASSERT_TRUE(waitUntil([&] { return !editor->isCounting(); }));
     walk(editor);
 }
 

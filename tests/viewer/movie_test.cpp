@@ -169,7 +169,7 @@ class VideoEncoderTest : public test::OffscreenTest {
         QObject::connect(&encoder, &VideoEncoder::progressed, &encoder,
                          [&](double fraction) { fraction_ = std::max(fraction_, fraction); });
         encoder.start(program, wish());
-        EXPECT_TRUE(test::waitFor([&] { return told.has_value(); }));
+        EXPECT_TRUE(waitUntil([&] { return told.has_value(); }));
         return told;
     }
 
@@ -219,7 +219,7 @@ TEST_F(ModelExportTest, HoldsNoStudyAfterItsEnd) {
     int failures = 0;
     QObject::connect(&save, &ModelExport::failed, &save, [&](const Error&) { ++failures; });
     save.onTaken({.wish = 3, .splats = std::make_shared<const splat::Splats>()});
-    EXPECT_TRUE(test::waitFor([&] { return failures == 1 && held.expired(); }));
+    EXPECT_TRUE(waitUntil([&] { return failures == 1 && held.expired(); }));
 }
 
 TEST_F(ModelExportTest, NorDoesAMovie) {
@@ -231,7 +231,7 @@ TEST_F(ModelExportTest, NorDoesAMovie) {
     wish.sequence.frames = 0;
     const std::weak_ptr<const Volume> held = wish.sequence.picture.volume;
     movie.start(std::move(wish));
-    EXPECT_TRUE(test::waitFor([&] { return failures == 1 && held.expired(); }));
+    EXPECT_TRUE(waitUntil([&] { return failures == 1 && held.expired(); }));
 }
 
 TEST_F(VideoEncoderTest, IsGivenWordsAndWritesWhole) {
@@ -269,8 +269,8 @@ TEST_F(VideoEncoderTest, MayBeStopped) {
     QObject::connect(&encoder, &VideoEncoder::ended, &encoder, [&](bool) { wasTold = true; });
     encoder.start(script("for last; do :; done\necho half > \"$last\"\necho frame=1\nexec sleep 60\n"),
                   wish());
-    EXPECT_TRUE(test::waitFor(
-        [&] { return QFileInfo::exists(folder_.filePath(QStringLiteral(".movie.mp4.part"))); }));
+    EXPECT_TRUE(
+        waitUntil([&] { return QFileInfo::exists(folder_.filePath(QStringLiteral(".movie.mp4.part"))); }));
     encoder.cancel();
     settle();
     EXPECT_FALSE(encoder.running());

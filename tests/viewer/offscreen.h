@@ -15,11 +15,6 @@
 
 namespace macula::viewer::test {
 
-template <class Done>
-bool waitFor(Done done) {
-    return waitUntil(std::move(done));
-}
-
 // The offscreen platform has no theme of a desktop and no X server.
 class OffscreenTest : public testing::Test {
   protected:

@@ -53,10 +53,10 @@ TEST_F(OwnWindowListTest, TheyComeBack) {
                 folder(), {.kind = session::DocumentKind::preset, .study = {}, .name = "windows of slices"});
             return json && *json && (*json)->find("Liver") != std::string::npos;
         };
-        EXPECT_TRUE(test::waitFor(isKept));
+        EXPECT_TRUE(waitUntil(isKept));
     }
     OwnWindowList again(folder());
-    EXPECT_TRUE(test::waitFor([&] { return again.all().size() == 2; }));
+    EXPECT_TRUE(waitUntil([&] { return again.all().size() == 2; }));
     EXPECT_EQ(again.all().front(), window("Kidney"));
 }
 
@@ -66,7 +66,7 @@ TEST_F(OwnWindowListTest, WhatCannotBeKeptIsToldAndStaysForTheRun) {
     int told = 0;
     QObject::connect(&list, &OwnWindowList::failed, &list, [&](const Error&) { ++told; });
     ASSERT_TRUE(list.add(window("Kidney")).ok());
-    EXPECT_TRUE(test::waitFor([&] { return told >= 2; })) << "reading and writing";
+    EXPECT_TRUE(waitUntil([&] { return told >= 2; })) << "reading and writing";
     EXPECT_EQ(list.all().size(), 1u);
 }
 
@@ -78,7 +78,7 @@ TEST_F(OwnWindowListTest, WhatIsAddedLastIsKeptWhenTheWindowCloses) {
     EXPECT_TRUE(isStored("Kidney"));
     {
         OwnWindowList list(folder());
-        ASSERT_TRUE(test::waitFor([&] { return list.all().size() == 1; }));
+        ASSERT_TRUE(waitUntil([&] { return list.all().size() == 1; }));
         list.remove(window("Kidney"));
         ASSERT_TRUE(list.add(window("Liver")).ok());
     }
@@ -92,13 +92,13 @@ TEST_F(OwnWindowListTest, TwoWindowsKeepTheOnesOfEachOther) {
     int read = 0;
     QObject::connect(&first, &OwnWindowList::changed, &first, [&] { ++read; });
     QObject::connect(&second, &OwnWindowList::changed, &first, [&] { ++read; });
-    ASSERT_TRUE(test::waitFor([&] { return read == 2; }));
+    ASSERT_TRUE(waitUntil([&] { return read == 2; }));
     ASSERT_TRUE(first.add(window("Kidney")).ok());
-    ASSERT_TRUE(test::waitFor([&] { return isStored("Kidney"); }));
+    ASSERT_TRUE(waitUntil([&] { return isStored("Kidney"); }));
     ASSERT_TRUE(second.add(window("Liver")).ok());
-    ASSERT_TRUE(test::waitFor([&] { return isStored("Liver"); }));
+    ASSERT_TRUE(waitUntil([&] { return isStored("Liver"); }));
     EXPECT_TRUE(isStored("Kidney"));
-    EXPECT_TRUE(test::waitFor([&] { return second.all().size() == 2; }));
+    EXPECT_TRUE(waitUntil([&] { return second.all().size() == 2; }));
 }
 
 TEST_F(OwnWindowListTest, WhatCouldNotBeReadIsNotOverwritten) {
@@ -112,11 +112,11 @@ TEST_F(OwnWindowListTest, WhatCouldNotBeReadIsNotOverwritten) {
     OwnWindowList list(folder());
     int told = 0;
     QObject::connect(&list, &OwnWindowList::failed, &list, [&](const Error&) { ++told; });
-    ASSERT_TRUE(test::waitFor([&] { return told == 1; }));
+    ASSERT_TRUE(waitUntil([&] { return told == 1; }));
     std::filesystem::remove(folder());
     std::filesystem::rename(away, folder());
     ASSERT_TRUE(list.add(window("Liver")).ok());
-    ASSERT_TRUE(test::waitFor([&] { return isStored("Liver"); }));
+    ASSERT_TRUE(waitUntil([&] { return isStored("Liver"); }));
     EXPECT_TRUE(isStored("Kidney"));
 }
 

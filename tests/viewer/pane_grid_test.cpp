@@ -181,12 +181,12 @@ TEST_F(PaneGridTest, ThePaneWithTheFocusHasAFrame) {
     window_->activateWindow();
     for (const Pane p : kPanes) {
         grid_->focusPane(p);
-        ASSERT_TRUE(test::waitFor([&] { return grid_->activePane() == p; })) << int(p);
+        ASSERT_TRUE(waitUntil([&] { return grid_->activePane() == p; })) << int(p);
         EXPECT_EQ(activeFrames(), 1);
         EXPECT_EQ(pane(p).parentWidget()->grab().toImage().pixelColor(0, 9), QColor(themeColours().accent));
     }
     beside_->setFocus();
-    ASSERT_TRUE(test::waitFor([&] { return !grid_->activePane(); }));
+    ASSERT_TRUE(waitUntil([&] { return !grid_->activePane(); }));
     EXPECT_EQ(activeFrames(), 0);
     EXPECT_NE(pane(Pane::axial).parentWidget()->grab().toImage().pixelColor(0, 9),
               QColor(themeColours().accent));
@@ -195,9 +195,9 @@ TEST_F(PaneGridTest, ThePaneWithTheFocusHasAFrame) {
 TEST_F(PaneGridTest, TheFocusOfAPaneThatIsHiddenGoesToOneThatIsShown) {
     window_->activateWindow();
     grid_->focusPane(Pane::sagittal);
-    ASSERT_TRUE(test::waitFor([&] { return grid_->activePane() == Pane::sagittal; }));
+    ASSERT_TRUE(waitUntil([&] { return grid_->activePane() == Pane::sagittal; }));
     grid_->setLayout(app::Layout::volume);
-    EXPECT_TRUE(test::waitFor([&] { return grid_->activePane() == Pane::volume; }));
+    EXPECT_TRUE(waitUntil([&] { return grid_->activePane() == Pane::volume; }));
     grid_->focusPane(Pane::sagittal);  // it is not shown
     settle();
     EXPECT_EQ(grid_->activePane(), Pane::volume);
@@ -241,7 +241,7 @@ class NativePaneTest : public PaneGridTest {
 };
 
 TEST_F(NativePaneTest, KeepsItsSurfaceThroughAllLayouts) {
-    ASSERT_TRUE(test::waitFor([&] { return native_->isVisible(); }));
+    ASSERT_TRUE(waitUntil([&] { return native_->isVisible(); }));
     Surfaces surfaces;
     native_->installEventFilter(&surfaces);
     const WId id = native_->winId();
@@ -259,12 +259,12 @@ TEST_F(NativePaneTest, KeepsItsSurfaceThroughAllLayouts) {
 }
 
 TEST_F(NativePaneTest, IsTheActivePaneWhileItsWindowHasTheFocus) {
-    ASSERT_TRUE(test::waitFor([&] { return native_->isVisible(); }));
+    ASSERT_TRUE(waitUntil([&] { return native_->isVisible(); }));
     native_->requestActivate();
-    ASSERT_TRUE(test::waitFor([&] { return QGuiApplication::focusWindow() == native_; }));
-    EXPECT_TRUE(test::waitFor([&] { return grid_->activePane() == Pane::volume; }));
+    ASSERT_TRUE(waitUntil([&] { return QGuiApplication::focusWindow() == native_; }));
+    EXPECT_TRUE(waitUntil([&] { return grid_->activePane() == Pane::volume; }));
     grid_->focusPane(Pane::axial);
-    EXPECT_TRUE(test::waitFor(
+    EXPECT_TRUE(waitUntil(
         [&] { return grid_->activePane() == Pane::axial && QGuiApplication::focusWindow() != native_; }));
 }
 

@@ -37,7 +37,7 @@ TEST_F(PixelRatioTest, ASliceIsSampledForEachPixelOfTheScreen) {
     view.resize(200, 150);
     view.show();
     ASSERT_DOUBLE_EQ(view.devicePixelRatioF(), 2.0);
-    ASSERT_TRUE(test::waitFor([&] { return view.isUpToDate(); }));
+    ASSERT_TRUE(waitUntil([&] { return view.isUpToDate(); }));
     const auto frame = view.shownFrame();
     ASSERT_TRUE(frame.has_value());
     EXPECT_EQ(frame->sizePx, glm::ivec2(400, 300));

@@ -49,11 +49,11 @@ class Presentations : public test::OffscreenTest {
 
 TEST_F(Presentations, AreSavedAndOpenedBesideTheWindow) {
     files_->save(path_, wish_);
-    ASSERT_TRUE(test::waitFor([&] { return !saved_.isEmpty() || error_; }));
+    ASSERT_TRUE(waitUntil([&] { return !saved_.isEmpty() || error_; }));
     ASSERT_FALSE(error_) << error_->message;
     EXPECT_EQ(saved_.toStdString(), path_.string());
     files_->open(path_, wish_.volume, digest_, {}, {});
-    ASSERT_TRUE(test::waitFor([&] { return opened_ || error_; }));
+    ASSERT_TRUE(waitUntil([&] { return opened_ || error_; }));
     ASSERT_FALSE(error_) << error_->message;
     EXPECT_EQ(opened_->camera, wish_.state.camera);
     EXPECT_EQ(opened_->seriesDigest, digest_);
@@ -63,16 +63,16 @@ TEST_F(Presentations, AreSavedAndOpenedBesideTheWindow) {
 
 TEST_F(Presentations, ThatCannotBeAreErrors) {
     files_->open(path_, wish_.volume, digest_, {}, {});
-    ASSERT_TRUE(test::waitFor([&] { return error_.has_value(); }));
+    ASSERT_TRUE(waitUntil([&] { return error_.has_value(); }));
     EXPECT_EQ(error_->code, ErrorCode::inputNotUsable);
     error_.reset();
     files_->save(folder_ / "gone" / "a.dcm", wish_);
-    ASSERT_TRUE(test::waitFor([&] { return error_.has_value(); }));
+    ASSERT_TRUE(waitUntil([&] { return error_.has_value(); }));
     EXPECT_EQ(error_->code, ErrorCode::outputNotWritable);
     error_.reset();
     wish_.state.preset.reset();
     files_->save(path_, wish_);
-    ASSERT_TRUE(test::waitFor([&] { return error_.has_value(); }));
+    ASSERT_TRUE(waitUntil([&] { return error_.has_value(); }));
     EXPECT_FALSE(std::filesystem::exists(path_));
     EXPECT_FALSE(opened_);
 }

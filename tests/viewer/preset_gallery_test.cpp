@@ -28,8 +28,6 @@
 namespace macula::viewer {
 namespace {
 
-using test::waitFor;
-
 class PresetGalleryTest : public test::OffscreenTest {
   protected:
     void SetUp() override {
@@ -301,19 +299,19 @@ TEST_F(PresetGalleryTest, PicturesOfTheVolumeAreDrawnOfWhatIsSeenAndAnewForAnoth
     const auto picture = [&] {
         return preset(QStringLiteral("CT-Bone")).data(Qt::DecorationRole).value<QImage>();
     };
-    ASSERT_TRUE(waitFor([&] { return !picture().isNull() && !gallery_->isDrawing(); }));
+    ASSERT_TRUE(waitUntil([&] { return !picture().isNull() && !gallery_->isDrawing(); }));
     const QImage first = picture();
     EXPECT_EQ(first.size(), QSize(app::kPresetThumbnailPx, app::kPresetThumbnailPx));
     EXPECT_NE(first.pixel(first.width() / 2, first.height() / 2), qRgb(0, 0, 0));
     openStudy(Unit::hounsfield, "CT", 250);
-    EXPECT_TRUE(waitFor([&] { return !picture().isNull() && picture() != first; }));
+    EXPECT_TRUE(waitUntil([&] { return !picture().isNull() && picture() != first; }));
 }
 
 TEST_F(PresetGalleryTest, AVolumeOfNothingHasNoPicturesAndSaysSo) {
     auto volume = Volume::create({.size = glm::ivec3(4), .padding = StoredRange{5, 5}},
                                  std::vector<std::uint16_t>(64, 5));
     session_->show({.volume = std::make_shared<const Volume>(*std::move(volume))}, {});
-    EXPECT_TRUE(waitFor([&] { return note_->text().contains(QStringLiteral("nothing in this volume")); }));
+    EXPECT_TRUE(waitUntil([&] { return note_->text().contains(QStringLiteral("nothing in this volume")); }));
     EXPECT_FALSE(gallery_->isDrawing());
 }
 
@@ -387,7 +385,8 @@ TEST_F(PresetGalleryTest, AStoreThatCannotBeUsedIsAsNone) {
         session::StoreOptions{.folder = folder.path() / "sessions"}, nullptr);
     library_.emplace(*session_, keeper);
     makeGallery();
-    EXPECT_TRUE(waitFor([&] { return note_->text().contains(QStringLiteral("until this window closes")); }));
+    EXPECT_TRUE(
+        waitUntil([&] { return note_->text().contains(QStringLiteral("until this window closes")); }));
     gallery_.reset();
     library_.reset();
 }
@@ -405,7 +404,7 @@ TEST_F(PresetGalleryTest, FilesAreImportedAndExported) {
                      [&](const Error& error) { errors.push_back(error); });
     const auto import = [&](const std::string& file) {
         library_->importFile(file);
-        EXPECT_TRUE(waitFor([&] { return !library_->isImporting(); }));
+        EXPECT_TRUE(waitUntil([&] { return !library_->isImporting(); }));
     };
     import(path);
     import(path);
@@ -494,7 +493,7 @@ TEST_F(PresetGalleryTest, ClosingAComparisonLeavesTheWorkToTheWindow) {
     EXPECT_TRUE(dialog->isDrawing());
     delete dialog;
     EXPECT_EQ(window.children().size(), 1) << "it was joined";
-    EXPECT_TRUE(waitFor([&] {
+    EXPECT_TRUE(waitUntil([&] {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         return window.children().isEmpty();
     }));

@@ -70,7 +70,7 @@ class SegmentationPanelTest : public test::OffscreenTest {
         ASSERT_TRUE(settled());
     }
     bool settled() {
-        return test::waitFor([this] { return keeper_->isAtRest() && !hidden_->isJoining(); });
+        return waitUntil([this] { return keeper_->isAtRest() && !hidden_->isJoining(); });
     }
     void showFirst() {
         segmentation().setCheckState(0, Qt::Checked);
@@ -115,7 +115,7 @@ class SegmentationPanelTest : public test::OffscreenTest {
 TEST_F(SegmentationPanelTest, InColourASegmentIsTintedIn3d) {
     openFolder();
     ShownAdditions shown(*session_, *keeper_);
-    const auto atRest = [&] { return settled() && test::waitFor([&] { return shown.isAtRest(); }); };
+    const auto atRest = [&] { return settled() && waitUntil([&] { return shown.isAtRest(); }); };
     select(1);
     auto& opacity = find<QSlider>("segment-opacity-3d");
     EXPECT_FALSE(opacity.isEnabled());
@@ -150,7 +150,7 @@ TEST_F(SegmentationPanelTest, InColourASliderGoesThroughNoVoxels) {
     QObject::connect(&shown, &ShownAdditions::changed, &shown, [&] {
         if (shown.additions()) boxes.push_back(shown.additions()->tints->box);
     });
-    const auto atRest = [&] { return settled() && test::waitFor([&] { return shown.isAtRest(); }); };
+    const auto atRest = [&] { return settled() && waitUntil([&] { return shown.isAtRest(); }); };
     showFirst();
     select(1);
     click("segment-coloured");
@@ -197,7 +197,7 @@ TEST_F(SegmentationPanelTest, InColourAnotherSegmentationThatIsLoadedChangesNoth
     ShownAdditions shown(*session_, *keeper_);
     int told = 0;
     QObject::connect(&shown, &ShownAdditions::changed, &shown, [&] { ++told; });
-    const auto atRest = [&] { return settled() && test::waitFor([&] { return shown.isAtRest(); }); };
+    const auto atRest = [&] { return settled() && waitUntil([&] { return shown.isAtRest(); }); };
     select(1);
     click("segment-coloured");
     ASSERT_TRUE(atRest());

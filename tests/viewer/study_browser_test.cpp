@@ -360,7 +360,7 @@ TEST_F(StudyBrowserTest, PicturesComeByThemselvesAndAreNotMirrored) {
     browser_->setFound(found, 0);
     const QModelIndex row = tree_->currentIndex();
     const auto picture = [&] { return row.data(StudyTreeModel::pictureRole).value<QImage>(); };
-    ASSERT_TRUE(test::waitFor([&] { return !picture().isNull(); }));
+    ASSERT_TRUE(waitUntil([&] { return !picture().isNull(); }));
     const int middle = picture().height() / 2;
     EXPECT_EQ(picture().width(), 40);
     EXPECT_EQ(qGray(picture().pixel(4, middle)), 0);
@@ -384,7 +384,7 @@ TEST_F(StudyBrowserTest, OnlyRowsThatAreSeenHavePicturesMade) {
         return count;
     };
     // There is no file, so that none can be made, and nobody hears of it.
-    ASSERT_TRUE(test::waitFor([&] { return asked() >= 3; }));
+    ASSERT_TRUE(waitUntil([&] { return asked() >= 3; }));
     for (int n = 0; n < 20; ++n) QTest::qWait(5);
     EXPECT_LT(asked(), 40u);
 }

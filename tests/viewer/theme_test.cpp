@@ -228,7 +228,7 @@ TEST_F(ThemeTest, EveryControlShowsThatItHasTheFocus) {
             control->clearFocus();
             EXPECT_EQ(count(*control, themeColours().accent), 0) << name;
             control->setFocus(Qt::TabFocusReason);
-            ASSERT_TRUE(test::waitFor([&] { return control->hasFocus(); })) << name;
+            ASSERT_TRUE(waitUntil([&] { return control->hasFocus(); })) << name;
             window.setAttribute(Qt::WA_KeyboardFocusChange);
             EXPECT_GE(count(*control, themeColours().accent), 24) << name;
         }

@@ -38,7 +38,7 @@ class TransferDragTest : public test::OffscreenTest {
         state.preset = *app::findPreset(session_->catalogue(), "ct-bone");
         session_->show({.volume = std::make_shared<const Volume>(phantom::make({.size = {32, 28, 20}}))},
                        state);
-        ASSERT_TRUE(test::waitFor([&] { return !editor_->isCounting(); }));
+        ASSERT_TRUE(waitUntil([&] { return !editor_->isCounting(); }));
     }
     const TransferFunction& now() const { return *session_->state().preset; }
     // From where the opacity begins to change to where it ends.
