@@ -52,6 +52,7 @@ Result<void> addSecond(const AdditionChoice& choice, const ReadStudy& study, tra
     wish.how = study.how;
     MACULA_TRY(SecondToDraw second, secondToDraw(wish, study.input, beside, progress));
     std::ranges::move(second.notes, std::back_inserter(made.notes));
+    std::ranges::move(second.warnings, std::back_inserter(made.warnings));
     Additions& additions = made.additions;
     additions.second = std::move(second.second);
     additions.remark = additions.remark.empty() ? second.remark : second.remark + ", " + additions.remark;

@@ -47,7 +47,8 @@ Result<AdditionChoice> additionChoice(const AdditionWish& wish, const std::files
 
 struct MadeAdditions {
     Additions additions;
-    std::vector<std::string> notes;  // sentences, without patient data
+    std::vector<std::string> notes;     // sentences, without patient data
+    std::vector<std::string> warnings;  // those of them that change what is seen
 };
 
 // For a picture in that look. The study's volume is stored16. The clip gets what segments leave of it. Fails

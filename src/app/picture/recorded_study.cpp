@@ -73,6 +73,15 @@ struct Wished {
     Catalogue catalogue;
 };
 
+// Each once: as a warning if it is among them, else as a note.
+void tell(const std::vector<std::string>& notes, const std::vector<std::string>& warnings, const Hears& note,
+          const Hears& warn) {
+    for (const std::string& sentence : notes) {
+        const bool isWarning = std::ranges::find(warnings, sentence) != warnings.end();
+        isWarning ? warn(sentence) : note(sentence);
+    }
+}
+
 Result<FrameInput> sceneOf(const RecordingWish& wish, Wished wished, const Hears& note, const Hears& warn,
                            Progress& progress) {
     StudyState& state = wished.state;
@@ -82,12 +91,11 @@ Result<FrameInput> sceneOf(const RecordingWish& wish, Wished wished, const Hears
     bringTo16Bits(study);
     MACULA_TRY_VOID(completeState(state, wish.state, study));
     MACULA_TRY(ShownClip shown, shownClip(state, *study.volume, progress));
-    std::ranges::for_each(study.notes, note);
-    std::ranges::for_each(study.warnings, warn);
+    tell(study.notes, study.warnings, note, warn);
     std::ranges::for_each(shown.notes, note);
     MACULA_TRY(MadeAdditions made,
                makeAdditions(wished.additions, read, state.settings.look, shown.clip, progress));
-    std::ranges::for_each(made.notes, note);
+    tell(made.notes, made.warnings, note, warn);
     FrameInput scene;
     scene.volume = study.volume;
     scene.drawing =

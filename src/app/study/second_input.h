@@ -36,8 +36,9 @@ Result<void> check(const SecondWish& wish, bool linkIsGiven);
 
 struct SecondToDraw {
     SecondVolume second;
-    std::string remark;              // secondRemark
-    std::vector<std::string> notes;  // sentences, without patient data
+    std::string remark;                 // secondRemark
+    std::vector<std::string> notes;     // sentences, without patient data
+    std::vector<std::string> warnings;  // those of them that change what is seen
 };
 
 // The volume of `study` is stored16. A view that was saved with this second volume (`beside`, or null) says

@@ -152,6 +152,7 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
         if (!known) input.notes.push_back(assumption);
     }
     input.images = imagesOf(*chosen->stack);
+    input.frameOfReferenceUid = frameOfReferenceOf(*chosen->stack);
     input.seriesDigest = sha256Hex(chosen->series->seriesInstanceUid);
     const std::vector<FoundVolume> volumes = volumesOf(scan);
     const auto at = std::ranges::find(volumes, chosen->stack, &FoundVolume::stack);
