@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <memory>
 
 #include "app/state/drawing_of.h"
 #include "app/study/shown_clip.h"
 #include "base/phantom.h"
+#include "support.h"
 
 namespace macula::app {
 namespace {
@@ -59,6 +61,21 @@ TEST(AdditionWish, IsCheckedBeforeTheStudyIsRead) {
         EXPECT_EQ(refusal(wish, none), "Only a folder of DICOM files can have segmentations.") << none;
     wish.segments = {"keep:Liver", "Liver"};
     EXPECT_NE(refusal(wish, "a folder"), "");
+}
+
+TEST(AdditionWish, AFileIsNoSecondVolumeOfItself) {
+    const dicom::test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "a.nrrd") << "one";
+    std::ofstream(folder.path() / "b.nrrd") << "one";
+    StudyState state;
+    AdditionWish wish;
+    wish.second.path = folder.path() / "." / "a.nrrd";
+    const auto refused = additionChoice(wish, folder.path() / "a.nrrd", state);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "The second volume is the study itself.");
+    EXPECT_TRUE(additionChoice(wish, folder.path() / "b.nrrd", state));
+    EXPECT_TRUE(additionChoice(wish, folder.path() / "missing.nrrd", state)) << "reading says that";
+    EXPECT_TRUE(additionChoice(wish, folder.path(), state)) << "the series decide";
 }
 
 TEST(AdditionWish, TakesWhatTheViewSaysOutOfTheState) {

@@ -244,12 +244,27 @@ TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
     ASSERT_FALSE(refused) << "another patient's";
     EXPECT_EQ(refused.error().message, "The second volume is of another patient than the study.");
     wish.path = jane.path();
-    EXPECT_TRUE(secondToDraw(wish, study, nullptr, progress));
+    const auto itself = secondToDraw(wish, study, nullptr, progress);
+    ASSERT_FALSE(itself) << "the study's own volume";
+    EXPECT_EQ(itself.error().code, ErrorCode::inputNotUsable);
+    EXPECT_EQ(itself.error().message, "The second volume is the study itself.");
+    EXPECT_NE(itself.error().hint.find("--second-series"), std::string::npos);
+    wish.series = "1";
+    EXPECT_FALSE(secondToDraw(wish, study, nullptr, progress)) << "also where it was named";
+    wish.series.clear();
+    const dicom::test::TemporaryFolder later;
+    series.patientId = "SYN1";
+    series.seriesUid = "2.25.1003";
+    dicom::test::writeFiles(later.path(), series);
+    wish.path = later.path();
+    const auto second = loadStudy(later.path(), {}, progress);
+    ASSERT_TRUE(second) << second.error().message;
+    EXPECT_TRUE(secondToDraw(wish, study, nullptr, progress)) << "another series of the patient";
 
     // What is registered of one phase of a series is not taken for another one.
     BesideState beside;
-    beside.seriesDigest = own->seriesDigest;
-    beside.volumeKey = own->volumeKey;
+    beside.seriesDigest = second->seriesDigest;
+    beside.volumeKey = second->volumeKey;
     beside.link = BesideLink::registered;
     beside.secondFromStudy[3].x = 1.0;
     study.volume = in16Bits(own->volume);

@@ -71,6 +71,12 @@ bool isOf(const BesideState& beside, const StudyInput& second) {
     return beside.isLinked() && beside.seriesDigest == second.seriesDigest && !isOtherVolume;
 }
 
+// Files tell by their place alone (see additionChoice), and the phantom may stand in for a second one.
+bool isTheStudy(const StudyInput& study, const StudyInput& second) {
+    return !second.volumeKey.empty() && study.volumeKey == second.volumeKey &&
+           study.seriesDigest == second.seriesDigest;
+}
+
 Result<SamePatient> patientOf(const StudyInput& study, const StudyInput& second, SecondToDraw& drawn) {
     const SamePatient same = samePatient(study.identity, second.identity);
     if (same == SamePatient::no)
@@ -85,6 +91,14 @@ Result<SamePatient> patientOf(const StudyInput& study, const StudyInput& second,
 
 }  // namespace
 
+Error secondIsTheStudy() {
+    return {ErrorCode::inputNotUsable,
+            "The second volume is the study itself.",
+            {},
+            "Choose another series by --second-series, of those that macula info lists, or another file by "
+            "--second."};
+}
+
 Result<void> check(const SecondWish& wish, bool linkIsGiven) {
     if (wish.isGiven() || (wish.series.empty() && wish.preset.empty() && !linkIsGiven)) return {};
     return Error{ErrorCode::usage,
@@ -97,6 +111,7 @@ Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& stud
                                   Progress& progress) {
     MACULA_TRY(StudyInput input, loadStudy(wish.path, wish.series, progress, 0, wish.how));
     SecondToDraw drawn;
+    if (isTheStudy(study, input)) return secondIsTheStudy();
     MACULA_TRY(const SamePatient patient, patientOf(study, input, drawn));
     bringTo16Bits(input);
     for (const std::string& note : input.notes) drawn.notes.push_back("Second volume: " + note);
