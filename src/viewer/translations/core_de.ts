@@ -1635,6 +1635,10 @@
         <translation>Der Presentation State kann nicht gelesen werden.</translation>
     </message>
     <message>
+        <source>The file is not a DICOM presentation state.</source>
+        <translation>Die Datei ist kein Presentation State in DICOM.</translation>
+    </message>
+    <message>
         <source>The file is no presentation state of one rendered volume.</source>
         <translation>Die Datei ist kein Presentation State eines gerenderten Volumens.</translation>
     </message>
