@@ -119,13 +119,17 @@ TEST(AdditionWish, IsInTheDrawingAndSaidButOfAProjection) {
     Clip clip;
     const auto made = makeAdditions(*choice, study, trace::Look::mip, clip, progress);
     ASSERT_TRUE(made) << made.error().message;
-    ASSERT_TRUE(made->additions.second);
+    EXPECT_FALSE(made->additions.second);
     EXPECT_TRUE(isTold(made->notes, "--second does nothing in this look"));
+    EXPECT_EQ(made->notes.size(), 1u) << "nothing of where it lies";
+    EXPECT_TRUE(made->warnings.empty());
     const auto traced = makeAdditions(*choice, study, trace::Look::cinematic, clip, progress);
     ASSERT_TRUE(traced);
     EXPECT_FALSE(isTold(traced->notes, "does nothing"));
+    EXPECT_FALSE(traced->warnings.empty()) << "nothing says that the positions are comparable";
+    ASSERT_TRUE(traced->additions.second);
 
-    const auto additions = std::make_shared<const Additions>(made->additions);
+    const auto additions = std::make_shared<const Additions>(traced->additions);
     Drawing drawing;
     drawing.remarks = "clipped";
     setAdditions(drawing, additions);

@@ -50,6 +50,10 @@ Result<void> addSecond(const AdditionChoice& choice, const ReadStudy& study, tra
                 "The view has a second volume in the picture; give it by --second to draw both.");
         return {};
     }
+    if (trace::isProjection(look)) {
+        made.notes.emplace_back("--second does nothing in this look: it is of all but projections.");
+        return {};
+    }
     SecondWish wish = choice.second;
     wish.how = study.how;
     MACULA_TRY(SecondToDraw second, secondToDraw(wish, study.input, beside, progress));
@@ -101,8 +105,6 @@ Result<AdditionChoice> additionChoice(const AdditionWish& wish, const std::files
 Result<MadeAdditions> makeAdditions(const AdditionChoice& choice, const ReadStudy& study, trace::Look look,
                                     Clip& clip, Progress& progress) {
     MadeAdditions made;
-    if (choice.second.isGiven() && trace::isProjection(look))
-        made.notes.emplace_back("--second does nothing in this look: it is of all but projections.");
     MACULA_TRY(SegmentsToDraw segments, segmentsOf(choice, study, progress));
     std::ranges::move(segments.notes, std::back_inserter(made.notes));
     MACULA_TRY_VOID(addMask(clip, segments.mask, *study.input.volume, progress));

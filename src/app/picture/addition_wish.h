@@ -51,8 +51,8 @@ struct MadeAdditions {
     std::vector<std::string> warnings;  // those of them that change what is seen
 };
 
-// For a picture in that look. The study's volume is stored16. The clip gets what segments leave of it. Fails
-// as segmentsToDraw and secondToDraw.
+// For a picture in that look: in a projection a second volume is not read. The study's volume is stored16.
+// The clip gets what segments leave of it. Fails as segmentsToDraw and secondToDraw.
 Result<MadeAdditions> makeAdditions(const AdditionChoice& choice, const ReadStudy& study, trace::Look look,
                                     Clip& clip, Progress& progress);
 
