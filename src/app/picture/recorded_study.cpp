@@ -137,6 +137,16 @@ Result<void> write(const fs::path& folder, const Drawing& drawing, const LiveRec
     return writeTextAtomically(folder / kFramesFile, lines);
 }
 
+// Small pictures stood where a model would, and with it a fovea, had it learnt for longer.
+bool isBeforeModel(const FrameShown& frame) {
+    using hybrid::ModelStage;
+    const bool isComing =
+        frame.model.stage == ModelStage::searching || frame.model.stage == ModelStage::resuming ||
+        frame.model.stage == ModelStage::learning || frame.model.stage == ModelStage::resting;
+    return isComing && frame.picture == OnScreen::preview && trace::isPathTraced(frame.look) &&
+           !isParallel(frame.camera) && !hybrid::isFitToBeShown(frame.model);
+}
+
 }  // namespace
 
 Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
@@ -177,6 +187,7 @@ MotionFigures motionFigures(const LiveRecording& recording) {
         lastS = frame.atS;
         latenciesMs.push_back(frame.shown.latencyMs);
         if (frame.shown.foveaAgeMs) ++figures.withFovea;
+        if (isBeforeModel(frame.shown)) ++figures.beforeModel;
     }
     figures.frames = latenciesMs.size();
     if (latenciesMs.empty()) return figures;
@@ -188,10 +199,12 @@ MotionFigures motionFigures(const LiveRecording& recording) {
 
 std::string textOf(const MotionFigures& figures) {
     if (figures.frames == 0) return "No frame followed the camera.";
+    const bool isTooEarly = figures.withFovea == 0 && figures.beforeModel > 0;
     return fmt::format(
         "In motion {:.1f} frames/s, {:.0f} ms from pose to picture (95 % below {:.0f} ms), {} of {} with a "
-        "fovea.",
-        figures.framesPerSecond, figures.latencyMs, figures.lateMs, figures.withFovea, figures.frames);
+        "fovea.{}",
+        figures.framesPerSecond, figures.latencyMs, figures.lateMs, figures.withFovea, figures.frames,
+        isTooEarly ? " The model was not sharp enough to be shown: give it longer by --learn." : "");
 }
 
 }  // namespace macula::app
