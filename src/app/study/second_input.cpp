@@ -125,8 +125,10 @@ Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& stud
     MACULA_TRY_VOID(place(wish, study, input, isKnown, state, drawn, progress));
     if (!wish.preset.empty()) {
         MACULA_TRY(presets::ImportedPreset preset, presetToDraw(wish.preset, false));
-        for (const std::string& note : notesOf(preset, *input.volume))
-            drawn.notes.push_back("Second volume: " + note);
+        const PresetNotes told = notesToDraw(preset, *input.volume);
+        for (const std::string& note : told.notes) drawn.notes.push_back("Second volume: " + note);
+        for (const std::string& warning : told.warnings)
+            drawn.warnings.push_back("Second volume: " + warning);
         state.preset = std::make_shared<const TransferFunction>(std::move(preset.function));
     }
     if (state.preset && usesGradientOpacity(*state.preset))
