@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "support.h"
+#include "synthetic.h"
 
 namespace macula::app {
 namespace {
@@ -47,6 +48,34 @@ TEST_F(StudyInputTest, IsChosenWithItsStack) {
         ASSERT_FALSE(refused) << nothing;
         EXPECT_EQ(refused.error().code, ErrorCode::usage) << nothing;
     }
+}
+
+TEST(StudyInput, OfOneOfSeveralPatientsIsAWarningUnlessTheSeriesWasChosen) {
+    const TemporaryFolder folder;
+    SyntheticSeries series;
+    writeFiles(folder / "a", series);
+    Progress progress;
+    const auto one = loadStudy(folder.path(), "", progress);
+    ASSERT_TRUE(one) << one.error().message;
+    EXPECT_TRUE(one->warnings.empty());
+    series.patientId = "SYN2";
+    series.patientName = "SYNTHETIC^TWO";
+    series.studyUid = "2.25.1100";
+    series.seriesUid = "2.25.1101";
+    writeFiles(folder / "b", series);
+    const auto either = loadStudy(folder.path(), "", progress);
+    ASSERT_TRUE(either) << either.error().message;
+    ASSERT_EQ(either->warnings.size(), 1u);
+    EXPECT_NE(either->warnings.front().find("of 2 patients in this folder"), std::string::npos);
+    EXPECT_NE(either->warnings.front().find("macula info"), std::string::npos);
+    EXPECT_EQ(either->notes.front(), either->warnings.front()) << "told once";
+    const auto numbered = loadStudy(folder.path(), "", progress, 1);
+    ASSERT_TRUE(numbered) << numbered.error().message;
+    ASSERT_EQ(numbered->warnings.size(), 1u);
+    EXPECT_NE(numbered->warnings.front().find("of 2 patients"), std::string::npos);
+    const auto chosen = loadStudy(folder.path(), "2", progress);
+    ASSERT_TRUE(chosen) << chosen.error().message;
+    EXPECT_TRUE(chosen->warnings.empty());
 }
 
 // Nothing typed is the phantom, and says so; its name does not need to.

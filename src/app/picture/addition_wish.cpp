@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
-#include <system_error>
 #include <utility>
 
+#include "app/output/output_files.h"
 #include "app/study/combined_mask.h"
 #include "app/study/found_volumes.h"
 #include "app/study/second_curve.h"
@@ -65,12 +65,6 @@ Result<void> addSecond(const AdditionChoice& choice, const ReadStudy& study, tra
     return {};
 }
 
-bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
-    std::error_code isNone;
-    return formats::isVolumeFileName(a) && formats::isVolumeFileName(b) &&
-           std::filesystem::equivalent(a, b, isNone) && !isNone;
-}
-
 }  // namespace
 
 std::vector<std::filesystem::path> filesOf(const AdditionWish& wish) {
@@ -84,7 +78,7 @@ bool AdditionChoice::needsSegmentations() const {
 Result<AdditionChoice> additionChoice(const AdditionWish& wish, const std::filesystem::path& study,
                                       StudyState& state) {
     MACULA_TRY_VOID(check(wish.second, wish.secondLinkIsGiven));
-    if (isSameFile(wish.second.path, study)) return secondIsTheStudy();
+    if (formats::isVolumeFileName(study) && isSameFile(wish.second.path, study)) return secondIsTheStudy();
     if (!wish.second.preset.empty()) MACULA_TRY_VOID(presetToDraw(wish.second.preset, false));
     AdditionChoice choice;
     for (const std::string& typed : wish.segments) {

@@ -128,7 +128,15 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
         if (error.where.empty()) error.where = path.string();
         return error;
     }
-    if (!chosen->why.empty() && chosen->why != "The only volume.") input.notes.push_back(chosen->why);
+    if (series.empty() && scan.patients > 1) {  // who is shown was nobody's choice
+        const std::string why =
+            chosen->why.empty() ? fmt::format("This folder is of {} patients.", scan.patients) : chosen->why;
+        input.notes.push_back(why +
+                              " Check that it is of the patient you mean; macula info lists all series.");
+        input.warnings.push_back(input.notes.back());
+    } else if (!chosen->why.empty() && chosen->why != "The only volume.") {
+        input.notes.push_back(chosen->why);
+    }
     if (!scan.skipped.empty()) {
         input.notes.push_back(
             fmt::format("{} files were left out; macula info says why.", scan.skipped.size()));
