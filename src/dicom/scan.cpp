@@ -366,10 +366,16 @@ Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& 
             "There is no DICOM image in the folder itself; links that lead out of it are not followed.",
             "Choose the folder that the links lead to.");
     }
+    std::error_code error;
+    if (listing.files.empty())
+        return fail("There is no file in this folder.", "Choose a folder with DICOM images.");
+    if (listing.files.size() == 1)
+        return fail(fs::is_directory(path, error)
+                        ? "There is no DICOM image in this folder: the only file in it is none."
+                        : "The file is not a DICOM image.",
+                    "Choose a folder with DICOM images.");
     return fail(
-        listing.files.size() == 1
-            ? "The file is not a DICOM image."
-            : fmt::format("There is no DICOM image among the {} files of this folder.", listing.files.size()),
+        fmt::format("There is no DICOM image among the {} files of this folder.", listing.files.size()),
         "Choose a folder with DICOM images.");
 }
 

@@ -1399,6 +1399,14 @@
         <translation>Die Datei ist kein DICOM-Bild.</translation>
     </message>
     <message>
+        <source>There is no DICOM image in this folder: the only file in it is none.</source>
+        <translation>In diesem Ordner ist kein DICOM-Bild: Seine einzige Datei ist keines.</translation>
+    </message>
+    <message>
+        <source>There is no file in this folder.</source>
+        <translation>In diesem Ordner ist keine Datei.</translation>
+    </message>
+    <message>
         <source>There is no DICOM image among the %1 files of this folder.</source>
         <translation>Unter den %1 Dateien dieses Ordners ist kein DICOM-Bild.</translation>
     </message>
