@@ -162,7 +162,7 @@ TEST_F(Hybrid, ASecondVolumeInAnotherPlaceIsRefused) {
                                write("far.nrrd", text)});
     EXPECT_EQ(ran.exitCode, 3) << ran.err;
     EXPECT_NE(ran.err.find("Nothing of the second volume lies in the study."), std::string::npos) << ran.err;
-    EXPECT_FALSE(std::filesystem::exists(at("f/frames.jsonl")));
+    EXPECT_FALSE(std::filesystem::exists(at("f")));
 }
 
 TEST_F(Hybrid, RefusesWhatItCannotRecord) {
@@ -187,6 +187,9 @@ TEST_F(Hybrid, RefusesWhatItCannotRecord) {
     expectRefusal({"-o", at("f"), "--second", ball}, 3, "The second volume is the study itself.");
     const std::string other = writeBall("other.nrrd");
     expectRefusal({"-o", at("f"), "--second", other, "--second-preset", "nonsense"}, 2, "nonsense");
+    std::filesystem::create_directory(at("nothing"));
+    const Ran empty = runMacula({"hybrid", at("nothing"), "-o", at("f")});
+    EXPECT_EQ(empty.exitCode, 3) << empty.err;
     expectRefusal({"-o", at("f"), "--segments", "drop:Liver"}, 2, "keep:LABEL");
     expectRefusal({"-o", at("f"), "--segments", "keep:Liver"}, 2, "Only a folder of DICOM files");
     EXPECT_FALSE(std::filesystem::exists(at("f"))) << "no folder is made for what cannot be recorded";

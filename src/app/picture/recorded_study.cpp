@@ -30,8 +30,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFramesFile = "frames.jsonl";
 
-// Makes the folder last, when nothing else is wrong.
-Result<void> makeFolder(const RecordingWish& wish) {
+// Whether it can be made, or is there and empty. Before the study is read, which takes time.
+Result<void> checkFolder(const RecordingWish& wish) {
     OutputFiles files(false);
     for (const fs::path& input : filesOf(wish.state)) files.read(input);
     for (const fs::path& input : filesOf(wish.additions)) files.read(input);
@@ -43,11 +43,16 @@ Result<void> makeFolder(const RecordingWish& wish) {
                          "Choose another one, or empty it."};
         return files.write(wish.folder / kFramesFile);
     }
-    MACULA_TRY_VOID(files.write(wish.folder));
-    if (!fs::create_directory(wish.folder, error) || error)
-        return Error{ErrorCode::outputNotWritable, "The folder cannot be made.", wish.folder.string(),
-                     "Choose another place."};
-    return {};
+    return files.write(wish.folder);
+}
+
+// When nothing else is wrong: nothing is left of what could not be read.
+Result<void> makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directory(folder, error);
+    if (fs::is_directory(folder, error)) return {};
+    return Error{ErrorCode::outputNotWritable, "The folder cannot be made.", folder.string(),
+                 "Choose another place."};
 }
 
 Result<RecordingOptions> optionsOf(const RecordingWish& wish, const std::optional<Camera>& camera) {
@@ -159,8 +164,9 @@ Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, 
     if (!wish.lights.empty()) {
         MACULA_TRY(wished.state.lights, findLights(wished.catalogue, wish.lights));
     }
-    MACULA_TRY_VOID(makeFolder(wish));
+    MACULA_TRY_VOID(checkFolder(wish));
     MACULA_TRY(FrameInput scene, sceneOf(wish, std::move(wished), note, warn, progress));
+    MACULA_TRY_VOID(makeFolder(wish.folder));
     const Drawing drawing = scene.drawing;
     if (wish.sessions)
         options.keeper = std::make_shared<ModelKeeper>(
