@@ -353,8 +353,9 @@ Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& 
         return fail(why.sentence, why.action);
     }
     if (scan.skipped.size() > listing.unreadable.size()) {
-        return fail(fmt::format("None of the {} DICOM files in this folder can be read.",
-                                scan.skipped.size() - listing.unreadable.size()),
+        const std::size_t count = scan.skipped.size() - listing.unreadable.size();
+        return fail(count == 1 ? "The only DICOM file in this folder cannot be read."
+                               : fmt::format("None of the {} DICOM files in this folder can be read.", count),
                     "Copy the study again from its source.");
     }
     if (!listing.unreadable.empty()) {
@@ -412,7 +413,8 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     MACULA_TRY(const FolderListing listing,
                listFiles(isDirectory ? fs::absolute(path).parent_path() : path, progress));
     const std::vector<fs::path>& files = listing.files;
-    progress.beginStage(fmt::format("Reading {} files", files.size()), files.size());
+    progress.beginStage(files.size() == 1 ? "Reading 1 file" : fmt::format("Reading {} files", files.size()),
+                        files.size());
     std::vector<Examination> found(files.size());
     std::atomic<bool> noMemory{false};
     ScanGlimpses glimpses(options.glimpsed);

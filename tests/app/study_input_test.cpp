@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "support.h"
 #include "synthetic.h"
 
@@ -48,6 +50,26 @@ TEST_F(StudyInputTest, IsChosenWithItsStack) {
         ASSERT_FALSE(refused) << nothing;
         EXPECT_EQ(refused.error().code, ErrorCode::usage) << nothing;
     }
+}
+
+TEST_F(StudyInputTest, OneFileThatIsLeftOutIsNotToldAsSeveral) {
+    const auto noteOf = [&] {
+        Progress progress;
+        const auto input = loadStudy(folder_.path(), "1", progress);
+        EXPECT_TRUE(input);
+        for (const std::string& note : input ? input->notes : std::vector<std::string>())
+            if (note.find("left out; macula info") != std::string::npos) return note;
+        return std::string();
+    };
+    const auto writeDamaged = [&](const char* name) {
+        std::ofstream(folder_ / name, std::ios::binary)
+            << std::string(128, '\0') << "DICM" << std::string(400, '\x7F');
+    };
+    EXPECT_EQ(noteOf(), "");
+    writeDamaged("one");
+    EXPECT_EQ(noteOf(), "1 file was left out; macula info says why.");
+    writeDamaged("two");
+    EXPECT_EQ(noteOf(), "2 files were left out; macula info says why.");
 }
 
 // That of several patients, or nothing.

@@ -43,7 +43,9 @@ Result<dicom::Choice> chooseStack(const dicom::Series& series, std::optional<std
     }
     if (*place < 1 || *place > series.stacks.size()) {
         return Error{ErrorCode::usage,
-                     fmt::format("The series has {} stacks of images.", series.stacks.size()),
+                     series.stacks.size() == 1
+                         ? "The series has 1 stack of images."
+                         : fmt::format("The series has {} stacks of images.", series.stacks.size()),
                      {},
                      "See macula info for the list."};
     }
@@ -139,7 +141,9 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
     }
     if (!scan.skipped.empty()) {
         input.notes.push_back(
-            fmt::format("{} files were left out; macula info says why.", scan.skipped.size()));
+            scan.skipped.size() == 1
+                ? "1 file was left out; macula info says why."
+                : fmt::format("{} files were left out; macula info says why.", scan.skipped.size()));
     }
     const auto note = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {
