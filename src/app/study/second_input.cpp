@@ -8,6 +8,7 @@
 
 #include "app/study/second_curve.h"
 #include "app/study/study_preset.h"
+#include "base/sha256.h"
 #include "registration/rigid_registration.h"
 
 namespace macula::app {
@@ -73,8 +74,9 @@ bool isOf(const BesideState& beside, const StudyInput& second) {
 
 // Files tell by their place alone (see additionChoice), and the phantom may stand in for a second one.
 bool isTheStudy(const StudyInput& study, const StudyInput& second) {
+    static const std::string kOfNoUid = sha256Hex("");
     return !second.volumeKey.empty() && study.volumeKey == second.volumeKey &&
-           study.seriesDigest == second.seriesDigest;
+           study.seriesDigest == second.seriesDigest && second.seriesDigest != kOfNoUid;
 }
 
 Result<SamePatient> patientOf(const StudyInput& study, const StudyInput& second, SecondToDraw& drawn) {
