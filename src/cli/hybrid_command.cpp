@@ -21,7 +21,8 @@ namespace {
 Result<void> record(const app::RecordingWish& wish) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const app::LiveRecording recording, app::recordStudy(wish, printNote, printWarning, progress));
-    fmt::print("Wrote {}: {} frames on {}.\n{}\n", wish.folder.string(), recording.frames.size(),
+    const std::size_t frames = recording.frames.size();
+    fmt::print("Wrote {}: {} {} on {}.\n{}\n", wish.folder.string(), frames, frames == 1 ? "frame" : "frames",
                recording.device, textOf(app::motionFigures(recording)));
     return {};
 }

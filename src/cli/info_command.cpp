@@ -54,6 +54,11 @@ std::string_view label(Severity severity) {
     return "note";
 }
 
+// "1 file", "2 files".
+std::string counted(std::size_t count, std::string_view one) {
+    return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
 void print(const std::vector<Message>& messages, std::string_view indent) {
     for (const Message& message : messages) {
         fmt::print("{}{}: {}{}{}\n", indent, label(message.severity), message.sentence,
@@ -91,7 +96,7 @@ void printSegments(const dicom::OtherObject& object) {
         fmt::print("      segmentation: {}\n", segmentation.error().message);
         return;
     }
-    fmt::print("      segmentation in {} frames, segments {}\n", segmentation->frames.size(),
+    fmt::print("      segmentation in {}, segments {}\n", counted(segmentation->frames.size(), "frame"),
                segmentation->segments.empty() ? "without a description" : "by number and label:");
     for (const Segment& segment : segmentation->segments)
         fmt::print("        {:>5}  {}\n", segment.number, orNone(segment.label));
@@ -120,8 +125,8 @@ void print(const dicom::Series& series, std::size_t place, const dicom::Choice& 
         }
     }
     if (notShown > 0) {
-        fmt::print("    and {} more stacks with {} images; --json lists them all.\n", notShown,
-                   imagesNotShown);
+        fmt::print("    and {} with {}; --json lists them all.\n", counted(notShown, "more stack"),
+                   counted(imagesNotShown, "image"));
     }
 }
 
@@ -152,8 +157,9 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options
                    options.patient ? " (" + printable(file.file.string()) + ")" : "");
     }
     print(scan.messages, "");
-    fmt::print("{} files: {} images, {} other DICOM objects, {} left out, {} not DICOM.\n", scan.filesSeen,
-               scan.imageCount(), scan.objectCount(), scan.skipped.size(), scan.notDicom);
+    fmt::print("{}: {}, {}, {} left out, {} not DICOM.\n", counted(scan.filesSeen, "file"),
+               counted(scan.imageCount(), "image"), counted(scan.objectCount(), "other DICOM object"),
+               scan.skipped.size(), scan.notDicom);
     fmt::print("{}{}\n", best ? "* " : "", best.why);
 }
 

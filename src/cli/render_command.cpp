@@ -64,7 +64,8 @@ Result<void> render(const app::RenderWish& options) {
     record.tableRemoved = shown.tableRemoved;
     MACULA_TRY(app::MadeAdditions made,
                app::makeAdditions(picture.additions, read, state.settings.look, shown.clip, progress));
-    for (const std::string& note : made.notes) tell(note);
+    printNotes(made.notes, made.warnings);
+    record.notes.insert(record.notes.end(), made.notes.begin(), made.notes.end());
     if (shown.clip.mask) record.masked = shown.clip.mask->remark;
     request.scene.additions = std::move(made.additions);
     record.additions = app::remarkOf(request.scene.additions, state.settings.look);

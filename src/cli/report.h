@@ -23,6 +23,8 @@ void printWarning(std::string_view sentence);
 void printNotes(std::span<const std::string> notes, std::span<const std::string> warnings = {});
 
 // What was made, where, and how long that took since `start`; on stderr, as stdout is for what was asked for.
-void printWritten(const std::filesystem::path& path, std::chrono::steady_clock::time_point start);
+// `what` is in it, of a folder: "300 pictures".
+void printWritten(const std::filesystem::path& path, std::chrono::steady_clock::time_point start,
+                  std::string_view what = {});
 
 }  // namespace macula::cli

@@ -47,11 +47,11 @@ Result<void> collect(const Options& options) {
     return {};
 }
 
-// "2GB" as a number of bytes, or a sentence.
+// "2GB", never a bare "2", as a number of bytes, or a sentence.
 CLI::Validator asByteSize() {
     const auto toBytes = [](std::string& text) -> std::string {
         const auto bytes = app::bytesOfText(text);
-        if (!bytes) return text + " is no size: give bytes, or a number with MB or GB";
+        if (!bytes) return text + " is no size: give a number with its unit, as 500MB or 2GB (B, KB, MB, GB)";
         text = std::to_string(*bytes);
         return {};
     };
@@ -72,7 +72,7 @@ void addSessionsGc(CLI::App& sessions, Action& action) {
         addSessionsVerb(sessions, "gc", "Remove left-overs, and the least recently used models", *options);
     command
         ->add_option("--cap", options->capBytes,
-                     "Bytes, or 500MB or 2GB: what models may have together (default: " +
+                     "As 500MB or 2GB: what models may have together (default: " +
                          app::sizeForPeople(options->capBytes) + ")")
         ->transform(asByteSize())
         ->option_text("SIZE");

@@ -2,6 +2,7 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
+#include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -115,7 +116,22 @@ Result<std::vector<app::SplatCamera>> camerasAround(const splat::Splats& splats,
     return cameras;
 }
 
+// Each of a few; of many how many, and where.
+void printShots(const std::vector<Shot>& shots, const fs::path& folder,
+                std::chrono::steady_clock::time_point begin) {
+    constexpr std::size_t kFew = 8;
+    if (shots.size() > kFew) {
+        printWritten(folder, begin, fmt::format("{} pictures", shots.size()));
+        return;
+    }
+    for (const Shot& shot : shots) {
+        printWritten(shot.png, begin);
+        if (!shot.exr.empty()) printWritten(shot.exr, begin);
+    }
+}
+
 Result<void> splatRender(const Options& options) {
+    const auto begin = std::chrono::steady_clock::now();
     MACULA_TRY(const glm::vec3 background, app::parseBackground(options.background));
     MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
     MACULA_TRY(std::vector<app::SplatCamera> cameras,
@@ -168,6 +184,7 @@ Result<void> splatRender(const Options& options) {
         return {};
     };
     MACULA_TRY_VOID(device.run(drawRest));
+    printShots(shots, options.output, begin);
     if (!empty.empty())
         printNote(
             fmt::format("Nothing of the model is in {} of {} pictures ({} first): check that camera and "
@@ -182,7 +199,7 @@ void addSplatRender(CLI::App& app, Action& action) {
     auto options = std::make_shared<Options>();
     Options& o = *options;
     auto* command = app.add_subcommand("splat-render", "Draw a model of 3D Gaussians, Macula's or another's");
-    command->add_option("MODEL", o.model, "PLY file in the manner of 3DGS, SPZ file, or .macula file")
+    command->add_option("MODEL", o.model, "Model: .ply (in the manner of 3DGS), .spz, .glb or .macula")
         ->required();
     auto* camera =
         command

@@ -61,8 +61,10 @@ struct Candidates {
             }
         } else if (blocked != nullptr) {
             const Message* reason = blocked->whyNoVolume();
-            best.why = fmt::format("Nothing{} can be shown in 3D. The largest of {} stacks of images: {}",
-                                   place, stacks, reason != nullptr ? reason->sentence : "it is no volume.");
+            const std::string which = stacks == 1 ? std::string("The only stack of images")
+                                                  : fmt::format("The largest of {} stacks of images", stacks);
+            best.why = fmt::format("Nothing{} can be shown in 3D. {}: {}", place, which,
+                                   reason != nullptr ? reason->sentence : "it is no volume.");
         } else {
             best.why = fmt::format("There are no images{}.", place);
         }

@@ -353,8 +353,9 @@ Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& 
         return fail(why.sentence, why.action);
     }
     if (scan.skipped.size() > listing.unreadable.size()) {
-        return fail(fmt::format("None of the {} DICOM files in this folder can be read.",
-                                scan.skipped.size() - listing.unreadable.size()),
+        const std::size_t count = scan.skipped.size() - listing.unreadable.size();
+        return fail(count == 1 ? "The only DICOM file in this folder cannot be read."
+                               : fmt::format("None of the {} DICOM files in this folder can be read.", count),
                     "Copy the study again from its source.");
     }
     if (!listing.unreadable.empty()) {
@@ -366,10 +367,16 @@ Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& 
             "There is no DICOM image in the folder itself; links that lead out of it are not followed.",
             "Choose the folder that the links lead to.");
     }
+    std::error_code error;
+    if (listing.files.empty())
+        return fail("There is no file in this folder.", "Choose a folder with DICOM images.");
+    if (listing.files.size() == 1)
+        return fail(fs::is_directory(path, error)
+                        ? "There is no DICOM image in this folder: the only file in it is none."
+                        : "The file is not a DICOM image.",
+                    "Choose a folder with DICOM images.");
     return fail(
-        listing.files.size() == 1
-            ? "The file is not a DICOM image."
-            : fmt::format("There is no DICOM image among the {} files of this folder.", listing.files.size()),
+        fmt::format("There is no DICOM image among the {} files of this folder.", listing.files.size()),
         "Choose a folder with DICOM images.");
 }
 
@@ -406,7 +413,8 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     MACULA_TRY(const FolderListing listing,
                listFiles(isDirectory ? fs::absolute(path).parent_path() : path, progress));
     const std::vector<fs::path>& files = listing.files;
-    progress.beginStage(fmt::format("Reading {} files", files.size()), files.size());
+    progress.beginStage(files.size() == 1 ? "Reading 1 file" : fmt::format("Reading {} files", files.size()),
+                        files.size());
     std::vector<Examination> found(files.size());
     std::atomic<bool> noMemory{false};
     ScanGlimpses glimpses(options.glimpsed);

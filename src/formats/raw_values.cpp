@@ -97,9 +97,9 @@ class Source {
 Result<void> checkExtent(const RawImageLayout& layout, const ValuesInFile& values) {
     std::error_code error;
     const std::uint64_t bytes = fs::file_size(values.file, error);
-    if (error) {
-        return Error{
-            ErrorCode::inputNotUsable, "The file cannot be read.", {}, "Check the path and its permissions."};
+    if (error || !std::ifstream(values.file, std::ios::binary)) {
+        return Error{ErrorCode::inputNotUsable, "The file cannot be read.", values.file.string(),
+                     "Check the path and its permissions."};
     }
     return checkLayout(layout, bytes - std::min(bytes, values.offset), values.compressed);
 }

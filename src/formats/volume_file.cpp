@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
+#include <system_error>
 
 #include "base/available_memory.h"
 #include "base/draft.h"
@@ -81,10 +83,14 @@ Error at(const fs::path& path, Error error) {
 
 Result<Ending> checkInput(const fs::path& path) {
     MACULA_TRY(const Ending ending, knownEndingOf(path));
+    const Error cannotRead{ErrorCode::inputNotUsable, "The file cannot be read.", path.string(),
+                           "Check the path and its permissions."};
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
+        if (error == std::errc::permission_denied) return cannotRead;  // of a folder on the way
         return Error{ErrorCode::inputNotUsable, "The file does not exist.", path.string(), "Check the path."};
     }
+    if (!std::ifstream(path, std::ios::binary)) return cannotRead;
     return ending;
 }
 

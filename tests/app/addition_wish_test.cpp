@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <memory>
 
 #include "app/state/drawing_of.h"
 #include "app/study/shown_clip.h"
 #include "base/phantom.h"
+#include "support.h"
 
 namespace macula::app {
 namespace {
@@ -61,6 +63,21 @@ TEST(AdditionWish, IsCheckedBeforeTheStudyIsRead) {
     EXPECT_NE(refusal(wish, "a folder"), "");
 }
 
+TEST(AdditionWish, AFileIsNoSecondVolumeOfItself) {
+    const dicom::test::TemporaryFolder folder;
+    std::ofstream(folder.path() / "a.nrrd") << "one";
+    std::ofstream(folder.path() / "b.nrrd") << "one";
+    StudyState state;
+    AdditionWish wish;
+    wish.second.path = folder.path() / "." / "a.nrrd";
+    const auto refused = additionChoice(wish, folder.path() / "a.nrrd", state);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, "The second volume is the study itself.");
+    EXPECT_TRUE(additionChoice(wish, folder.path() / "b.nrrd", state));
+    EXPECT_TRUE(additionChoice(wish, folder.path() / "missing.nrrd", state)) << "reading says that";
+    EXPECT_TRUE(additionChoice(wish, folder.path(), state)) << "the series decide";
+}
+
 TEST(AdditionWish, TakesWhatTheViewSaysOutOfTheState) {
     StudyState state = viewWithBoth();
     Progress progress;
@@ -102,13 +119,17 @@ TEST(AdditionWish, IsInTheDrawingAndSaidButOfAProjection) {
     Clip clip;
     const auto made = makeAdditions(*choice, study, trace::Look::mip, clip, progress);
     ASSERT_TRUE(made) << made.error().message;
-    ASSERT_TRUE(made->additions.second);
+    EXPECT_FALSE(made->additions.second);
     EXPECT_TRUE(isTold(made->notes, "--second does nothing in this look"));
+    EXPECT_EQ(made->notes.size(), 1u) << "nothing of where it lies";
+    EXPECT_TRUE(made->warnings.empty());
     const auto traced = makeAdditions(*choice, study, trace::Look::cinematic, clip, progress);
     ASSERT_TRUE(traced);
     EXPECT_FALSE(isTold(traced->notes, "does nothing"));
+    EXPECT_FALSE(traced->warnings.empty()) << "nothing says that the positions are comparable";
+    ASSERT_TRUE(traced->additions.second);
 
-    const auto additions = std::make_shared<const Additions>(made->additions);
+    const auto additions = std::make_shared<const Additions>(traced->additions);
     Drawing drawing;
     drawing.remarks = "clipped";
     setAdditions(drawing, additions);

@@ -18,19 +18,21 @@ TEST(ByteSize, IsShownInMegabytesAndGigabytes) {
     EXPECT_EQ(sizeForPeople(123'000'000'000), "123 GB");
 }
 
-TEST(ByteSize, IsReadWithAndWithoutAUnit) {
-    EXPECT_EQ(bytesOfText("0"), 0u);
-    EXPECT_EQ(bytesOfText("123456789"), 123'456'789u);
+TEST(ByteSize, IsReadWithAUnit) {
+    EXPECT_EQ(bytesOfText("0B"), 0u);
+    EXPECT_EQ(bytesOfText("0 MB"), 0u);
+    EXPECT_EQ(bytesOfText("123456789 b"), 123'456'789u);
+    EXPECT_EQ(bytesOfText("20 KB"), 20'000u);
     EXPECT_EQ(bytesOfText("2GB"), 2'000'000'000u);
     EXPECT_EQ(bytesOfText("1.5 gb"), 1'500'000'000u);
     EXPECT_EQ(bytesOfText("500MB"), 500'000'000u);
     EXPECT_EQ(bytesOfText("2 GiB"), 2'147'483'648u);
-    EXPECT_EQ(bytesOfText("9000000000000000000"), 9'000'000'000'000'000'000u);
+    EXPECT_EQ(bytesOfText("9000000000000000000B"), 9'000'000'000'000'000'000u);
 }
 
 TEST(ByteSize, OtherTextIsNone) {
-    for (const char* text : {"", "GB", "2XB", "1.5", "-1", "-1GB", "1..5GB", "nan", "infGB", "2 GB more",
-                             "99999999999999999999", "9000001TB"})
+    for (const char* text : {"", "GB", "2XB", "0", "2", "123456789", "1.5", "-1", "-1GB", "1..5GB", "nan",
+                             "infGB", "2 GB more", "99999999999999999999B", "9000001TB"})
         EXPECT_EQ(bytesOfText(text), std::nullopt) << text;
 }
 

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include "app/state/study_state.h"
 #include "app/study/second_input.h"
@@ -172,6 +174,47 @@ TEST(SecondInput, IsReadPlacedAndSaid) {
     EXPECT_FALSE(secondToDraw(wish, study, nullptr, progress));
 }
 
+TEST(SecondInput, WhereItLiesIsSaidByTheFramesOfReference) {
+    const dicom::test::TemporaryFolder folder;
+    dicom::test::SyntheticSeries series;
+    dicom::test::writeFiles(folder.path() / "study", series);
+    series.seriesUid = "2.25.1003";
+    dicom::test::writeFiles(folder.path() / "same", series);
+    series.frameOfReferenceUid = "2.25.1004";
+    dicom::test::writeFiles(folder.path() / "other", series);
+    Progress progress;
+    auto study = loadStudy(folder.path() / "study", {}, progress);
+    ASSERT_TRUE(study) << study.error().message;
+    EXPECT_EQ(study->frameOfReferenceUid, "2.25.1002");
+    bringTo16Bits(*study);
+    SecondWish wish;
+    const auto isTold = [](const std::vector<std::string>& all, std::string_view words) {
+        return std::ranges::any_of(all, [&](const std::string& one) { return one.find(words) != one.npos; });
+    };
+
+    wish.path = folder.path() / "same";
+    const auto same = secondToDraw(wish, *study, nullptr, progress);
+    ASSERT_TRUE(same) << same.error().message;
+    EXPECT_TRUE(isTold(same->notes, "Same frame of reference, not registered: the patient may have moved"));
+    EXPECT_FALSE(isTold(same->notes, "--registration"));
+    EXPECT_FALSE(isTold(same->warnings, "frame of reference"));
+
+    wish.path = folder.path() / "other";
+    const auto other = secondToDraw(wish, *study, nullptr, progress);
+    ASSERT_TRUE(other) << other.error().message;
+    EXPECT_FALSE(isTold(other->notes, "Same frame"));
+    EXPECT_TRUE(isTold(other->warnings, "another frame of reference"));
+    EXPECT_TRUE(isTold(other->warnings, "--registration search"));
+    EXPECT_TRUE(isTold(other->notes, "--registration search")) << "a warning is a note of the picture";
+
+    wish.path = "phantom:";
+    study->volume = in16Bits(std::make_shared<const Volume>(phantom::make()));
+    const auto none = secondToDraw(wish, *study, nullptr, progress);
+    ASSERT_TRUE(none) << none.error().message;
+    EXPECT_TRUE(isTold(none->warnings, "not both have a frame of reference"));
+    EXPECT_TRUE(isTold(none->warnings, "--registration search"));
+}
+
 TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
     StudyInput study;
     study.volume = in16Bits(std::make_shared<const Volume>(phantom::make()));
@@ -201,12 +244,27 @@ TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
     ASSERT_FALSE(refused) << "another patient's";
     EXPECT_EQ(refused.error().message, "The second volume is of another patient than the study.");
     wish.path = jane.path();
-    EXPECT_TRUE(secondToDraw(wish, study, nullptr, progress));
+    const auto itself = secondToDraw(wish, study, nullptr, progress);
+    ASSERT_FALSE(itself) << "the study's own volume";
+    EXPECT_EQ(itself.error().code, ErrorCode::inputNotUsable);
+    EXPECT_EQ(itself.error().message, "The second volume is the study itself.");
+    EXPECT_NE(itself.error().hint.find("--second-series"), std::string::npos);
+    wish.series = "1";
+    EXPECT_FALSE(secondToDraw(wish, study, nullptr, progress)) << "also where it was named";
+    wish.series.clear();
+    const dicom::test::TemporaryFolder later;
+    series.patientId = "SYN1";
+    series.seriesUid = "2.25.1003";
+    dicom::test::writeFiles(later.path(), series);
+    wish.path = later.path();
+    const auto second = loadStudy(later.path(), {}, progress);
+    ASSERT_TRUE(second) << second.error().message;
+    EXPECT_TRUE(secondToDraw(wish, study, nullptr, progress)) << "another series of the patient";
 
     // What is registered of one phase of a series is not taken for another one.
     BesideState beside;
-    beside.seriesDigest = own->seriesDigest;
-    beside.volumeKey = own->volumeKey;
+    beside.seriesDigest = second->seriesDigest;
+    beside.volumeKey = second->volumeKey;
     beside.link = BesideLink::registered;
     beside.secondFromStudy[3].x = 1.0;
     study.volume = in16Bits(own->volume);

@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "support.h"
+#include "synthetic.h"
 
 namespace macula::app {
 namespace {
@@ -47,6 +50,59 @@ TEST_F(StudyInputTest, IsChosenWithItsStack) {
         ASSERT_FALSE(refused) << nothing;
         EXPECT_EQ(refused.error().code, ErrorCode::usage) << nothing;
     }
+}
+
+TEST_F(StudyInputTest, OneFileThatIsLeftOutIsNotToldAsSeveral) {
+    const auto noteOf = [&] {
+        Progress progress;
+        const auto input = loadStudy(folder_.path(), "1", progress);
+        EXPECT_TRUE(input);
+        for (const std::string& note : input ? input->notes : std::vector<std::string>())
+            if (note.find("left out; macula info") != std::string::npos) return note;
+        return std::string();
+    };
+    const auto writeDamaged = [&](const char* name) {
+        std::ofstream(folder_ / name, std::ios::binary)
+            << std::string(128, '\0') << "DICM" << std::string(400, '\x7F');
+    };
+    EXPECT_EQ(noteOf(), "");
+    writeDamaged("one");
+    EXPECT_EQ(noteOf(), "1 file was left out; macula info says why.");
+    writeDamaged("two");
+    EXPECT_EQ(noteOf(), "2 files were left out; macula info says why.");
+}
+
+// That of several patients, or nothing.
+std::string warningOf(const StudyInput& input) {
+    for (const std::string& warning : input.warnings)
+        if (warning.find("patients") != std::string::npos) return warning;
+    return {};
+}
+
+TEST(StudyInput, OfOneOfSeveralPatientsIsAWarningUnlessTheSeriesWasChosen) {
+    const TemporaryFolder folder;
+    SyntheticSeries series;
+    writeFiles(folder / "a", series);
+    Progress progress;
+    const auto one = loadStudy(folder.path(), "", progress);
+    ASSERT_TRUE(one) << one.error().message;
+    EXPECT_EQ(warningOf(*one), "");
+    series.patientId = "SYN2";
+    series.patientName = "SYNTHETIC^TWO";
+    series.studyUid = "2.25.1100";
+    series.seriesUid = "2.25.1101";
+    writeFiles(folder / "b", series);
+    const auto either = loadStudy(folder.path(), "", progress);
+    ASSERT_TRUE(either) << either.error().message;
+    EXPECT_NE(warningOf(*either).find("of 2 patients in this folder"), std::string::npos);
+    EXPECT_NE(warningOf(*either).find("macula info"), std::string::npos);
+    EXPECT_EQ(either->notes.front(), warningOf(*either)) << "told once";
+    const auto numbered = loadStudy(folder.path(), "", progress, 1);
+    ASSERT_TRUE(numbered) << numbered.error().message;
+    EXPECT_NE(warningOf(*numbered).find("of 2 patients"), std::string::npos);
+    const auto chosen = loadStudy(folder.path(), "2", progress);
+    ASSERT_TRUE(chosen) << chosen.error().message;
+    EXPECT_EQ(warningOf(*chosen), "");
 }
 
 // Nothing typed is the phantom, and says so; its name does not need to.

@@ -95,8 +95,9 @@ TEST_F(Hybrid, GoesOnFromTheModelOfAnEarlierRun) {
     EXPECT_EQ(second.back()["model"]["origin"], "resumed");
     EXPECT_GE(second.back()["model"]["steps"].get<std::uint64_t>(), steps);
     // With a second volume it is another scene: what was learnt of the one alone is not shown of both.
+    const std::string other = writeBall("other.nrrd");
     const std::vector<std::string> both{"--sessions", at("sessions"),    "--second",
-                                        ball,         "--second-preset", "ct-muscle"};
+                                        other,        "--second-preset", "ct-muscle"};
     const auto mixed = record("mixed", both);
     ASSERT_FALSE(mixed.empty());
     for (const json& frame : mixed) EXPECT_NE(frame["model"]["origin"], "resumed");
@@ -161,7 +162,7 @@ TEST_F(Hybrid, ASecondVolumeInAnotherPlaceIsRefused) {
                                write("far.nrrd", text)});
     EXPECT_EQ(ran.exitCode, 3) << ran.err;
     EXPECT_NE(ran.err.find("Nothing of the second volume lies in the study."), std::string::npos) << ran.err;
-    EXPECT_FALSE(std::filesystem::exists(at("f/frames.jsonl")));
+    EXPECT_FALSE(std::filesystem::exists(at("f")));
 }
 
 TEST_F(Hybrid, RefusesWhatItCannotRecord) {
@@ -183,7 +184,12 @@ TEST_F(Hybrid, RefusesWhatItCannotRecord) {
     expectRefusal({"-o", at("f"), "--second-preset", "ct-bone"}, 2, "There is no second volume.");
     expectRefusal({"-o", at("f"), "--registration", "search"}, 2, "There is no second volume.");
     expectRefusal({"-o", at("f"), "--second", ball, "--registration", "guess"}, 2, "--registration");
-    expectRefusal({"-o", at("f"), "--second", ball, "--second-preset", "nonsense"}, 2, "nonsense");
+    expectRefusal({"-o", at("f"), "--second", ball}, 3, "The second volume is the study itself.");
+    const std::string other = writeBall("other.nrrd");
+    expectRefusal({"-o", at("f"), "--second", other, "--second-preset", "nonsense"}, 2, "nonsense");
+    std::filesystem::create_directory(at("nothing"));
+    const Ran empty = runMacula({"hybrid", at("nothing"), "-o", at("f")});
+    EXPECT_EQ(empty.exitCode, 3) << empty.err;
     expectRefusal({"-o", at("f"), "--segments", "drop:Liver"}, 2, "keep:LABEL");
     expectRefusal({"-o", at("f"), "--segments", "keep:Liver"}, 2, "Only a folder of DICOM files");
     EXPECT_FALSE(std::filesystem::exists(at("f"))) << "no folder is made for what cannot be recorded";

@@ -91,6 +91,18 @@ TEST_F(Info, ASeriesInHundredsOfStacksIsSummarised) {
     EXPECT_EQ(nlohmann::json::parse(json.out)["studies"][0]["series"][0]["stacks"].size(), files.size());
 }
 
+TEST_F(Info, OneIsNotToldAsSeveral) {
+    ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(at("study"))) files.push_back(entry.path());
+    ASSERT_GT(files.size(), 1u);
+    for (std::size_t i = 1; i < files.size(); ++i) std::filesystem::remove(files[i]);
+    const Ran ran = runMacula({"info", at("study")});
+    EXPECT_NE(ran.out.find("1 file: 1 image, 0 other DICOM objects, 0 left out"), std::string::npos)
+        << ran.out;
+    EXPECT_NE(ran.out.find("The only stack of images: "), std::string::npos) << ran.out;
+}
+
 TEST_F(Info, PatientIsNamedOnlyWhenAskedFor) {
     ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
     for (const std::vector<std::string>& format : {std::vector<std::string>{}, {"--json"}}) {

@@ -51,6 +51,10 @@ TEST_F(Notes, OfBenchAreThoseOfRender) {
          {std::vector<std::string>{}, std::vector<std::string>{"--preset", "ct-bone"}}) {
         const std::vector<std::string> notes = ofRender(preset);
         EXPECT_TRUE(tells(notes, preset.empty() ? kStretched : kOtherUnits));
+        // Look before you rely on it; and what would be better.
+        EXPECT_EQ(
+            tells(notes, "macula: warning: " + std::string(kOtherUnits) + " Presets for it: cinematic-mr, "),
+            !preset.empty());
         for (const std::vector<std::string>& bench :
              {std::vector<std::string>{"bench", "foveal", unitless(), "--converged-spp", "0"},
               std::vector<std::string>{"bench", "trace", unitless(), "--spp", "1", "--lights", "even"}}) {

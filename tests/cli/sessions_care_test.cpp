@@ -106,10 +106,16 @@ TEST_F(SessionsCare, ModelsAboveTheCapAndLeftOversGo) {
     EXPECT_EQ(first["modelBytesLeft"], 601'000);
     EXPECT_EQ(first["leftOvers"], 1);
     EXPECT_EQ(first["leftOverBytes"], 9);
+    const json last = jsonOf({"audit", "--last", "1"})["entries"][0];
+    EXPECT_EQ(last["action"], "deleted");
+    EXPECT_EQ(last["kind"], "model");
+    EXPECT_EQ(last["amount"], 1);
+    const std::size_t told = jsonOf({"audit"})["entries"].size();
     const json second = jsonOf({"gc"});
     EXPECT_EQ(second["evictedModels"], 0) << "two gigabytes are enough";
     EXPECT_EQ(second["leftOvers"], 0);
-    const Ran text = sessions({"gc", "--cap", "0"});
+    EXPECT_EQ(jsonOf({"audit"})["entries"].size(), told) << "nothing went";
+    const Ran text = sessions({"gc", "--cap", "0B"});
     EXPECT_EQ(text.out, "Removed 2 models (0.6 MB) and no left-overs. 0 MB of models are left.\n");
     EXPECT_TRUE(fs::is_empty(at("store/models")));
 }
@@ -118,15 +124,15 @@ TEST_F(SessionsCare, AModelThatIsOpenStays) {
     fill();
     session::Store other = open();
     const auto mark = session::test::valueOf(other.markOpen(session::test::keyOf("chest")));
-    const Ran ran = sessions({"gc", "--cap", "0", "--json"});
+    const Ran ran = sessions({"gc", "--cap", "0B", "--json"});
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     EXPECT_EQ(parsed(ran.out)["modelBytesLeft"], 1'400'000);
     EXPECT_NE(ran.err.find("note: Models that are open stay"), std::string::npos) << ran.err;
 }
 
 TEST_F(SessionsCare, WhatIsNoSizeIsRefused) {
-    for (const std::string size : {"2XB", "much", "1.5", "nan"})
-        expectRefused({"gc", "--cap", size}, 2, size + " is no size");
+    for (const std::string size : {"2XB", "much", "0", "2", "1.5", "nan"})
+        expectRefused({"gc", "--cap", size}, 2, size + " is no size: give a number with its unit");
     EXPECT_EQ(fileCount(), 0u);
 }
 

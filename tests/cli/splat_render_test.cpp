@@ -221,6 +221,8 @@ TEST_F(SplatRender, WithoutACameraAllOfTheModelIsInView) {
              "out/left.png");
     EXPECT_LT(centreOf(left, 2).x, centreOf(left, 1).x - 20.0) << "anterior is on the left";
     EXPECT_LT(centreOf(left, 1).y, centreOf(left, 2).y - 20.0);
+    for (const char* name : {"out/left.png", "out/superior.png"})
+        EXPECT_NE(ran_.err.find("Wrote " + at(name) + " in "), std::string::npos) << ran_.err;
     const image::Image above = *image::readImage(at("out/superior.png"));
     EXPECT_LT(centreOf(above, 2).y, centreOf(above, 1).y - 20.0) << "anterior is up";
     EXPECT_LT(centreOf(above, 0).x, centreOf(above, 1).x - 20.0) << "the patient's left is on the left";

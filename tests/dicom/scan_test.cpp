@@ -40,9 +40,18 @@ TEST(Scan, folderWithoutDicom) {
     EXPECT_NE(scanError(folder / "notes.dcm").message.find("not a DICOM image"), std::string::npos);
 }
 
+TEST(Scan, folderOfOneFileThatIsNoDicom) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "letter.txt") << "A letter. " << std::string(500, 'x');
+    EXPECT_EQ(scanError(folder.path()).message,
+              "There is no DICOM image in this folder: the only file in it is none.");
+    EXPECT_EQ(scanError(folder / "letter.txt").message, "The file is not a DICOM image.");
+}
+
 TEST(Scan, emptyFolder) {
     const TemporaryFolder folder;
     EXPECT_EQ(scanError(folder.path()).code, ErrorCode::inputNotUsable);
+    EXPECT_EQ(scanError(folder.path()).message, "There is no file in this folder.");
 }
 
 TEST(Scan, contentDecidesAndOneBadFileStopsNothing) {

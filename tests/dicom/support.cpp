@@ -24,6 +24,19 @@ TemporaryFolder::~TemporaryFolder() {
     fs::remove_all(path_, ignored);
 }
 
+WithoutRootsRights::WithoutRootsRights() : wasRoot_(geteuid() == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (wasRoot_) {
+        EXPECT_EQ(seteuid(kNobody), 0);
+    }
+}
+
+WithoutRootsRights::~WithoutRootsRights() {
+    if (wasRoot_) {
+        EXPECT_EQ(seteuid(0), 0);
+    }
+}
+
 fs::path sharedData() {
     return macula::test::sharedFolder() / "data";
 }

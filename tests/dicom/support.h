@@ -29,6 +29,19 @@ class TemporaryFolder {
     std::filesystem::path path_;
 };
 
+// Takes root's rights away while it lives, from a test that root runs: what nobody may read it may not read
+// then either. Of others it changes nothing.
+class WithoutRootsRights {
+  public:
+    WithoutRootsRights();
+    ~WithoutRootsRights();
+    WithoutRootsRights(const WithoutRootsRights&) = delete;
+    WithoutRootsRights& operator=(const WithoutRootsRights&) = delete;
+
+  private:
+    bool wasRoot_;
+};
+
 // ../shared/data, which is not part of the repository.
 std::filesystem::path sharedData();
 

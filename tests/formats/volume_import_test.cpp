@@ -89,6 +89,34 @@ void checkNiftiType(const fs::path& path, std::int16_t code, T low, T high, Voxe
     EXPECT_EQ(volume->worldFromVoxel(), affine({-1, 0, 0}, {0, -2, 0}, {0, 0, 3}, {0, 0, 0}));
 }
 
+// Of a file that may not be read nobody knows what it is.
+TEST_F(Import, WhatMayNotBeReadIsNotCalledAnotherFormat) {
+    const std::string header =
+        "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 1 1 1\nspace: left-posterior-superior\n"
+        "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\n";
+    for (const char* name : {"a.mha", "a.mhd", "a.nrrd", "a.nhdr", "a.nii", "a.nii.gz"}) {
+        const fs::path path = write(name, "x");
+        fs::permissions(path, fs::perms::none);
+        const WithoutRootsRights nobody;
+        EXPECT_EQ(refusal(path), "The file cannot be read.") << name;
+        const auto info = readVolumeFileInfo(path);
+        ASSERT_FALSE(info.ok()) << name;
+        EXPECT_EQ(info.error().message, "The file cannot be read.") << name;
+        EXPECT_SAYS(info.error().hint, "permissions");
+    }
+    // The values beside a header that may be read.
+    const fs::path values = write("b.raw", "x");
+    const fs::path beside = write("b.nhdr", header + "data file: b.raw\n\n");
+    EXPECT_NE(import(beside), nullptr);
+    fs::permissions(values, fs::perms::none);
+    const WithoutRootsRights nobody;
+    Progress progress;
+    const auto refused = readVolumeFile(beside, progress);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().message, "The file cannot be read.");
+    EXPECT_EQ(refused.error().where, values.string());
+}
+
 TEST_F(Import, NiftiTypes) {
     const fs::path path = folder_ / "a.nii";
     checkNiftiType<std::uint8_t>(path, 2, 1, 255, VoxelFormat::stored16);

@@ -4,11 +4,13 @@
 #include <iterator>
 #include <utility>
 
+#include "app/output/output_files.h"
 #include "app/study/combined_mask.h"
 #include "app/study/found_volumes.h"
 #include "app/study/second_curve.h"
 #include "app/study/study_preset.h"
 #include "base/check.h"
+#include "formats/volume_file.h"
 
 namespace macula::app {
 
@@ -48,10 +50,15 @@ Result<void> addSecond(const AdditionChoice& choice, const ReadStudy& study, tra
                 "The view has a second volume in the picture; give it by --second to draw both.");
         return {};
     }
+    if (trace::isProjection(look)) {
+        made.notes.emplace_back("--second does nothing in this look: it is of all but projections.");
+        return {};
+    }
     SecondWish wish = choice.second;
     wish.how = study.how;
     MACULA_TRY(SecondToDraw second, secondToDraw(wish, study.input, beside, progress));
     std::ranges::move(second.notes, std::back_inserter(made.notes));
+    std::ranges::move(second.warnings, std::back_inserter(made.warnings));
     Additions& additions = made.additions;
     additions.second = std::move(second.second);
     additions.remark = additions.remark.empty() ? second.remark : second.remark + ", " + additions.remark;
@@ -71,6 +78,7 @@ bool AdditionChoice::needsSegmentations() const {
 Result<AdditionChoice> additionChoice(const AdditionWish& wish, const std::filesystem::path& study,
                                       StudyState& state) {
     MACULA_TRY_VOID(check(wish.second, wish.secondLinkIsGiven));
+    if (formats::isVolumeFileName(study) && isSameFile(wish.second.path, study)) return secondIsTheStudy();
     if (!wish.second.preset.empty()) MACULA_TRY_VOID(presetToDraw(wish.second.preset, false));
     AdditionChoice choice;
     for (const std::string& typed : wish.segments) {
@@ -91,8 +99,6 @@ Result<AdditionChoice> additionChoice(const AdditionWish& wish, const std::files
 Result<MadeAdditions> makeAdditions(const AdditionChoice& choice, const ReadStudy& study, trace::Look look,
                                     Clip& clip, Progress& progress) {
     MadeAdditions made;
-    if (choice.second.isGiven() && trace::isProjection(look))
-        made.notes.emplace_back("--second does nothing in this look: it is of all but projections.");
     MACULA_TRY(SegmentsToDraw segments, segmentsOf(choice, study, progress));
     std::ranges::move(segments.notes, std::back_inserter(made.notes));
     MACULA_TRY_VOID(addMask(clip, segments.mask, *study.input.volume, progress));

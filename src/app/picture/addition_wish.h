@@ -47,12 +47,13 @@ Result<AdditionChoice> additionChoice(const AdditionWish& wish, const std::files
 
 struct MadeAdditions {
     Additions additions;
-    std::vector<std::string> notes;  // sentences, without patient data
+    std::vector<std::string> notes;     // sentences, without patient data
+    std::vector<std::string> warnings;  // those of them that change what is seen
 };
 
-// Makes what is drawn beside the study, as far as `look` draws it; the volume of the study must be stored16.
-// Writes to `clip` the mask of the segments that are left out. Errors: those of segmentsToDraw and
-// secondToDraw.
+// Makes what is drawn beside the study, as far as `look` draws it: a projection does not read a second volume.
+// The volume of the study must be stored16. Writes to `clip` the mask of the segments that are left out. Errors:
+// those of segmentsToDraw and secondToDraw.
 Result<MadeAdditions> makeAdditions(const AdditionChoice& choice, const ReadStudy& study, trace::Look look,
                                     Clip& clip, Progress& progress);
 

@@ -30,8 +30,8 @@ namespace fs = std::filesystem;
 
 constexpr const char* kFramesFile = "frames.jsonl";
 
-// Makes the folder last, when nothing else is wrong.
-Result<void> makeFolder(const RecordingWish& wish) {
+// Whether it can be made, or is there and empty. Before the study is read, which takes time.
+Result<void> checkFolder(const RecordingWish& wish) {
     OutputFiles files(false);
     for (const fs::path& input : filesOf(wish.state)) files.read(input);
     for (const fs::path& input : filesOf(wish.additions)) files.read(input);
@@ -43,11 +43,16 @@ Result<void> makeFolder(const RecordingWish& wish) {
                          "Choose another one, or empty it."};
         return files.write(wish.folder / kFramesFile);
     }
-    MACULA_TRY_VOID(files.write(wish.folder));
-    if (!fs::create_directory(wish.folder, error) || error)
-        return Error{ErrorCode::outputNotWritable, "The folder cannot be made.", wish.folder.string(),
-                     "Choose another place."};
-    return {};
+    return files.write(wish.folder);
+}
+
+// When nothing else is wrong: nothing is left of what could not be read.
+Result<void> makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directory(folder, error);
+    if (fs::is_directory(folder, error)) return {};
+    return Error{ErrorCode::outputNotWritable, "The folder cannot be made.", folder.string(),
+                 "Choose another place."};
 }
 
 Result<RecordingOptions> optionsOf(const RecordingWish& wish, const std::optional<Camera>& camera) {
@@ -73,6 +78,15 @@ struct Wished {
     Catalogue catalogue;
 };
 
+// Each once: as a warning if it is among them, else as a note.
+void tell(const std::vector<std::string>& notes, const std::vector<std::string>& warnings, const Hears& note,
+          const Hears& warn) {
+    for (const std::string& sentence : notes) {
+        const bool isWarning = std::ranges::find(warnings, sentence) != warnings.end();
+        isWarning ? warn(sentence) : note(sentence);
+    }
+}
+
 Result<FrameInput> sceneOf(const RecordingWish& wish, Wished wished, const Hears& note, const Hears& warn,
                            Progress& progress) {
     StudyState& state = wished.state;
@@ -82,12 +96,11 @@ Result<FrameInput> sceneOf(const RecordingWish& wish, Wished wished, const Hears
     bringTo16Bits(study);
     MACULA_TRY_VOID(completeState(state, wish.state, study));
     MACULA_TRY(ShownClip shown, shownClip(state, *study.volume, progress));
-    std::ranges::for_each(study.notes, note);
-    std::ranges::for_each(study.warnings, warn);
+    tell(study.notes, study.warnings, note, warn);
     std::ranges::for_each(shown.notes, note);
     MACULA_TRY(MadeAdditions made,
                makeAdditions(wished.additions, read, state.settings.look, shown.clip, progress));
-    std::ranges::for_each(made.notes, note);
+    tell(made.notes, made.warnings, note, warn);
     FrameInput scene;
     scene.volume = study.volume;
     scene.drawing =
@@ -129,6 +142,16 @@ Result<void> write(const fs::path& folder, const Drawing& drawing, const LiveRec
     return writeTextAtomically(folder / kFramesFile, lines);
 }
 
+// Small pictures stood where a model would, and with it a fovea, had it learnt for longer.
+bool isBeforeModel(const FrameShown& frame) {
+    using hybrid::ModelStage;
+    const bool isComing =
+        frame.model.stage == ModelStage::searching || frame.model.stage == ModelStage::resuming ||
+        frame.model.stage == ModelStage::learning || frame.model.stage == ModelStage::resting;
+    return isComing && frame.picture == OnScreen::preview && trace::isPathTraced(frame.look) &&
+           !isParallel(frame.camera) && !hybrid::isFitToBeShown(frame.model);
+}
+
 }  // namespace
 
 Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
@@ -141,8 +164,9 @@ Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, 
     if (!wish.lights.empty()) {
         MACULA_TRY(wished.state.lights, findLights(wished.catalogue, wish.lights));
     }
-    MACULA_TRY_VOID(makeFolder(wish));
+    MACULA_TRY_VOID(checkFolder(wish));
     MACULA_TRY(FrameInput scene, sceneOf(wish, std::move(wished), note, warn, progress));
+    MACULA_TRY_VOID(makeFolder(wish.folder));
     const Drawing drawing = scene.drawing;
     if (wish.sessions)
         options.keeper = std::make_shared<ModelKeeper>(
@@ -169,6 +193,7 @@ MotionFigures motionFigures(const LiveRecording& recording) {
         lastS = frame.atS;
         latenciesMs.push_back(frame.shown.latencyMs);
         if (frame.shown.foveaAgeMs) ++figures.withFovea;
+        if (isBeforeModel(frame.shown)) ++figures.beforeModel;
     }
     figures.frames = latenciesMs.size();
     if (latenciesMs.empty()) return figures;
@@ -180,10 +205,12 @@ MotionFigures motionFigures(const LiveRecording& recording) {
 
 std::string textOf(const MotionFigures& figures) {
     if (figures.frames == 0) return "No frame followed the camera.";
+    const bool isTooEarly = figures.withFovea == 0 && figures.beforeModel > 0;
     return fmt::format(
         "In motion {:.1f} frames/s, {:.0f} ms from pose to picture (95 % below {:.0f} ms), {} of {} with a "
-        "fovea.",
-        figures.framesPerSecond, figures.latencyMs, figures.lateMs, figures.withFovea, figures.frames);
+        "fovea.{}",
+        figures.framesPerSecond, figures.latencyMs, figures.lateMs, figures.withFovea, figures.frames,
+        isTooEarly ? " The model was not sharp enough to be shown: give it longer by --learn." : "");
 }
 
 }  // namespace macula::app

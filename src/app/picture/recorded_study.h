@@ -36,17 +36,18 @@ using Hears = std::function<void(const std::string&)>;
 Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
                                   Progress& progress);
 
-// Of the frames in motion: how many a second, how late they were (median and 95th percentile), and how many
-// had a fovea.
+// Of the frames in motion: how many a second, how late they were (median and 95th percentile), how many
+// had a fovea, and how many were small pictures because the model was not fit to be shown yet.
 struct MotionFigures {
     double framesPerSecond = 0.0;
     double latencyMs = 0.0;
     double lateMs = 0.0;
     std::size_t frames = 0;
     std::size_t withFovea = 0;
+    std::size_t beforeModel = 0;
 };
 MotionFigures motionFigures(const LiveRecording& recording);
-// A line for a person.
+// A line for a person; with what to do where the model came too late for any fovea.
 std::string textOf(const MotionFigures& figures);
 
 }  // namespace macula::app

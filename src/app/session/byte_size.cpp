@@ -50,10 +50,6 @@ std::optional<std::uint64_t> bytesOfText(std::string_view text) {
     const std::size_t end = std::min(text.find_first_not_of("0123456789."), text.size());
     const std::string_view number = text.substr(0, end);
     const std::string unit = inSmallLetters(trimmed(text.substr(end)));
-    if (unit.empty()) {
-        const auto bytes = parseNumber<std::uint64_t>(number);
-        return bytes && static_cast<double>(*bytes) <= kMostBytes ? bytes : std::nullopt;
-    }
     const auto known = std::ranges::find(kUnits, unit, [](const auto& one) { return one.first; });
     const auto value = finiteNumber(number);
     if (known == kUnits.end() || !value || *value * known->second > kMostBytes) return {};

@@ -95,8 +95,7 @@ Result<StudyPreset> completeState(StudyState& state, const StateWish& wish, Stud
     StudyPreset preset;
     if (state.preset) {
         preset = {.publicName = publicPresetName(*state.preset), .function = *state.preset};
-        for (std::string& note : notesOf({preset.function, {}}, *study.volume))
-            study.notes.push_back(std::move(note));
+        tellOf({preset.function, {}}, study);
     } else {
         MACULA_TRY(preset, choosePresetFor(study, wish.preset, wish.fit));
         state.preset = std::make_shared<const TransferFunction>(preset.function);

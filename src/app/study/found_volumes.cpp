@@ -121,6 +121,14 @@ std::vector<dicom::ReferencedFrames> imagesOf(const dicom::Stack& stack) {
     return dicom::byImage(std::move(images));
 }
 
+std::string frameOfReferenceOf(const dicom::Stack& stack) {
+    if (stack.frames.empty()) return {};
+    const std::string& first = stack.frames.front().frameOfReferenceUid;
+    const bool isOne = std::ranges::all_of(
+        stack.frames, [&](const dicom::Frame& frame) { return frame.frameOfReferenceUid == first; });
+    return isOne ? first : std::string();
+}
+
 Identity identityOf(const FoundVolume& volume) {
     Identity identity = identityOf(*volume.study);
     identity.series = seriesLine(*volume.series, *volume.stack);

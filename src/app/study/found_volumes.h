@@ -62,6 +62,9 @@ std::vector<FoundVolume> volumesOf(const dicom::Scan& scan);
 // UID.
 std::vector<dicom::ReferencedFrames> imagesOf(const dicom::Stack& stack);
 
+// The UID that all of its images name; empty where they do not all name the same one.
+std::string frameOfReferenceOf(const dicom::Stack& stack);
+
 Identity identityOf(const FoundVolume& volume);
 // Without a series.
 Identity identityOf(const dicom::Study& study);

@@ -52,15 +52,6 @@ std::string joinQuestionOf(const FoundVolumes& found) {
     return found.volumes().empty() && asked != messages.end() ? asked->sentence : std::string();
 }
 
-// Empty where its frames do not all name the same one.
-std::string frameOfReferenceOf(const dicom::Stack& stack) {
-    if (stack.frames.empty()) return {};
-    const std::string& first = stack.frames.front().frameOfReferenceUid;
-    const bool isOne = std::ranges::all_of(
-        stack.frames, [&](const dicom::Frame& frame) { return frame.frameOfReferenceUid == first; });
-    return isOne ? first : std::string();
-}
-
 Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                               Progress& progress) {
     const FoundVolume& chosen = found->volumes().at(index);

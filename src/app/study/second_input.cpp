@@ -8,14 +8,41 @@
 
 #include "app/study/second_curve.h"
 #include "app/study/study_preset.h"
+#include "base/sha256.h"
 #include "registration/rigid_registration.h"
 
 namespace macula::app {
 
 namespace {
 
-Result<void> place(const SecondWish& wish, const Volume& study, const Volume& second, bool isPlaced,
-                   BesideState& state, SecondToDraw& drawn, Progress& progress) {
+void warn(SecondToDraw& drawn, std::string sentence) {
+    drawn.notes.push_back(sentence);
+    drawn.warnings.push_back(std::move(sentence));
+}
+
+// By the positions alone, which are comparable in one frame of reference (PS3.3 C.7.4.1).
+void placeByPositions(const StudyInput& study, const StudyInput& second, BesideState& state,
+                      SecondToDraw& drawn) {
+    const std::string& frame = study.frameOfReferenceUid;
+    if (frame.empty() || second.frameOfReferenceUid.empty()) {
+        warn(drawn,
+             "Nothing says that the positions of the second volume are the study's: not both have a frame "
+             "of reference. Register both by --registration search.");
+    } else if (frame != second.frameOfReferenceUid) {
+        warn(drawn,
+             "The second volume has another frame of reference than the study: its positions are not the "
+             "study's. Register both by --registration search.");
+    } else {
+        state.link = BesideLink::sameFrame;
+        drawn.notes.emplace_back(
+            "Second volume: Same frame of reference, not registered: the patient may have moved.");
+    }
+}
+
+Result<void> place(const SecondWish& wish, const StudyInput& studyInput, const StudyInput& secondInput,
+                   bool isPlaced, BesideState& state, SecondToDraw& drawn, Progress& progress) {
+    const Volume& study = *studyInput.volume;
+    const Volume& second = *secondInput.volume;
     if (wish.link == SecondLink::search) {
         MACULA_TRY(const registration::RigidRegistration found,
                    registration::registerRigid(study, second, progress));
@@ -25,14 +52,11 @@ Result<void> place(const SecondWish& wish, const Volume& study, const Volume& se
         state.isDoubtful = found.isDoubtful();
         drawn.notes.push_back(fmt::format("The second volume was registered, to {:.1f} mm.", found.boundMm));
         if (found.isDoubtful())
-            drawn.notes.emplace_back(
-                "The registration of the second volume is doubtful: look at both on slices before you rely "
-                "on "
-                "the picture.");
+            warn(drawn,
+                 "The registration of the second volume is doubtful: look at both on slices before you rely "
+                 "on the picture.");
     } else if (!isPlaced) {
-        drawn.notes.emplace_back(
-            "The second volume is drawn where its own positions say; nobody checked that they are the "
-            "study's.");
+        placeByPositions(studyInput, secondInput, state, drawn);
     }
     if (registration::boxOverlap(study, second, state.secondFromStudy) > 0.0) return {};
     return Error{ErrorCode::inputNotUsable,
@@ -46,6 +70,13 @@ bool isOf(const BesideState& beside, const StudyInput& second) {
     const bool isOtherVolume =
         !beside.volumeKey.empty() && !second.volumeKey.empty() && beside.volumeKey != second.volumeKey;
     return beside.isLinked() && beside.seriesDigest == second.seriesDigest && !isOtherVolume;
+}
+
+// Files tell by their place alone (see additionChoice), and the phantom may stand in for a second one.
+bool isTheStudy(const StudyInput& study, const StudyInput& second) {
+    static const std::string kOfNoUid = sha256Hex("");
+    return !second.volumeKey.empty() && study.volumeKey == second.volumeKey &&
+           study.seriesDigest == second.seriesDigest && second.seriesDigest != kOfNoUid;
 }
 
 Result<SamePatient> patientOf(const StudyInput& study, const StudyInput& second, SecondToDraw& drawn) {
@@ -62,6 +93,14 @@ Result<SamePatient> patientOf(const StudyInput& study, const StudyInput& second,
 
 }  // namespace
 
+Error secondIsTheStudy() {
+    return {ErrorCode::inputNotUsable,
+            "The second volume is the study itself.",
+            {},
+            "Choose another series by --second-series, of those that macula info lists, or another file by "
+            "--second."};
+}
+
 Result<void> check(const SecondWish& wish, bool linkIsGiven) {
     if (wish.isGiven() || (wish.series.empty() && wish.preset.empty() && !linkIsGiven)) return {};
     return Error{ErrorCode::usage,
@@ -74,20 +113,24 @@ Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& stud
                                   Progress& progress) {
     MACULA_TRY(StudyInput input, loadStudy(wish.path, wish.series, progress, 0, wish.how));
     SecondToDraw drawn;
+    if (isTheStudy(study, input)) return secondIsTheStudy();
     MACULA_TRY(const SamePatient patient, patientOf(study, input, drawn));
     bringTo16Bits(input);
     for (const std::string& note : input.notes) drawn.notes.push_back("Second volume: " + note);
+    for (const std::string& warning : input.warnings) drawn.warnings.push_back("Second volume: " + warning);
     BesideState state;
     const bool isKnown = beside != nullptr && isOf(*beside, input);
     if (isKnown) state = *beside;
     if (!isKnown && beside != nullptr && isIn3d(*beside))
         drawn.notes.emplace_back(
             "The view was saved with another second volume: its place and look are not those of this one.");
-    MACULA_TRY_VOID(place(wish, *study.volume, *input.volume, isKnown, state, drawn, progress));
+    MACULA_TRY_VOID(place(wish, study, input, isKnown, state, drawn, progress));
     if (!wish.preset.empty()) {
         MACULA_TRY(presets::ImportedPreset preset, presetToDraw(wish.preset, false));
-        for (const std::string& note : notesOf(preset, *input.volume))
-            drawn.notes.push_back("Second volume: " + note);
+        const PresetNotes told = notesToDraw(preset, *input.volume);
+        for (const std::string& note : told.notes) drawn.notes.push_back("Second volume: " + note);
+        for (const std::string& warning : told.warnings)
+            drawn.warnings.push_back("Second volume: " + warning);
         state.preset = std::make_shared<const TransferFunction>(std::move(preset.function));
     }
     if (state.preset && usesGradientOpacity(*state.preset))

@@ -34,16 +34,20 @@ struct SecondWish {
 // usage when there is a series, a preset or a link, and no second volume.
 Result<void> check(const SecondWish& wish, bool linkIsGiven);
 
+// What a second volume is refused with that is the study's own.
+Error secondIsTheStudy();
+
 struct SecondToDraw {
     SecondVolume second;
-    std::string remark;              // secondRemark
-    std::vector<std::string> notes;  // sentences, without patient data
+    std::string remark;                 // secondRemark
+    std::vector<std::string> notes;     // sentences, without patient data
+    std::vector<std::string> warnings;  // those of them that change what is seen
 };
 
 // The volume of `study` is stored16. A view that was saved with this second volume (`beside`, or null) says
 // where it lies, unless it is searched, and what it is drawn with, unless a preset is given. Fails as
-// loadStudy, choosePreset and registerRigid; inputNotUsable where nothing of it lies in the study, or it is
-// of another patient.
+// loadStudy, choosePreset and registerRigid; inputNotUsable where nothing of it lies in the study, it is
+// of another patient, or it is the study's own volume.
 Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& study, const BesideState* beside,
                                   Progress& progress);
 

@@ -43,7 +43,9 @@ Result<dicom::Choice> chooseStack(const dicom::Series& series, std::optional<std
     }
     if (*place < 1 || *place > series.stacks.size()) {
         return Error{ErrorCode::usage,
-                     fmt::format("The series has {} stacks of images.", series.stacks.size()),
+                     series.stacks.size() == 1
+                         ? "The series has 1 stack of images."
+                         : fmt::format("The series has {} stacks of images.", series.stacks.size()),
                      {},
                      "See macula info for the list."};
     }
@@ -128,10 +130,20 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
         if (error.where.empty()) error.where = path.string();
         return error;
     }
-    if (!chosen->why.empty() && chosen->why != "The only volume.") input.notes.push_back(chosen->why);
+    if (series.empty() && scan.patients > 1) {  // who is shown was nobody's choice
+        const std::string why =
+            chosen->why.empty() ? fmt::format("This folder is of {} patients.", scan.patients) : chosen->why;
+        input.notes.push_back(why +
+                              " Check that it is of the patient you mean; macula info lists all series.");
+        input.warnings.push_back(input.notes.back());
+    } else if (!chosen->why.empty() && chosen->why != "The only volume.") {
+        input.notes.push_back(chosen->why);
+    }
     if (!scan.skipped.empty()) {
         input.notes.push_back(
-            fmt::format("{} files were left out; macula info says why.", scan.skipped.size()));
+            scan.skipped.size() == 1
+                ? "1 file was left out; macula info says why."
+                : fmt::format("{} files were left out; macula info says why.", scan.skipped.size()));
     }
     const auto note = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {
@@ -152,6 +164,7 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
         if (!known) input.notes.push_back(assumption);
     }
     input.images = imagesOf(*chosen->stack);
+    input.frameOfReferenceUid = frameOfReferenceOf(*chosen->stack);
     input.seriesDigest = sha256Hex(chosen->series->seriesInstanceUid);
     const std::vector<FoundVolume> volumes = volumesOf(scan);
     const auto at = std::ranges::find(volumes, chosen->stack, &FoundVolume::stack);

@@ -22,7 +22,8 @@ struct StudyInput {
     std::vector<dicom::ReferencedFrames> images = {};  // as imagesOf; empty: not known
     std::string seriesDigest;    // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
     std::string volumeKey = {};  // FoundVolumes::key; empty where there is no series
-    Identity identity = {};      // to compare with that of another study, and for nothing else
+    std::string frameOfReferenceUid = {};  // as frameOfReferenceOf
+    Identity identity = {};                // to compare with that of another study, and for nothing else
 };
 
 // No path, or "phantom:", is the built-in phantom. `series` chooses by its place in the list of `macula info`

@@ -18,6 +18,16 @@ Result<presets::ImportedPreset> presetToDraw(const std::string& typed, bool fit)
 // What was changed when it was read, whether it is stretched to the volume, and whether it is made for it.
 std::vector<std::string> notesOf(const presets::ImportedPreset& preset, const Volume& volume);
 
+// The same to tell of a picture: that it is made for other units is a warning then, with presets that are
+// not.
+struct PresetNotes {
+    std::vector<std::string> notes;
+    std::vector<std::string> warnings;  // those of them that change what is seen
+};
+PresetNotes notesToDraw(const presets::ImportedPreset& preset, const Volume& volume);
+// Adds them to those of the study.
+void tellOf(const presets::ImportedPreset& preset, StudyInput& study);
+
 struct StudyPreset {
     std::string publicName;     // see publicPresetName
     TransferFunction function;  // not yet stretched: the tracer does that

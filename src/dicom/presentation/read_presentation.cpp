@@ -358,6 +358,11 @@ Result<PresentationState> readPresentationState(const fs::path& path) try {
     const auto notUsable = [&](std::string message, std::string hint) {
         return Error{ErrorCode::inputNotUsable, std::move(message), path.string(), std::move(hint)};
     };
+    if (read.state == FileState::unreadable)
+        return notUsable("The file cannot be read.", "Check the path and its permissions.");
+    if (read.state == FileState::notDicom)
+        return notUsable("The file is not a DICOM presentation state.",
+                         "Choose a file of the kind Volume Rendering Volumetric Presentation State.");
     if (!read.header)
         return notUsable("The presentation state cannot be read.", "Copy the file again from its source.");
     if (read.header->text(tag::kSopClassUid) != sop_class::kVolumePresentationState)

@@ -124,6 +124,11 @@ Result<SoftcopyState> readSoftcopyState(const std::filesystem::path& path) try {
     const auto notUsable = [&](std::string message, std::string hint) {
         return Error{ErrorCode::inputNotUsable, std::move(message), path.string(), std::move(hint)};
     };
+    if (read.state == FileState::unreadable)
+        return notUsable("The file cannot be read.", "Check the path and its permissions.");
+    if (read.state == FileState::notDicom)
+        return notUsable("The file is not a DICOM presentation state.",
+                         "Choose a file of the kind Grayscale Softcopy Presentation State.");
     if (!read.header)
         return notUsable("The presentation state cannot be read.", "Copy the file again from its source.");
     const Dataset& file = *read.header;

@@ -1219,6 +1219,10 @@
         <translation>In dieser Serie sind keine Bilder.</translation>
     </message>
     <message>
+        <source>Nothing can be shown in 3D. The only stack of images: %1</source>
+        <translation>Nichts kann in 3D gezeigt werden. Der einzige Bildstapel: %1</translation>
+    </message>
+    <message>
         <source>Nothing can be shown in 3D. The largest of %1 stacks of images: %2</source>
         <translation>Nichts kann in 3D gezeigt werden. Der größte von %1 Bildstapeln: %2</translation>
     </message>
@@ -1371,6 +1375,10 @@
         <translation>Das Verzeichnis dieses Datenträgers kann nicht gelesen werden.</translation>
     </message>
     <message>
+        <source>The only DICOM file in this folder cannot be read.</source>
+        <translation>Die einzige DICOM-Datei in diesem Ordner kann nicht gelesen werden.</translation>
+    </message>
+    <message>
         <source>None of the %1 DICOM files in this folder can be read.</source>
         <translation>Keine der %1 DICOM-Dateien in diesem Ordner kann gelesen werden.</translation>
     </message>
@@ -1399,6 +1407,14 @@
         <translation>Die Datei ist kein DICOM-Bild.</translation>
     </message>
     <message>
+        <source>There is no DICOM image in this folder: the only file in it is none.</source>
+        <translation>In diesem Ordner ist kein DICOM-Bild: Seine einzige Datei ist keines.</translation>
+    </message>
+    <message>
+        <source>There is no file in this folder.</source>
+        <translation>In diesem Ordner ist keine Datei.</translation>
+    </message>
+    <message>
         <source>There is no DICOM image among the %1 files of this folder.</source>
         <translation>Unter den %1 Dateien dieses Ordners ist kein DICOM-Bild.</translation>
     </message>
@@ -1409,6 +1425,10 @@
     <message>
         <source>Looking for files</source>
         <translation>Dateien werden gesucht</translation>
+    </message>
+    <message>
+        <source>Reading 1 file</source>
+        <translation>1 Datei wird gelesen</translation>
     </message>
     <message>
         <source>Reading %1 files</source>
@@ -1633,6 +1653,10 @@
     <message>
         <source>The presentation state cannot be read.</source>
         <translation>Der Presentation State kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file is not a DICOM presentation state.</source>
+        <translation>Die Datei ist kein Presentation State in DICOM.</translation>
     </message>
     <message>
         <source>The file is no presentation state of one rendered volume.</source>
@@ -2721,6 +2745,10 @@
     <message>
         <source>No folder was given: this is the built-in phantom.</source>
         <translation>Kein Ordner wurde angegeben: das ist das eingebaute Phantom.</translation>
+    </message>
+    <message>
+        <source>1 file was left out; macula info says why.</source>
+        <translation>1 Datei wurde weggelassen; macula info sagt, warum.</translation>
     </message>
     <message>
         <source>%1 files were left out; macula info says why.</source>

@@ -508,6 +508,17 @@ TEST_F(PresentationStateTest, whatAPictureCannotBeMadeWithoutIsAnError) {
     }
 }
 
+TEST_F(PresentationStateTest, whatMayNotBeReadAndWhatIsNoDicomAreToldApart) {
+    std::ofstream(path_) << "a letter to somebody, and no presentation state at all";
+    expectRefused("not a DICOM presentation state");
+    readBack();
+    fs::permissions(path_, fs::perms::none);
+    const WithoutRootsRights nobody;
+    expectRefused("The file cannot be read.");
+    EXPECT_NE(readPresentationState(path_).error().hint.find("permissions"), std::string::npos);
+    EXPECT_EQ(readPresentationState(folder_ / "gone.dcm").error().message, "The file cannot be read.");
+}
+
 TEST_F(PresentationStateTest, aCutFileIsASentence) {
     readBack();
     const std::string whole = bytesOf(path_);

@@ -89,6 +89,11 @@ TEST_F(SoftcopyStateTest, NonsenseIsNoAreaAndNoWindow) {
 
 TEST_F(SoftcopyStateTest, WhatIsNoneIsAnErrorThatSaysSo) {
     EXPECT_EQ(refused().code, ErrorCode::inputNotUsable) << "there is no file";
+    EXPECT_EQ(refused().message, "The file cannot be read.");
+    std::ofstream(folder_ / "letter.dcm") << "a letter to somebody, and no presentation state at all";
+    const auto letter = readSoftcopyState(folder_ / "letter.dcm");
+    ASSERT_FALSE(letter.ok());
+    EXPECT_NE(letter.error().message.find("not a DICOM presentation state"), std::string::npos);
     write(smallVolume(), folder_ / "images");
     const auto image = readSoftcopyState(*fs::directory_iterator(folder_ / "images"));
     ASSERT_FALSE(image.ok());
