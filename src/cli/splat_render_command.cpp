@@ -89,15 +89,6 @@ Result<std::vector<Shot>> shotsOf(const std::vector<app::SplatCamera>& cameras, 
     return shots;
 }
 
-Result<void> makeFolder(const fs::path& folder) {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder, error))
-        return Error{ErrorCode::outputNotWritable, "The folder for the pictures cannot be made.",
-                     folder.string(), "Check the permissions, or choose another place."};
-    return {};
-}
-
 Error aboutShot(Error error, const Shot& shot) {
     if (error.code == ErrorCode::outOfMemory) error.hint += " --size sets it for all cameras.";
     if (error.where.empty()) error.where = shot.name;
@@ -175,7 +166,7 @@ Result<void> splatRender(const Options& options) {
             if (!drawn)
                 return drawn.error().code == ErrorCode::cancelled ? stopped()
                                                                   : aboutShot(drawn.error(), shot);
-            MACULA_TRY_VOID(makeFolder(options.output));  // not before there is something to put in
+            MACULA_TRY_VOID(app::makePictureFolder(options.output));  // not before there is something to put in
             MACULA_TRY_VOID(writeModelPicture(*drawn, shot.view.sizePx, shot.png, shot.exr,
                                               app::metadata(splats, display, gpu::describe(on->info()))));
             if (splats.size() > 0 && drawn->isEmpty) empty.push_back(shot.name);

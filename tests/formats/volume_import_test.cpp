@@ -92,7 +92,7 @@ void checkNiftiType(const fs::path& path, std::int16_t code, T low, T high, Voxe
 // Of a file that may not be read nobody knows what it is.
 TEST_F(Import, WhatMayNotBeReadIsNotCalledAnotherFormat) {
     const std::string header =
-        "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 1 1 1\nspace: left-posterior-superior\n"
+        "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nspace: left-posterior-superior\n"
         "space directions: (1,0,0) (0,1,0) (0,0,1)\nspace origin: (0,0,0)\nencoding: raw\n";
     for (const char* name : {"a.mha", "a.mhd", "a.nrrd", "a.nhdr", "a.nii", "a.nii.gz"}) {
         const fs::path path = write(name, "x");
@@ -105,7 +105,7 @@ TEST_F(Import, WhatMayNotBeReadIsNotCalledAnotherFormat) {
         EXPECT_SAYS(info.error().hint, "permissions");
     }
     // The values beside a header that may be read.
-    const fs::path values = write("b.raw", "x");
+    const fs::path values = write("b.raw", "eightval");
     const fs::path beside = write("b.nhdr", header + "data file: b.raw\n\n");
     EXPECT_NE(import(beside), nullptr);
     fs::permissions(values, fs::perms::none);

@@ -109,6 +109,15 @@ Result<void> OutputFiles::writeOn(const fs::path& path) {
     return take(path);
 }
 
+Result<void> makePictureFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error || !fs::is_directory(folder, error))
+        return Error{ErrorCode::outputNotWritable, "The folder for the pictures cannot be made.",
+                     folder.string(), "Check the permissions, or choose another place."};
+    return {};
+}
+
 fs::path placeOfUnfinished(const fs::path& wanted) {
     std::error_code error;
     if (!fs::exists(wanted, error)) return wanted;

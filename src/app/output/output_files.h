@@ -37,6 +37,9 @@ class OutputFiles {
     std::set<std::filesystem::path> tidied_;              // folders
 };
 
+// Makes it, and those above it, if it is not there. Error: outputNotWritable.
+Result<void> makePictureFolder(const std::filesystem::path& folder);
+
 // Where to put a result that was cut short: a finished one is never replaced by it, so beside that one if it
 // is there ("model-unfinished.ply" beside "model.ply").
 std::filesystem::path placeOfUnfinished(const std::filesystem::path& wanted);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/open_device.h"
+#include "app/output/output_files.h"
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_file.h"
 #include "app/picture/view_request.h"
@@ -32,11 +33,8 @@ Result<void> check(const ViewSequence& sequence) {
 
 // A folder that holds pictures of another sequence would be of both.
 Result<void> prepareFolder(const fs::path& folder) {
+    MACULA_TRY_VOID(makePictureFolder(folder));
     std::error_code error;
-    fs::create_directories(folder, error);
-    if (error || !fs::is_directory(folder, error))
-        return Error{ErrorCode::outputNotWritable, "The folder for the pictures cannot be made.",
-                     folder.string(), "Check the permissions, or choose another place."};
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (name.starts_with(kPrefix) && entry->path().extension() == ".png")

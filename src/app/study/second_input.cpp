@@ -113,8 +113,8 @@ Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& stud
                                   Progress& progress) {
     MACULA_TRY(StudyInput input, loadStudy(wish.path, wish.series, progress, 0, wish.how));
     SecondToDraw drawn;
-    if (isTheStudy(study, input)) return secondIsTheStudy();
     MACULA_TRY(const SamePatient patient, patientOf(study, input, drawn));
+    if (isTheStudy(study, input)) return secondIsTheStudy();
     bringTo16Bits(input);
     for (const std::string& note : input.notes) drawn.notes.push_back("Second volume: " + note);
     for (const std::string& warning : input.warnings) drawn.warnings.push_back("Second volume: " + warning);
