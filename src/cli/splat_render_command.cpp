@@ -166,7 +166,8 @@ Result<void> splatRender(const Options& options) {
             if (!drawn)
                 return drawn.error().code == ErrorCode::cancelled ? stopped()
                                                                   : aboutShot(drawn.error(), shot);
-            MACULA_TRY_VOID(app::makePictureFolder(options.output));  // not before there is something to put in
+            // Not before there is something to put in.
+            MACULA_TRY_VOID(app::makePictureFolder(options.output));
             MACULA_TRY_VOID(writeModelPicture(*drawn, shot.view.sizePx, shot.png, shot.exr,
                                               app::metadata(splats, display, gpu::describe(on->info()))));
             if (splats.size() > 0 && drawn->isEmpty) empty.push_back(shot.name);

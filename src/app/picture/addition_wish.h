@@ -51,9 +51,9 @@ struct MadeAdditions {
     std::vector<std::string> warnings;  // those of them that change what is seen
 };
 
-// Makes what is drawn beside the study, as far as `look` draws it: a projection does not read a second volume.
-// The volume of the study must be stored16. Writes to `clip` the mask of the segments that are left out. Errors:
-// those of segmentsToDraw and secondToDraw.
+// Makes what is drawn beside the study, as far as `look` draws it: a projection does not read a second
+// volume. The volume of the study must be stored16. Writes to `clip` the mask of the segments that are left
+// out. Errors: those of segmentsToDraw and secondToDraw.
 Result<MadeAdditions> makeAdditions(const AdditionChoice& choice, const ReadStudy& study, trace::Look look,
                                     Clip& clip, Progress& progress);
 
