@@ -122,6 +122,10 @@ Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryOp
     if (options.memoryType >= memory.memoryTypeCount || !(needs.memoryTypeBits >> options.memoryType & 1))
         return refused(fmt::format("The shared image cannot lie in memory of type {}.", options.memoryType),
                        "Give VkMemoryAllocateInfo::memoryTypeIndex of the memory that is shared.");
+    if (options.bytes > memory.memoryHeaps[memory.memoryTypes[options.memoryType].heapIndex].size)
+        return refused(fmt::format("The device {} has no {} of memory that could be shared.",
+                                   device.info().name, bytesText(options.bytes)),
+                       kAsMade);
     return {};
 }
 
@@ -142,7 +146,8 @@ Result<Handle<VkDeviceMemory>> importMemory(const std::shared_ptr<Device>& devic
     info.memoryTypeIndex = options.memoryType;
     VkDeviceMemory memory = VK_NULL_HANDLE;
     const VkResult result = vkAllocateMemory(device->handle(), &info, nullptr, &memory);
-    if (result == VK_ERROR_INVALID_EXTERNAL_HANDLE)
+    // Nothing was to be allocated: where memory is said to be missing, the shared one is smaller.
+    if (result == VK_ERROR_INVALID_EXTERNAL_HANDLE || result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
         return refused(
             "What was shared is no memory of this graphics card, or smaller than it is said to be.",
             "Give a file descriptor of vkGetMemoryFdKHR with "

@@ -1,5 +1,6 @@
 #include "pipeline/gpu/shared_memory.h"
 
+#include <sys/stat.h>
 #include <vulkan/vulkan_core.h>
 
 #include <algorithm>
@@ -87,6 +88,16 @@ Result<void> checkAllocation(const SharedMemoryOptions& options) {
     return {};
 }
 
+// A driver that reads from a pipe waits for ever.
+Result<void> checkIsNoStream(const FileDescriptor& descriptor) {
+    struct stat file {};
+    if (fstat(descriptor.get(), &file) == 0 &&
+        (S_ISFIFO(file.st_mode) || S_ISSOCK(file.st_mode) || S_ISDIR(file.st_mode)))
+        return refused("What was shared is no memory, but a pipe, a socket or a folder.",
+                       "Give a file descriptor of vkGetMemoryFdKHR.");
+    return {};
+}
+
 Result<FileDescriptor> copyOfAny(int descriptor) {
     if (descriptor <= 0) return FileDescriptor();
     return FileDescriptor::copyOf(descriptor);
@@ -111,6 +122,7 @@ Result<SharedMemory> SharedMemory::create(const SharedMemoryOptions& options) {
     MACULA_TRY_VOID(checkImage(shared.options_));
     MACULA_TRY_VOID(checkAllocation(shared.options_));
     MACULA_TRY(shared.memory_, FileDescriptor::copyOf(options.memory));
+    MACULA_TRY_VOID(checkIsNoStream(shared.memory_));
     MACULA_TRY(shared.wait_, copyOfAny(options.wait));
     MACULA_TRY(shared.signal_, copyOfAny(options.signal));
     return shared;

@@ -179,7 +179,27 @@ int host_run(struct host_device* host, host_commands record) {
     return is_run;
 }
 
+void host_pass(struct host_device* host, VkCommandBuffer commands, VkImageLayout before, uint32_t from,
+               uint32_t to) {
+    VkImageMemoryBarrier barrier = {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
+    barrier.srcAccessMask = from == host->family ? VK_ACCESS_MEMORY_READ_BIT : 0;
+    barrier.dstAccessMask = to == host->family ? VK_ACCESS_TRANSFER_READ_BIT : 0;
+    barrier.oldLayout = before;
+    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    barrier.srcQueueFamilyIndex = from;
+    barrier.dstQueueFamilyIndex = to;
+    barrier.image = host->image;
+    barrier.subresourceRange.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT;
+    barrier.subresourceRange.levelCount = 1;
+    barrier.subresourceRange.layerCount = 1;
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0,
+                         0, NULL, 0, NULL, 1, &barrier);
+}
+
 static void read_image(struct host_device* host, VkCommandBuffer commands) {
+    if (host->is_shared)
+        host_pass(host, commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_QUEUE_FAMILY_EXTERNAL,
+                  host->family);
     VkBufferImageCopy region;
     memset(&region, 0, sizeof region);
     region.imageSubresource.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT;
@@ -194,6 +214,9 @@ static void read_image(struct host_device* host, VkCommandBuffer commands) {
     barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier,
                          0, NULL, 0, NULL);
+    if (host->is_shared)
+        host_pass(host, commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, host->family,
+                  VK_QUEUE_FAMILY_EXTERNAL);
 }
 
 const uint8_t* host_pixels(struct host_device* host) {
@@ -209,10 +232,12 @@ void host_unmap(struct host_device* host) {
 }
 
 void host_close(struct host_device* host) {
-    vkDestroyBuffer(host->device, host->pixels, NULL);
-    vkFreeMemory(host->device, host->pixels_memory, NULL);
-    vkDestroyImage(host->device, host->image, NULL);
-    vkFreeMemory(host->device, host->image_memory, NULL);
-    vkDestroyDevice(host->device, NULL);
-    vkDestroyInstance(host->instance, NULL);
+    if (host->device) {
+        vkDestroyBuffer(host->device, host->pixels, NULL);
+        vkFreeMemory(host->device, host->pixels_memory, NULL);
+        vkDestroyImage(host->device, host->image, NULL);
+        vkFreeMemory(host->device, host->image_memory, NULL);
+        vkDestroyDevice(host->device, NULL);
+    }
+    if (host->instance) vkDestroyInstance(host->instance, NULL);
 }

@@ -23,6 +23,7 @@ struct host_device {
     uint32_t width;
     uint32_t height;
     int has_semaphores; /* it can share them: host_open_on */
+    int is_shared;      /* the image, with another device, to which it belongs between two reads */
 };
 
 /* The lowest memory type that is allowed and has what is wanted; UINT32_MAX when there is none. */
@@ -31,6 +32,10 @@ uint32_t host_memory_type(const struct host_device* host, uint32_t allowed, VkMe
 /* As host_open, on the card of these UUIDs, ready to share memory, and without an image. */
 int host_open_on(struct host_device* host, uint32_t width, uint32_t height, const uint8_t device_uuid[16],
                  const uint8_t driver_uuid[16], const char** what);
+
+/* The image, to VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, from one queue family to another. */
+void host_pass(struct host_device* host, VkCommandBuffer commands, VkImageLayout before, uint32_t from,
+               uint32_t to);
 
 /* Runs commands, the first of a command buffer to the last, and waits for them. 0 when that failed. */
 typedef void (*host_commands)(struct host_device* host, VkCommandBuffer commands);
