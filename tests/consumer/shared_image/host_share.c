@@ -23,8 +23,15 @@ static int make_image(struct host_device* host, const struct host_share* share) 
 }
 
 static int make_memory(struct host_device* host, struct host_share* share) {
-    VkMemoryRequirements needs;
-    vkGetImageMemoryRequirements(host->device, host->image, &needs);
+    VkImageMemoryRequirementsInfo2 of = {VK_STRUCTURE_TYPE_IMAGE_MEMORY_REQUIREMENTS_INFO_2};
+    of.image = host->image;
+    VkMemoryDedicatedRequirements wants = {VK_STRUCTURE_TYPE_MEMORY_DEDICATED_REQUIREMENTS};
+    VkMemoryRequirements2 requirements = {VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2};
+    requirements.pNext = &wants;
+    vkGetImageMemoryRequirements2(host->device, &of, &requirements);
+    const VkMemoryRequirements needs = requirements.memoryRequirements;
+    if (wants.requiresDedicatedAllocation) share->is_dedicated = 1;
+    if (share->is_dedicated) share->offset = 0;
     share->offset = (share->offset + needs.alignment - 1) / needs.alignment * needs.alignment;
     share->bytes = share->offset + needs.size;
     share->memory_type = host_memory_type(host, needs.memoryTypeBits, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
@@ -42,13 +49,33 @@ static int make_memory(struct host_device* host, struct host_share* share) {
            vkBindImageMemory(host->device, host->image, host->image_memory, share->offset) == VK_SUCCESS;
 }
 
+int host_can_share(const struct host_device* host, const struct host_share* share) {
+    VkPhysicalDeviceExternalImageFormatInfo external = {
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_IMAGE_FORMAT_INFO};
+    external.handleType = memory_handle;
+    VkPhysicalDeviceImageFormatInfo2 info = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_IMAGE_FORMAT_INFO_2};
+    info.pNext = &external;
+    info.format = share->format;
+    info.type = VK_IMAGE_TYPE_2D;
+    info.tiling = share->tiling;
+    info.usage = share->usage;
+    VkExternalImageFormatProperties can = {VK_STRUCTURE_TYPE_EXTERNAL_IMAGE_FORMAT_PROPERTIES};
+    VkImageFormatProperties2 properties = {VK_STRUCTURE_TYPE_IMAGE_FORMAT_PROPERTIES_2};
+    properties.pNext = &can;
+    if (vkGetPhysicalDeviceImageFormatProperties2(host->physical, &info, &properties) != VK_SUCCESS) return 0;
+    const VkExternalMemoryFeatureFlags features = can.externalMemoryProperties.externalMemoryFeatures;
+    if ((features & VK_EXTERNAL_MEMORY_FEATURE_DEDICATED_ONLY_BIT) && !share->is_dedicated) return 0;
+    return (features & VK_EXTERNAL_MEMORY_FEATURE_EXPORTABLE_BIT) != 0;
+}
+
 static void give_away(struct host_device* host, VkCommandBuffer commands) {
     host_pass(host, commands, VK_IMAGE_LAYOUT_UNDEFINED, VK_QUEUE_FAMILY_IGNORED, VK_QUEUE_FAMILY_IGNORED);
     host_pass(host, commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, host->family, VK_QUEUE_FAMILY_EXTERNAL);
 }
 
 int host_share_image(struct host_device* host, struct host_share* share) {
-    host->is_shared = make_image(host, share) && make_memory(host, share) && host_run(host, give_away);
+    host->is_shared = host_can_share(host, share) && make_image(host, share) && make_memory(host, share) &&
+                      host_run(host, give_away);
     return host->is_shared;
 }
 

@@ -13,13 +13,15 @@ struct host_share {
     VkFormat format;
     VkImageTiling tiling;
     VkImageUsageFlags usage;
-    int is_dedicated;
-    VkDeviceSize offset; /* in its memory; comes back as a multiple of what the image needs */
+    int is_dedicated;    /* comes back set where it has to be */
+    VkDeviceSize offset; /* in its memory; comes back as it is possible, and 0 where that is dedicated */
     /* How it was made. */
     VkDeviceSize bytes;
     uint32_t memory_type;
 };
 
+/* Whether the device gives away the memory of an image like this. */
+int host_can_share(const struct host_device* host, const struct host_share* share);
 /* Makes the host's image so, and its memory; 0 when that failed. Of a host that host_open_on has opened. */
 int host_share_image(struct host_device* host, struct host_share* share);
 /* Each call makes another one, to be closed; below 0 when that failed. */

@@ -56,6 +56,7 @@ static int share_image(struct host_device* host, const macula_device_identity* c
             return missing("no semaphores");
         memory.wait_fd = host_semaphore_fd(host, turns->free);
         memory.signal_fd = host_semaphore_fd(host, turns->full);
+        if (memory.wait_fd <= 0 || memory.signal_fd <= 0) return missing("no semaphores to give away");
     }
     const macula_status status = macula_shared_image_create(&memory, image);
     if (memory.memory_fd >= 0) close(memory.memory_fd);
