@@ -293,7 +293,8 @@ typedef struct macula_lent_device {
 /* As macula_device_open, with that one. */
 MACULA_API macula_status macula_device_lend(const macula_lent_device* lent, macula_device** device);
 
-/* Which card and driver a device is of, to every program: VkPhysicalDeviceIDProperties. */
+/* Which card and driver a device is of, to every program: VkPhysicalDeviceIDProperties, or GL_DEVICE_UUID_EXT
+ * and GL_DRIVER_UUID_EXT. */
 typedef struct macula_device_identity {
     uint32_t size;
     uint32_t reserved; /* 0 */

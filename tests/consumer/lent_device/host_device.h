@@ -37,7 +37,7 @@ int host_open_on(struct host_device* host, uint32_t width, uint32_t height, cons
 void host_pass(struct host_device* host, VkCommandBuffer commands, VkImageLayout before, uint32_t from,
                uint32_t to);
 
-/* Runs commands, the first of a command buffer to the last, and waits for them. 0 when that failed. */
+/* Runs what `record` puts into a command buffer, and waits for it. 0 when that failed. */
 typedef void (*host_commands)(struct host_device* host, VkCommandBuffer commands);
 int host_run(struct host_device* host, host_commands record);
 
