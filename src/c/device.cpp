@@ -1,11 +1,13 @@
 #include "c/device.h"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
 #include "c/last_error.h"
 #include "c/sized.h"
 #include "pipeline/gpu/instance.h"
+#include "pipeline/gpu/shared_memory.h"
 
 namespace macula::c {
 
@@ -58,6 +60,21 @@ macula_status macula_device_lend(const macula_lent_device* lent, macula_device**
         MACULA_TRY(app::DeviceWay way, wayOf(given));
         MACULA_TRY(*device, opened(std::move(way)));
         return {};
+    });
+}
+
+macula_status macula_device_identify(macula_device* device, macula_device_identity* identity) {
+    return guarded([&]() -> Result<void> {
+        if (device == nullptr || identity == nullptr) return nullHandle();
+        gpu::CardIdentity card;
+        MACULA_TRY_VOID(device->lasting.run([&](const std::shared_ptr<gpu::Device>& opened) -> Result<void> {
+            card = gpu::identityOf(*opened);
+            return {};
+        }));
+        macula_device_identity told{};
+        std::copy(card.device.begin(), card.device.end(), told.device_uuid);
+        std::copy(card.driver.begin(), card.driver.end(), told.driver_uuid);
+        return give(told, identity) ? Result<void>() : wrongSize();
     });
 }
 

@@ -22,6 +22,7 @@
 #include "c/last_error.h"
 #include "c/pixels.h"
 #include "c/seen_view.h"
+#include "c/shared_image.h"
 #include "c/sized.h"
 #include "c/told_progress.h"
 #include "c/view.h"
@@ -97,6 +98,7 @@ struct AskedFrame {
     macula_frame given;
     app::HostedWish wish;
     std::optional<app::LentPicture> image;
+    std::shared_ptr<const gpu::SharedMemory> shared;  // may be null
 };
 
 Result<std::optional<app::LentPicture>> imageOf(const macula_lent_image* given) {
@@ -105,6 +107,15 @@ Result<std::optional<app::LentPicture>> imageOf(const macula_lent_image* given) 
     if (image.image == 0) return badArgument("The image that is lent is none.", "Give a VkImage.");
     return std::optional(
         app::LentPicture{.image = image.image, .layer = image.layer, .layout = image.layout});
+}
+
+Result<std::shared_ptr<const gpu::SharedMemory>> sharedOf(const macula_frame& given) {
+    if (given.shared == nullptr) return std::shared_ptr<const gpu::SharedMemory>();
+    const gpu::SharedMemoryOptions& made = given.shared->memory->options();
+    if (made.width != std::uint32_t(given.width) || made.height != std::uint32_t(given.height))
+        return badArgument("The frame and the shared image are not of the same size.",
+                           "Ask for a frame of the width and height of the image.");
+    return given.shared->memory;
 }
 
 Result<AskedFrame> askedOf(const macula_live& live, const macula_frame* frame) {
@@ -118,6 +129,7 @@ Result<AskedFrame> askedOf(const macula_live& live, const macula_frame* frame) {
                    rowBytesOf({given.rgba, given.bytes, given.row_bytes}, given.width, given.height));
     }
     MACULA_TRY(asked.image, imageOf(given.image));
+    MACULA_TRY(asked.shared, sharedOf(given));
     if (asked.image && !live.isLent)
         return badArgument("An image was lent, but no device.",
                            "Open the live picture with a device of macula_device_lend.");
@@ -172,10 +184,11 @@ macula_shown shownOf(const macula_live& live, const app::HostedFrame& frame, con
 
 // The pixels first: nothing is told of a picture that did not arrive.
 Result<void> deliver(const macula_live& live, const AskedFrame& asked) {
-    const app::HostPicture& picture = live.loop->picture();
+    app::HostPicture& picture = live.loop->picture();
     if (asked.given.rgba != nullptr)
         MACULA_TRY_VOID(picture.writeTo(asked.given.rgba, asked.given.row_bytes, asked.wish.sizePx));
     if (asked.image) MACULA_TRY_VOID(picture.copyTo(*asked.image, asked.wish.sizePx));
+    if (asked.shared) MACULA_TRY_VOID(picture.shareTo(asked.shared));
     return {};
 }
 

@@ -18,6 +18,7 @@ struct Close {
     void operator()(macula_device* handle) const { macula_device_close(handle); }
     void operator()(macula_cancel* handle) const { macula_cancel_close(handle); }
     void operator()(macula_live* handle) const { macula_live_close(handle); }
+    void operator()(macula_shared_image* handle) const { macula_shared_image_close(handle); }
 };
 template <class Handle>
 using Owned = std::unique_ptr<Handle, Close>;

@@ -38,8 +38,9 @@ class Interface(unittest.TestCase):
                 "macula_drawn": _interface.Drawn, "macula_live_options": _interface.LiveOptions,
                 "macula_frame": _interface.Frame, "macula_shown": _interface.Shown,
                 "macula_model": _interface.Model, "macula_training": _interface.Training}
-        # A device of Vulkan is lent by programs in C and C++.
-        promised = {name: at for name, at in promised.items() if not name.startswith("macula_lent_")}
+        # Devices of Vulkan are lent, and their images shared, by programs in C and C++.
+        promised = {name: at for name, at in promised.items()
+                    if not name.startswith(("macula_lent_", "macula_shared_", "macula_device_"))}
         self.assertEqual({name.split(".")[0] for name in promised}, set(ours))
         for name, struct in ours.items():
             self.assertEqual(ctypes.sizeof(struct), promised[name][0], name)

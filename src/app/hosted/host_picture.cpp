@@ -1,5 +1,6 @@
 #include "app/hosted/host_picture.h"
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -18,7 +19,7 @@ class HostScreen final : public Screen {
         : picture_(std::move(picture)), device_(std::move(device)) {}
     HostScreen(const HostScreen&) = delete;
     HostScreen& operator=(const HostScreen&) = delete;
-    ~HostScreen() override { picture_->forget(); }  // nothing stays on a device that is given up
+    ~HostScreen() override { picture_->leaveDevice(); }
 
     Result<void> resize(VkExtent2D) override { return {}; }
     void setText(std::shared_ptr<const PictureText> text) override { text_ = std::move(text); }
@@ -119,8 +120,14 @@ Result<bool> HostPicture::writeTo(std::uint8_t* rgba, std::size_t rowBytes, cons
     return true;
 }
 
-Result<bool> HostPicture::copyTo(const LentPicture& target, const glm::ivec2& sizePx) const {
-    if (!kept_) return false;
+void HostPicture::leaveDevice() {
+    imports_.clear();
+    forget();
+}
+
+// To a layer of another's image, scaled to its size.
+Result<void> HostPicture::send(const gpu::LentLayer& target, const glm::ivec2& sizePx,
+                               const gpu::SubmitOptions& semaphores) const {
     const std::shared_ptr<gpu::Device>& device = kept_->device();
     std::optional<gpu::Image> scaled;
     if (!hasSize(*kept_, sizePx)) {
@@ -134,12 +141,41 @@ Result<bool> HostPicture::copyTo(const LentPicture& target, const glm::ivec2& si
     }
     const gpu::Image& from = scaled ? *scaled : *kept_;
     MACULA_TRY(gpu::Recorder recorder, gpu::Recorder::create(device, "picture to the host's image"));
-    recorder.copy(from, {{0, 0}, {from.extent().width, from.extent().height}},
-                  {.image = reinterpret_cast<VkImage>(target.image),
-                   .layer = target.layer,
-                   .layout = layoutOf(target)});
-    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-    MACULA_TRY_VOID(device->waitForAll());
+    recorder.copy(from, {{0, 0}, {from.extent().width, from.extent().height}}, target);
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit(semaphores));
+    return {};
+}
+
+Result<bool> HostPicture::copyTo(const LentPicture& target, const glm::ivec2& sizePx) const {
+    if (!kept_) return false;
+    const gpu::LentLayer layer{
+        .image = reinterpret_cast<VkImage>(target.image), .layer = target.layer, .layout = layoutOf(target)};
+    MACULA_TRY_VOID(send(layer, sizePx, {}));
+    MACULA_TRY_VOID(kept_->device()->waitForAll());
+    return true;
+}
+
+Result<const gpu::SharedImage*> HostPicture::importOf(
+    const std::shared_ptr<const gpu::SharedMemory>& target) {
+    const std::shared_ptr<gpu::Device>& device = kept_->device();
+    std::erase_if(imports_,
+                  [&](const Import& one) { return one.of.expired() || one.image.device() != device; });
+    const auto found =
+        std::ranges::find_if(imports_, [&](const Import& one) { return one.of.lock() == target; });
+    if (found != imports_.end()) return &found->image;
+    MACULA_TRY(gpu::SharedImage image, gpu::SharedImage::import(device, *target));
+    imports_.push_back({target, std::move(image)});
+    return &imports_.back().image;
+}
+
+Result<bool> HostPicture::shareTo(const std::shared_ptr<const gpu::SharedMemory>& target) {
+    MACULA_CHECK(target != nullptr);
+    if (!kept_) return false;
+    MACULA_TRY(const gpu::SharedImage* const image, importOf(target));
+    const gpu::SharedMemoryOptions& made = target->options();
+    MACULA_TRY_VOID(
+        send(image->layer(), {std::int32_t(made.width), std::int32_t(made.height)}, image->semaphores()));
+    if (!image->signals()) MACULA_TRY_VOID(kept_->device()->waitForAll());
     return true;
 }
 

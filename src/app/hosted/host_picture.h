@@ -11,7 +11,9 @@
 #include "app/frame/screen.h"
 #include "app/hosted/lent_handles.h"
 #include "base/result.h"
+#include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/resources.h"
+#include "pipeline/gpu/shared_image.h"
 
 namespace macula::app {
 
@@ -27,13 +29,28 @@ class HostPicture {
     Result<bool> writeTo(std::uint8_t* rgba, std::size_t rowBytes, const glm::ivec2& sizePx) const;
     // Of the same size, on the same device; it is there when this returns.
     Result<bool> copyTo(const LentPicture& target, const glm::ivec2& sizePx) const;
+    // To another device of the card, of the target's size; it is there when this returns, or when the
+    // target's semaphore is signalled. Fails as SharedImage::import. What was imported is kept for the next
+    // time, for as long as `target` lives and the device stays the same.
+    Result<bool> shareTo(const std::shared_ptr<const gpu::SharedMemory>& target);
 
     // By the screen.
     Result<void> keep(const std::shared_ptr<gpu::Device>& device, const gpu::Image& picture);
     void forget() { kept_.reset(); }
+    void leaveDevice();  // nothing stays on it
 
   private:
+    struct Import {
+        std::weak_ptr<const gpu::SharedMemory> of;
+        gpu::SharedImage image;
+    };
+
+    Result<void> send(const gpu::LentLayer& target, const glm::ivec2& sizePx,
+                      const gpu::SubmitOptions& semaphores) const;
+    Result<const gpu::SharedImage*> importOf(const std::shared_ptr<const gpu::SharedMemory>& target);
+
     std::optional<gpu::Image> kept_;
+    std::vector<Import> imports_;
     std::uint64_t count_ = 0;
 };
 

@@ -82,7 +82,7 @@ class HostedLoop {
     // Fails with what the renderer fails with, and goes on failing until something changes; `cancelled`.
     Result<HostedFrame> frame(const HostedWish& wish, Progress& progress);
     // Of the last frame; none after a failure.
-    const HostPicture& picture() const { return *picture_; }
+    HostPicture& picture() { return *picture_; }
 
     // Teaches the model of what is shown, until an end or until it has learnt what its pictures can teach it.
     // usage where what is shown has none; `cancelled`, and what was learnt stays.

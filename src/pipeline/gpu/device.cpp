@@ -167,8 +167,11 @@ Result<void> Device::open(const DeviceOptions& options, const std::string& doing
                          fmt::format("The device {} does not offer {}.", info_.name, extension), "",
                          "Update its driver, or choose another device with MACULA_DEVICE."};
     if (info_.floatAtomicAdd) extensions.push_back(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME);
-    if (hasExtension(info_.physical, VK_EXT_MEMORY_BUDGET_EXTENSION_NAME))
-        extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
+    // What is good to have: memoryAvailableBytes, and images that other devices share (shared_image.h).
+    for (const char* extension :
+         {VK_EXT_MEMORY_BUDGET_EXTENSION_NAME, VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME,
+          VK_KHR_EXTERNAL_SEMAPHORE_FD_EXTENSION_NAME})
+        if (hasExtension(info_.physical, extension)) extensions.push_back(extension);
 
     const float priority = 1.0f;
     VkDeviceQueueCreateInfo queueInfo{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};

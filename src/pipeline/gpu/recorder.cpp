@@ -25,8 +25,8 @@ void memoryBarrier(VkCommandBuffer commands, VkPipelineStageFlags2 toStages, VkA
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to,
-                VkAccessFlags2 access, std::uint32_t layer = 0) {
+VkImageMemoryBarrier2 imageBarrier(VkImage image, std::uint32_t layer, VkImageLayout from, VkImageLayout to,
+                                   VkAccessFlags2 access) {
     VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
     barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
     barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
@@ -38,10 +38,29 @@ void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
     barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
     barrier.image = image;
     barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
+    return barrier;
+}
+
+void record(VkCommandBuffer commands, const VkImageMemoryBarrier2& barrier) {
     VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
     dependency.imageMemoryBarrierCount = 1;
     dependency.pImageMemoryBarriers = &barrier;
     vkCmdPipelineBarrier2(commands, &dependency);
+}
+
+void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to,
+                VkAccessFlags2 access, std::uint32_t layer = 0) {
+    record(commands, imageBarrier(image, layer, from, to, access));
+}
+
+// To another device, which acquires it with that layout before and after. It was not acquired from there:
+// what it held is lost.
+void release(VkCommandBuffer commands, const LentLayer& layer, std::uint32_t queueFamily) {
+    VkImageMemoryBarrier2 barrier =
+        imageBarrier(layer.image, layer.layer, layer.layout, layer.layout, VK_ACCESS_2_NONE);
+    barrier.srcQueueFamilyIndex = queueFamily;
+    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_EXTERNAL;
+    record(commands, barrier);
 }
 
 // The blit of a part of the source to a place in the target; nothing where they do not meet.
@@ -313,6 +332,7 @@ void Recorder::copy(const Image& from, const VkRect2D& part, const LentLayer& to
                    VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
     moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, to.layout,
                VK_ACCESS_2_MEMORY_READ_BIT, to.layer);
+    if (to.isExternal) release(commands_.buffer, to, device_->queueFamily());
 }
 
 void Recorder::fill(const Buffer& buffer, std::uint32_t value, Order order) {

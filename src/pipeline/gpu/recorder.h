@@ -87,11 +87,13 @@ struct BlitTarget {  // Swapchain::Frame::target()
     VkExtent2D extent{};
 };
 
-// A layer of an image that others own, and the layout in which they want it back: xr/swapchains.h.
+// A layer of an image that others own, and the layout in which they want it back: xr/swapchains.h,
+// shared_image.h.
 struct LentLayer {
     VkImage image = VK_NULL_HANDLE;
     std::uint32_t layer = 0;
     VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
+    bool isExternal = false;  // they own it on another device: it is released to VK_QUEUE_FAMILY_EXTERNAL
 };
 
 // Equivalent of a VkCommandBuffer in recording state. Movable, not copyable; one thread. While any recorder

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-static uint32_t memory_type(const struct host_device* host, uint32_t allowed, VkMemoryPropertyFlags wanted) {
+uint32_t host_memory_type(const struct host_device* host, uint32_t allowed, VkMemoryPropertyFlags wanted) {
     VkPhysicalDeviceMemoryProperties memory;
     vkGetPhysicalDeviceMemoryProperties(host->physical, &memory);
     for (uint32_t i = 0; i < memory.memoryTypeCount; ++i)
@@ -14,19 +14,30 @@ static int allocate(const struct host_device* host, const VkMemoryRequirements* 
                     VkMemoryPropertyFlags wanted, VkDeviceMemory* memory) {
     VkMemoryAllocateInfo info = {VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
     info.allocationSize = needs->size;
-    info.memoryTypeIndex = memory_type(host, needs->memoryTypeBits, wanted);
+    info.memoryTypeIndex = host_memory_type(host, needs->memoryTypeBits, wanted);
     return info.memoryTypeIndex != UINT32_MAX &&
            vkAllocateMemory(host->device, &info, NULL, memory) == VK_SUCCESS;
 }
 
-/* A queue with compute of the first device that has one, and MACULA's demands: macula_lent_device. */
-static int choose(struct host_device* host) {
+static int is_card(VkPhysicalDevice physical, const uint8_t* device_uuid, const uint8_t* driver_uuid) {
+    VkPhysicalDeviceIDProperties ids = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
+    properties.pNext = &ids;
+    vkGetPhysicalDeviceProperties2(physical, &properties);
+    return memcmp(ids.deviceUUID, device_uuid, VK_UUID_SIZE) == 0 &&
+           memcmp(ids.driverUUID, driver_uuid, VK_UUID_SIZE) == 0;
+}
+
+/* A queue with compute of the first device that has one, or of the card, and MACULA's demands:
+ * macula_lent_device. */
+static int choose(struct host_device* host, const uint8_t* device_uuid, const uint8_t* driver_uuid) {
     VkPhysicalDevice devices[16];
     uint32_t count = 16;
     vkEnumeratePhysicalDevices(host->instance, &count, devices);
     for (uint32_t d = 0; d < count; ++d) {
         VkQueueFamilyProperties families[16];
         uint32_t family_count = 16;
+        if (device_uuid && !is_card(devices[d], device_uuid, driver_uuid)) continue;
         vkGetPhysicalDeviceQueueFamilyProperties(devices[d], &family_count, families);
         for (uint32_t f = 0; f < family_count; ++f) {
             if (!(families[f].queueFlags & VK_QUEUE_COMPUTE_BIT)) continue;
@@ -38,7 +49,16 @@ static int choose(struct host_device* host) {
     return 0;
 }
 
-static int open_device(struct host_device* host) {
+static int offers(VkPhysicalDevice physical, const char* extension) {
+    VkExtensionProperties all[512];
+    uint32_t count = 512;
+    vkEnumerateDeviceExtensionProperties(physical, NULL, &count, all);
+    for (uint32_t i = 0; i < count; ++i)
+        if (strcmp(all[i].extensionName, extension) == 0) return 1;
+    return 0;
+}
+
+static int open_device(struct host_device* host, int shares) {
     VkPhysicalDeviceVulkan13Features v13 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     v13.synchronization2 = VK_TRUE;
     v13.maintenance4 = VK_TRUE;
@@ -51,12 +71,18 @@ static int open_device(struct host_device* host) {
     queue.queueFamilyIndex = host->family;
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
-    const char* extensions[] = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+    const char* extensions[3] = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
+    uint32_t extension_count = 1;
+    if (shares) extensions[extension_count++] = VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME;
+    if (shares && offers(host->physical, VK_KHR_EXTERNAL_SEMAPHORE_FD_EXTENSION_NAME)) {
+        extensions[extension_count++] = VK_KHR_EXTERNAL_SEMAPHORE_FD_EXTENSION_NAME;
+        host->has_semaphores = 1;
+    }
     VkDeviceCreateInfo info = {VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
     info.pNext = &v12;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
-    info.enabledExtensionCount = 1;
+    info.enabledExtensionCount = extension_count;
     info.ppEnabledExtensionNames = extensions;
     if (vkCreateDevice(host->physical, &info, NULL, &host->device) != VK_SUCCESS) return 0;
     vkGetDeviceQueue(host->device, host->family, 0, &host->queue);
@@ -94,34 +120,38 @@ static int make_pixels(struct host_device* host) {
     return vkBindBufferMemory(host->device, host->pixels, host->pixels_memory, 0) == VK_SUCCESS;
 }
 
-int host_open(struct host_device* host, uint32_t width, uint32_t height, const char** what) {
+static int open_on(struct host_device* host, uint32_t width, uint32_t height, const uint8_t* device_uuid,
+                   const uint8_t* driver_uuid, const char** what) {
     memset(host, 0, sizeof *host);
     host->width = width;
     host->height = height;
     VkApplicationInfo application = {VK_STRUCTURE_TYPE_APPLICATION_INFO};
-    application.pApplicationName = "lend";
+    application.pApplicationName = "a host of Macula";
     application.apiVersion = VK_API_VERSION_1_3;
     VkInstanceCreateInfo info = {VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
     info.pApplicationInfo = &application;
     *what = "no Vulkan driver";
     if (vkCreateInstance(&info, NULL, &host->instance) != VK_SUCCESS) return 0;
-    *what = "no device with compute";
-    if (!choose(host)) return 0;
+    *what = "no device with compute, or not the one that was asked for";
+    if (!choose(host, device_uuid, driver_uuid)) return 0;
     *what = "the device was not opened";
-    if (!open_device(host)) return 0;
+    if (!open_device(host, device_uuid != NULL)) return 0;
+    *what = "no memory for the pixels";
+    return make_pixels(host);
+}
+
+int host_open(struct host_device* host, uint32_t width, uint32_t height, const char** what) {
+    if (!open_on(host, width, height, NULL, NULL, what)) return 0;
     *what = "no memory for the image";
-    return make_image(host) && make_pixels(host);
+    return make_image(host);
 }
 
-static int submit_and_wait(struct host_device* host, VkCommandBuffer commands) {
-    VkSubmitInfo submit = {VK_STRUCTURE_TYPE_SUBMIT_INFO};
-    submit.commandBufferCount = 1;
-    submit.pCommandBuffers = &commands;
-    return vkQueueSubmit(host->queue, 1, &submit, VK_NULL_HANDLE) == VK_SUCCESS &&
-           vkQueueWaitIdle(host->queue) == VK_SUCCESS;
+int host_open_on(struct host_device* host, uint32_t width, uint32_t height, const uint8_t device_uuid[16],
+                 const uint8_t driver_uuid[16], const char** what) {
+    return open_on(host, width, height, device_uuid, driver_uuid, what);
 }
 
-static int read_image(struct host_device* host, VkCommandPool pool) {
+static int run_in(struct host_device* host, VkCommandPool pool, host_commands record) {
     VkCommandBufferAllocateInfo info = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
     info.commandPool = pool;
     info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
@@ -130,6 +160,46 @@ static int read_image(struct host_device* host, VkCommandPool pool) {
     if (vkAllocateCommandBuffers(host->device, &info, &commands) != VK_SUCCESS) return 0;
     VkCommandBufferBeginInfo begin = {VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     vkBeginCommandBuffer(commands, &begin);
+    record(host, commands);
+    if (vkEndCommandBuffer(commands) != VK_SUCCESS) return 0;
+    VkSubmitInfo submit = {VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &commands;
+    return vkQueueSubmit(host->queue, 1, &submit, VK_NULL_HANDLE) == VK_SUCCESS &&
+           vkQueueWaitIdle(host->queue) == VK_SUCCESS;
+}
+
+int host_run(struct host_device* host, host_commands record) {
+    VkCommandPoolCreateInfo info = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    info.queueFamilyIndex = host->family;
+    VkCommandPool pool;
+    if (vkCreateCommandPool(host->device, &info, NULL, &pool) != VK_SUCCESS) return 0;
+    const int is_run = run_in(host, pool, record);
+    vkDestroyCommandPool(host->device, pool, NULL);
+    return is_run;
+}
+
+void host_pass(struct host_device* host, VkCommandBuffer commands, VkImageLayout before, uint32_t from,
+               uint32_t to) {
+    VkImageMemoryBarrier barrier = {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
+    barrier.srcAccessMask = from == host->family ? VK_ACCESS_MEMORY_READ_BIT : 0;
+    barrier.dstAccessMask = to == host->family ? VK_ACCESS_TRANSFER_READ_BIT : 0;
+    barrier.oldLayout = before;
+    barrier.newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL;
+    barrier.srcQueueFamilyIndex = from;
+    barrier.dstQueueFamilyIndex = to;
+    barrier.image = host->image;
+    barrier.subresourceRange.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT;
+    barrier.subresourceRange.levelCount = 1;
+    barrier.subresourceRange.layerCount = 1;
+    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0,
+                         0, NULL, 0, NULL, 1, &barrier);
+}
+
+static void read_image(struct host_device* host, VkCommandBuffer commands) {
+    if (host->is_shared)
+        host_pass(host, commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_QUEUE_FAMILY_EXTERNAL,
+                  host->family);
     VkBufferImageCopy region;
     memset(&region, 0, sizeof region);
     region.imageSubresource.aspectMask = VK_IMAGE_ASPECT_COLOR_BIT;
@@ -144,19 +214,14 @@ static int read_image(struct host_device* host, VkCommandPool pool) {
     barrier.dstAccessMask = VK_ACCESS_HOST_READ_BIT;
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT, VK_PIPELINE_STAGE_HOST_BIT, 0, 1, &barrier,
                          0, NULL, 0, NULL);
-    vkEndCommandBuffer(commands);
-    return submit_and_wait(host, commands);
+    if (host->is_shared)
+        host_pass(host, commands, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, host->family,
+                  VK_QUEUE_FAMILY_EXTERNAL);
 }
 
 const uint8_t* host_pixels(struct host_device* host) {
-    VkCommandPoolCreateInfo info = {VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
-    info.queueFamilyIndex = host->family;
-    VkCommandPool pool;
-    if (vkCreateCommandPool(host->device, &info, NULL, &pool) != VK_SUCCESS) return NULL;
-    const int is_read = read_image(host, pool);
-    vkDestroyCommandPool(host->device, pool, NULL);
     void* mapped = NULL;
-    if (!is_read ||
+    if (!host_run(host, read_image) ||
         vkMapMemory(host->device, host->pixels_memory, 0, VK_WHOLE_SIZE, 0, &mapped) != VK_SUCCESS)
         return NULL;
     return mapped;
@@ -167,10 +232,12 @@ void host_unmap(struct host_device* host) {
 }
 
 void host_close(struct host_device* host) {
-    vkDestroyBuffer(host->device, host->pixels, NULL);
-    vkFreeMemory(host->device, host->pixels_memory, NULL);
-    vkDestroyImage(host->device, host->image, NULL);
-    vkFreeMemory(host->device, host->image_memory, NULL);
-    vkDestroyDevice(host->device, NULL);
-    vkDestroyInstance(host->instance, NULL);
+    if (host->device) {
+        vkDestroyBuffer(host->device, host->pixels, NULL);
+        vkFreeMemory(host->device, host->pixels_memory, NULL);
+        vkDestroyImage(host->device, host->image, NULL);
+        vkFreeMemory(host->device, host->image_memory, NULL);
+        vkDestroyDevice(host->device, NULL);
+    }
+    if (host->instance) vkDestroyInstance(host->instance, NULL);
 }

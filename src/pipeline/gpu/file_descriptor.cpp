@@ -1,0 +1,25 @@
+#include "pipeline/gpu/file_descriptor.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace macula::gpu {
+
+Result<FileDescriptor> FileDescriptor::copyOf(int descriptor) {
+    const int copy = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+    if (copy >= 0) return FileDescriptor(copy);
+    if (errno == EMFILE || errno == ENFILE)
+        return Error{ErrorCode::outOfMemory,
+                     "This program has as many files open as it may, so what is shared cannot be opened.", "",
+                     "Close what is not needed, or let the program open more files (ulimit -n)."};
+    return Error{ErrorCode::usage, "A file descriptor of what is shared is not open.", "",
+                 "Give one that vkGetMemoryFdKHR or vkGetSemaphoreFdKHR made, and close it afterwards."};
+}
+
+FileDescriptor::~FileDescriptor() {
+    if (descriptor_ >= 0) close(descriptor_);
+}
+
+}  // namespace macula::gpu

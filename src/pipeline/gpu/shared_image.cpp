@@ -1,0 +1,226 @@
+#include "pipeline/gpu/shared_image.h"
+
+#include <string>
+#include <utility>
+
+#include "base/check.h"
+#include "pipeline/gpu/vulkan_error.h"
+
+namespace macula::gpu {
+namespace {
+
+constexpr VkExternalMemoryHandleTypeFlagBits kMemoryHandle = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
+constexpr VkExternalSemaphoreHandleTypeFlagBits kSemaphoreHandle =
+    VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT;
+constexpr const char* kDoing = "open the image that another program shares";
+constexpr const char* kAsMade = "Describe the image and its memory exactly as they were made.";
+
+Error refused(std::string what, std::string advice) {
+    return {ErrorCode::usage, std::move(what), "", std::move(advice)};
+}
+
+// Null, too, where the device was opened without the extension that the function is of.
+template <class Function>
+Function functionOf(const Device& device, const char* name) {
+    return reinterpret_cast<Function>(vkGetDeviceProcAddr(device.handle(), name));
+}
+
+Result<void> checkDevice(const Device& device, const SharedMemoryOptions& options) {
+    if (identityOf(device) != options.card)
+        return refused(
+            fmt::format(
+                "The shared image is of another graphics card, or another driver, than {}, which draws.",
+                device.info().name),
+            "Ask macula_device_identify which card draws, and make the image on that one.");
+    if (!functionOf<PFN_vkGetMemoryFdKHR>(device, "vkGetMemoryFdKHR"))
+        return Error{
+            ErrorCode::deviceNotUsable,
+            fmt::format("The device {} was opened without what images are shared by.", device.info().name),
+            "",
+            "Open it with VK_KHR_external_memory_fd; where it does not offer that, have pictures in "
+            "memory."};
+    return {};
+}
+
+VkImageCreateInfo imageInfo(const SharedMemoryOptions& options) {
+    VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+    info.flags = options.flags;
+    info.imageType = VK_IMAGE_TYPE_2D;
+    info.format = static_cast<VkFormat>(options.format);
+    info.extent = {options.width, options.height, 1};
+    info.mipLevels = 1;
+    info.arrayLayers = 1;
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.tiling = static_cast<VkImageTiling>(options.tiling);
+    info.usage = options.usage;
+    return info;
+}
+
+// That the device can import such an image at all.
+Result<void> checkImportable(const Device& device, const VkImageCreateInfo& image, bool isDedicated) {
+    VkPhysicalDeviceExternalImageFormatInfo external{
+        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_IMAGE_FORMAT_INFO};
+    external.handleType = kMemoryHandle;
+    VkPhysicalDeviceImageFormatInfo2 info{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_IMAGE_FORMAT_INFO_2, &external};
+    info.format = image.format;
+    info.type = image.imageType;
+    info.tiling = image.tiling;
+    info.usage = image.usage;
+    info.flags = image.flags;
+    VkExternalImageFormatProperties shared{VK_STRUCTURE_TYPE_EXTERNAL_IMAGE_FORMAT_PROPERTIES};
+    VkImageFormatProperties2 properties{VK_STRUCTURE_TYPE_IMAGE_FORMAT_PROPERTIES_2, &shared, {}};
+    const VkResult result = vkGetPhysicalDeviceImageFormatProperties2(device.physical(), &info, &properties);
+    if (result < 0 && result != VK_ERROR_FORMAT_NOT_SUPPORTED) return device.failed(result, kDoing);
+    const VkExtent3D most = properties.imageFormatProperties.maxExtent;
+    const VkExternalMemoryFeatureFlags can = shared.externalMemoryProperties.externalMemoryFeatures;
+    if (result < 0 || !(can & VK_EXTERNAL_MEMORY_FEATURE_IMPORTABLE_BIT) || image.extent.width > most.width ||
+        image.extent.height > most.height)
+        return refused(fmt::format("The device {} cannot open a shared image like this.", device.info().name),
+                       "Share one of VK_FORMAT_R8G8B8A8_UNORM with optimal tiling, and for fewer uses.");
+    if ((can & VK_EXTERNAL_MEMORY_FEATURE_DEDICATED_ONLY_BIT) && !isDedicated)
+        return refused(
+            fmt::format("The device {} shares an image only with memory of its own.", device.info().name),
+            "Allocate it with VkMemoryDedicatedAllocateInfo, and say so.");
+    return {};
+}
+
+Result<Handle<VkImage>> imageLike(const std::shared_ptr<Device>& device, VkImageCreateInfo info) {
+    VkExternalMemoryImageCreateInfo external{VK_STRUCTURE_TYPE_EXTERNAL_MEMORY_IMAGE_CREATE_INFO};
+    external.handleTypes = kMemoryHandle;
+    info.pNext = &external;
+    VkImage image = VK_NULL_HANDLE;
+    if (const VkResult result = vkCreateImage(device->handle(), &info, nullptr, &image); result < 0)
+        return device->failed(result, kDoing);
+    device->setName(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(image), "shared image");
+    return Handle(device, image);
+}
+
+// That the image lies in the memory as it would lie in memory of ours.
+Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryOptions& options) {
+    VkImageMemoryRequirementsInfo2 of{VK_STRUCTURE_TYPE_IMAGE_MEMORY_REQUIREMENTS_INFO_2};
+    of.image = image;
+    VkMemoryDedicatedRequirements dedicated{VK_STRUCTURE_TYPE_MEMORY_DEDICATED_REQUIREMENTS};
+    VkMemoryRequirements2 requirements{VK_STRUCTURE_TYPE_MEMORY_REQUIREMENTS_2, &dedicated, {}};
+    vkGetImageMemoryRequirements2(device.handle(), &of, &requirements);
+    const VkMemoryRequirements& needs = requirements.memoryRequirements;
+    if (options.offsetBytes % needs.alignment != 0 || needs.size > options.bytes - options.offsetBytes)
+        return refused(
+            fmt::format("The shared image needs {} bytes at a multiple of {}, and has {} at {}.", needs.size,
+                        needs.alignment, options.bytes - options.offsetBytes, options.offsetBytes),
+            kAsMade);
+    if (options.isDedicated && needs.size != options.bytes)
+        return refused(
+            fmt::format("The memory is said to be the shared image's alone, which needs {} bytes and "
+                        "not {}.",
+                        needs.size, options.bytes),
+            kAsMade);
+    if (dedicated.requiresDedicatedAllocation && !options.isDedicated)
+        return refused("The shared image needs memory of its own, and is said to have none.",
+                       "Allocate it with VkMemoryDedicatedAllocateInfo, and say so.");
+    VkPhysicalDeviceMemoryProperties memory{};
+    vkGetPhysicalDeviceMemoryProperties(device.physical(), &memory);
+    if (options.memoryType >= memory.memoryTypeCount || !(needs.memoryTypeBits >> options.memoryType & 1))
+        return refused(fmt::format("The shared image cannot lie in memory of type {}.", options.memoryType),
+                       "Give VkMemoryAllocateInfo::memoryTypeIndex of the memory that is shared.");
+    if (options.bytes > memory.memoryHeaps[memory.memoryTypes[options.memoryType].heapIndex].size)
+        return refused(fmt::format("The device {} has no {} of memory that could be shared.",
+                                   device.info().name, bytesText(options.bytes)),
+                       kAsMade);
+    return {};
+}
+
+// What an opaque handle is of cannot be asked: vkGetMemoryFdPropertiesKHR is for other kinds. Size and type
+// must be those it was made with.
+Result<Handle<VkDeviceMemory>> importMemory(const std::shared_ptr<Device>& device, VkImage image,
+                                            const SharedMemory& shared) {
+    const SharedMemoryOptions& options = shared.options();
+    MACULA_TRY(FileDescriptor mine, FileDescriptor::copyOf(shared.memory().get()));
+    VkMemoryDedicatedAllocateInfo dedicated{VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO};
+    dedicated.image = image;
+    VkImportMemoryFdInfoKHR import{VK_STRUCTURE_TYPE_IMPORT_MEMORY_FD_INFO_KHR};
+    if (options.isDedicated) import.pNext = &dedicated;
+    import.handleType = kMemoryHandle;
+    import.fd = mine.get();
+    VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, &import};
+    info.allocationSize = options.bytes;
+    info.memoryTypeIndex = options.memoryType;
+    VkDeviceMemory memory = VK_NULL_HANDLE;
+    const VkResult result = vkAllocateMemory(device->handle(), &info, nullptr, &memory);
+    // Nothing was to be allocated: where memory is said to be missing, the shared one is smaller.
+    if (result == VK_ERROR_INVALID_EXTERNAL_HANDLE || result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
+        return refused(
+            "What was shared is no memory of this graphics card, or smaller than it is said to be.",
+            "Give a file descriptor of vkGetMemoryFdKHR with "
+            "VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT, and the size of the allocation.");
+    if (result < 0) return device->failed(result, kDoing);
+    mine.release();  // to the driver, now that it was taken
+    return Handle(device, memory);
+}
+
+Result<void> checkSemaphores(const Device& device) {
+    VkPhysicalDeviceExternalSemaphoreInfo info{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_SEMAPHORE_INFO};
+    info.handleType = kSemaphoreHandle;
+    VkExternalSemaphoreProperties properties{VK_STRUCTURE_TYPE_EXTERNAL_SEMAPHORE_PROPERTIES};
+    vkGetPhysicalDeviceExternalSemaphoreProperties(device.physical(), &info, &properties);
+    if (!functionOf<PFN_vkImportSemaphoreFdKHR>(device, "vkImportSemaphoreFdKHR") ||
+        !(properties.externalSemaphoreFeatures & VK_EXTERNAL_SEMAPHORE_FEATURE_IMPORTABLE_BIT))
+        return Error{
+            ErrorCode::deviceNotUsable,
+            fmt::format("The device {} cannot share semaphores with another program.", device.info().name),
+            "", "Give none: then the picture is there when the call returns."};
+    return {};
+}
+
+// For good: signals and waits here are those of the other device.
+Result<Handle<VkSemaphore>> importSemaphore(const std::shared_ptr<Device>& device,
+                                            const FileDescriptor& shared) {
+    if (!shared) return Handle<VkSemaphore>();
+    MACULA_TRY_VOID(checkSemaphores(*device));
+    MACULA_TRY(FileDescriptor mine, FileDescriptor::copyOf(shared.get()));
+    const VkSemaphoreCreateInfo binary{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
+    VkSemaphore made = VK_NULL_HANDLE;
+    if (const VkResult result = vkCreateSemaphore(device->handle(), &binary, nullptr, &made); result < 0)
+        return device->failed(result, kDoing);
+    Handle<VkSemaphore> semaphore(device, made);
+    device->setName(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<std::uint64_t>(made), "shared semaphore");
+    VkImportSemaphoreFdInfoKHR import{VK_STRUCTURE_TYPE_IMPORT_SEMAPHORE_FD_INFO_KHR};
+    import.semaphore = made;
+    import.handleType = kSemaphoreHandle;
+    import.fd = mine.get();
+    const auto importFd = functionOf<PFN_vkImportSemaphoreFdKHR>(*device, "vkImportSemaphoreFdKHR");
+    const VkResult result = importFd(device->handle(), &import);
+    if (result == VK_ERROR_INVALID_EXTERNAL_HANDLE)
+        return refused("What was shared as a semaphore is none of this graphics card.",
+                       "Give a file descriptor of vkGetSemaphoreFdKHR with "
+                       "VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT.");
+    if (result < 0) return device->failed(result, kDoing);
+    mine.release();
+    return semaphore;
+}
+
+}  // namespace
+
+Result<SharedImage> SharedImage::import(const std::shared_ptr<Device>& device, const SharedMemory& memory) {
+    MACULA_CHECK(device != nullptr);
+    MACULA_TRY_VOID(device->checkNotLost(kDoing));
+    const SharedMemoryOptions& options = memory.options();
+    MACULA_TRY_VOID(checkDevice(*device, options));
+    const VkImageCreateInfo info = imageInfo(options);
+    MACULA_TRY_VOID(checkImportable(*device, info, options.isDedicated));
+
+    SharedImage shared;
+    shared.layout_ = static_cast<VkImageLayout>(options.layout);
+    MACULA_TRY(shared.image_, imageLike(device, info));
+    const VkImage image = shared.image_.get();
+    MACULA_TRY_VOID(checkFits(*device, image, options));
+    MACULA_TRY(shared.memory_, importMemory(device, image, memory));
+    if (const VkResult result =
+            vkBindImageMemory(device->handle(), image, shared.memory_.get(), options.offsetBytes);
+        result < 0)
+        return device->failed(result, kDoing);
+    MACULA_TRY(shared.wait_, importSemaphore(device, memory.wait()));
+    MACULA_TRY(shared.signal_, importSemaphore(device, memory.signal()));
+    return shared;
+}
+
+}  // namespace macula::gpu

@@ -1,0 +1,46 @@
+// The image of a SharedMemory on a device of ours: the same texels as on the device that made it, without a
+// copy between them (VK_KHR_external_memory_fd, VK_KHR_external_semaphore_fd).
+//
+//   MACULA_TRY(const auto image, gpu::SharedImage::import(device, memory));
+//   recorder.copy(picture, part, image.layer());
+//   recorder.submit(image.semaphores());
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <memory>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/handle.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/gpu/shared_memory.h"
+
+namespace macula::gpu {
+
+// Move-only, and may be dropped at any time as all resources may; the other device's image stays.
+class SharedImage {
+  public:
+    // usage when the memory is of another card or driver, does not fit the image, or is none that can be
+    // imported; deviceNotUsable when the device cannot import; deviceLost.
+    static Result<SharedImage> import(const std::shared_ptr<Device>& device, const SharedMemory& memory);
+
+    const std::shared_ptr<Device>& device() const { return image_.device(); }
+    // What a picture of the same size is copied to.
+    LentLayer layer() const { return {image_.get(), 0, layout_, true}; }
+    // Of the submission that writes it; each submission uses each of them once.
+    SubmitOptions semaphores() const { return {wait_.get(), signal_.get()}; }
+    // Whether its owner learns from a semaphore when it is written.
+    bool signals() const { return bool(signal_); }
+
+  private:
+    SharedImage() = default;
+
+    VkImageLayout layout_ = VK_IMAGE_LAYOUT_GENERAL;
+    Handle<VkDeviceMemory> memory_;
+    Handle<VkImage> image_;  // dropped before its memory
+    Handle<VkSemaphore> wait_;
+    Handle<VkSemaphore> signal_;
+};
+
+}  // namespace macula::gpu

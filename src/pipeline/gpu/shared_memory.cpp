@@ -1,0 +1,131 @@
+#include "pipeline/gpu/shared_memory.h"
+
+#include <sys/stat.h>
+#include <vulkan/vulkan_core.h>
+
+#include <algorithm>
+#include <string>
+
+#include "pipeline/gpu/device.h"
+
+namespace macula::gpu {
+namespace {
+
+constexpr std::uint32_t kMostEdgePx = 16384;
+constexpr std::uint32_t kUsages = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+                                  VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
+                                  VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
+constexpr std::uint32_t kFlags =
+    VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | VK_IMAGE_CREATE_EXTENDED_USAGE_BIT | VK_IMAGE_CREATE_ALIAS_BIT;
+
+Error refused(std::string what, std::string advice) {
+    return {ErrorCode::usage, std::move(what), "", std::move(advice)};
+}
+
+// What an image must be used for to be left in a layout; nothing where it cannot be left so.
+std::uint32_t usagesOf(std::uint32_t layout) {
+    switch (layout) {
+        case VK_IMAGE_LAYOUT_GENERAL:
+        case VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL:
+            return VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+        case VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL:
+            return VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
+        case VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL:
+            return VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT;
+        case VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL:
+            return VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+        default:
+            return 0;
+    }
+}
+
+Result<void> checkImage(const SharedMemoryOptions& options) {
+    if (options.width < 1 || options.height < 1 || options.width > kMostEdgePx ||
+        options.height > kMostEdgePx)
+        return refused(
+            fmt::format("An image of {} x {} pixels cannot be shared.", options.width, options.height),
+            fmt::format("Give one of 1 to {} pixels a side.", kMostEdgePx));
+    if (options.format != VK_FORMAT_R8G8B8A8_UNORM && options.format != VK_FORMAT_R8G8B8A8_SRGB)
+        return refused("The pixels of the shared image are of a kind that Macula does not write.",
+                       "Share one of VK_FORMAT_R8G8B8A8_UNORM or VK_FORMAT_R8G8B8A8_SRGB.");
+    if (options.tiling != VK_IMAGE_TILING_OPTIMAL && options.tiling != VK_IMAGE_TILING_LINEAR)
+        return refused("The tiling of the shared image is not known.",
+                       "Share one of VK_IMAGE_TILING_OPTIMAL or VK_IMAGE_TILING_LINEAR.");
+    if (!(options.usage & VK_IMAGE_USAGE_TRANSFER_DST_BIT) || (options.usage & ~kUsages))
+        return refused("The shared image was not made for being written to, or for more than is known.",
+                       "Make it with VK_IMAGE_USAGE_TRANSFER_DST_BIT, and no more than transfers, sampling, "
+                       "storage, and attachments of colour.");
+    if (options.flags & ~kFlags)
+        return refused("The shared image was made with flags that Macula does not know.",
+                       "Use no more than those for a mutable format, extended usage and aliases.");
+    if (!(usagesOf(options.layout) & options.usage))
+        return refused(
+            "The shared image cannot be left in the layout that was asked for.",
+            "Ask for VK_IMAGE_LAYOUT_GENERAL, or for a layout of something that the image was made "
+            "for.");
+    return {};
+}
+
+Result<void> checkAllocation(const SharedMemoryOptions& options) {
+    if (options.memory <= 0)
+        return refused("No memory was shared.", "Give a file descriptor of vkGetMemoryFdKHR, above 0.");
+    const std::uint64_t leastBytes = std::uint64_t{4} * options.width * options.height;
+    if (options.offsetBytes > options.bytes || options.bytes - options.offsetBytes < leastBytes)
+        return refused(
+            fmt::format(
+                "The shared memory of {} bytes has no room for an image of {} x {} pixels at byte {}.",
+                options.bytes, options.width, options.height, options.offsetBytes),
+            "Give VkMemoryAllocateInfo::allocationSize, and the offset that the image was bound at.");
+    if (options.isDedicated && options.offsetBytes != 0)
+        return refused("A dedicated allocation has its image at the beginning, and this one has not.",
+                       "Give the offset 0, or share memory that is not dedicated.");
+    if (options.memoryType >= VK_MAX_MEMORY_TYPES)
+        return refused("The shared memory is of a type that does not exist.",
+                       "Give VkMemoryAllocateInfo::memoryTypeIndex.");
+    if (options.card == CardIdentity())
+        return refused("It was not said which graphics card the shared memory is of.",
+                       "Give deviceUUID and driverUUID of VkPhysicalDeviceIDProperties.");
+    return {};
+}
+
+// A driver that reads from a pipe waits for ever.
+Result<void> checkIsNoStream(const FileDescriptor& descriptor) {
+    struct stat file {};
+    if (fstat(descriptor.get(), &file) == 0 &&
+        (S_ISFIFO(file.st_mode) || S_ISSOCK(file.st_mode) || S_ISDIR(file.st_mode)))
+        return refused("What was shared is no memory, but a pipe, a socket or a folder.",
+                       "Give a file descriptor of vkGetMemoryFdKHR.");
+    return {};
+}
+
+Result<FileDescriptor> copyOfAny(int descriptor) {
+    if (descriptor <= 0) return FileDescriptor();
+    return FileDescriptor::copyOf(descriptor);
+}
+
+}  // namespace
+
+CardIdentity identityOf(const Device& device) {
+    VkPhysicalDeviceIDProperties ids{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_ID_PROPERTIES};
+    VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &ids, {}};
+    vkGetPhysicalDeviceProperties2(device.physical(), &properties);
+    CardIdentity identity;
+    std::copy_n(ids.deviceUUID, identity.device.size(), identity.device.begin());
+    std::copy_n(ids.driverUUID, identity.driver.size(), identity.driver.begin());
+    return identity;
+}
+
+Result<SharedMemory> SharedMemory::create(const SharedMemoryOptions& options) {
+    SharedMemory shared;
+    shared.options_ = options;
+    if (options.layout == VK_IMAGE_LAYOUT_UNDEFINED) shared.options_.layout = VK_IMAGE_LAYOUT_GENERAL;
+    MACULA_TRY_VOID(checkImage(shared.options_));
+    MACULA_TRY_VOID(checkAllocation(shared.options_));
+    MACULA_TRY(shared.memory_, FileDescriptor::copyOf(options.memory));
+    MACULA_TRY_VOID(checkIsNoStream(shared.memory_));
+    MACULA_TRY(shared.wait_, copyOfAny(options.wait));
+    MACULA_TRY(shared.signal_, copyOfAny(options.signal));
+    return shared;
+}
+
+}  // namespace macula::gpu

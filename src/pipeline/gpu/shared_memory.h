@@ -1,0 +1,64 @@
+// Memory of an image that a program has on another device object of the same card, and shares: what has to be
+// known to have the same image here. It outlives devices: SharedImage is that image on one of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "base/result.h"
+#include "pipeline/gpu/file_descriptor.h"
+
+namespace macula::gpu {
+
+class Device;
+
+// What a card and its driver are known by to every program: VkPhysicalDeviceIDProperties.
+struct CardIdentity {
+    std::array<std::uint8_t, 16> device{};
+    std::array<std::uint8_t, 16> driver{};
+
+    bool operator==(const CardIdentity&) const = default;
+};
+CardIdentity identityOf(const Device& device);
+
+// As the other program made it. Numbers: none is taken for one of Vulkan before it was checked.
+struct SharedMemoryOptions {
+    // Opaque file descriptors of VkDeviceMemory and of binary VkSemaphores; 0 and below: none.
+    int memory = 0;
+    int wait = 0;    // waited for before the image is written
+    int signal = 0;  // signalled when it is written
+    CardIdentity card;
+    std::uint64_t bytes = 0;        // of the allocation
+    std::uint64_t offsetBytes = 0;  // of the image in it
+    std::uint32_t memoryType = 0;   // index
+    bool isDedicated = false;       // VkMemoryDedicatedAllocateInfo
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::uint32_t format = 0;  // VkFormat: R8G8B8A8, UNORM or SRGB
+    std::uint32_t tiling = 0;  // VkImageTiling
+    std::uint32_t usage = 0;   // VkImageUsageFlags, VK_IMAGE_USAGE_TRANSFER_DST_BIT among them
+    std::uint32_t flags = 0;   // VkImageCreateFlags
+    std::uint32_t layout = 0;  // VkImageLayout that it is left in; 0: VK_IMAGE_LAYOUT_GENERAL
+};
+
+class SharedMemory {
+  public:
+    // Duplicates the descriptors. usage when something is missing, or can be of no image.
+    static Result<SharedMemory> create(const SharedMemoryOptions& options);
+
+    // Checked; the descriptors in it are those of the other program, and may be closed by now.
+    const SharedMemoryOptions& options() const { return options_; }
+    const FileDescriptor& memory() const { return memory_; }
+    const FileDescriptor& wait() const { return wait_; }      // may be none
+    const FileDescriptor& signal() const { return signal_; }  // may be none
+
+  private:
+    SharedMemory() = default;
+
+    SharedMemoryOptions options_;
+    FileDescriptor memory_;
+    FileDescriptor wait_;
+    FileDescriptor signal_;
+};
+
+}  // namespace macula::gpu
