@@ -14,6 +14,7 @@ Trained trained() {
                     .firstStep = 100,
                     .pointsSeconds = 1.0,
                     .viewsSeconds = 2.0,
+                    .viewTimes = {.paths = 0.5, .waiting = 0.25},
                     .trainSeconds = 3.0,
                     .viewsTraced = 5,
                     .viewsGivenUp = 1};
@@ -37,6 +38,7 @@ TEST(TrainingRecord, SaysHowFarATrainingCame) {
     EXPECT_EQ(json["splats"], 1234);
     EXPECT_EQ(json["budgetSeconds"], 60.0);
     EXPECT_EQ(json["seconds"], (nlohmann::ordered_json{{"points", 1.0}, {"views", 2.0}, {"training", 3.0}}));
+    EXPECT_FALSE(json.contains("viewSeconds"));
     EXPECT_FALSE(json.contains("views"));  // what it began with, a saved one does not say
 }
 
@@ -47,6 +49,9 @@ TEST(TrainingRecord, SaysWhatOneBeganWith) {
     EXPECT_EQ(json["size"], 99);
     EXPECT_EQ(json["viewsTraced"], 5);
     EXPECT_EQ(json["viewsGivenUp"], 1);
+    EXPECT_EQ(json["viewSeconds"]["paths"], 0.5);
+    EXPECT_EQ(json["viewSeconds"]["waiting"], 0.25);
+    EXPECT_EQ(json["viewSeconds"].size(), 8u);
     EXPECT_FALSE(json.contains("budgetSeconds"));
 }
 

@@ -166,6 +166,55 @@ TEST_F(PrimariesTest, LeaveAPictureThatGoesOn) {
     EXPECT_EQ(cast.error().code, ErrorCode::usage);
 }
 
+// What is on its way is what was waited for, whatever is traced meanwhile, and where memory is the device's
+// own as well.
+TEST_F(PrimariesTest, ComeWithTheirPictureWhileTheNextIsTraced) {
+    const glm::ivec3 size(24, 24, 24);
+    const auto volume = scenes::volumeOf(size, scenes::grid(glm::dvec3(1.0), size), scenes::blob(size, 1000));
+    const TransferFunction function = scenes::ramp(100, 500, 0.6, 1.0);
+    const Environment light = Environment::constant(glm::vec3(1.0f));
+    const auto card = *gpu::Device::create(instance(), {.separateMemory = true});
+    for (const Denoising denoising : {Denoising::little, Denoising::off}) {
+        for (const int side : {40, 1}) {
+            SCOPED_TRACE(side);
+            const View view = scenes::lookAt(*volume, 20.0, side);
+            const Settings settings{.seed = 3, .denoising = denoising};
+            PathTracer waiting = DeviceTest::tracer(volume, function, light, view, settings);
+            const auto vertices = found(waiting, 2);
+            const auto colours = waiting.readColours();
+            ASSERT_TRUE(colours.ok());
+            for (const auto& on : {card, device()}) {
+                auto made = PathTracer::create(on);
+                PathTracer tracer = std::move(made).value();
+                ASSERT_TRUE(tracer.setVolume(volume).ok() && tracer.setTransferFunction(function).ok() &&
+                            tracer.setEnvironment(light).ok() && tracer.setSettings(settings).ok() &&
+                            tracer.setView(view).ok());
+                ASSERT_TRUE(tracer.addPrimaries(2).ok());
+                ViewReading reading;
+                ASSERT_TRUE(tracer.beginReading(reading, {.primaries = true, .colours = true}).ok());
+                Settings other = settings;
+                other.seed = 4;
+                ASSERT_TRUE(tracer.setSettings(other).ok());
+                ASSERT_TRUE(tracer.addPrimaries(1).ok());
+                ViewReading next;
+                ASSERT_TRUE(tracer.beginReading(next, {.primaries = true}).ok());
+                ASSERT_TRUE(reading.finish().ok() && next.finish().ok());
+                ASSERT_EQ(reading.primaries().size_bytes(), vertices.size() * sizeof(PrimaryVertex));
+                EXPECT_EQ(std::memcmp(reading.primaries().data(), vertices.data(),
+                                      reading.primaries().size_bytes()),
+                          0);
+                EXPECT_EQ(next.primaries().size(), vertices.size() / 2);
+                const TracedColours came = reading.colours();
+                EXPECT_EQ(came.width, side);
+                EXPECT_EQ(came.radiance, colours->radiance);
+                EXPECT_EQ(came.samples, colours->samples);
+                EXPECT_EQ(came.coverage, colours->coverage);
+                EXPECT_EQ(came.meanSamples, 2.0);
+            }
+        }
+    }
+}
+
 // Of a picture that takes more than one dispatch.
 TEST_F(PrimariesTest, AreStoppedBetweenDispatches) {
     const glm::ivec3 size(24, 24, 24);

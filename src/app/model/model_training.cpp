@@ -57,6 +57,7 @@ Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const Stu
     Trained trained{.device = gpu::describe(device->info()),
                     .pointsSeconds = putSeconds + made->pointsSeconds,
                     .viewsSeconds = made->viewsSeconds,
+                    .viewTimes = made->viewTimes,
                     .trainSeconds = made->trainSeconds,
                     .viewsTraced = made->viewsTraced,
                     .viewsGivenUp = made->viewsGivenUp};

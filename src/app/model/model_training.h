@@ -35,6 +35,7 @@ struct Trained {
     bool interrupted = false;    // by the user, with steps still to come
     double pointsSeconds = 0.0;  // putting the volume on the device included
     double viewsSeconds = 0.0;
+    hybrid::ViewTimes viewTimes;  // where these went
     double trainSeconds = 0.0;
     std::size_t viewsTraced = 0;
     std::size_t viewsGivenUp = 0;

@@ -25,6 +25,13 @@ nlohmann::ordered_json toJson(const TrainingRecord& record, const Trained& train
                      {"samplesPerPixel", m->samplesPerPixel},
                      {"size", m->sizePx},
                      {"bounces", m->bounces}});
+    if (record.begun) {
+        const hybrid::ViewTimes& times = trained.viewTimes;
+        json["viewSeconds"] = {{"poses", times.poses},       {"paths", times.paths},
+                               {"reading", times.reading},   {"lightTable", times.lightTable},
+                               {"lighting", times.lighting}, {"waiting", times.waiting},
+                               {"beside", times.beside},     {"toTrainer", times.toTrainer}};
+    }
     if (record.budgetSeconds > 0.0) json["budgetSeconds"] = record.budgetSeconds;
     json.update({{"iterationsBefore", record.stepsBefore},
                  {"iterations", trained.report.steps},

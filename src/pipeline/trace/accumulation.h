@@ -44,6 +44,7 @@ class Accumulation {
     // outOfMemory.
     Result<void> clearPrimaries();
     Result<std::vector<shared::PrimaryVertex>> readPrimaries() const;  // waits; after clearPrimaries
+    const gpu::Buffer& primaries() const { return *primaries_; }       // likewise
 
     // Whether paths were lost to the device's limit that smaller portions than those of the last pass would
     // keep. To leave out long paths only, which are those through dense matter, would darken the picture.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "pipeline/gpu/reading.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/scene_view.h"
@@ -79,9 +80,12 @@ Result<std::vector<float>> Guides::readCoverage() const {
 }
 
 Result<std::vector<GuidePixel>> Guides::read() const {
-    MACULA_TRY(const auto surfaces, gpu::read<glm::vec4>(surfaces_.buffer()));
-    MACULA_TRY(const auto matters, gpu::read<glm::vec4>(matters_.buffer()));
-    MACULA_TRY(const auto motions, gpu::read<glm::vec4>(motions_.buffer()));
+    gpu::Reading reading;  // all at once, because dozens of small pictures are read to choose views
+    MACULA_TRY_VOID(reading.begin({&surfaces_.buffer(), &matters_.buffer(), &motions_.buffer()}));
+    MACULA_TRY_VOID(reading.finish());
+    const auto surfaces = reading.part<glm::vec4>(0);
+    const auto matters = reading.part<glm::vec4>(1);
+    const auto motions = reading.part<glm::vec4>(2);
     std::vector<GuidePixel> pixels(surfaces.size());
     for (std::size_t i = 0; i < pixels.size(); ++i) {
         pixels[i] = {.depthMm = surfaces[i].w,

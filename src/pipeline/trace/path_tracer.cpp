@@ -74,6 +74,8 @@ struct PathTracer::Impl {
     bool stale = true;                       // view or settings have changed: accumulation starts again
     bool restarting = false;                 // nothing has changed: only the portions were too large
     bool tellsPrimaries = false;             // the samples under way tell their primary vertices
+    std::uint32_t firstPrimary = 0;          // where those begin that were told last
+    std::uint32_t primarySamples = 0;        // how many they are
     std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
     Accumulation accumulation;
     ViewHistory history;
@@ -206,6 +208,7 @@ Result<void> PathTracer::Impl::prepare() {
         looksOther();
     }
     search.reset();
+    primarySamples = 0;
     const bool again = std::exchange(restarting, false);
     MACULA_TRY_VOID(
         scene.look(view, settings));  // first: a view that cannot be used must not enter the history
@@ -268,8 +271,7 @@ double PathTracer::anisotropy() const {
     return impl_->scene.scene().anisotropy();
 }
 
-Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
-    std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
+Result<void> PathTracer::addPrimaries(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
     MACULA_CHECK(samplesPerPixel >= 1 && samplesPerPixel <= shared::kPrimarySamples);
     Impl& t = *impl_;
     if (!isPathTraced(t.settings.look))
@@ -288,9 +290,17 @@ Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
         t.stale = true;
         return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
     }
-    MACULA_TRY(std::vector<shared::PrimaryVertex> found, t.accumulation.readPrimaries());
+    t.firstPrimary = before % shared::kPrimarySamples;
+    t.primarySamples = samplesPerPixel;
+    return {};
+}
+
+Result<std::vector<shared::PrimaryVertex>> PathTracer::tracePrimaries(
+    std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
+    MACULA_TRY_VOID(addPrimaries(samplesPerPixel, keepGoing));
+    MACULA_TRY(std::vector<shared::PrimaryVertex> found, impl_->accumulation.readPrimaries());
     const std::size_t pixels = found.size() / shared::kPrimarySamples;
-    const std::size_t first = before % shared::kPrimarySamples;
+    const std::size_t first = impl_->firstPrimary;
     std::rotate(found.begin(), found.begin() + std::ptrdiff_t(first * pixels), found.end());
     found.resize(samplesPerPixel * pixels);
     return found;
@@ -411,10 +421,16 @@ const std::shared_ptr<gpu::Device>& PathTracer::device() const {
 }
 
 Result<gpu::Buffer> PathTracer::findLayers() {
+    std::optional<gpu::Buffer> found;
+    MACULA_TRY_VOID(findLayersIn(found));
+    return *std::move(found);
+}
+
+Result<void> PathTracer::findLayersIn(std::optional<gpu::Buffer>& layers) {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
     MACULA_TRY(const gpu::Kernel* kernel, t.kernels.layers(kindOf(t.scene.scene())));
-    return trace::findLayers(t.device, t.scene, *kernel, t.view.width, t.view.height);
+    return trace::findLayers(t.device, t.scene, *kernel, t.view.width, t.view.height, layers);
 }
 
 Result<std::optional<SurfacePoints>> PathTracer::someSurfacePoints(const SurfacePointOptions& options,
@@ -483,8 +499,15 @@ Result<TracedImage> PathTracer::readback() {
 Result<TracedColours> PathTracer::readColours() {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
+    if (!t.device->hasUnifiedMemory()) {
+        ViewReading reading;  // one wait instead of three
+        MACULA_TRY_VOID(beginReading(reading, {.colours = true}));
+        MACULA_TRY_VOID(reading.finish());
+        return reading.colours();
+    }
     TracedColours colours{
         .width = t.view.width, .height = t.view.height, .radiance = {}, .samples = {}, .coverage = {}};
+    colours.meanSamples = t.accumulation.plan().meanSamples();
     MACULA_TRY(const Guides* guides, t.history.guides(t.scene, t.kernels));
     MACULA_TRY(colours.coverage, guides->readCoverage());
     const Film& film = t.accumulation.film();
@@ -498,6 +521,28 @@ Result<TracedColours> PathTracer::readColours() {
     for (std::size_t i = 0; i < colours.radiance.size(); ++i)
         colours.radiance[i] /= static_cast<float>(std::max(colours.samples[i], 1u));
     return colours;
+}
+
+Result<void> PathTracer::beginReading(ViewReading& reading, const WantedReading& wanted) {
+    MACULA_CHECK(wanted.primaries || wanted.colours);
+    Impl& t = *impl_;
+    MACULA_TRY_VOID(t.prepare());
+    if (wanted.primaries) MACULA_CHECK(t.firstPrimary == 0 && t.primarySamples > 0);
+    reading.width_ = t.view.width;
+    reading.height_ = t.view.height;
+    reading.primarySamples_ = wanted.primaries ? t.primarySamples : 0;
+    reading.areMeans_ = isDenoised(t.settings);
+    reading.meanSamples_ = t.accumulation.plan().meanSamples();
+    if (!wanted.colours) return reading.reading_.begin({&t.accumulation.primaries()});
+    MACULA_TRY(const Guides* guides, t.history.guides(t.scene, t.kernels));
+    const gpu::Buffer* matters = &guides->matters().buffer();
+    const gpu::Buffer* counts = &t.accumulation.film().counts();
+    const gpu::Buffer* light = &t.accumulation.film().sums();
+    if (reading.areMeans_) {
+        MACULA_TRY(light, t.denoised());
+    }
+    if (!wanted.primaries) return reading.reading_.begin({matters, counts, light});
+    return reading.reading_.begin({&t.accumulation.primaries(), matters, counts, light});
 }
 
 std::vector<Message> PathTracer::messages() const {

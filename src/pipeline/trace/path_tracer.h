@@ -27,6 +27,7 @@
 #include "pipeline/trace/sampling_plan.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/trace/surface_points.h"
+#include "pipeline/trace/view_reading.h"
 #include "pipeline/trace/voxel_memory.h"
 #include "pipeline/volume/additions.h"
 #include "pipeline/volume/clip.h"
@@ -66,16 +67,6 @@ struct TracedImage {
     std::vector<glm::vec2> variance;
     std::vector<std::uint32_t> samples;  // of each pixel, finite ones
     bool denoised = false;               // then `radiance` is filtered, and may use what earlier views knew
-};
-
-// What a model learns from: the same radiance and samples, and the guides' coverage along the centre rays. A
-// quarter of the bytes of a TracedImage and its guides, and the host has little to do with them.
-struct TracedColours {
-    int width = 0;
-    int height = 0;
-    std::vector<glm::vec4> radiance;
-    std::vector<std::uint32_t> samples;
-    std::vector<float> coverage;
 };
 
 // The picture so far, where it lies on the device: linear, premultiplied, row 0 on top.
@@ -146,6 +137,17 @@ class PathTracer {
     // or adapted, the picture begins anew. usage for looks that trace no paths.
     Result<std::vector<shared::PrimaryVertex>> tracePrimaries(std::uint32_t samplesPerPixel,
                                                               const std::function<bool()>& keepGoing = {});
+    // The same without giving them: beginReading does. What it has read by then, it may be tracing over.
+    Result<void> addPrimaries(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing = {});
+
+    // Begins to read what addPrimaries has told, which must have begun at a multiple of kPrimarySamples, and
+    // what readColours gives, or one of them; the guides and the filter that this takes are submitted too.
+    // Samples and views may follow at once. It waits only where device memory is host memory.
+    struct WantedReading {
+        bool primaries = false;
+        bool colours = false;
+    };
+    Result<void> beginReading(ViewReading& reading, const WantedReading& wanted);
 
     // Adds samples for about `budgetMs` (may be infinite), at least one dispatch, and stops within 20 ms of
     // it on the slowest device once its kernels are compiled (the first dispatch of a kind compiles one);
@@ -180,6 +182,9 @@ class PathTracer {
     // The layers along the centre rays of the view that was set last, row 0 on top: a shared::PixelLayers for
     // each pixel. Reading waits.
     Result<gpu::Buffer> findLayers();
+    // The same into a buffer that is there, of as many pixels; in any other case it becomes a new one. What
+    // was submitted before still reads the last layers.
+    Result<void> findLayersIn(std::optional<gpu::Buffer>& layers);
     Result<std::vector<shared::PixelLayers>> readLayers();
 
     const std::shared_ptr<gpu::Device>& device() const;

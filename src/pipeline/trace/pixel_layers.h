@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
@@ -14,8 +15,9 @@
 namespace macula::trace {
 
 // Finds them for the view of the scene, by layers.comp as compiled for that scene (TraceKernels): a
-// shared::PixelLayers for each pixel, row 0 on top.
-Result<gpu::Buffer> findLayers(const std::shared_ptr<gpu::Device>& device, const SceneView& scene,
-                               const gpu::Kernel& kernel, int width, int height);
+// shared::PixelLayers for each pixel, row 0 on top. A buffer of that size is used again, so that
+// not each of many views makes one.
+Result<void> findLayers(const std::shared_ptr<gpu::Device>& device, const SceneView& scene,
+                        const gpu::Kernel& kernel, int width, int height, std::optional<gpu::Buffer>& layers);
 
 }  // namespace macula::trace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -106,6 +107,67 @@ TEST(CombinedView, HasTheDetailOfOneAndTheLightOfTheOther) {
         const float checks = lit.rgba[i].b;
         for (int c = 0; c < 3; ++c) EXPECT_NEAR(both.rgba[i][c], checks, 0.15f * checks) << i;
         EXPECT_EQ(both.rgba[i].a, 0.9f);
+    }
+}
+
+// Pixel after pixel in float, adding up in the same order.
+std::vector<glm::vec4> pixelByPixel(const TracedView& traced, const TracedView& lit, double share) {
+    const glm::ivec2 size = lit.sizePx;
+    std::vector<glm::vec3> wanted(lit.rgba.size(), glm::vec3(0.0f));
+    std::vector<glm::vec3> had = wanted;
+    for (std::size_t i = 0; i < lit.rgba.size(); ++i) {
+        if (!isFinite(traced.rgba[i]) || !isFinite(lit.rgba[i])) continue;
+        wanted[i] = glm::vec3(traced.rgba[i]) + 1e-4f;
+        had[i] = glm::vec3(lit.rgba[i]) + 1e-4f;
+    }
+    const auto blurredAlong = [&](const std::vector<glm::vec3>& from, const glm::ivec2& way) {
+        std::vector<glm::vec3> to;
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                glm::vec3 sum(0.0f);
+                for (int n = -48; n <= 48; ++n) {
+                    const glm::ivec2 at = glm::ivec2(x, y) + n * way;
+                    if (at.x < 0 || at.y < 0 || at.x >= size.x || at.y >= size.y) continue;
+                    const auto weight = static_cast<float>(std::exp(-double(n) * n / 512.0));
+                    sum += weight * from[std::size_t(at.y) * std::size_t(size.x) + std::size_t(at.x)];
+                }
+                to.push_back(sum);
+            }
+        }
+        return to;
+    };
+    wanted = blurredAlong(blurredAlong(wanted, {1, 0}), {0, 1});
+    had = blurredAlong(blurredAlong(had, {1, 0}), {0, 1});
+    std::vector<glm::vec4> pixels = traced.rgba;
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        if (!isFinite(lit.rgba[i])) continue;
+        glm::vec3 light(lit.rgba[i]);
+        if (had[i].x > 0.0f) light *= glm::clamp(wanted[i] / had[i], 0.5f, 2.0f);
+        if (isFinite(traced.rgba[i])) light = glm::mix(light, glm::vec3(traced.rgba[i]), float(share));
+        pixels[i] = glm::vec4(light, lit.rgba[i].a);
+    }
+    return pixels;
+}
+
+// How many numbers are summed side by side changes none.
+TEST(CombinedView, IsTheSameBitsInWhateverGroups) {
+    std::mt19937 random(8);
+    std::exponential_distribution<float> light(1.0f);
+    for (const glm::ivec2 sizePx :
+         {glm::ivec2(1, 1), glm::ivec2(1, 60), glm::ivec2(75, 1), glm::ivec2(32, 20), glm::ivec2(43, 51)}) {
+        TracedView traced = view(sizePx, {});
+        TracedView lit = traced;
+        for (std::size_t i = 0; i < lit.rgba.size(); ++i) {
+            lit.rgba[i] = {light(random), light(random), 0.0f, 0.5f};
+            traced.rgba[i] = {light(random), 0.0f, light(random), 0.5f};
+            if (i % 13 == 5) lit.rgba[i] = glm::vec4(kNan);
+            if (i % 17 == 5) traced.rgba[i].g = kInfinity;
+        }
+        const std::vector<glm::vec4> expected = pixelByPixel(traced, lit, 0.2);
+        const TracedView both = combined(traced, lit, 0.2);
+        ASSERT_EQ(both.rgba.size(), expected.size());
+        EXPECT_EQ(std::memcmp(both.rgba.data(), expected.data(), expected.size() * sizeof(glm::vec4)), 0)
+            << sizePx.x << " x " << sizePx.y;
     }
 }
 

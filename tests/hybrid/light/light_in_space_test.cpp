@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <map>
 #include <random>
 #include <tuple>
+#include <vector>
 
 namespace macula::hybrid {
 namespace {
@@ -159,6 +161,56 @@ TEST(LightInSpace, LeavesOutWhatIsNoNumberOrTooFar) {
     const auto bright = light.at({0.5, 0.5, 0.5}, {1, 0, 0});
     ASSERT_TRUE(bright);
     EXPECT_NEAR(bright->x, 5e5, 1.0) << "two of four count as the most there is";
+}
+
+std::vector<shared::PrimaryVertex> anyVertices(std::size_t count, float reachMm) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> even(-reachMm, reachMm);
+    std::vector<shared::PrimaryVertex> met(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % 5 == 0) continue;  // met nothing
+        const float x = even(random);
+        const float y = even(random);
+        met[i] = {.fromEyeMm = {x, y, even(random)}, .radiance = {1.0f, float(i % 7), 0.1f}};
+        if (i % 1001 == 1) met[i].radiance.y = std::nanf("");
+        if (i % 1003 == 1) met[i].fromEyeMm.z = std::nanf("");
+    }
+    return met;
+}
+
+// To the bit, and where cells become larger in between.
+TEST(LightInSpace, OfManyAtOnceIsThatOfOneAfterTheOther) {
+    const glm::dvec3 eyeMm(3.0, -500.25, 7.5);
+    for (const std::size_t count : {0u, 1u, 4u, 16384u, 50001u}) {
+        SCOPED_TRACE(count);
+        const auto met = anyVertices(count, 20.0f);
+        LightInSpace atOnce(1.5);
+        LightInSpace single(1.5);
+        for (int twice = 0; twice < 2; ++twice) {
+            atOnce.addAll(eyeMm, met);
+            for (const shared::PrimaryVertex& vertex : met) {
+                const glm::dvec3 way(vertex.fromEyeMm);
+                if (way != glm::dvec3(0.0)) single.add(eyeMm + way, glm::normalize(way), vertex.radiance);
+            }
+        }
+        atOnce.finish();
+        single.finish();
+        ASSERT_EQ(atOnce.cells(), single.cells());
+        for (std::size_t t = 0; t < LightInSpace::kTables; ++t) {
+            const auto ours = atOnce.cellsOf(t);
+            const auto right = single.cellsOf(t);
+            ASSERT_EQ(ours.size(), right.size());
+            if (!ours.empty()) {
+                EXPECT_EQ(std::memcmp(ours.data(), right.data(), ours.size_bytes()), 0);
+            }
+        }
+    }
+    LightInSpace few(1.0, 60);
+    few.addAll(eyeMm, anyVertices(20000, 16.0f));
+    EXPECT_LE(few.cells(), 60u);
+    EXPECT_EQ(few.cellMm(), std::exp2(std::round(std::log2(few.cellMm()))));
+    few.finish();
+    EXPECT_NEAR(few.at(eyeMm, {0, 1, 0})->x, 1.0, 1e-4);
 }
 
 // Larger cells, and the light of all that were put together.

@@ -68,7 +68,7 @@ class LitViews : public trace::DeviceTest {
         tracing.light = &light;
         EXPECT_TRUE(traceViews(tracer, std::span(cameras).first(12), tracing, progress).ok());
         light.finish();
-        const auto table = LightTable::create(tracer.device(), light);
+        auto table = LightTable::create(tracer.device(), light);
         const auto lit = table->lit(tracer, cameras.back(), kPicture);
         expectAsTheReference(*lit, tracer, cameras.back(), light);
         const auto truth =

@@ -1,12 +1,17 @@
 // Pictures that light each other, against those that are traced with hundreds of samples.
 #include "pipeline/hybrid/views/training_set.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 
+#include "gpu/lose_device.h"
 #include "hybrid/coloured_ball.h"
 #include "hybrid/views/cache_folder.h"
+#include "pipeline/hybrid/light/combined_view.h"
+#include "pipeline/hybrid/light/light_in_space.h"
+#include "pipeline/hybrid/light/lit_view.h"
 #include "pipeline/hybrid/views/pose_sampling.h"
 #include "pipeline/hybrid/views/traced_scene.h"
 #include "trace/gpu_scene.h"
@@ -69,6 +74,15 @@ class ViewSets : public trace::DeviceTest {
     trace::PathTracer tracer(double anisotropy = 0.0) const {
         return trace::DeviceTest::tracer(volume_, function(anisotropy), fromLeft(), scenes::lookAt(*volume_),
                                          {});
+    }
+
+    trace::PathTracer tracerOn(const std::shared_ptr<gpu::Device>& device,
+                               const TransferFunction& function) const {
+        auto made = trace::PathTracer::create(device);
+        trace::PathTracer tracer = std::move(made).value();
+        EXPECT_TRUE(tracer.setVolume(volume_).ok() && tracer.setTransferFunction(function).ok() &&
+                    tracer.setEnvironment(fromLeft()).ok());
+        return tracer;
     }
 
     std::shared_ptr<const Volume> volume_ = ball(350, 650);
@@ -177,6 +191,89 @@ TEST_F(ViewSets, CanBeEmptyAndStopped) {
     Progress stopped({}, stop);
     EXPECT_EQ(makePictures(tracer, scene().seenMm(), set_, tracing_, stopped).error().code,
               ErrorCode::cancelled);
+}
+
+// One after the other, each step waited for: what makePictures does while the device goes on.
+std::vector<TracedView> madeInTurn(trace::PathTracer& tracer, const Box& seenMm, const TrainingSet& set,
+                                   const ViewTracing& tracing) {
+    double cellMm = 0.0;
+    for (const Camera& camera : set.traced)
+        cellMm += glm::distance(camera.positionMm, seenMm.centre()) * 2.0 *
+                  std::tan(glm::radians(camera.verticalFovDeg) / 2.0) / double(tracing.sizePx.y);
+    LightInSpace light(cellMm / double(set.traced.size()));
+    std::vector<TracedView> views;
+    for (std::size_t i = 0; i < set.traced.size(); ++i) {
+        trace::Settings settings = tracing.settings;
+        settings.seed += static_cast<std::uint32_t>(i);
+        tracer.forgetViews();
+        EXPECT_TRUE(tracer.setSettings(settings).ok());
+        EXPECT_TRUE(
+            tracer.setView({.camera = set.traced[i], .width = tracing.sizePx.x, .height = tracing.sizePx.y})
+                .ok());
+        for (std::uint32_t done = 0; done < tracing.samplesPerPixel; done += shared::kPrimarySamples) {
+            const auto met =
+                tracer.tracePrimaries(std::min(shared::kPrimarySamples, tracing.samplesPerPixel - done));
+            EXPECT_TRUE(met.ok());
+            light.addAll(set.traced[i].positionMm, *met);
+        }
+        views.push_back(readToLearnFrom(tracer, set.traced[i]).value());
+    }
+    light.finish();
+    auto table = LightTable::create(tracer.device(), light);
+    const double own = 12.0 / (12.0 + double(set.traced.size()));
+    for (std::size_t i = 0; i < views.size(); ++i)
+        views[i] = combined(views[i], table->lit(tracer, set.traced[i], tracing.sizePx).value(), own);
+    for (const Camera& camera : set.sides)
+        views.push_back(table->lit(tracer, camera, tracing.sizePx).value());
+    return views;
+}
+
+// To the bit, also where memory is the device's own, as on a graphics card; of a pixel, of nothing, and of
+// samples that come in two portions.
+TEST_F(ViewSets, AreTheSameHoweverTheyComeToTheHost) {
+    set_.traced.resize(5);
+    const auto device = *gpu::Device::create(instance(), {.separateMemory = true});
+    for (const bool isEmpty : {false, true}) {
+        for (const glm::ivec2 sizePx : {kPicture, glm::ivec2(1, 1)}) {
+            SCOPED_TRACE(fmt::format("{} x {}{}", sizePx.x, sizePx.y, isEmpty ? ", empty" : ""));
+            tracing_.sizePx = sizePx;
+            tracing_.samplesPerPixel = sizePx == kPicture ? 3 : 2;
+            const TransferFunction function = isEmpty ? matter(0.0) : this->function();
+            trace::PathTracer usual =
+                trace::DeviceTest::tracer(volume_, function, fromLeft(), scenes::lookAt(*volume_), {});
+            const auto expected = madeInTurn(usual, scene().seenMm(), set_, tracing_);
+            trace::PathTracer card = tracerOn(device, function);
+            for (trace::PathTracer* tracer : {&usual, &card}) {
+                auto pictures = makePictures(*tracer, scene().seenMm(), set_, tracing_, progress_);
+                ASSERT_TRUE(pictures.ok()) << pictures.error().message;
+                EXPECT_TRUE(pictures->areLit);
+                EXPECT_GT(pictures->times.paths, 0.0);
+                EXPECT_GT(pictures->times.beside, 0.0);
+                std::vector<TracedView> views = std::move(pictures->traced);
+                for (TracedView& side : pictures->sides) views.push_back(std::move(side));
+                EXPECT_TRUE(same(views, expected));
+                if (!isEmpty) continue;
+                for (const TracedView& view : views)
+                    for (const glm::vec4& pixel : view.rgba) ASSERT_EQ(pixel, glm::vec4(0.0f));
+            }
+        }
+    }
+}
+
+// While views are traced, and while they are lit: what is under way on other threads is waited for.
+TEST_F(ViewSets, OnALostDeviceAreAnError) {
+    set_.traced.resize(3);
+    for (const int nth : {8, 30}) {
+        SCOPED_TRACE(nth);
+        const auto device = *gpu::Device::create(instance(), {.separateMemory = true});
+        trace::PathTracer tracer = tracerOn(device, function());
+        test::loseDeviceAt(test::VulkanCall::submit, nth);
+        const auto pictures = makePictures(tracer, scene().seenMm(), set_, tracing_, progress_);
+        EXPECT_EQ(test::devicesLost(), 1);
+        test::loseDeviceAt(test::VulkanCall::submit, 1, 0);
+        ASSERT_FALSE(pictures.ok());
+        EXPECT_EQ(pictures.error().code, ErrorCode::deviceLost);
+    }
 }
 
 // Between views, too, and nothing of such a set is kept.

@@ -114,17 +114,50 @@ const LightInSpace::Cell* LightInSpace::find(const Level& level, const glm::ivec
     return level[tableOf(key, kTables)].find(key);
 }
 
-LightInSpace::Level LightInSpace::halved(const Level& level) {
-    Level half;
-    for (const Table& table : level) {
-        for (std::size_t slot = 0; slot < table.keys.size(); ++slot) {
-            if (table.keys[slot] == kFree) continue;
-            const std::uint64_t parent = keyOf(parentOf(cellOf(table.keys[slot])));
-            Cell& sums = half[tableOf(parent, kTables)].at(parent);
-            const Cell& from = table.cells[table.places[slot]];
-            for (std::size_t lobe = 0; lobe < from.size(); ++lobe) sums[lobe] += from[lobe];
-        }
+// What is kFree is left out.
+LightInSpace::Sorted LightInSpace::sortedByTable(std::span<const std::uint64_t> keys) {
+    Sorted sorted;
+    std::vector<std::uint8_t> tables(keys.size());
+    std::array<std::uint32_t, kTables> next{};
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        if (keys[i] == kFree) continue;
+        tables[i] = static_cast<std::uint8_t>(tableOf(keys[i], kTables));
+        ++next[tables[i]];
     }
+    for (std::size_t t = 0; t < kTables; ++t) {
+        sorted.begins[t + 1] = sorted.begins[t] + next[t];
+        next[t] = sorted.begins[t];
+    }
+    sorted.ordered.resize(sorted.begins.back());
+    for (std::size_t i = 0; i < keys.size(); ++i)
+        if (keys[i] != kFree) sorted.ordered[next[tables[i]]++] = static_cast<std::uint32_t>(i);
+    return sorted;
+}
+
+// Slots, by the table of the cell that theirs is a part of when cells are twice as large.
+LightInSpace::Sorted LightInSpace::sortedByParent(const Table& table) {
+    std::vector<std::uint64_t> parents(table.keys.size(), kFree);
+    for (std::size_t slot = 0; slot < parents.size(); ++slot)
+        if (table.keys[slot] != kFree) parents[slot] = keyOf(parentOf(cellOf(table.keys[slot])));
+    return sortedByTable(parents);
+}
+
+// On all cores; cells are summed in the order of tables and slots on any number of them.
+LightInSpace::Level LightInSpace::halved(const Level& level) {
+    std::array<Sorted, kTables> sorted;
+    parallelFor(kTables, [&](std::size_t t) { sorted[t] = sortedByParent(level[t]); });
+    Level half;
+    parallelFor(kTables, [&](std::size_t to) {
+        for (std::size_t t = 0; t < kTables; ++t) {
+            const Table& table = level[t];
+            for (std::uint32_t i = sorted[t].begins[to]; i < sorted[t].begins[to + 1]; ++i) {
+                const std::uint32_t slot = sorted[t].ordered[i];
+                Cell& sums = half[to].at(keyOf(parentOf(cellOf(table.keys[slot]))));
+                const Cell& from = table.cells[table.places[slot]];
+                for (std::size_t lobe = 0; lobe < from.size(); ++lobe) sums[lobe] += from[lobe];
+            }
+        }
+    });
     return half;
 }
 
@@ -150,19 +183,29 @@ void LightInSpace::add(const glm::dvec3& atMm, const glm::dvec3& direction, cons
     halveWhileTooMany();
 }
 
-void LightInSpace::addAll(std::span<const Seen> seen) {
-    std::vector<std::uint64_t> keys(seen.size());
-    const auto ofTable = [&](std::size_t t) {
-        Table& table = levels_.front()[t];
-        for (std::size_t i = 0; i < keys.size(); ++i)
-            if (keys[i] != kFree && tableOf(keys[i], kTables) == t) addTo(table.at(keys[i]), seen[i]);
-    };
-    constexpr std::size_t kPart = 4096;
-    parallelFor((seen.size() + kPart - 1) / kPart, [&](std::size_t part) {
-        const std::size_t end = std::min((part + 1) * kPart, seen.size());
-        for (std::size_t i = part * kPart; i < end; ++i) keys[i] = keyOfPlace(seen[i]);
+void LightInSpace::addAll(const glm::dvec3& eyeMm, std::span<const shared::PrimaryVertex> met) {
+    constexpr std::size_t kPart = 1u << 14;
+    const auto placeOf = [&](std::size_t i) { return eyeMm + glm::dvec3(met[i].fromEyeMm); };
+    keys_.resize(met.size());
+    sorted_.resize((met.size() + kPart - 1) / kPart);
+    parallelFor(sorted_.size(), [&](std::size_t part) {
+        const std::size_t end = std::min((part + 1) * kPart, met.size());
+        for (std::size_t i = part * kPart; i < end; ++i)
+            keys_[i] =
+                met[i].fromEyeMm != glm::vec3(0.0f) ? keyOfPlace({placeOf(i), {}, met[i].radiance}) : kFree;
+        sorted_[part] = sortedByTable(std::span(keys_).subspan(part * kPart, end - part * kPart));
     });
-    parallelFor(kTables, ofTable);
+    parallelFor(kTables, [&](std::size_t t) {
+        Table& table = levels_.front()[t];
+        for (std::size_t part = 0; part < sorted_.size(); ++part) {
+            const Sorted& sorted = sorted_[part];
+            for (std::uint32_t n = sorted.begins[t]; n < sorted.begins[t + 1]; ++n) {
+                const std::size_t i = part * kPart + sorted.ordered[n];
+                const glm::dvec3 direction = glm::normalize(glm::dvec3(met[i].fromEyeMm));
+                addTo(table.at(keys_[i]), {placeOf(i), direction, met[i].radiance});
+            }
+        }
+    });
     halveWhileTooMany();
 }
 
@@ -182,6 +225,8 @@ void LightInSpace::finish() {
         parallelFor(kTables, [&](std::size_t t) { finish(coarser, levels_[i][t]); });
     }
     levels_.resize(1);  // coarser levels are no longer needed
+    keys_ = {};
+    sorted_ = {};
 }
 
 void LightInSpace::finish(const Level* coarser, Table& table) const {
@@ -201,10 +246,11 @@ void LightInSpace::finish(const Level* coarser, Table& table) const {
     }
 }
 
-void LightInSpace::forEachCell(const std::function<void(std::uint64_t, const Cell&)>& body) const {
-    for (const Table& table : levels_.front())
-        for (std::size_t slot = 0; slot < table.keys.size(); ++slot)
-            if (table.keys[slot] != kFree) body(table.keys[slot], table.cells[table.places[slot]]);
+void LightInSpace::forEachKeyOf(std::size_t table,
+                                const std::function<void(std::uint64_t, std::size_t)>& body) const {
+    const Table& of = levels_.front()[table];
+    for (std::size_t slot = 0; slot < of.keys.size(); ++slot)
+        if (of.keys[slot] != kFree) body(of.keys[slot], of.places[slot]);
 }
 
 std::optional<glm::vec3> LightInSpace::at(const glm::dvec3& atMm, const glm::dvec3& direction) const {

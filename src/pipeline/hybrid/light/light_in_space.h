@@ -18,6 +18,8 @@
 #include <span>
 #include <vector>
 
+#include "shared/primary_vertex.h"
+
 namespace macula::hybrid {
 
 // All places in mm of one frame, directions of unit length, from the eye.
@@ -30,18 +32,12 @@ class LightInSpace {
     explicit LightInSpace(double cellMm, std::size_t mostCells = kMostCells)
         : cellMm_(cellMm), mostCells_(mostCells) {}
 
-    // Light that left a place towards an eye.
-    struct Seen {
-        glm::dvec3 atMm{0.0};
-        glm::dvec3 direction{0.0};  // from the eye
-        glm::vec3 radiance{0.0f};
-    };
-
     // What does not come as finite numbers, or from too far (10^6 cells), is left out; radiance above 10^6
     // counts as that.
     void add(const glm::dvec3& atMm, const glm::dvec3& direction, const glm::vec3& radiance);
-    // The same for all, on all cores; the same sums, to the last bit, on any number of them.
-    void addAll(std::span<const Seen> seen);
+    // The same for all that paths from an eye have met, in their order, on all cores; the same sums, to the
+    // last bit, on any number of them.
+    void addAll(const glm::dvec3& eyeMm, std::span<const shared::PrimaryVertex> met);
 
     // Turns sums into means, once all is added. Where a cell knows little, what is known around it counts as
     // well, as half a sample.
@@ -65,8 +61,13 @@ class LightInSpace {
     // The hash of a key: a finaliser of MurmurHash3 over its two halves, which a shader without 64-bit
     // numbers computes too (scatteredKey in shaders/lib/light_cells.glsl).
     static std::uint32_t hashOf(std::uint64_t key);
-    // Calls the body for each cell once, in an order that only depends on what was added.
-    void forEachCell(const std::function<void(std::uint64_t key, const Cell& cell)>& body) const;
+    // Each table has its part of all places, so that as many cores can fill and read them.
+    static constexpr std::size_t kTables = 16;
+    // The cells of a table, in the order in which they were first seen, and the key of each, in an order that
+    // only depends on what was added.
+    std::span<const Cell> cellsOf(std::size_t table) const { return levels_.front()[table].cells; }
+    void forEachKeyOf(std::size_t table,
+                      const std::function<void(std::uint64_t key, std::size_t cell)>& body) const;
 
   private:
     // Cells by place: a hash table with open addressing.
@@ -79,10 +80,23 @@ class LightInSpace {
         Cell& at(std::uint64_t key);
         void grow();
     };
-    // Each table has its part of all places, so that as many cores can fill them.
-    static constexpr std::size_t kTables = 16;
     using Level = std::array<Table, kTables>;
 
+    // Light that left a place towards an eye.
+    struct Seen {
+        glm::dvec3 atMm{0.0};
+        glm::dvec3 direction{0.0};  // from the eye
+        glm::vec3 radiance{0.0f};
+    };
+    // Which of some things belong to which table: those of table t are ordered[begins[t]] and so on, in their
+    // order.
+    struct Sorted {
+        std::vector<std::uint32_t> ordered;
+        std::array<std::uint32_t, kTables + 1> begins{};
+    };
+
+    static Sorted sortedByTable(std::span<const std::uint64_t> keys);
+    static Sorted sortedByParent(const Table& table);
     static std::size_t countOf(const Level& level);
     static const Cell* find(const Level& level, const glm::ivec3& at);
     static Level halved(const Level& level);  // of cells twice as large
@@ -94,6 +108,9 @@ class LightInSpace {
     double cellMm_;
     std::size_t mostCells_;
     std::vector<Level> levels_ = std::vector<Level>(1);  // each of cells twice as large as the one before
+    // What addAll works with, kept for the next time.
+    std::vector<std::uint64_t> keys_;
+    std::vector<Sorted> sorted_;
 };
 
 }  // namespace macula::hybrid

@@ -1,17 +1,14 @@
 #include "pipeline/hybrid/light/lit_view.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "base/camera.h"
 #include "base/check.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
+#include "pipeline/hybrid/light/light_slots.h"
 #include "pipeline/trace/guides.h"
 #include "shaders/hybrid.h"
 #include "shared/light_params.h"
@@ -21,31 +18,7 @@ namespace macula::hybrid {
 
 namespace {
 
-using shared::LightSlot;
-
-struct Flat {
-    std::vector<LightSlot> slots;
-    std::vector<glm::vec4> cells;  // six for each
-};
-
-Flat flat(const LightInSpace& light) {
-    Flat table;
-    const LightSlot free{.low = 0, .high = shared::kFreeSlot, .cell = 0};
-    table.slots.assign(std::bit_ceil(2 * light.cells() + 1), free);
-    table.cells.reserve(std::max<std::size_t>(6 * light.cells(), 6));
-    light.forEachCell([&](std::uint64_t key, const LightInSpace::Cell& cell) {
-        std::size_t slot = LightInSpace::hashOf(key) & (table.slots.size() - 1);
-        while (table.slots[slot].high != shared::kFreeSlot) slot = (slot + 1) & (table.slots.size() - 1);
-        table.slots[slot] = {.low = static_cast<std::uint32_t>(key),
-                             .high = static_cast<std::uint32_t>(key >> 32),
-                             .cell = static_cast<std::uint32_t>(table.cells.size() / 6)};
-        for (const glm::vec4& mean : cell)
-            table.cells.emplace_back(glm::vec3(mean), float(LightInSpace::trust(mean.w)));
-    });
-    if (table.cells.empty())
-        table.cells.resize(6, glm::vec4(0.0f));  // nothing was seen, and none points here
-    return table;
-}
+constexpr double kFarthest = LightInSpace::kFarthest;
 
 }  // namespace
 
@@ -56,64 +29,79 @@ int raysAside(const glm::ivec2& sizePx) {
 }
 
 Result<LightTable> LightTable::create(const std::shared_ptr<gpu::Device>& device, const LightInSpace& light) {
-    const Flat table = flat(light);
+    const LightSlots table(light);
     MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device, shaders::hybrid_lit_comp));
     MACULA_TRY(gpu::Buffer slots,
-               gpu::Buffer::create(
-                   device, {.label = "slots of light", .bytes = std::span(table.slots).size_bytes()}));
+               gpu::Buffer::create(device, {.label = "slots of light", .bytes = table.slots().size_bytes()}));
     MACULA_TRY(gpu::TexelBuffer cells,
                gpu::TexelBuffer::create(device, {.label = "cells of light",
-                                                 .elements = table.cells.size(),
+                                                 .elements = table.cells().size(),
                                                  .format = VK_FORMAT_R32G32B32A32_SFLOAT}));
-    MACULA_TRY_VOID(gpu::uploadTo(slots, std::span(table.slots)));
-    MACULA_TRY_VOID(gpu::uploadTo(cells.buffer(), std::span(table.cells)));
+    MACULA_TRY_VOID(gpu::uploadTo(slots, table.slots()));
+    MACULA_TRY_VOID(gpu::uploadTo(cells.buffer(), table.cells()));
     return LightTable(std::move(kernel), std::move(slots), std::move(cells), light.cellMm());
 }
 
-Result<TracedView> LightTable::lit(trace::PathTracer& tracer, const Camera& camera,
-                                   const glm::ivec2& sizePx) const {
+shared::LitPush LightTable::pushFor(const CameraBasis& eye, const Camera& camera,
+                                    const glm::ivec2& sizePx) const {
+    const double half = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
+    const glm::dvec3 eyeAt = camera.positionMm / cellMm_;
+    // An eye farther than that sees nothing that is kept.
+    const glm::dvec3 eyeCell = glm::clamp(glm::floor(eyeAt), -kFarthest, kFarthest);
+    return {.right = eye.right * (half * sizePx.x / sizePx.y),
+            .up = eye.up * half,
+            .forward = eye.forward,
+            .eyeCell = glm::ivec3(eyeCell),
+            .eyePart = eyeAt - eyeCell,
+            .cellsPerMm = float(1.0 / cellMm_),
+            .size = sizePx,
+            .raysAside = raysAside(sizePx),
+            .firstRow = 0,
+            .slotMask = static_cast<std::uint32_t>(slots_.bytes() / sizeof(shared::LightSlot) - 1)};
+}
+
+Result<void> LightTable::begin(trace::PathTracer& tracer, const Camera& camera, const glm::ivec2& sizePx,
+                               LitPicture& picture) {
     if (isParallel(camera))
         return Error{ErrorCode::usage,
                      "Light is learnt from what an eye sees, not from parallel rays.",
                      {},
                      "Take a camera that is not parallel."};
     MACULA_TRY(const CameraBasis eye, basis(camera));
-    const int side = raysAside(sizePx);
+    shared::LitPush push = pushFor(eye, camera, sizePx);
+    const int side = push.raysAside;
     MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = side * sizePx.x, .height = side * sizePx.y}));
-    MACULA_TRY(const gpu::Buffer layers, tracer.findLayers());
-    const auto& device = layers.device();
-    TracedView view{.camera = camera, .sizePx = sizePx, .isLit = true};
-    view.rgba.resize(std::size_t(sizePx.x) * std::size_t(sizePx.y));
-    MACULA_TRY(
-        const gpu::Buffer pixels,
-        gpu::Buffer::create(device, {.label = "lit picture", .bytes = std::span(view.rgba).size_bytes()}));
-
-    const double half = std::tan(glm::radians(camera.verticalFovDeg) / 2.0);
-    const glm::dvec3 eyeAt = camera.positionMm / cellMm_;
-    // An eye farther than that sees nothing that is kept.
-    constexpr double kFarthest = LightInSpace::kFarthest;
-    const glm::dvec3 eyeCell = glm::clamp(glm::floor(eyeAt), -kFarthest, kFarthest);
-    shared::LitPush push{.right = eye.right * (half * sizePx.x / sizePx.y),
-                         .up = eye.up * half,
-                         .forward = eye.forward,
-                         .eyeCell = glm::ivec3(eyeCell),
-                         .eyePart = eyeAt - eyeCell,
-                         .cellsPerMm = float(1.0 / cellMm_),
-                         .size = sizePx,
-                         .raysAside = side,
-                         .firstRow = 0,
-                         .slotMask = static_cast<std::uint32_t>(slots_.bytes() / sizeof(LightSlot) - 1)};
+    MACULA_TRY_VOID(tracer.findLayersIn(layers_));
+    const auto& device = layers_->device();
+    const std::uint64_t bytes = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y) * sizeof(glm::vec4);
+    if (!pixels_ || pixels_->bytes() != bytes) {
+        MACULA_TRY(pixels_, gpu::Buffer::create(device, {.label = "lit picture", .bytes = bytes}));
+    }
     const int rows = trace::rowsToMarchAtOnce(*device, sizePx.x, sizePx.y);
     for (; push.firstRow < sizePx.y; push.firstRow += rows) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "light a view"));
         recorder.dispatch(kernel_,
                           {static_cast<std::uint32_t>(sizePx.x),
                            static_cast<std::uint32_t>(std::min(rows, sizePx.y - push.firstRow))},
-                          push, {layers, slots_, cells_, pixels});
+                          push, {*layers_, slots_, cells_, *pixels_});
         MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     }
-    MACULA_TRY_VOID(gpu::readInto(pixels, 0, std::as_writable_bytes(std::span(view.rgba))));
-    return view;
+    picture.camera_ = camera;
+    picture.sizePx_ = sizePx;
+    return picture.reading_.begin({&*pixels_});
+}
+
+TracedView LitPicture::view() const {
+    const auto pixels = reading_.part<glm::vec4>(0);
+    return {.camera = camera_, .sizePx = sizePx_, .rgba = {pixels.begin(), pixels.end()}, .isLit = true};
+}
+
+Result<TracedView> LightTable::lit(trace::PathTracer& tracer, const Camera& camera,
+                                   const glm::ivec2& sizePx) {
+    LitPicture picture;
+    MACULA_TRY_VOID(begin(tracer, camera, sizePx, picture));
+    MACULA_TRY_VOID(picture.finish());
+    return picture.view();
 }
 
 }  // namespace macula::hybrid

@@ -111,13 +111,14 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
     std::size_t givenUp = 0;
     TrainingPictures pictures;
     if (options.views > 0) {
+        const std::size_t lacking = options.directions - std::min(options.views, options.directions);
         MACULA_TRY(ChosenPoses traced,
                    choosePoses(tracer, seenMm, initialTraining(options.views, options.trial), {}, progress));
-        const std::size_t lacking = options.directions - std::min(options.views, options.directions);
         ChosenPoses sides;
         if (lacking > 0) {
             MACULA_TRY(sides, choosePoses(tracer, seenMm, otherSides(lacking, options.trial), {}, progress));
         }
+        const double withPoses = budget.spentSeconds();
         givenUp = traced.givenUp + sides.givenUp;
         ViewTracing tracing{.sizePx = glm::ivec2(options.sizePx),
                             .samplesPerPixel = options.samplesPerPixel,
@@ -132,17 +133,23 @@ Result<FirstModel> makeFirstModel(const std::shared_ptr<gpu::Device>& device, tr
             static_cast<std::uint32_t>(options.trial) * 0x9e3779b9u;  // far from other trials
         const TrainingSet set{.traced = std::move(traced.cameras), .sides = std::move(sides.cameras)};
         MACULA_TRY(pictures, makePictures(tracer, seenMm, set, tracing, progress));
+        pictures.times.poses = withPoses - withPoints;
     }
     const double withViews = budget.spentSeconds();
 
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::create(device, first.splats, trainerOptions(options)));
     const std::size_t fromKept = pictures.fromKept;
     const std::size_t viewsTraced = pictures.traced.size();
+    ViewTimes viewTimes = pictures.times;
     const bool canLearn = !pictures.traced.empty();
-    MACULA_TRY_VOID(learnFromAll(trainer, seenMm, std::move(pictures)));
+    {
+        const Lap lap(viewTimes.toTrainer);
+        MACULA_TRY_VOID(learnFromAll(trainer, seenMm, std::move(pictures)));
+    }
     FirstModel model{.trainer = std::move(trainer),
                      .pointsSeconds = withPoints - before,
                      .viewsSeconds = withViews - withPoints,
+                     .viewTimes = viewTimes,
                      .viewsTraced = viewsTraced,
                      .viewsGivenUp = givenUp,
                      .viewsFromKept = fromKept};

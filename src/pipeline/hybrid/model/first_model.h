@@ -11,6 +11,7 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/views/traced_view.h"
 #include "pipeline/hybrid/views/view_cache.h"
+#include "pipeline/hybrid/views/view_times.h"
 #include "pipeline/splat/train/trainer.h"
 #include "pipeline/trace/path_tracer.h"
 
@@ -46,6 +47,7 @@ struct FirstModel {
     // Times by the clock of the budget, kernels compiled on the way included.
     double pointsSeconds = 0.0;
     double viewsSeconds = 0.0;      // choosing and tracing them
+    ViewTimes viewTimes;            // where these went
     double trainSeconds = 0.0;      // making the trainer and giving it its pictures included
     std::size_t viewsTraced = 0;    // fewer than wanted where the budget was short
     std::size_t viewsGivenUp = 0;   // none of the tries showed enough, and the last one was taken

@@ -15,6 +15,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/views/view_times.h"
 #include "pipeline/hybrid/views/view_tracing.h"
 #include "pipeline/trace/path_tracer.h"
 
@@ -33,6 +34,7 @@ struct TrainingPictures {
     // known.
     bool areLit = false;
     std::size_t fromKept = 0;  // pictures from ViewTracing::kept; lit ones all or none
+    ViewTimes times;
 };
 
 // `tracing` says how views are traced; its `light` is ignored. Views that the time budget left untraced are

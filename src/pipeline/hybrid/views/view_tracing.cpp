@@ -1,12 +1,15 @@
 #include "pipeline/hybrid/views/view_tracing.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <functional>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
 
+#include "base/aside.h"
 #include "pipeline/hybrid/light/pixel_coverage.h"
 
 namespace macula::hybrid {
@@ -33,30 +36,90 @@ Result<void> addSamples(trace::PathTracer& tracer, const trace::View& view, cons
     return {};
 }
 
-// The same, and puts the light that the samples find into the radiance cache.
-Result<void> addSamplesAndLight(trace::PathTracer& tracer, const trace::View& view,
-                                const trace::Settings& settings, std::uint32_t samplesPerPixel,
-                                LightInSpace& light, Progress& progress) {
-    MACULA_TRY_VOID(tracer.setSettings(settings));
-    MACULA_TRY_VOID(tracer.setView(view));
-    for (std::uint32_t done = 0; done < samplesPerPixel;) {
-        const std::uint32_t count = std::min(shared::kPrimarySamples, samplesPerPixel - done);
-        MACULA_TRY(const std::vector<shared::PrimaryVertex> met,
-                   tracer.tracePrimaries(count, [&] { return !progress.cancelled(); }));
-        if (progress.cancelled()) return cancelled();
-        std::vector<LightInSpace::Seen> seen;
-        seen.reserve(met.size());
-        for (const shared::PrimaryVertex& vertex : met) {
-            const glm::dvec3 way(vertex.fromEyeMm);
-            if (way != glm::dvec3(0.0))
-                seen.push_back({view.camera.positionMm + way, glm::normalize(way), vertex.radiance});
-        }
-        light.addAll(seen);
-        done += count;
-        progress.advance(count);
+// Of coverage along centre rays the view's, and what has no samples is not known.
+TracedView toLearnFrom(trace::TracedColours image, const Camera& camera) {
+    const glm::ivec2 sizePx(image.width, image.height);
+    const std::vector<float> coverage = pixelCoverageOf(image.coverage, sizePx);
+    constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+    for (std::size_t i = 0; i < coverage.size(); ++i) {
+        image.radiance[i].a = coverage[i];
+        if (image.samples[i] == 0) image.radiance[i] = glm::vec4(kUnknown);
     }
-    return {};
+    return TracedView{.camera = camera,
+                      .sizePx = sizePx,
+                      .rgba = std::move(image.radiance),
+                      .samplesPerPixel = image.meanSamples};
 }
+
+// Traces views one after the other, and puts the light that their samples find into the radiance cache. The
+// host does that, and what else it has to do for a view, while the device traces what comes next.
+class LitTracing {
+  public:
+    LitTracing(trace::PathTracer& tracer, LightInSpace& light, ViewTimes& times)
+        : tracer_(tracer), light_(light), times_(times) {}
+
+    // `made` becomes the view, at the latest when wait() has returned.
+    Result<void> add(const ViewMaking& making, std::optional<TracedView>& made, Progress& progress) {
+        MACULA_TRY_VOID(tracer_.setSettings(making.settings));
+        MACULA_TRY_VOID(tracer_.setView(making.view));
+        if (making.samplesPerPixel == 0) {
+            MACULA_TRY(made, readToLearnFrom(tracer_, making.view.camera));
+        }
+        for (std::uint32_t done = 0; done < making.samplesPerPixel;) {
+            const std::uint32_t count = std::min(shared::kPrimarySamples, making.samplesPerPixel - done);
+            {
+                const Lap lap(times_.paths);
+                MACULA_TRY_VOID(tracer_.addPrimaries(count, [&] { return !progress.cancelled(); }));
+            }
+            if (progress.cancelled()) return cancelled();
+            done += count;
+            const bool isWhole = done == making.samplesPerPixel;
+            MACULA_TRY_VOID(beginHostWork());  // of the portion before, whose way to the host ends by now
+            const Lap lap(times_.reading);
+            trace::ViewReading& reading = readings_[next_];
+            MACULA_TRY_VOID(tracer_.beginReading(reading, {.primaries = true, .colours = isWhole}));
+            hostWork_ = [this, &reading, camera = making.view.camera, isWhole, &made] {
+                Aside picture;  // memory is waited for there, and here
+                if (isWhole) picture.begin([&] { made = toLearnFrom(reading.colours(), camera); });
+                light_.addAll(camera.positionMm, reading.primaries());
+                picture.wait();
+            };
+            next_ = 1 - next_;
+            progress.advance(count);
+        }
+        return {};
+    }
+
+    // For all views.
+    Result<void> wait() {
+        MACULA_TRY_VOID(beginHostWork());
+        const Lap lap(times_.waiting);
+        aside_.wait();
+        times_.beside += aside_.seconds();
+        return {};
+    }
+
+  private:
+    // Of the portion that was read last, once that of the one before is done: its memory is then free.
+    Result<void> beginHostWork() {
+        if (!hostWork_) return {};
+        {
+            const Lap lap(times_.reading);
+            MACULA_TRY_VOID(readings_[1 - next_].finish());
+        }
+        const Lap lap(times_.waiting);
+        aside_.begin(std::exchange(hostWork_, nullptr));
+        return {};
+    }
+
+    trace::PathTracer& tracer_;
+    LightInSpace& light_;
+    ViewTimes& times_;
+    std::array<trace::ViewReading, 2> readings_;
+    std::size_t next_ = 0;            // of readings_
+    std::function<void()> hostWork_;  // of the other one
+    Aside aside_;                     // last: what it works with goes after it
+};
 
 // An order by bit reversal: of any first few, about as many are in one half as in the other, and so on in
 // these.
@@ -93,18 +156,7 @@ Result<TracedView> traceView(trace::PathTracer& tracer, const trace::View& view,
 
 Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& camera) {
     MACULA_TRY(trace::TracedColours image, tracer.readColours());
-    MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
-    const glm::ivec2 sizePx(image.width, image.height);
-    const std::vector<float> coverage = pixelCoverageOf(image.coverage, sizePx);
-    constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
-    for (std::size_t i = 0; i < coverage.size(); ++i) {
-        image.radiance[i].a = coverage[i];
-        if (image.samples[i] == 0) image.radiance[i] = glm::vec4(kUnknown);
-    }
-    return TracedView{.camera = camera,
-                      .sizePx = sizePx,
-                      .rgba = std::move(image.radiance),
-                      .samplesPerPixel = statistics.meanSamplesPerPixel};
+    return toLearnFrom(std::move(image), camera);
 }
 
 Result<TracedViews> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
@@ -113,6 +165,8 @@ Result<TracedViews> traceViews(trace::PathTracer& tracer, std::span<const Camera
     progress.beginStage("Tracing views", cameras.size() * samples);
     TracedViews learnt;
     std::vector<std::optional<TracedView>> made(cameras.size());
+    std::optional<LitTracing> lit;
+    if (options.light != nullptr) lit.emplace(tracer, *options.light, learnt.times);
     bool isFirst = true;
     for (const std::size_t i : orderOf(cameras.size(), bool(options.hasTimeToTrace))) {
         const Camera& camera = cameras[i];
@@ -133,15 +187,19 @@ Result<TracedViews> traceViews(trace::PathTracer& tracer, std::span<const Camera
             }
         }
         tracer.forgetViews();
-        if (options.light != nullptr) {
-            MACULA_TRY_VOID(addSamplesAndLight(tracer, view, settings, samples, *options.light, progress));
-        } else {
+        if (lit) {
+            MACULA_TRY_VOID(lit->add(making, made[i], progress));
+            continue;
+        }
+        {
+            const Lap lap(learnt.times.paths);
             MACULA_TRY_VOID(addSamples(tracer, view, settings, samples, progress));
         }
+        const Lap lap(learnt.times.reading);
         MACULA_TRY(made[i], readToLearnFrom(tracer, camera));
-        if (options.kept != nullptr && options.light == nullptr)
-            MACULA_TRY_VOID(options.kept->keep(making, *made[i]));
+        if (options.kept != nullptr) MACULA_TRY_VOID(options.kept->keep(making, *made[i]));
     }
+    if (lit) MACULA_TRY_VOID(lit->wait());
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         if (made[i]) {
             learnt.views.push_back(std::move(*made[i]));

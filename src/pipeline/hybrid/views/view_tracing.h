@@ -12,6 +12,7 @@
 #include "pipeline/hybrid/views/pose_sampling.h"
 #include "pipeline/hybrid/views/traced_view.h"
 #include "pipeline/hybrid/views/view_cache.h"
+#include "pipeline/hybrid/views/view_times.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::hybrid {
@@ -43,6 +44,7 @@ struct TracedViews {
     std::vector<TracedView> views;  // by camera
     std::vector<Camera> leftOut;    // those for which there was no time
     std::size_t fromKept = 0;       // those of `views` that `kept` had
+    ViewTimes times;
 };
 
 // One view as it is traced, for comparing with; a step of `progress` for each sample.

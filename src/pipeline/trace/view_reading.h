@@ -1,0 +1,48 @@
+// What a model learns from a traced view, on its way to the host while the next view is traced.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "base/result.h"
+#include "pipeline/gpu/reading.h"
+#include "shared/primary_vertex.h"
+
+namespace macula::trace {
+
+// The radiance and samples of a TracedImage, and the guides' coverage along the centre rays. A quarter of the
+// bytes of a TracedImage and its guides, and the host has little to do with them.
+struct TracedColours {
+    int width = 0;
+    int height = 0;
+    std::vector<glm::vec4> radiance;
+    std::vector<std::uint32_t> samples;
+    std::vector<float> coverage;
+    double meanSamples = 0.0;  // of `samples`
+};
+
+// Begun by PathTracer::beginReading, again and again; finished and dropped by the thread that uses the
+// device. What has come may be asked for by any thread, until it is begun again.
+class ViewReading {
+  public:
+    Result<void> finish() { return reading_.finish(); }  // waits
+
+    // What tracePrimaries gives; none where they were not wanted.
+    std::span<const shared::PrimaryVertex> primaries() const;
+    // What readColours gives, where they were wanted: work for all cores.
+    TracedColours colours() const;
+
+  private:
+    friend class PathTracer;
+
+    gpu::Reading reading_;  // of primaries, matters, counts and light, those that were wanted
+    int width_ = 0;
+    int height_ = 0;
+    std::uint32_t primarySamples_ = 0;  // 0: no primaries
+    bool areMeans_ = false;             // of the light: it is denoised
+    double meanSamples_ = 0.0;
+};
+
+}  // namespace macula::trace
