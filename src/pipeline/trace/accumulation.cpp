@@ -113,8 +113,8 @@ Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, c
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY([[maybe_unused]] const bool done, device_->waitFor(ticket));
     const double took = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    // The first dispatch of a kernel compiles it, and says nothing about the pace. Nor does what was left over
-    // of a pass, where that is too little to keep the device busy.
+    // The first dispatch of a kernel compiles it, and says nothing about the pace. Nor does what was left
+    // over of a pass, where that is too little to keep the device busy.
     const bool tells = !work.leavesIdle || blocks == plan_.blockCount();
     if (!found.isNew && tells) pace_.learn(work, samples, took);
     deviceMs_ += took;

@@ -30,7 +30,7 @@ int rowsToFilterAtOnce(const gpu::Device& device, int width) {
 // Pixels of all stages that go to the device together, for whoever may be interrupted. A graphics card is
 // done with those of a small picture sooner than the host can wait for each by itself.
 int pixelsToSubmitAtOnce(const gpu::Device& device) {
-    return device.isCpu() ? 1 : kPixelsGpu;
+    return device.isCpu() ? 1 : 1 << 20;
 }
 
 Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,

@@ -192,8 +192,7 @@ Result<void> PathTracer::setView(const View& view) {
 TraceVariant PathTracer::Impl::variant() const {
     TraceVariant variant = variantOf(settings, kindOf(scene.scene()));
     variant.tellsPrimaries = tellsPrimaries;
-    variant.isSideBySide =
-        isPathTraced(settings.look) && !tellsPrimaries && accumulation.isSideBySide();
+    variant.isSideBySide = isPathTraced(settings.look) && !tellsPrimaries && accumulation.isSideBySide();
     return variant;
 }
 

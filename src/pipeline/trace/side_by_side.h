@@ -36,7 +36,8 @@ class SideBySide {
     // `samplesPerThread`; fewer where what they bring would need more memory than kMostBlockSamples. At least
     // 1.
     std::uint32_t mostSamples(std::uint32_t blocks, std::uint32_t samplesPerThread) const;
-    // Samples of blocks that a dispatch keeps, but for one sample of each where there are more blocks: 64 MiB.
+    // Samples of blocks that a dispatch keeps, but for one sample of each where there are more blocks: 64
+    // MiB.
     static constexpr std::uint32_t kMostBlockSamples = 1 << 16;
 
   private:
