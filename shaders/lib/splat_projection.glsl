@@ -51,6 +51,7 @@ float scaleFor(float size) {
     return size > float(1e30) ? float(7.888609052210118e-31) : float(1.0);  // 2^-100
 }
 
+// v / z, of any distance above 0.
 vec2 overDepth(vec2 v, float z) {
     float scale = scaleFor(z);
     return v * scale / (z * scale);

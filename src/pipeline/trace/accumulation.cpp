@@ -89,9 +89,8 @@ Result<void> Accumulation::record(gpu::Recorder& recorder, const SceneView& scen
 Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, const TraceVariant& variant,
                                 int bounces, double ms) {
     Work work{.variant = variant, .bounces = bounces, .isAdaptive = plan_.isAdaptive()};
-    // Fewer blocks than keep the device busy take as long, unless it is known to be so slow that they do not.
-    const std::uint32_t least =
-        pace_.knows(work) ? kMinBlocks : std::clamp(sideBySide_.blocksAtOnce(), kMinBlocks, kMaxBlocks);
+    // Fewer blocks than keep the device busy would take as long.
+    const std::uint32_t least = std::clamp(sideBySide_.blocksAtOnce(), kMinBlocks, kMaxBlocks);
     const auto planned = plan_.next(pace_.perMs(work) * ms, least, kMaxBlocks);
     const auto blocks = static_cast<std::uint32_t>(planned.size());
     double samples = 0.0;

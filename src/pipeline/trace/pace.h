@@ -38,7 +38,6 @@ class Pace {
 
     // Samples of one block per millisecond; a careful guess until something was learnt.
     double perMs(const Work& work) const;
-    bool knows(const Work& work) const { return perMs_.count(work) > 0; }
     void learn(const Work& work, double blockSamples, double ms);
 
   private:
