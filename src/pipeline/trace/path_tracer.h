@@ -120,8 +120,8 @@ class PathTracer {
     Result<void> setAdditions(const Additions& additions);
     Result<void> setSettings(const Settings& settings);
     Result<void> setView(const View& view);
-    // How long a dispatch of samples may take; 40 ms until it is set, at least 4. A graphics card gets no less
-    // than keeps it busy, which takes no longer than less would.
+    // How long a dispatch of samples may take; 40 ms until it is set, at least 4. A graphics card gets no
+    // less than keeps it busy, which takes no longer than less would.
     void setDispatchMs(double ms);
     // For tests and measurements: so many samples of each pixel are traced side by side; 0, as at first: as
     // many as the device likes (side_by_side.h). The picture begins anew.
