@@ -51,6 +51,12 @@ float scaleFor(float size) {
     return size > float(1e30) ? float(7.888609052210118e-31) : float(1.0);  // 2^-100
 }
 
+// v / z, of any distance above 0.
+vec2 overDepth(vec2 v, float z) {
+    float scale = scaleFor(z);
+    return v * scale / (z * scale);
+}
+
 float lengthOf(vec3 v) {
     float most = max(max(abs(v.x), abs(v.y)), abs(v.z));
     if (!(most > float(1e-30))) return float(0.0);
@@ -91,9 +97,9 @@ SplatSight sightOf(Splat splat, SplatView view) {
         sight.rowY = view.down * scale.y;
         sight.normal = view.forward * (scale.x * scale.y);
     } else {
-        sight.slope /= z;
+        sight.slope = overDepth(sight.slope, z);
         sight.slopeClamped = clamp(sight.slope, view.lowestSlope, view.highestSlope);
-        scale /= z;
+        scale = overDepth(scale, z);
         sight.rowX = (view.right - view.forward * sight.slopeClamped.x) * scale.x;
         sight.rowY = (view.down - view.forward * sight.slopeClamped.y) * scale.y;
         sight.normal =

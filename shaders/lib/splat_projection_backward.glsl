@@ -93,15 +93,17 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     vec3 byRowY = fromAxes(sight.axes, byAlongY);
     vec3 byNormal = fromAxes(sight.axes, byAlongN);
     float z = sight.inCamera.z;
-    vec2 scale = view.focalPx / z;
+    vec2 scale = overDepth(view.focalPx, z);
     float bySlopeX = scale.x * (scale.y * dot(view.right, byNormal) - dot(view.forward, byRowX));
     float bySlopeY = scale.y * (scale.x * dot(view.down, byNormal) - dot(view.forward, byRowY));
     if (sight.slope.x != sight.slopeClamped.x) bySlopeX = float(0.0);
     if (sight.slope.y != sight.slopeClamped.y) bySlopeY = float(0.0);
     bySlopeX += g.mean.x * view.focalPx.x;
     bySlopeY += g.mean.y * view.focalPx.y;
-    float byZ = g.depthMm - (dot(sight.rowX, byRowX) + dot(sight.rowY, byRowY) + two * dot(sight.normal, byNormal) +
-                             sight.slope.x * bySlopeX + sight.slope.y * bySlopeY) / z;
-    result.position = view.right * (bySlopeX / z) + view.down * (bySlopeY / z) + view.forward * byZ;
+    float bySlopeAndRows = dot(sight.rowX, byRowX) + dot(sight.rowY, byRowY) + two * dot(sight.normal, byNormal) +
+                           sight.slope.x * bySlopeX + sight.slope.y * bySlopeY;
+    vec2 across = overDepth(vec2(bySlopeX, bySlopeY), z);
+    float byZ = g.depthMm - overDepth(vec2(bySlopeAndRows, float(0.0)), z).x;
+    result.position = view.right * across.x + view.down * across.y + view.forward * byZ;
     return result;
 }

@@ -37,6 +37,8 @@ void addBenchFoveal(CLI::App& bench, Action& action) {
         ->check(between(0.001, 1.0));
     addNumber(*command, "--converged-spp", o.convergedSamples,
               "Samples of the picture that counts as converged; 0: only the times", 0, 1 << 20);
+    addNumber(*command, "--side-by-side", o.sideBySide,
+              "Samples of a pixel that are traced side by side; 0: as many as the device likes", 0, 64);
     command->callback([options, &action] {
         action = [options] { return printReport(options->study, options->foveal, evaluate::measureFoveal); };
     });

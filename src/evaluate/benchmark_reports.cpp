@@ -128,7 +128,9 @@ Json reportOf(const BenchStudy& study, const FovealOptions& options, const Fovea
     json["bounces"] = options.bounces;
     json["samplesPerPixel"] = options.samples;
     json["repetitions"] = options.repetitions;
+    json["sideBySide"] = options.sideBySide > 0 ? Json(options.sideBySide) : Json();
     json["times"] = {{"traceMs", result.times.traceMs},
+                     {"traceDispatches", result.times.dispatches},
                      {"guidesMs", result.times.guidesMs},
                      {"denoiseAndDisplayMs", result.times.displayMs},
                      {"totalMs", result.totalMs},
@@ -182,6 +184,30 @@ Json reportOf(const BenchStudy& study, const MotionOptions& options, const Motio
     return json;
 }
 
+namespace {
+
+// What the frames' foveae took, and what is left: splats, reprojection, composition. Null without foveae.
+Json foveaTimesJson(const QualityRow& row) {
+    using Times = hybrid::FoveaTimes;
+    using Number = std::optional<double>;
+    const auto json = [&row](double Times::*ms) {
+        return spreadJson(row.views, [ms](const QualityView& view) {
+            return view.foveaTimes ? Number((*view.foveaTimes).*ms) : Number();
+        });
+    };
+    const auto rest = [](const QualityView& view) {
+        if (!view.foveaTimes) return Number();
+        const Times& times = *view.foveaTimes;
+        return Number(view.frameMs - times.traceMs - times.developMs - times.captureMs);
+    };
+    return {{"trace", json(&Times::traceMs)},
+            {"guidesAndFilter", json(&Times::developMs)},
+            {"capture", json(&Times::captureMs)},
+            {"rest", spreadJson(row.views, rest)}};
+}
+
+}  // namespace
+
 Json toJson(const QualityRow& row) {
     using View = QualityView;
     using Number = std::optional<double>;
@@ -194,6 +220,7 @@ Json toJson(const QualityRow& row) {
             {"splats", row.splats > 0 ? Json(row.splats) : Json()},
             {"preparationSeconds", row.preparationSeconds ? Json(*row.preparationSeconds) : Json()},
             {"frameMs", spreadJson(row.views, [](const View& view) { return Number(view.frameMs); })},
+            {"stagesMs", foveaTimesJson(row)},
             {"samplesPerPixel", spreadJson(row.views, samples)},
             {"resolutionShare",
              spreadJson(row.views, [](const View& view) { return Number(view.resolutionShare); })},

@@ -35,6 +35,7 @@ class Bench {
     Result<trace::PathTracer> warmTracer(const trace::Settings& settings) const {
         MACULA_TRY(trace::PathTracer tracer, study_.makeTracer());
         MACULA_TRY_VOID(tracer.setSettings(settings));
+        tracer.setSideBySide(options_.sideBySide);
         MACULA_TRY([[maybe_unused]] const FovealTimes first, show(tracer, 1));
         MACULA_TRY_VOID(tracer.setTransferFunction(study_.function));
         return tracer;
@@ -76,6 +77,8 @@ class Bench {
                                   tracer.display(glm::vec3(0.0f)));
                        return study_.device->waitForAll();
                    }));
+        MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+        times.dispatches = statistics.dispatches;
         return times;
     }
 
@@ -104,11 +107,11 @@ class Bench {
             std::transform(turns.begin(), turns.end(), std::back_inserter(values), value);
             return median(std::move(values));
         };
-        report.times = {
-            .traceMs = medianOf([](const FovealTimes& t) { return t.traceMs; }),
-            .guidesMs = medianOf([](const FovealTimes& t) { return t.guidesMs; }),
-            .displayMs = medianOf([](const FovealTimes& t) { return t.displayMs; }),
-            .referenceTraceMs = medianOf([](const FovealTimes& t) { return t.referenceTraceMs; })};
+        report.times = {.traceMs = medianOf([](const FovealTimes& t) { return t.traceMs; }),
+                        .guidesMs = medianOf([](const FovealTimes& t) { return t.guidesMs; }),
+                        .displayMs = medianOf([](const FovealTimes& t) { return t.displayMs; }),
+                        .referenceTraceMs = medianOf([](const FovealTimes& t) { return t.referenceTraceMs; }),
+                        .dispatches = medianOf([](const FovealTimes& t) { return t.dispatches; })};
         report.totalMs = medianOf([](const FovealTimes& t) { return t.totalMs(); });
         report.ratio = medianOf([](const FovealTimes& t) { return t.totalMs() / t.referenceTraceMs; });
         return {};

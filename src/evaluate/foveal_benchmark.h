@@ -17,6 +17,8 @@ struct FovealOptions {
     int bounces = kBenchBounces;
     int repetitions = 5;  // device and reference take turns; medians are told
     double flip = 0.05;   // the error that is to be reached
+    // Samples of a pixel that are traced side by side; 0: as many as the device likes.
+    std::uint32_t sideBySide = 0;
     // Of the picture that counts as converged. It has as many bounces: what fewer leave out is another
     // matter.
     std::uint32_t convergedSamples = 512;
@@ -27,6 +29,7 @@ struct FovealTimes {
     double guidesMs = 0.0;
     double displayMs = 0.0;  // denoising and tone map
     double referenceTraceMs = 0.0;
+    double dispatches = 0.0;  // of samples
 
     double totalMs() const { return traceMs + guidesMs + displayMs; }
 };

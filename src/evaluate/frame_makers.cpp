@@ -118,6 +118,7 @@ Result<MadeFrame> SplatFrames::make(const Camera& camera, const glm::ivec2& size
         MACULA_TRY(const hybrid::Frame frame, drawOnce());
         made.ms = watch.lap().wallMs;
         if (!isMeasured) continue;
+        if (samplesPerPixel > 0) made.foveaTimes = frame_.foveaTimes();
         MACULA_TRY(made.foveaWeights, foveaWeightsOf(frame, sizePx));
         MACULA_TRY(const auto rgba, gpu::read<std::uint8_t>(*frame.pictures.front()));
         made.shown = imageOf(rgba, sizePx);

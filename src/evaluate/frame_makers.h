@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/camera.h"
@@ -24,8 +25,9 @@ struct MadeFrame {
     image::Image shown;
     std::vector<float> foveaWeights;  // of each pixel; empty without a fovea
     double ms = 0.0;
-    std::uint32_t samplesPerPixel = 0;  // of what was traced; 0: nothing was
-    double resolutionShare = 1.0;       // resolutionShareOf
+    std::uint32_t samplesPerPixel = 0;             // of what was traced; 0: nothing was
+    double resolutionShare = 1.0;                  // resolutionShareOf
+    std::optional<hybrid::FoveaTimes> foveaTimes;  // of `ms`, where the frame has a fovea of its own
 };
 
 // Path tracing alone, denoised. All fail with `cancelled` when `progress` says so.

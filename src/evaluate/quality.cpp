@@ -145,7 +145,8 @@ class Measurement {
                              .frameMs = frame.ms,
                              .samplesPerPixel = frame.samplesPerPixel,
                              .resolutionShare = frame.resolutionShare,
-                             .seam = seam});
+                             .seam = seam,
+                             .foveaTimes = frame.foveaTimes});
         progress_.advance();
         return progress_.cancelled() ? Result<void>(cancelledError()) : Result<void>();
     }

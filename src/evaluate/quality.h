@@ -16,6 +16,7 @@
 #include "evaluate/frame_scores.h"
 #include "evaluate/view_scores.h"
 #include "image/frame_metrics.h"
+#include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "pipeline/hybrid/model/first_model.h"
 #include "pipeline/hybrid/model/refinement.h"
 #include "pipeline/hybrid/views/pose_sampling.h"
@@ -49,7 +50,8 @@ struct QualityView {
     double frameMs = 0.0;
     std::uint32_t samplesPerPixel = 0;  // MadeFrame
     double resolutionShare = 1.0;
-    std::optional<image::SeamVisibility> seam;  // of the fovea's border; nothing without one
+    std::optional<image::SeamVisibility> seam;     // of the fovea's border; nothing without one
+    std::optional<hybrid::FoveaTimes> foveaTimes;  // MadeFrame
 };
 
 // Of a way to make frames, by view.

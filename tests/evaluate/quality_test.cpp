@@ -138,6 +138,15 @@ TEST(Quality, ARowIsToldWithItsSpread) {
     EXPECT_EQ(json["full"]["maskedPsnrDb"]["median"], 21.0);
     EXPECT_EQ(json["fovea"]["maskedPsnrDb"]["median"], 22.0);
     EXPECT_TRUE(json["fovea"]["flip"].is_null());
+    EXPECT_TRUE(json["stagesMs"]["trace"].is_null()) << "none of them has a fovea";
+    QualityRow foveal = rowOf("hybrid", {20.0, 21.0, 22.0}, 1.0);  // in 10, 11 and 12 ms
+    for (QualityView& view : foveal.views)
+        view.foveaTimes = hybrid::FoveaTimes{.traceMs = 4.0, .developMs = 2.0, .captureMs = 0.5};
+    const auto stages = toJson(foveal)["stagesMs"];
+    EXPECT_EQ(stages["trace"]["median"], 4.0);
+    EXPECT_EQ(stages["guidesAndFilter"]["median"], 2.0);
+    EXPECT_EQ(stages["capture"]["median"], 0.5);
+    EXPECT_EQ(stages["rest"]["median"], 4.5);
     const auto traced = toJson(QualityRow{.way = "pt"});
     EXPECT_TRUE(traced["model"].is_null());
     EXPECT_TRUE(traced["splats"].is_null());

@@ -85,6 +85,7 @@ TEST(Instance, listsTheRealDevices) {
         EXPECT_FALSE(device.driver.empty());
         EXPECT_GE(device.apiVersion, VK_API_VERSION_1_3);
         EXPECT_GT(device.memoryBytes, 0u);
+        EXPECT_EQ(device.threadsAtOnce == 0, device.type == DeviceType::cpu) << device.threadsAtOnce;
         EXPECT_LE(device.memoryAvailableBytes, device.memoryBytes);
         EXPECT_GE(device.maxStorageBufferBytes, 1u << 27);
         EXPECT_GE(device.maxTexelBufferElements, 65536u);

@@ -63,6 +63,21 @@ TEST(Pace, OfAGraphicsCardIsFoundSoon) {
     EXPECT_DOUBLE_EQ(slow.perMs(kWork), 1.0);
 }
 
+// What leaves most of a card idle says nothing about how fast one is that is busy, nor the other way round.
+TEST(Pace, OfWhatLeavesTheDeviceIdleIsAnother) {
+    Pace pace(Pace::graphicsCard());
+    Work idle = kWork;
+    idle.leavesIdle = true;
+    for (int i = 0; i < 60; ++i) pace.learn(kWork, 16000.0, 10.0);
+    EXPECT_DOUBLE_EQ(pace.perMs(idle), Pace::graphicsCard().perMs);
+    pace.learn(idle, 80.0, 5.0);
+    EXPECT_NEAR(pace.perMs(kWork), 1600.0, 1e-6);
+    EXPECT_DOUBLE_EQ(pace.perMs(idle), 16.0);
+    Work adaptive = idle;
+    adaptive.isAdaptive = true;
+    EXPECT_DOUBLE_EQ(pace.perMs(adaptive), 8.0);
+}
+
 // A dispatch without blocks, and one that took no time at all.
 TEST(Pace, StaysANumberAtTheExtremes) {
     Pace pace;

@@ -168,16 +168,19 @@ TEST_F(PathTracerTest, DrawsTheSamplesTheReferenceDraws) {
     const View view = front(*volume, 64);
     const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), bone);
     PathTracer t = tracer(volume, bone, sky, view, {.seed = 9});
-    ASSERT_TRUE(*t.trace(8));
-    const auto image = t.readback();
     const auto sums = ReferenceTracer(*volume, medium, sky)
                           .trace(*makeTraceParams(*volume, medium, sky, view, {.seed = 9}), Filter::trilinear,
                                  Precision::single, 0, 8);
-    int different = 0;
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-        if (glm::length(glm::dvec4(image->radiance[i]) - sums[i] / 8.0) > 1e-3) ++different;
+    for (const std::uint32_t sideBySide : {0u, 3u}) {
+        t.setSideBySide(sideBySide);
+        ASSERT_TRUE(*t.trace(8));
+        const auto image = t.readback();
+        int different = 0;
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            if (glm::length(glm::dvec4(image->radiance[i]) - sums[i] / 8.0) > 1e-3) ++different;
+        }
+        EXPECT_LT(different, int(sums.size() / 50)) << sideBySide;
     }
-    EXPECT_LT(different, int(sums.size() / 50));
 }
 
 // The same picture whichever way its samples are asked for, and none of the time goes by unused.

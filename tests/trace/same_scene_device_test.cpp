@@ -102,7 +102,7 @@ TEST_F(SameScene, APictureIsDevelopedPieceByPiece) {
         ++pieces;
         if (*done) break;
     }
-    EXPECT_GT(pieces, 10);
+    EXPECT_GT(pieces, device()->isCpu() ? 10 : 1);  // a graphics card gets several stages at a time
     EXPECT_EQ(picture(a), picture(b));
     // Samples that come meanwhile are filtered, too.
     ASSERT_TRUE(*a.trace(1));

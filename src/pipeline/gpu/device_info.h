@@ -38,7 +38,11 @@ struct DeviceInfo {
     std::uint32_t minSubgroupSize = 0;  // what KernelOptions::subgroupSize may require; 0: nothing
     std::uint32_t maxSubgroupSize = 0;
     std::uint32_t maxGroupsX = 0;  // of one dispatch
-    bool floatAtomicAdd = false;   // atomicAdd of floats in storage buffers (VK_EXT_shader_atomic_float)
+    // That it can hold at a time, so that each core has others to turn to while one waits for memory; by the
+    // driver where it tells, else a guess by the type. 0 on CPU devices, which hold as many as they have
+    // lanes.
+    std::uint32_t threadsAtOnce = 0;
+    bool floatAtomicAdd = false;  // atomicAdd of floats in storage buffers (VK_EXT_shader_atomic_float)
 
     std::string whyNotUsable;  // empty when usable; else what it lacks: "Vulkan 1.3"
     VkPhysicalDevice physical = VK_NULL_HANDLE;

@@ -56,6 +56,34 @@ bool hasFloatAtomicAdd(VkPhysicalDevice device) {
     return atomics.shaderBufferFloat32AtomicAdd == VK_TRUE;
 }
 
+std::uint32_t threadsAtOnce(VkPhysicalDevice device, VkPhysicalDeviceType type) {
+    // A card of some years ago, and a chip beside a CPU: their drivers do not tell.
+    constexpr std::uint32_t kDiscreteGuess = 1 << 16;
+    constexpr std::uint32_t kOtherGuess = 1 << 13;
+    constexpr std::uint32_t kWarp = 32;  // threads, of every card with VK_NV_shader_sm_builtins
+    if (type == VK_PHYSICAL_DEVICE_TYPE_CPU) return 0;
+    const auto ask = [device](auto& answer) {
+        VkPhysicalDeviceProperties2 properties{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, &answer, {}};
+        vkGetPhysicalDeviceProperties2(device, &properties);
+    };
+    std::uint32_t threads = 0;
+    if (hasExtension(device, VK_NV_SHADER_SM_BUILTINS_EXTENSION_NAME)) {
+        VkPhysicalDeviceShaderSMBuiltinsPropertiesNV cores{
+            VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_SM_BUILTINS_PROPERTIES_NV};
+        ask(cores);
+        threads = cores.shaderSMCount * cores.shaderWarpsPerSM * kWarp;
+    } else if (hasExtension(device, VK_AMD_SHADER_CORE_PROPERTIES_EXTENSION_NAME)) {
+        VkPhysicalDeviceShaderCorePropertiesAMD cores{
+            VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_CORE_PROPERTIES_AMD};
+        ask(cores);
+        threads = cores.shaderEngineCount * cores.shaderArraysPerEngineCount *
+                  cores.computeUnitsPerShaderArray * cores.simdPerComputeUnit * cores.wavefrontsPerSimd *
+                  cores.wavefrontSize;
+    }
+    if (threads > 0) return threads;
+    return type == VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU ? kDiscreteGuess : kOtherGuess;
+}
+
 HeapBudget deviceLocalBudget(VkPhysicalDevice device) {
     VkPhysicalDeviceMemoryBudgetPropertiesEXT budget{
         VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_MEMORY_BUDGET_PROPERTIES_EXT};

@@ -21,6 +21,8 @@ std::uint32_t timestampBits(VkPhysicalDevice device, std::uint32_t queueFamily);
 
 bool hasFloatAtomicAdd(VkPhysicalDevice device);
 
+std::uint32_t threadsAtOnce(VkPhysicalDevice device, VkPhysicalDeviceType type);  // as DeviceInfo
+
 struct HeapBudget {
     std::uint64_t bytes = 0;
     std::uint64_t availableBytes = 0;

@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstring>
 
-#include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 
 namespace macula::trace {
@@ -22,10 +21,12 @@ Result<void> Accumulation::begin(int width, int height) {
     plan_ = SamplingPlan(width, height);
     estimate_.reset();
     deviceMs_ = 0.0;
+    dispatches_ = 0;
     if (!film_ || film_->width() != width || film_->height() != height) {
         film_.reset();  // first, so that only one is ever on the device
         noiseMap_.reset();
         planned_.reset();
+        traced_.reset();
         primaries_.reset();
         MACULA_TRY(film_, Film::create(device_, width, height));
     }
@@ -43,34 +44,80 @@ Result<void> Accumulation::begin(int width, int height) {
     return {};
 }
 
+std::uint32_t Accumulation::mostSamples(const TraceVariant& variant, std::uint32_t perThread) const {
+    return variant.isSideBySide ? sideBySide_.mostSamples(plan_.blockCount(), perThread) : perThread;
+}
+
 double Accumulation::passMs(const TraceVariant& variant, int bounces) const {
-    return plan_.blockCount() / pace_.perMs({.variant = variant, .bounces = bounces});
+    const bool leavesIdle = plan_.blockCount() < sideBySide_.blocksAtOnce();
+    return plan_.blockCount() /
+           pace_.perMs({.variant = variant, .bounces = bounces, .leavesIdle = leavesIdle});
+}
+
+Result<void> Accumulation::makeRoomForTraced(std::uint64_t blockSamples) {
+    const std::uint64_t bytes = blockSamples * shared::kBlockEdge * shared::kBlockEdge * sizeof(glm::vec4);
+    if (traced_ && traced_->bytes() >= bytes) return {};
+    traced_.reset();
+    MACULA_TRY(traced_, gpu::Buffer::create(device_, {.label = "traced samples", .bytes = bytes}));
+    return {};
+}
+
+Result<void> Accumulation::record(gpu::Recorder& recorder, const SceneView& scene, TraceKernels& kernels,
+                                  const gpu::Kernel& samples, const TraceVariant& variant,
+                                  std::uint32_t blocks, std::uint32_t threadsPerPixel) {
+    std::vector<gpu::Binding> bindings = scene.bindings();
+    const gpu::Threads pixels{blocks * shared::kBlockEdge, shared::kBlockEdge};
+    if (variant.isSideBySide) {
+        std::vector<gpu::Binding> toAdd{bindings.front()};
+        film_->appendTo(toAdd);
+        for (auto* const list : {&bindings, &toAdd}) {
+            list->emplace_back(*planned_);
+            list->emplace_back(*traced_);
+        }
+        MACULA_TRY(const gpu::Kernel* add, kernels.addSamples());
+        recorder.dispatch(samples, {pixels.x, pixels.y, threadsPerPixel}, bindings);
+        recorder.dispatch(*add, pixels, toAdd);
+        return {};
+    }
+    film_->appendTo(bindings);
+    bindings.emplace_back(*planned_);
+    if (variant.tellsPrimaries) bindings.emplace_back(*primaries_);
+    recorder.dispatch(samples, pixels, bindings);
+    return {};
 }
 
 Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, const TraceVariant& variant,
                                 int bounces, double ms) {
-    const Work work{.variant = variant, .bounces = bounces, .isAdaptive = plan_.isAdaptive()};
-    const auto blocks = plan_.next(pace_.perMs(work) * ms, kMinBlocks, kMaxBlocks);
+    Work work{.variant = variant, .bounces = bounces, .isAdaptive = plan_.isAdaptive()};
+    // Fewer blocks than keep the device busy would take as long.
+    const std::uint32_t least = std::clamp(sideBySide_.blocksAtOnce(), kMinBlocks, kMaxBlocks);
+    const auto planned = plan_.next(pace_.perMs(work) * ms, least, kMaxBlocks);
+    const auto blocks = static_cast<std::uint32_t>(planned.size());
+    double samples = 0.0;
+    std::uint32_t most = 0;  // of a block
+    for (const shared::PlannedBlock& block : planned) {
+        samples += block.sampleCount;
+        most = std::max(most, block.sampleCount);
+    }
+    const std::uint32_t threads = variant.isSideBySide ? sideBySide_.threadsPerPixel(blocks, most) : 1;
+    work.leavesIdle = std::uint64_t(blocks) * threads < sideBySide_.blocksAtOnce();
+
+    if (variant.isSideBySide) MACULA_TRY_VOID(makeRoomForTraced(std::uint64_t(blocks) * most));
     MACULA_TRY(const TraceKernels::Found found, kernels.samples(variant));
     // Nothing reads it now: each dispatch is waited for.
-    std::memcpy(planned_->mapped().data(), blocks.data(), blocks.size() * sizeof(shared::PlannedBlock));
+    std::memcpy(planned_->mapped().data(), planned.data(), planned.size() * sizeof(shared::PlannedBlock));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "trace"));
-    std::vector<gpu::Binding> bindings = scene.bindings();
-    film_->appendTo(bindings);
-    bindings.emplace_back(*planned_);
-    if (variant.tellsPrimaries) bindings.emplace_back(*primaries_);
-    recorder.dispatch(*found.kernel,
-                      {static_cast<std::uint32_t>(blocks.size()) * shared::kBlockEdge, shared::kBlockEdge},
-                      bindings);
+    MACULA_TRY_VOID(record(recorder, scene, kernels, *found.kernel, variant, blocks, threads));
     const auto start = Clock::now();
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY([[maybe_unused]] const bool done, device_->waitFor(ticket));
     const double took = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-    double samples = 0.0;
-    for (const shared::PlannedBlock& block : blocks) samples += block.sampleCount;
-    // The first dispatch of a kernel compiles it, and says nothing about the pace.
-    if (!found.isNew) pace_.learn(work, samples, took);
+    // The first dispatch of a kernel compiles it, and says nothing about the pace. Nor does what was left
+    // over of a pass, where that is too little to keep the device busy.
+    const bool tells = !work.leavesIdle || blocks == plan_.blockCount();
+    if (!found.isNew && tells) pace_.learn(work, samples, took);
     deviceMs_ += took;
+    ++dispatches_;
     ++edition_;
     return {};
 }

@@ -9,12 +9,14 @@
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
+#include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/film.h"
 #include "pipeline/trace/noise_map.h"
 #include "pipeline/trace/pace.h"
 #include "pipeline/trace/sampling_plan.h"
 #include "pipeline/trace/scene_view.h"
+#include "pipeline/trace/side_by_side.h"
 #include "pipeline/trace/trace_kernels.h"
 #include "shared/primary_vertex.h"
 
@@ -24,7 +26,9 @@ namespace macula::trace {
 class Accumulation {
   public:
     explicit Accumulation(std::shared_ptr<gpu::Device> device)
-        : device_(std::move(device)), pace_(device_->isCpu() ? Pace::Guess{} : Pace::graphicsCard()) {}
+        : device_(std::move(device)),
+          pace_(device_->isCpu() ? Pace::Guess{} : Pace::graphicsCard()),
+          sideBySide_(device_->info().threadsAtOnce) {}
 
     // A picture without samples. What is known of the device's pace stays. outOfMemory.
     Result<void> begin(int width, int height);
@@ -32,6 +36,11 @@ class Accumulation {
     // Whoever begins passes decides how many samples they have; step() does them.
     SamplingPlan& plan() { return plan_; }
     const SamplingPlan& plan() const { return plan_; }
+    SideBySide& sideBySide() { return sideBySide_; }
+    // Whether the samples of a pixel of this picture are traced side by side, in a variant that says so.
+    bool isSideBySide() const { return sideBySide_.isFor(plan_.blockCount()); }
+    // The most samples of a pixel in one pass, of which a thread takes at most `perThread`.
+    std::uint32_t mostSamples(const TraceVariant& variant, std::uint32_t perThread) const;
     // How long a pass of one sample for each pixel takes, as far as is known.
     double passMs(const TraceVariant& variant, int bounces) const;
 
@@ -54,6 +63,7 @@ class Accumulation {
     // The edition of the film grows whenever something is added to it, or it is cleared.
     std::uint64_t edition() const { return edition_; }
     double deviceMs() const { return deviceMs_; }  // spent since it began
+    std::uint32_t dispatches() const { return dispatches_; }
 
     // One dispatch towards an error estimate of the samples traced so far; waits.
     Result<void> measureSome(const Settings& settings);
@@ -64,14 +74,22 @@ class Accumulation {
     const std::vector<shared::BlockNoise>& noises() const { return noises_; }
 
   private:
+    Result<void> makeRoomForTraced(std::uint64_t blockSamples);
+    Result<void> record(gpu::Recorder& recorder, const SceneView& scene, TraceKernels& kernels,
+                        const gpu::Kernel& samples, const TraceVariant& variant, std::uint32_t blocks,
+                        std::uint32_t threadsPerPixel);
+
     std::shared_ptr<gpu::Device> device_;
     Pace pace_;
+    SideBySide sideBySide_;
     std::optional<Film> film_;
     std::optional<gpu::Buffer> planned_;    // PlannedBlock: what the dispatch under way does
+    std::optional<gpu::Buffer> traced_;     // vec4: what samples that go side by side bring
     std::optional<gpu::Buffer> primaries_;  // PrimaryVertex: kPrimarySamples for each pixel
     SamplingPlan plan_;
     std::uint64_t edition_ = 0;
     double deviceMs_ = 0.0;
+    std::uint32_t dispatches_ = 0;
 
     std::optional<NoiseMap> noiseMap_;
     std::uint64_t measuredEdition_ = 0;  // edition of the film that the noise map measures, or has measured

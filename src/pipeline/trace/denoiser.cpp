@@ -18,12 +18,19 @@ namespace {
 constexpr std::array kStrides{1, 2, 4, 8, 16, 1, 2, 4, 8};
 constexpr int kFirstSweep = 5;  // strides in the first sweep
 
-// Rows of one dispatch for whoever may be interrupted: on a CPU device, where a pixel of a pass takes up to
+// Pixels of one dispatch for whoever may be interrupted: on a CPU device, where a pixel of a pass takes up to
 // 0.3 microseconds, some 40 ms.
+constexpr int kPixelsCpu = 1 << 17;
+constexpr int kPixelsGpu = 1 << 22;
+
 int rowsToFilterAtOnce(const gpu::Device& device, int width) {
-    constexpr int kPixelsCpu = 1 << 17;
-    constexpr int kPixelsGpu = 1 << 22;
     return std::max((device.isCpu() ? kPixelsCpu : kPixelsGpu) / width / 8 * 8, 8);
+}
+
+// Pixels of all stages that go to the device together, for whoever may be interrupted. A graphics card is
+// done with those of a small picture sooner than the host can wait for each by itself.
+int pixelsToSubmitAtOnce(const gpu::Device& device) {
+    return device.isCpu() ? 1 : 1 << 20;
 }
 
 Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
@@ -146,8 +153,11 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     if (stage_ == 0 && row_ == 0) ran_ = false;
     for (bool goesOn = true; stage_ < stages && goesOn;) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "denoise"));
-        do recordSome(recorder);
-        while (!keepGoing && stage_ < stages);
+        int pixels = 0;
+        do {
+            pixels += std::min(rowsAtOnce, height_ - row_) * width_;
+            recordSome(recorder);
+        } while (stage_ < stages && (!keepGoing || pixels < pixelsToSubmitAtOnce(*device)));
         const Result<gpu::Ticket> ticket = recorder.submit();
         if (!ticket) {
             giveUp();

@@ -14,7 +14,7 @@ double Pace::perMs(const Work& work) const {
     const auto known = perMs_.find(work);
     if (known != perMs_.end()) return known->second;
     if (!work.isAdaptive) return guess_.perMs;
-    return kDenser * perMs({.variant = work.variant, .bounces = work.bounces});
+    return kDenser * perMs({.variant = work.variant, .bounces = work.bounces, .leavesIdle = work.leavesIdle});
 }
 
 // Slower is believed at once, faster only by and by: a few blocks may be empty, and the next ones not.

@@ -13,9 +13,13 @@ struct Work {
     TraceVariant variant;
     int bounces = 1;
     bool isAdaptive = false;  // of blocks that noise chooses, which take longer
+    // Has fewer threads than the device holds. It takes as long as the longest row of samples of one thread,
+    // and tells nothing about how fast a device is that is busy.
+    bool leavesIdle = false;
 
     bool operator<(const Work& b) const {
-        return std::tie(variant, bounces, isAdaptive) < std::tie(b.variant, b.bounces, b.isAdaptive);
+        return std::tie(variant, bounces, isAdaptive, leavesIdle) <
+               std::tie(b.variant, b.bounces, b.isAdaptive, b.leavesIdle);
     }
 };
 

@@ -28,8 +28,8 @@ using Clock = std::chrono::steady_clock;
 // A dispatch is this long or shorter: a cancel is quick, and no watchdog fires.
 constexpr double kDispatchMs = 40.0;
 constexpr double kLeastDispatchMs = 4.0;  // less is mostly overhead
-// Several samples of a pixel in one dispatch keep a lane busy while its neighbours' paths are longer. Not too
-// many vertices in all: see kMaxRounds in path.comp.
+// Several samples of a pixel in one thread keep a lane busy while its neighbours' paths are longer. Not too
+// many vertices in all: see kMaxRounds in path_samples.glsl.
 constexpr int kMaxVerticesPerDispatch = 64;
 constexpr std::uint32_t kMaxRaysPerDispatch = 4;  // samples of a pixel that is cast
 // A pass that adapts adds so much to the samples there are: then it is time to look again where noise is.
@@ -176,6 +176,11 @@ void PathTracer::setDispatchMs(double ms) {
     impl_->dispatchMs = std::max(ms, kLeastDispatchMs);
 }
 
+void PathTracer::setSideBySide(std::uint32_t samples) {
+    impl_->accumulation.sideBySide().force(samples);
+    impl_->stale = true;
+}
+
 void PathTracer::forgetViews() {
     impl_->history.forget();
 }
@@ -189,13 +194,15 @@ Result<void> PathTracer::setView(const View& view) {
 TraceVariant PathTracer::Impl::variant() const {
     TraceVariant variant = variantOf(settings, kindOf(scene.scene()));
     variant.tellsPrimaries = tellsPrimaries;
+    variant.isSideBySide = isPathTraced(settings.look) && !tellsPrimaries && accumulation.isSideBySide();
     return variant;
 }
 
 std::uint32_t PathTracer::Impl::mostPerDispatch() const {
     if (!isPathTraced(settings.look)) return std::max(std::min(kMaxRaysPerDispatch, mostSamples), 1u);
-    const auto most = static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / verticesOf(settings), 1));
-    return std::max(std::min(most, mostSamples), 1u);
+    const auto perThread =
+        static_cast<std::uint32_t>(std::max(kMaxVerticesPerDispatch / verticesOf(settings), 1));
+    return std::max(std::min(accumulation.mostSamples(variant(), perThread), mostSamples), 1u);
 }
 
 // Brings the device up to what was set, and starts a new accumulation when anything changed.
@@ -562,6 +569,7 @@ Result<Statistics> PathTracer::statistics() const {
     if (t.accumulation.estimate()) statistics.estimatedError = t.accumulation.estimate()->rms;
     statistics.converged = t.converged();
     statistics.deviceMs = t.accumulation.deviceMs();
+    statistics.dispatches = t.accumulation.dispatches();
     if (statistics.meanSamplesPerPixel > 0.0) {
         MACULA_TRY(const Film::Faults faults, t.accumulation.film().faults());
         statistics.nonFiniteSamples = faults.nonFinite;

@@ -50,6 +50,7 @@ struct Statistics {
     std::uint64_t abandonedSamples = 0;  // likewise: paths too long for the device
     bool denoised = false;               // whether display() and readback() give a filtered picture
     double deviceMs = 0.0;               // spent tracing since the last change
+    std::uint32_t dispatches = 0;        // of samples, since then
     VoxelMemory voxels;
     std::vector<Message> messages;  // what a person has to know about what is shown
 };
@@ -110,8 +111,12 @@ class PathTracer {
     Result<void> setAdditions(const Additions& additions);
     Result<void> setSettings(const Settings& settings);
     Result<void> setView(const View& view);
-    // How long a dispatch of samples may take; 40 ms until it is set, at least 4.
+    // How long a dispatch of samples may take; 40 ms until it is set, at least 4. A graphics card gets no
+    // less than keeps it busy, which takes no longer than less would.
     void setDispatchMs(double ms);
+    // For tests and measurements: so many samples of each pixel are traced side by side; 0, as at first: as
+    // many as the device likes (side_by_side.h). The picture begins anew.
+    void setSideBySide(std::uint32_t samples);
     // The next view is denoised as if none had been traced before it.
     void forgetViews();
 

@@ -29,6 +29,7 @@ int castOf(Look look) {
 
 const gpu::ShaderCode& samplesCodeOf(const TraceVariant& variant) {
     if (!isPathTraced(variant.look)) return shaders::trace_cast_comp;
+    if (variant.isSideBySide) return shaders::trace_path_side_comp;
     return variant.tellsPrimaries ? shaders::trace_path_primaries_comp : shaders::trace_path_comp;
 }
 
@@ -68,6 +69,13 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                                         {"kShading", variant.shading},
                                         {"kCast", castOf(variant.look)}}}));
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
+}
+
+Result<const gpu::Kernel*> TraceKernels::addSamples() {
+    if (!addSamples_) {
+        MACULA_TRY(addSamples_, gpu::Kernel::create(device_, shaders::trace_add_samples_comp));
+    }
+    return &*addSamples_;
 }
 
 Result<const gpu::Kernel*> TraceKernels::guides(SceneKind scene) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -42,10 +43,11 @@ struct TraceVariant {
     bool shading = false;
     SceneKind scene = {};
     bool tellsPrimaries = false;  // paths tell their primary vertices: path_primaries.comp
+    bool isSideBySide = false;    // samples of a pixel are: path_side.comp
 
     bool operator<(const TraceVariant& b) const {
-        return std::tie(look, filter, shading, scene, tellsPrimaries) <
-               std::tie(b.look, b.filter, b.shading, b.scene, b.tellsPrimaries);
+        return std::tie(look, filter, shading, scene, tellsPrimaries, isSideBySide) <
+               std::tie(b.look, b.filter, b.shading, b.scene, b.tellsPrimaries, b.isSideBySide);
     }
 };
 
@@ -61,8 +63,9 @@ class TraceKernels {
         const gpu::Kernel* kernel = nullptr;  // its address stays valid
         bool isNew = false;                   // its first dispatch compiles it
     };
-    // path.comp, path_primaries.comp or cast.comp.
+    // path.comp, path_primaries.comp, path_side.comp or cast.comp.
     Result<Found> samples(const TraceVariant& variant);
+    Result<const gpu::Kernel*> addSamples();  // add_samples.comp
     Result<const gpu::Kernel*> guides(SceneKind scene);
     Result<const gpu::Kernel*> layers(SceneKind scene);
     Result<const gpu::Kernel*> candidates(SceneKind scene);
@@ -75,6 +78,7 @@ class TraceKernels {
 
     std::shared_ptr<gpu::Device> device_;
     std::map<TraceVariant, gpu::Kernel> samples_;
+    std::optional<gpu::Kernel> addSamples_;
     std::map<SceneKind, gpu::Kernel> guides_, layers_, candidates_, surfacePoints_;
     std::shared_ptr<const DenoiseKernels> denoising_;
 };

@@ -180,6 +180,32 @@ TEST_P(SplatDeviceOfViews, ComputesWhatCppComputes) {
     }
 }
 
+// Beside the middle of the picture, and so far away that a card need not divide by the distance: it lies
+// where it should, and so does its derivative, which is as large as the derivative by the depth is at 1e38
+// mm.
+TEST_F(SplatDevice, ProjectsWhatLies1e38MmAway) {
+    std::vector<Single::Splat> splats;
+    for (const float far : {1e20f, 1e29f, 1e31f, 8e37f, 1e38f}) {
+        for (const glm::vec2 slope : {glm::vec2(0.03f, -0.02f), glm::vec2(-0.01f, 0.04f)}) {
+            splats.push_back({{slope.x * far, far, slope.y * far}, {0.0f, 1.0f, 2.0f}, {1, 0, 0, 0}, 1.0f});
+        }
+    }
+    const Blending blending = blendingOf(LowPass::classic);  // which lets no splat vanish
+    const std::vector<Single::Outcome> outcomes = run(splats, blending);
+    Twofold host(someView(), blending);
+    for (std::size_t i = 0; i < splats.size(); ++i) {
+        SCOPED_TRACE(i);
+        const Single::Splat& s = splats[i];
+        const Twofold::Outcome exact =
+            host.outcomeOf({s.position, s.logScale, s.rotation, double(s.opacityLogit)}, host.frame);
+        ASSERT_GT(exact.screen.opacity, 0.0);
+        ASSERT_GT(outcomes[i].screen.opacity, 0.0f);
+        EXPECT_LT(differenceOf(outcomes[i].screen.mean, exact.screen.mean), 1e-5);
+        ASSERT_GT(glm::length(exact.bySplat.position), 1e-6);
+        EXPECT_LT(differenceOf(outcomes[i].bySplat.position, exact.bySplat.position), 1e-2);
+    }
+}
+
 TEST_F(SplatDevice, LeavesOutWhatIsNotFinite) {
     const std::vector<Single::Splat> splats = splatsNotFinite();
     for (const Single::Outcome& outcome : run(splats, {})) {

@@ -39,8 +39,11 @@ Result<void> HybridFrame::setScene(const trace::Settings& settings) {
     settings_.errorThreshold = 0.0;
     tracer_.forgetViews();
     MACULA_TRY_VOID(tracer_.setSettings(settings_));
-    // Who asks what can be seen needs a view, whichever.
-    MACULA_TRY_VOID(tracer_.setView({.width = 64, .height = 64}));
+    // Who asks what can be seen needs a view, whichever. As large as the last picture, whose film the next
+    // one finds in its place.
+    const bool isFirst = count_ == 0;
+    MACULA_TRY_VOID(
+        tracer_.setView({.width = isFirst ? 64 : view_.width, .height = isFirst ? 64 : view_.height}));
     MACULA_TRY(seenMm_, tracer_.seenMm());
     return {};
 }
@@ -56,6 +59,7 @@ Result<void> HybridFrame::aim(const FoveaAim& aim) {
     aim_ = aim;
     begun_ = Clock::now();
     spentMs_ = 0.0;
+    timesSoFar_ = {};
     return {};
 }
 
@@ -67,15 +71,22 @@ Result<bool> HybridFrame::traceFovea(const std::function<bool()>& keepGoing) {
         if (before.samplesPerPixel < aim_->samplesPerPixel) {
             const auto missing = aim_->samplesPerPixel - static_cast<std::uint32_t>(before.samplesPerPixel);
             MACULA_TRY(const bool isTraced, tracer_.trace(missing, keepGoing));
+            timesSoFar_.traceMs += msBetween(start, Clock::now());
             if (!isTraced || !keepGoing()) return false;
         }
-        return tracer_.develop(keepGoing);
+        const Clock::time_point traced = Clock::now();
+        Result<bool> isDeveloped = tracer_.develop(keepGoing);
+        timesSoFar_.developMs += msBetween(traced, Clock::now());
+        return isDeveloped;
     };
     Result<bool> isWhole = goOn();
     spentMs_ += msBetween(start, Clock::now());
     if (!isWhole || !*isWhole) return isWhole;
     fovea_.reset();
+    const Clock::time_point developed = Clock::now();
     MACULA_TRY(CapturedPicture picture, reprojection_.capture(tracer_, view_, seenMm_));
+    timesSoFar_.captureMs = msBetween(developed, Clock::now());
+    times_ = timesSoFar_;
     fovea_.emplace(Fovea{std::move(picture), *aim_, begun_, false, spentMs_});
     msPerSample_ = spentMs_ / (double(aim_->sidePx) * double(aim_->sidePx) * double(aim_->samplesPerPixel));
     wallPerTracing_ = std::clamp(msBetween(begun_, Clock::now()) / spentMs_, 1.0, kMostWallPerTracing);

@@ -45,6 +45,13 @@ struct FoveaAim {
     trace::Denoising denoising = trace::Denoising::on;
 };
 
+// What a picture for the fovea took, by the clock, from its aim until it is there.
+struct FoveaTimes {
+    double traceMs = 0.0;
+    double developMs = 0.0;  // guides and filter
+    double captureMs = 0.0;  // of the host, which does not wait for the device there
+};
+
 // A traced picture of all pixels, of exactly what the eye sees, that takes the frame's place by and by.
 struct FadingIn {
     trace::TracedLight light;
@@ -113,6 +120,8 @@ class HybridFrame {
     static constexpr double kMostTurnDeg = 20.0;
     // Whether frames for that eye show the fovea that there is; with parallel rays they show splats alone.
     bool showsFoveaTo(const Camera& eye) const;
+    // Of the last picture that traceFovea finished.
+    const FoveaTimes& foveaTimes() const { return times_; }
     // Tracing time of a fovea that is begun now, at most `mostMs`, so that it is there while it can still be
     // shown, by how fast the eyes of the last frames go around.
     double foveaBudgetMs(double mostMs) const;
@@ -151,6 +160,8 @@ class HybridFrame {
     trace::View view_;             // of that
     Clock::time_point begun_{};
     double spentMs_ = 0.0;
+    FoveaTimes timesSoFar_;  // of what is under way
+    FoveaTimes times_;
     std::optional<Fovea> fovea_;
     std::optional<double> msPerSample_;
     double wallPerTracing_ = 4.0;  // time from aim to picture over that of tracing; a guess at first
