@@ -24,6 +24,24 @@ vec3 parallelPositionGradient(SplatView view, ScreenGradient g) {
     return view.right * (g.mean.x * view.focalPx.x) + view.down * (g.mean.y * view.focalPx.y) + view.forward * g.depthMm;
 }
 
+// By the position where rays meet in the eye: through J, whose rows and normal have the derivatives that are given, through the
+// mean, and through the depth.
+vec3 perspectivePositionGradient(SplatView view, SplatSight sight, ScreenGradient g, vec3 byRowX, vec3 byRowY, vec3 byNormal) {
+    float z = sight.inCamera.z;
+    vec2 scale = overDepth(view.focalPx, z);
+    float bySlopeX = scale.x * (scale.y * dot(view.right, byNormal) - dot(view.forward, byRowX));
+    float bySlopeY = scale.y * (scale.x * dot(view.down, byNormal) - dot(view.forward, byRowY));
+    if (sight.slope.x != sight.slopeClamped.x) bySlopeX = float(0.0);
+    if (sight.slope.y != sight.slopeClamped.y) bySlopeY = float(0.0);
+    bySlopeX += g.mean.x * view.focalPx.x;
+    bySlopeY += g.mean.y * view.focalPx.y;
+    float bySlopeAndRows = dot(sight.rowX, byRowX) + dot(sight.rowY, byRowY) + float(2.0) * dot(sight.normal, byNormal) +
+                           sight.slope.x * bySlopeX + sight.slope.y * bySlopeY;
+    vec2 across = overDepth(vec2(bySlopeX, bySlopeY), z);
+    float byZ = g.depthMm - overDepth(vec2(bySlopeAndRows, float(0.0)), z).x;
+    return view.right * across.x + view.down * across.y + view.forward * byZ;
+}
+
 // `screen` is projectSplat(splat, view), and its opacity is above 0; the colour in `g` is not looked at: see splat_colour.glsl.
 SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen, ScreenGradient g) {
     float two = float(2.0);
@@ -84,7 +102,7 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     byAxes.z = sight.rowX * byAlongX.z + sight.rowY * byAlongY.z + sight.normal * byAlongN.z;
     result.rotation = quaternionGradient(splat.rotation, byAxes);
 
-    // Position: through J, through the mean, through the depth. With parallel rays J is the same everywhere.
+    // Position. With parallel rays J is the same everywhere.
     if (view.parallel != 0) {
         result.position = parallelPositionGradient(view, g);
         return result;
@@ -92,18 +110,6 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     vec3 byRowX = fromAxes(sight.axes, byAlongX);
     vec3 byRowY = fromAxes(sight.axes, byAlongY);
     vec3 byNormal = fromAxes(sight.axes, byAlongN);
-    float z = sight.inCamera.z;
-    vec2 scale = overDepth(view.focalPx, z);
-    float bySlopeX = scale.x * (scale.y * dot(view.right, byNormal) - dot(view.forward, byRowX));
-    float bySlopeY = scale.y * (scale.x * dot(view.down, byNormal) - dot(view.forward, byRowY));
-    if (sight.slope.x != sight.slopeClamped.x) bySlopeX = float(0.0);
-    if (sight.slope.y != sight.slopeClamped.y) bySlopeY = float(0.0);
-    bySlopeX += g.mean.x * view.focalPx.x;
-    bySlopeY += g.mean.y * view.focalPx.y;
-    float bySlopeAndRows = dot(sight.rowX, byRowX) + dot(sight.rowY, byRowY) + two * dot(sight.normal, byNormal) +
-                           sight.slope.x * bySlopeX + sight.slope.y * bySlopeY;
-    vec2 across = overDepth(vec2(bySlopeX, bySlopeY), z);
-    float byZ = g.depthMm - overDepth(vec2(bySlopeAndRows, float(0.0)), z).x;
-    result.position = view.right * across.x + view.down * across.y + view.forward * byZ;
+    result.position = perspectivePositionGradient(view, sight, g, byRowX, byRowY, byNormal);
     return result;
 }

@@ -42,6 +42,22 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
                  .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT});
 }
 
+// Of the first pass from the first row.
+shared::DenoisePush pushOf(const glm::ivec2& sizePx, float pixelAngle, float historySamples,
+                           const FoveaInPlane& fovea) {
+    return {.imageSize = sizePx,
+            .stride = 1,
+            .last = 0,
+            .pixelAngle = pixelAngle,
+            .historySamples = historySamples,
+            .firstRow = 0,
+            .planeHalfSize = fovea.halfSize,
+            .gaze = fovea.gaze,
+            .foveaRadius = static_cast<float>(fovea.radius),
+            .foveaMagnification = static_cast<float>(fovea.magnification),
+            .parallelMm = static_cast<float>(fovea.parallelMm)};
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const DenoiseKernels>> DenoiseKernels::create(
@@ -107,20 +123,14 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     const std::shared_ptr<gpu::Device>& device = result_.device();
     const int rowsAtOnce = keepGoing ? rowsToFilterAtOnce(*device, width_) : height_;
 
+    const shared::DenoisePush firstPush =
+        pushOf({width_, height_}, pixelAngle, history ? historySamples : 0.0f, fovea);
+
     const auto recordSome = [&](gpu::Recorder& recorder) {
         const int rows = std::min(rowsAtOnce, height_ - row_);
         const gpu::Threads threads{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(rows)};
-        shared::DenoisePush push{.imageSize = {width_, height_},
-                                 .stride = 1,
-                                 .last = 0,
-                                 .pixelAngle = pixelAngle,
-                                 .historySamples = history ? historySamples : 0.0f,
-                                 .firstRow = row_,
-                                 .planeHalfSize = fovea.halfSize,
-                                 .gaze = fovea.gaze,
-                                 .foveaRadius = static_cast<float>(fovea.radius),
-                                 .foveaMagnification = static_cast<float>(fovea.magnification),
-                                 .parallelMm = static_cast<float>(fovea.parallelMm)};
+        shared::DenoisePush push = firstPush;
+        push.firstRow = row_;
         if (stage_ == 0) {
             recorder.dispatch(kernels_->gather, threads, push,
                               {film.sums(), film.counts(), film.squares(), now.surfaces(), now.matters(),

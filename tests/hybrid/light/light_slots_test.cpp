@@ -78,7 +78,8 @@ TEST(LightSlots, OfNothingAreFree) {
     LightInSpace nothing(1.0);
     nothing.finish();
     expectWhole(nothing);
-    for (const glm::vec4& texel : LightSlots(nothing).cells()) EXPECT_EQ(texel, glm::vec4(0.0f));
+    const LightSlots slots(nothing);
+    for (const glm::vec4& texel : slots.cells()) EXPECT_EQ(texel, glm::vec4(0.0f));
 }
 
 }  // namespace
