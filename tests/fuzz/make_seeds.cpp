@@ -12,6 +12,7 @@
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
 #include "formats/volume_file.h"
+#include "fuzz/seeds.h"
 
 namespace macula::dicom::test {
 namespace {
@@ -23,10 +24,7 @@ void keep(const fs::path& from, const fs::path& to) {
     fs::copy_file(from, to, fs::copy_options::overwrite_existing);
 }
 
-void save(const fs::path& file, const std::string& bytes) {
-    fs::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << bytes;
-}
+using fuzz::save;
 
 SyntheticSeries smallSeries() {
     SyntheticSeries series;
@@ -285,5 +283,8 @@ int main(int count, char** arguments) {
     writeValues(corpus);
     writeVolumeFiles(corpus);
     writeSeriesSeeds(corpus);
+    macula::fuzz::writePresetSeeds(corpus);
+    macula::fuzz::writeStateSeeds(corpus);
+    macula::fuzz::writeModelSeeds(corpus);
     return 0;
 }
