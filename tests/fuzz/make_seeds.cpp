@@ -216,7 +216,7 @@ void writeVolumeFiles(const fs::path& corpus) {
     const TemporaryFolder folder;
     Progress progress;
     for (const char* name : {"v.nii", "v.nii.gz"}) {
-        ASSERT_TRUE(writeVolumeFile(smallVolume(), folder / name, progress));
+        ASSERT_TRUE(formats::writeVolumeFile(smallVolume(), folder / name, progress));
         keep(folder / name, corpus / "volume_file" / name);
     }
     const std::string values(2 * 3 * 4 * 2, '\7');

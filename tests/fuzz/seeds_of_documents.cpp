@@ -6,6 +6,7 @@
 #include "app/state/study_state.h"
 #include "fuzz/seeds.h"
 #include "pipeline/trace/light_rig_json.h"
+#include "pipeline/volume/transfer_function_json.h"
 
 namespace macula::fuzz {
 namespace {
@@ -216,7 +217,7 @@ void writeStateSeeds(const std::filesystem::path& corpus) {
     save(folder / "lights", "l" + trace::toJson(smallRig()));
     save(folder / "quality", R"(q{"version": 1, "name": "draft", "title": "Draft", "samplesPerPixel": 1,
 "bounces": 16, "filter": "trilinear", "denoise": true})");
-    save(folder / "camera", "c" + toJson(oblique()).dump());
+    save(folder / "camera", "c" + app::toJson(oblique()).dump());
     save(folder / "cameras_of_3dgs",
          R"(3[{"id": 0, "img_name": "a.png", "width": 640, "height": 480, "position": [1, 2, 3],
 "rotation": [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]], "fy": 500.5, "fx": 500.5, "cx": 320, "cy": 240}])");
