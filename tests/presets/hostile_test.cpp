@@ -107,6 +107,21 @@ TEST(Hostile, DeepNesting) {
     expectRefused(R"({"a": ")" + std::string(1000, '[') + R"(\"[["})", "volumeProperties");
 }
 
+// A megabyte of keys that mean nothing took minutes to be read and written.
+TEST(Hostile, ObjectsOfManyKeys) {
+    const auto withKeys = [](int count) {
+        std::string text = R"({"volumeProperties": "x")";
+        for (int i = 1; i < count; ++i) text += ",\"k" + std::to_string(i) + "\": 0";
+        return text + "}";
+    };
+    expectRefused(withKeys(1001), "too many keys");
+    expectRefused(withKeys(1000), "volumeProperties");
+    // Each object counts for itself, and texts count for nothing.
+    std::string list = R"({"a": ")" + std::string(2000, ':') + R"(", "b": [)";
+    for (int i = 0; i < 2000; ++i) list += R"({"c": 0},)";
+    expectRefused(list + "{}]}", "volumeProperties");
+}
+
 TEST(Hostile, EntitiesAreNotExpanded) {
     std::string bomb = "<?xml version=\"1.0\"?><!DOCTYPE plist [<!ENTITY a \"aaaaaaaaaa\">";
     for (char c = 'b'; c <= 'z'; ++c) {
