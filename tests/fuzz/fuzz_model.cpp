@@ -117,7 +117,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     const bool isTraining = looksLikeTraining(std::string_view(file).substr(0, kChunkFileMagic.size()));
     if (isTraining) mendChecksums(file);
-    readModelOf(macula::fuzz::fileOf(reinterpret_cast<const std::uint8_t*>(file.data()), file.size(), "model"));
+    readModelOf(
+        macula::fuzz::fileOf(reinterpret_cast<const std::uint8_t*>(file.data()), file.size(), "model"));
     if (isTraining) readTrainingOf(file);
     return 0;
 }

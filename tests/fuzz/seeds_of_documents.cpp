@@ -72,8 +72,7 @@ app::BesideState beside() {
     beside.volume = 2;
     beside.volumeKey = "abcdef-2";
     beside.link = app::BesideLink::registered;
-    beside.secondFromStudy =
-        affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {0.5, 7.0, -80.0});
+    beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {0.5, 7.0, -80.0});
     beside.boundMm = 0.7;
     beside.isDoubtful = true;
     beside.view = app::BesideView::over;
@@ -109,7 +108,8 @@ StudyState seenState() {
     state.seriesDigest = "0123456789abcdef";
     state.settings.look = trace::Look::minip;
     state.settings.shading = trace::Shading::none;
-    for (const app::Parameter& p : app::parameters()) p.set(state.settings, p.isWhole ? p.high : 0.5 * p.high);
+    for (const app::Parameter& p : app::parameters())
+        p.set(state.settings, p.isWhole ? p.high : 0.5 * p.high);
     state.windows.at(std::size_t(trace::Look::minip)) = window();
     state.camera = oblique();
     state.camera->parallelHeightMm = 143.5;
@@ -168,17 +168,21 @@ void writePresetSeeds(const std::filesystem::path& corpus) {
          R"({"volumeProperties": [{"effectiveRange": [0, 10], "components": [{"scalarOpacity": {"points":
 [{"x": 0, "y": 0, "midpoint": 0.5, "sharpness": 0.5}, {"x": 10, "y": 1}]}, "rgbTransferFunction": {"points":
 [{"x": 0, "color": [1, 0.5, 0]}]}}]}]})");
-    save(folder / "slicer_xml",
-         R"(<?xml version="1.0"?><MRML><VolumeProperty name="CT-a" scalarOpacity="4 0 0 10 1" colorTransfer="8 0 1 1 1 9 0 0 0"
+    save(
+        folder / "slicer_xml",
+        R"(<?xml version="1.0"?><MRML><VolumeProperty name="CT-a" scalarOpacity="4 0 0 10 1" colorTransfer="8 0 1 1 1 9 0 0 0"
 gradientOpacity="4 0 1 255 1" shade="1" ambient="0.1" specularPower="10" interpolation="1" effectiveRange="0 10"/></MRML>)");
     save(folder / "slicer_vp", "1\n1\n0.9\n0.1\n0.2\n10\n4 0 0 10 1\n4 0 1 255 1\n8 0 1 0 0 10 0 0 1\n");
-    save(folder / "paraview",
-         R"([{"Name": "CT-a", "ColorSpace": "Lab", "RGBPoints": [0, 0, 0, 0, 1, 1, 1, 1], "Points": [0, 0, 0.5, 0, 1, 1, 0.5, 0]}])");
-    save(folder / "volview",
-         R"({"Name": "MR-a", "AbsoluteRange": true, "ColorSpace": "HSV", "HSVWrap": 1, "EffectiveRange": [0, 1],
+    save(
+        folder / "paraview",
+        R"([{"Name": "CT-a", "ColorSpace": "Lab", "RGBPoints": [0, 0, 0, 0, 1, 1, 1, 1], "Points": [0, 0, 0.5, 0, 1, 1, 0.5, 0]}])");
+    save(
+        folder / "volview",
+        R"({"Name": "MR-a", "AbsoluteRange": true, "ColorSpace": "HSV", "HSVWrap": 1, "EffectiveRange": [0, 1],
 "RGBPoints": [0, 0, 0, 0, 1, 1, 1, 1], "OpacityPoints": [0, 0, 1, 1]} // made up)");
-    save(folder / "mitk",
-         R"(<Version TransferfunctionVersion="1"/><TransferFunction><ScalarOpacity><point x="0" y="1"/></ScalarOpacity>
+    save(
+        folder / "mitk",
+        R"(<Version TransferfunctionVersion="1"/><TransferFunction><ScalarOpacity><point x="0" y="1"/></ScalarOpacity>
 <GradientOpacity><point x="0" y="1"/></GradientOpacity><Color><point x="0" r="1" g="1" b="1" midpoint="0.5" sharpness="0"/></Color></TransferFunction>)");
     save(folder / "horos_curves",
          plist("<key>useShading</key><true/><key>shading</key><string>Glossy Bone</string>"
@@ -212,8 +216,9 @@ void writeStateSeeds(const std::filesystem::path& corpus) {
     save(folder / "own_preset", "o" + toJson(own));
     save(folder / "own_windows", "w" + app::toJson(std::vector<app::OwnWindow>{{"Kidney", window(), "HU"}}));
     save(folder / "clip", "k" + kClip);
-    save(folder / "clip_planes",
-         R"(k{"version": 1, "name": "left", "title": "Left", "planes": [{"normal": [1, 0, 0], "at": [0.5, 0.5, 0.5]}]})");
+    save(
+        folder / "clip_planes",
+        R"(k{"version": 1, "name": "left", "title": "Left", "planes": [{"normal": [1, 0, 0], "at": [0.5, 0.5, 0.5]}]})");
     save(folder / "lights", "l" + trace::toJson(smallRig()));
     save(folder / "quality", R"(q{"version": 1, "name": "draft", "title": "Draft", "samplesPerPixel": 1,
 "bounces": 16, "filter": "trilinear", "denoise": true})");
