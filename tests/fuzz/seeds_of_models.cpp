@@ -59,6 +59,21 @@ hybrid::PeripheralState smallPeripheral() {
     return state;
 }
 
+// The same file with no chunk packed: its numbers are changed one by one.
+std::string unpacked(const std::string& file) {
+    std::istringstream stream(file);
+    auto chunks = splat::ChunkFile::open(stream, file.size(), splat::kTrainingFileVersion);
+    EXPECT_TRUE(chunks.ok());
+    std::vector<std::vector<std::byte>> plain;
+    for (const splat::ChunkEntry& entry : chunks->entries())
+        plain.push_back(*splat::ChunkFile::unpacked(entry, *chunks->stored(entry)));
+    std::vector<splat::Chunk> written;
+    for (std::size_t i = 0; i < plain.size(); ++i) written.push_back({chunks->entries()[i].name, plain[i]});
+    std::ostringstream out;
+    EXPECT_TRUE(splat::writeChunks(out, splat::kTrainingFileVersion, written).ok());
+    return out.str();
+}
+
 }  // namespace
 
 void writeModelSeeds(const std::filesystem::path& corpus) {
@@ -87,10 +102,12 @@ void writeModelSeeds(const std::filesystem::path& corpus) {
     std::ostringstream training;
     ASSERT_TRUE(splat::writeTraining(training, randomState(2, 1, 2, {3, 2}, 4)).ok());
     save(folder / "training", training.str());
+    save(folder / "training_unpacked", unpacked(training.str()));
     std::ostringstream peripheral;
     splat::PackedPictures pictures;
     ASSERT_TRUE(hybrid::writePeripheral(peripheral, smallPeripheral(), pictures).ok());
     save(folder / "peripheral", peripheral.str());
+    save(folder / "peripheral_unpacked", unpacked(peripheral.str()));
 }
 
 }  // namespace macula::fuzz
