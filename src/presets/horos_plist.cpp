@@ -1,5 +1,6 @@
 #include "presets/horos_plist.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -146,6 +147,8 @@ Result<ImportedPresets> presetsFromHorosPlist(const PresetText& file, const Find
     if (!advanced) {
         window.level = root["wl"].number(kValue);
         window.width = root["ww"].number({1e-6, kLargestValue});
+        if (std::max(-window.at(0), window.at(kTable - 1)) > kLargestValue)
+            root["ww"].fail("a window within -1e9 to 1e9");
     }
     MACULA_TRY_VOID(document.status());
     if (!advanced) {

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "presets/numbers.h"
 #include "presets/preset_name.h"
 #include "presets/slicer_light.h"
@@ -19,7 +22,8 @@ void readRange(pugi::xml_node node, ImportedPreset& preset) {
     const std::string text = node.attribute("effectiveRange").value();
     if (text.empty()) return;
     const std::optional<std::vector<double>> range = numbersFrom(text, 2);
-    if (!range || range->size() != 2) {
+    const auto isTooLarge = [](double value) { return std::abs(value) > kLargestValue; };
+    if (!range || range->size() != 2 || std::any_of(range->begin(), range->end(), isTooLarge)) {
         preset.notes.push_back("The effective range cannot be read and was left out: \"" + text + "\".");
     } else if ((*range)[0] < (*range)[1]) {
         preset.function.effectiveRange = ValueRange{(*range)[0], (*range)[1]};

@@ -1,5 +1,6 @@
 #include "session/database_pages.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,8 +11,11 @@ namespace {
 
 constexpr std::size_t kFileHeader = 100;
 constexpr std::size_t kDefaultPage = 4096;
-constexpr std::size_t kMostPayload = 16'000'000;
+constexpr std::uint64_t kMostPayload = 16'000'000;
 constexpr std::uint8_t kTableLeaf = 13;
+// How often the same bytes may be taken for a part of a row: each is of one, and of a few older versions of
+// it. Cells that all lead to the same place would be copied for hours.
+constexpr std::uint64_t kMostCopies = 32;
 
 using Bytes = std::span<const std::byte>;
 
@@ -57,6 +61,7 @@ class Pages {
     explicit Pages(Bytes file) : file_(file), size_(pageSize(file)) {}
     std::size_t count() const { return (file_.size() + size_ - 1) / size_; }
     std::size_t size() const { return size_; }
+    std::size_t bytes() const { return file_.size(); }
     // From 1, as SQLite counts; empty where there is none. The last may be cut off.
     Bytes page(std::uint64_t number) const {
         if (number == 0 || number > count()) return {};
@@ -77,8 +82,15 @@ class Pages {
     std::size_t size_;
 };
 
+// Bytes that may still be copied: of cells of the same page, and of what overflowed from all pages.
+struct MayCopy {
+    std::uint64_t ofPage = 0;
+    std::uint64_t overflowed = 0;
+};
+
 // The payload of a cell: what lies in the page, and what overflowed. Pages of ours have no reserved bytes.
-std::optional<std::vector<std::byte>> payloadOf(const Pages& pages, Reader& cell, std::uint64_t bytes) {
+std::optional<std::vector<std::byte>> payloadOf(const Pages& pages, Reader& cell, std::uint64_t bytes,
+                                                MayCopy& mayCopy) {
     const std::uint64_t usable = pages.size();
     const std::uint64_t mostLocal = usable - 35;
     std::uint64_t local = bytes;
@@ -88,16 +100,18 @@ std::optional<std::vector<std::byte>> payloadOf(const Pages& pages, Reader& cell
         if (local > mostLocal) local = leastLocal;
     }
     const Bytes first = cell.take(local);
-    if (cell.hasFailed()) return {};
+    if (cell.hasFailed() || local > mayCopy.ofPage) return {};
+    mayCopy.ofPage -= local;
     std::vector<std::byte> payload(first.begin(), first.end());
     std::uint64_t next = bytes > local ? bigEndian(cell.take(4)) : 0;
-    // A chain in a circle ends when the payload is full.
+    // A chain in a circle ends when the payload, which is no larger than the file, is full.
     while (payload.size() < bytes && !cell.hasFailed()) {
         const Bytes page = pages.page(next);
         if (page.size() < 4) return {};
         next = bigEndian(page.first(4));
         const Bytes more = page.subspan(4, std::min<std::size_t>(page.size() - 4, bytes - payload.size()));
-        if (more.empty()) return {};
+        if (more.empty() || more.size() > mayCopy.overflowed) return {};
+        mayCopy.overflowed -= more.size();
         payload.insert(payload.end(), more.begin(), more.end());
     }
     if (payload.size() != bytes) return {};
@@ -152,12 +166,12 @@ void addRow(std::vector<Value> values, std::int64_t id, std::vector<FoundRow>& f
     }
 }
 
-void addCell(const Pages& pages, Bytes bytes, std::vector<FoundRow>& found) {
+void addCell(const Pages& pages, Bytes bytes, MayCopy& mayCopy, std::vector<FoundRow>& found) {
     Reader cell(bytes);
     const std::uint64_t payloadBytes = cell.varint();
     const auto id = static_cast<std::int64_t>(cell.varint());
-    if (cell.hasFailed() || payloadBytes > kMostPayload) return;
-    const auto payload = payloadOf(pages, cell, payloadBytes);
+    if (cell.hasFailed() || payloadBytes > std::min<std::uint64_t>(kMostPayload, pages.bytes())) return;
+    const auto payload = payloadOf(pages, cell, payloadBytes, mayCopy);
     if (!payload) return;
     if (auto values = recordOf(*payload)) addRow(std::move(*values), id, found);
 }
@@ -167,16 +181,18 @@ void addCell(const Pages& pages, Bytes bytes, std::vector<FoundRow>& found) {
 std::vector<FoundRow> rowsInPages(Bytes file) {
     const Pages pages(file);
     std::vector<FoundRow> found;
+    MayCopy mayCopy{.overflowed = kMostCopies * file.size()};
     for (std::size_t number = 1; number <= pages.count(); ++number) {
         const Bytes page = pages.page(number);
         const std::size_t start = number == 1 ? kFileHeader : 0;
         if (page.size() < start + 8 || std::to_integer<std::uint8_t>(page[start]) != kTableLeaf) continue;
         const std::uint64_t cells = bigEndian(page.subspan(start + 3, 2));
         Reader pointers(page.subspan(start + 8));
+        mayCopy.ofPage = kMostCopies * page.size();
         for (std::uint64_t i = 0; i < cells; ++i) {
             const std::uint64_t place = bigEndian(pointers.take(2));
             if (pointers.hasFailed()) break;
-            if (place < page.size()) addCell(pages, page.subspan(place), found);
+            if (place < page.size()) addCell(pages, page.subspan(place), mayCopy, found);
         }
     }
     return found;

@@ -213,6 +213,20 @@ TEST(StudyState, ASecondVolumeIsTurnedAndMovedAndNothingElse) {
 }
 
 // Equal states are no step, and are not kept: whatever tells two apart has to be among what is compared.
+// Bound and doubt are of a registration; what somebody linked otherwise has none, and comes back from its
+// text as it was.
+TEST(StudyState, OnlyARegistrationCanBeDoubtful) {
+    for (const char* link : {"byHand", "sameFrame", "registered"}) {
+        const StudyState state = read(R"({"version": 1, "beside": {"series": "a", "link": ")" +
+                                      std::string(link) + R"(", "boundMm": 0.7, "doubtful": true}})");
+        ASSERT_TRUE(state.beside);
+        const bool isRegistered = state.beside->link == BesideLink::registered;
+        EXPECT_EQ(state.beside->isDoubtful, isRegistered) << link;
+        EXPECT_EQ(state.beside->boundMm, isRegistered ? 0.7 : 0.0) << link;
+        EXPECT_EQ(read(toJson(state)), state) << link;
+    }
+}
+
 TEST(StudyState, AnotherPhaseBesideTheStudyIsAnotherState) {
     BesideState beside;
     beside.seriesDigest = "ab";

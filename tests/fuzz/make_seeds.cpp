@@ -12,6 +12,7 @@
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
 #include "formats/volume_file.h"
+#include "fuzz/seeds.h"
 
 namespace macula::dicom::test {
 namespace {
@@ -23,10 +24,7 @@ void keep(const fs::path& from, const fs::path& to) {
     fs::copy_file(from, to, fs::copy_options::overwrite_existing);
 }
 
-void save(const fs::path& file, const std::string& bytes) {
-    fs::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << bytes;
-}
+using fuzz::save;
 
 SyntheticSeries smallSeries() {
     SyntheticSeries series;
@@ -218,7 +216,7 @@ void writeVolumeFiles(const fs::path& corpus) {
     const TemporaryFolder folder;
     Progress progress;
     for (const char* name : {"v.nii", "v.nii.gz"}) {
-        ASSERT_TRUE(writeVolumeFile(smallVolume(), folder / name, progress));
+        ASSERT_TRUE(formats::writeVolumeFile(smallVolume(), folder / name, progress));
         keep(folder / name, corpus / "volume_file" / name);
     }
     const std::string values(2 * 3 * 4 * 2, '\7');
@@ -285,5 +283,9 @@ int main(int count, char** arguments) {
     writeValues(corpus);
     writeVolumeFiles(corpus);
     writeSeriesSeeds(corpus);
+    macula::fuzz::writeDatabaseSeeds(corpus);
+    macula::fuzz::writePresetSeeds(corpus);
+    macula::fuzz::writeStateSeeds(corpus);
+    macula::fuzz::writeModelSeeds(corpus);
     return 0;
 }

@@ -107,6 +107,40 @@ TEST(Hostile, DeepNesting) {
     expectRefused(R"({"a": ")" + std::string(1000, '[') + R"(\"[["})", "volumeProperties");
 }
 
+// Numbers that fit their own format, but could not be read again from ours.
+TEST(Hostile, RangesThatAreTooLarge) {
+    const ImportedPreset slicer = only(
+        R"(<MRML><VolumeProperty name="CT-a" scalarOpacity="4 0 0 10 1" colorTransfer="8 0 1 1 1 9 0 0 0"
+            effectiveRange="0 1e23"/></MRML>)");
+    EXPECT_FALSE(slicer.function.effectiveRange);
+    EXPECT_EQ(slicer.notes.size(), 1u) << "it is said to be left out";
+    EXPECT_TRUE(transferFunctionFromJson(toJson(slicer.function), "written").ok());
+    const auto windowed = [](const std::string& level, const std::string& width) {
+        return "<plist version=\"1.0\"><dict><key>name</key><string>CT-a</string><key>CLUT</key><string>No "
+               "CLUT</string><key>wl</key><real>" +
+               level + "</real><key>ww</key><real>" + width + "</real></dict></plist>";
+    };
+    expectRefused(windowed("1e9", "10"), "within");
+    expectRefused(windowed("-9e8", "5e8"), "within");
+    const ImportedPreset widest = only(windowed("5e8", "1e9"));
+    EXPECT_TRUE(transferFunctionFromJson(toJson(widest.function), "written").ok());
+}
+
+// A megabyte of keys that mean nothing took minutes to be read and written.
+TEST(Hostile, ObjectsOfManyKeys) {
+    const auto withKeys = [](int count) {
+        std::string text = R"({"volumeProperties": "x")";
+        for (int i = 1; i < count; ++i) text += ",\"k" + std::to_string(i) + "\": 0";
+        return text + "}";
+    };
+    expectRefused(withKeys(1001), "too many keys");
+    expectRefused(withKeys(1000), "volumeProperties");
+    // Each object counts for itself, and texts count for nothing.
+    std::string list = R"({"a": ")" + std::string(2000, ':') + R"(", "b": [)";
+    for (int i = 0; i < 2000; ++i) list += R"({"c": 0},)";
+    expectRefused(list + "{}]}", "volumeProperties");
+}
+
 TEST(Hostile, EntitiesAreNotExpanded) {
     std::string bomb = "<?xml version=\"1.0\"?><!DOCTYPE plist [<!ENTITY a \"aaaaaaaaaa\">";
     for (char c = 'b'; c <= 'z'; ++c) {

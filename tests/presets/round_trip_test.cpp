@@ -172,6 +172,17 @@ TEST(RoundTrip, DisabledGradientOpacity) {
     EXPECT_EQ(toJson(*again), written);
 }
 
+// A view that holds a preset of 3D Slicer, which has no name, could be written but not opened again.
+TEST(RoundTrip, APresetWithoutANameGetsOne) {
+    const auto read = transferFunctionFromJson(
+        R"({"volumeProperties": [{"components": [{"scalarOpacity": {"points": [{"x": 0, "y": 1}]},
+            "rgbTransferFunction": {"points": [{"x": 0, "color": [1, 1, 1]}]}}]}]})",
+        "f");
+    ASSERT_TRUE(read.ok());
+    EXPECT_EQ(read->name, "preset");
+    expectStable(*read);
+}
+
 TEST(RoundTrip, WhatOtherFormatsHoldComesThrough) {
     const auto vp =
         presets::only("0\n0\n0.9\n0.1\n0.2\n10\n8 -1 0 5 0 5 1 9 0.5\n4 0 1 5 0.5\n4 0 1 0 0\n", "US-a.vp");

@@ -76,8 +76,14 @@ BesideState besideStateFrom(const JsonNode& node) {
     readName(node, "link", kBesideLinks, state.link);
     if (const auto transform = node.find("secondFromStudy"))
         state.secondFromStudy = transformFrom(*transform);
-    if (const auto bound = node.find("boundMm")) state.boundMm = bound->number(kBoundMm);
-    if (const auto doubtful = node.find("doubtful")) state.isDoubtful = doubtful->boolean();
+    const auto bound = node.find("boundMm");
+    const double boundMm = bound ? bound->number(kBoundMm) : 0.0;
+    const auto doubtful = node.find("doubtful");
+    const bool isDoubtful = doubtful && doubtful->boolean();
+    if (state.link == BesideLink::registered) {  // others are no registration that could be doubtful
+        state.boundMm = boundMm;
+        state.isDoubtful = isDoubtful;
+    }
     readName(node, "view", kBesideViews, state.view);
     if (const auto window = node.find("window")) state.window = windowFrom(*window);
     if (const auto opacity = node.find("opacity")) state.opacity = opacity->number({0.0, 1.0});

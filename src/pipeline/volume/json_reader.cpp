@@ -1,6 +1,7 @@
 #include "pipeline/volume/json_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -47,30 +48,55 @@ std::string lineAndColumn(std::string_view text, std::size_t byte) {
     return fmt::format("line {}, column {}", line, column);
 }
 
-// Where brackets outside of texts and comments are more than kMaxDepth deep; npos where they are not.
 constexpr int kMaxDepth = 64;
-std::size_t tooDeepAt(std::string_view text) {
-    int depth = 0;
-    bool quoted = false;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const char c = text[i];
-        if (quoted) {
-            if (c == '\\') ++i;
-            if (c == '"') quoted = false;
-        } else if (c == '"') {
-            quoted = true;
-        } else if (text.substr(i, 2) == "//") {
-            i = std::min(text.find('\n', i), text.size());
-        } else if (text.substr(i, 2) == "/*") {
-            i = std::min(text.find("*/", i + 2), text.size()) + 1;  // at its slash
-        } else if (c == '[' || c == '{') {
-            if (++depth > kMaxDepth) return i;
-        } else if (c == ']' || c == '}') {
-            --depth;
+constexpr std::size_t kMostKeys = 1000;
+
+// What no reader is given, however valid it is: brackets that are more than kMaxDepth deep, an object of more
+// than kMostKeys. Told by the text alone: comments and texts in quotes are left out.
+class TextLimits {
+  public:
+    explicit TextLimits(std::string_view text) {
+        bool quoted = false;
+        for (std::size_t i = 0; i < text.size() && !isBroken(); ++i) {
+            const char c = text[i];
+            if (quoted) {
+                if (c == '\\') ++i;
+                if (c == '"') quoted = false;
+            } else if (c == '"') {
+                quoted = true;
+            } else if (text.substr(i, 2) == "//") {
+                i = std::min(text.find('\n', i), text.size());
+            } else if (text.substr(i, 2) == "/*") {
+                i = std::min(text.find("*/", i + 2), text.size()) + 1;  // at its slash
+            } else {
+                count(c, i);
+            }
         }
     }
-    return std::string_view::npos;
-}
+
+    bool isBroken() const { return isTooDeep_ || hasTooManyKeys_; }
+    bool isTooDeep() const { return isTooDeep_; }
+    std::size_t place() const { return place_; }
+
+  private:
+    void count(char c, std::size_t place) {
+        place_ = place;
+        if (c == '[' || c == '{') {
+            isTooDeep_ = ++depth_ > kMaxDepth;
+            if (!isTooDeep_) keys_.at(std::size_t(depth_)) = 0;
+        } else if ((c == ']' || c == '}') && depth_ > 0) {
+            --depth_;
+        } else if (c == ':') {
+            hasTooManyKeys_ = ++keys_.at(std::size_t(depth_)) > kMostKeys;
+        }
+    }
+
+    std::array<std::size_t, kMaxDepth + 1> keys_{};  // so far, of the object that is open at each depth
+    int depth_ = 0;
+    std::size_t place_ = 0;
+    bool isTooDeep_ = false;
+    bool hasTooManyKeys_ = false;
+};
 
 }  // namespace
 
@@ -177,9 +203,15 @@ JsonDocument JsonDocument::of(const nlohmann::json& value, std::string where) {
 
 JsonDocument::JsonDocument(std::string_view text, std::string where, JsonComments comments)
     : JsonDocument(std::move(where)) {
-    if (const std::size_t deep = tooDeepAt(text); deep != std::string_view::npos) {
-        state_->fail(fmt::format("The file is nested too deeply at {}.", lineAndColumn(text, deep + 1)),
-                     fmt::format("Give a file that is nested at most {} deep.", kMaxDepth));
+    if (const TextLimits limits(text); limits.isBroken()) {
+        const std::string place = lineAndColumn(text, limits.place() + 1);
+        if (limits.isTooDeep()) {
+            state_->fail(fmt::format("The file is nested too deeply at {}.", place),
+                         fmt::format("Give a file that is nested at most {} deep.", kMaxDepth));
+        } else {
+            state_->fail(fmt::format("An object of the file has too many keys, at {}.", place),
+                         fmt::format("Give a file whose objects have at most {} keys.", kMostKeys));
+        }
         return;
     }
     try {

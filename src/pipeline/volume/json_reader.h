@@ -63,8 +63,9 @@ enum class JsonComments { refused, ignored };
 class JsonDocument {
   public:
     // `where` is the file for error messages. Text that is no JSON shows as the error of status(), with line
-    // and column; so does JSON that is nested more than 64 deep, which no file of ours needs and which would
-    // exhaust the stack of whoever walks it.
+    // and column; so does JSON that is nested more than 64 deep or has more than 1000 keys in an object. No
+    // file of ours needs that; it would exhaust the stack of whoever walks it, and the patience of whoever
+    // waits: in documents that keep their order (ordered_json), a key is found by asking each.
     JsonDocument(std::string_view text, std::string where, JsonComments comments = JsonComments::refused);
     // For what was no JSON, but was made into it.
     static JsonDocument of(const nlohmann::json& value, std::string where);

@@ -255,8 +255,9 @@ Result<TransferFunction> transferFunctionFromJson(std::string_view text, const s
     MACULA_TRY_VOID(document.status());
     const JsonNode root = document.root();
     TransferFunction function;
-    function.name = fallbackName;
-    function.title = fallbackName;
+    // Never empty: such a name could be written, but not read again.
+    function.name = fallbackName.empty() ? "preset" : fallbackName;
+    function.title = function.name;
     function.modalities = {"CT"};
     function.document = text;
 

@@ -11,8 +11,9 @@
 namespace macula {
 
 // A file without the macula object is taken for a CT preset of 3D Slicer: Hounsfield units, named
-// `fallbackName`. Of several volume properties or components the first is read. Fails with inputNotUsable;
-// the message tells the line or the key, the hint what was expected. `where` is the file, for the error.
+// `fallbackName`, or "preset". Of several volume properties or components the first is read. Fails with
+// inputNotUsable; the message tells the line or the key, the hint what was expected. `where` is the file, for
+// the error.
 Result<TransferFunction> transferFunctionFromJson(std::string_view text, const std::string& where,
                                                   const std::string& fallbackName = {});
 
