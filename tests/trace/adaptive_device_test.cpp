@@ -270,6 +270,7 @@ TEST_F(Adaptive, IsCancelledAfterOneDispatch) {
     dense.opacity = {{-50, 0.0}, {0, 0.0}, {300, 0.9}};
     dense.density = 20.0;
     PathTracer t = tracer(smallPhantom(), dense, sky(false), front(1024), {.bounces = kMaxBounces});
+    const int asked = device()->isCpu() ? 12 : 3;  // a card is done with a pass after a few
     for (const bool budget : {false, true}) {
         int times = 0;
         double samples = t.statistics()->meanSamplesPerPixel;
@@ -279,12 +280,12 @@ TEST_F(Adaptive, IsCancelledAfterOneDispatch) {
                 EXPECT_GT(now, samples);
             }
             samples = now;
-            return ++times < 12;
+            return ++times < asked;
         };
         const auto traced = budget ? t.traceFor(kForever, keepGoing) : t.trace(1000, keepGoing);
         ASSERT_TRUE(traced.ok());
         EXPECT_FALSE(*traced);
-        EXPECT_EQ(times, 12) << "one dispatch for each question";
+        EXPECT_EQ(times, asked) << "one dispatch for each question";
         EXPECT_EQ(t.statistics()->meanSamplesPerPixel, samples) << "and none after the last";
     }
 }

@@ -16,52 +16,55 @@ constexpr std::uint32_t kLargest = (16384 / 8) * (16384 / 8);  // blocks
 TEST(SideBySide, ACpuDeviceTakesAllSamplesOfAPixelInOneThread) {
     const SideBySide cpu(0);
     EXPECT_EQ(cpu.blocksAtOnce(), 0u);
-    for (const std::uint32_t blocks : {1u, kFovea, kFrame, kLargest}) {
-        EXPECT_FALSE(cpu.isFor(blocks));
-        EXPECT_EQ(cpu.threadsPerPixel(blocks, 16), 1u);
-    }
+    EXPECT_EQ(cpu.leastBlocks(false, 16), 0u);
+    for (const std::uint32_t blocks : {1u, kFovea, kFrame, kLargest}) EXPECT_FALSE(cpu.isFor(blocks));
 }
 
-TEST(SideBySide, ASmallPictureOnACardTakesTheThreadsThatThereAre) {
+TEST(SideBySide, ASmallPictureOnACardHasAThreadForEachSample) {
     const SideBySide card(kLargeCard);
     EXPECT_EQ(card.blocksAtOnce(), 4224u);
     EXPECT_TRUE(card.isFor(kFovea));
-    EXPECT_EQ(card.threadsPerPixel(kFovea, 1), 1u);
-    EXPECT_EQ(card.threadsPerPixel(kFovea, 4), 4u);
-    // There is room for seven: three rounds, and no thread has less to do than a round less than the others.
-    EXPECT_EQ(card.threadsPerPixel(kFovea, 16), 6u);
-    // All of a whole frame keeps the card busy by itself.
-    EXPECT_FALSE(card.isFor(kFrame));
-    EXPECT_EQ(card.threadsPerPixel(kFrame, 16), 1u);
+    EXPECT_TRUE(card.isFor(kFrame));
+    EXPECT_TRUE(card.isFor(4 * 4224));
+    // With one thread for each pixel it keeps the card busy for long.
+    EXPECT_FALSE(card.isFor(4 * 4224 + 1));
+    EXPECT_FALSE(card.isFor(kLargest));
+    for (const std::uint32_t samples : {1u, 4u, 16u, 256u}) EXPECT_EQ(card.threadsPerPixel(samples), samples);
+    EXPECT_EQ(card.threadsPerPixel(0), 1u);
 }
 
-// Whatever the picture: never more threads than the device holds, nor one without a sample, and the longest
-// row is as short as it can be.
+// And the longest row is as short as it can be.
 TEST(SideBySide, NoThreadIsInVain) {
-    for (const std::uint32_t held : {0u, 1u, 63u, 64u, 8192u, 65536u, kLargeCard, 1u << 24}) {
-        const SideBySide device(held);
-        for (const std::uint32_t blocks : {0u, 1u, 2u, 63u, kFovea, 2112u, 2113u, 4224u, kFrame, kLargest}) {
-            for (const std::uint32_t samples : {0u, 1u, 2u, 3u, 7u, 16u, 1000u}) {
-                const std::uint32_t threads = device.threadsPerPixel(blocks, samples);
-                ASSERT_GE(threads, 1u);
-                ASSERT_LE(threads, std::max(samples, 1u));
-                if (threads > 1) {
-                    ASSERT_LE(std::uint64_t(threads) * blocks, std::max(device.blocksAtOnce(), 1u));
-                    ASSERT_TRUE(device.isFor(blocks));
-                    const std::uint32_t row = (samples + threads - 1) / threads;
-                    ASSERT_LT(std::uint64_t(threads - 1) * row, samples) << "one thread fewer would do";
-                }
-            }
+    const SideBySide device(kLargeCard);
+    for (const std::uint32_t samples : {0u, 1u, 2u, 7u, 255u, 256u, 257u, 300u, 512u, 513u, 100'000u}) {
+        const std::uint32_t threads = device.threadsPerPixel(samples);
+        ASSERT_GE(threads, 1u);
+        ASSERT_LE(threads, 256u);
+        const std::uint32_t row = (samples + threads - 1) / threads;
+        ASSERT_EQ(row, (samples + 255) / 256);
+        if (threads > 1) {
+            ASSERT_LT(std::uint64_t(threads - 1) * row, samples) << "one thread fewer would do";
         }
     }
 }
 
+TEST(SideBySide, ADispatchKeepsTheCardBusyAndNotForLong) {
+    const SideBySide card(kLargeCard);
+    EXPECT_EQ(card.leastBlocks(false, 16), 4224u);
+    EXPECT_EQ(card.leastBlocks(true, 1), 4224u);
+    EXPECT_EQ(card.leastBlocks(true, 4), 4224u);
+    EXPECT_EQ(card.leastBlocks(true, 16), 1056u);  // all of a fovea
+    EXPECT_EQ(card.leastBlocks(true, 123), 137u);
+    const SideBySide small(1);
+    EXPECT_EQ(small.leastBlocks(true, 16), 0u);
+}
+
 TEST(SideBySide, APassFitsWhatMayBeKept) {
     const SideBySide card(kLargeCard);
-    EXPECT_EQ(card.mostSamples(kFovea, 8), 7u * 8u);
     EXPECT_EQ(card.mostSamples(kFovea, 64), SideBySide::kMostBlockSamples / kFovea);
+    EXPECT_EQ(card.mostSamples(1, 8), 256u * 8u);
     EXPECT_EQ(card.mostSamples(kLargest, 8), 1u);
-    for (const std::uint32_t blocks : {1u, 2u, 63u, kFovea, 2112u}) {
+    for (const std::uint32_t blocks : {0u, 1u, 2u, 63u, kFovea, 2112u, kFrame}) {
         const std::uint64_t most = card.mostSamples(blocks, 64);
         EXPECT_GE(most, 1u);
         EXPECT_LE(most * blocks, SideBySide::kMostBlockSamples);
@@ -72,12 +75,12 @@ TEST(SideBySide, MayBeForced) {
     SideBySide cpu(0);
     cpu.force(4);
     EXPECT_TRUE(cpu.isFor(kFrame));
-    EXPECT_EQ(cpu.threadsPerPixel(kFrame, 16), 4u);
-    EXPECT_EQ(cpu.threadsPerPixel(kFrame, 3), 3u);
-    EXPECT_EQ(cpu.threadsPerPixel(kFrame, 5), 3u);  // two each, and one
-    cpu.force(1);                                   // the kernel, with one thread for a pixel
+    EXPECT_EQ(cpu.threadsPerPixel(16), 4u);
+    EXPECT_EQ(cpu.threadsPerPixel(3), 3u);
+    EXPECT_EQ(cpu.threadsPerPixel(5), 3u);  // two each, and one
+    cpu.force(1);                           // the kernel, with one thread for a pixel
     EXPECT_TRUE(cpu.isFor(kFrame));
-    EXPECT_EQ(cpu.threadsPerPixel(kFrame, 16), 1u);
+    EXPECT_EQ(cpu.threadsPerPixel(16), 1u);
     cpu.force(0);
     EXPECT_FALSE(cpu.isFor(kFrame));
 }

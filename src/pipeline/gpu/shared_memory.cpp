@@ -1,5 +1,6 @@
 #include "pipeline/gpu/shared_memory.h"
 
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <vulkan/vulkan_core.h>
 
@@ -88,12 +89,15 @@ Result<void> checkAllocation(const SharedMemoryOptions& options) {
     return {};
 }
 
-// A driver that reads from a pipe waits for ever.
-Result<void> checkIsNoStream(const FileDescriptor& descriptor) {
+// A driver that reads from a pipe waits for ever, and that of NVIDIA opens no memory any more once it was
+// given a file of a disk (580.159.04). Drivers on a CPU share files that are in memory, which alone can have
+// seals.
+Result<void> checkMayBeMemory(const FileDescriptor& descriptor) {
     struct stat file {};
-    if (fstat(descriptor.get(), &file) == 0 &&
-        (S_ISFIFO(file.st_mode) || S_ISSOCK(file.st_mode) || S_ISDIR(file.st_mode)))
-        return refused("What was shared is no memory, but a pipe, a socket or a folder.",
+    if (fstat(descriptor.get(), &file) != 0) return {};
+    const bool isOfDisk = S_ISREG(file.st_mode) && fcntl(descriptor.get(), F_GET_SEALS) < 0;
+    if (isOfDisk || S_ISFIFO(file.st_mode) || S_ISSOCK(file.st_mode) || S_ISDIR(file.st_mode))
+        return refused("What was shared is no memory, but a file, a pipe, a socket or a folder.",
                        "Give a file descriptor of vkGetMemoryFdKHR.");
     return {};
 }
@@ -122,7 +126,7 @@ Result<SharedMemory> SharedMemory::create(const SharedMemoryOptions& options) {
     MACULA_TRY_VOID(checkImage(shared.options_));
     MACULA_TRY_VOID(checkAllocation(shared.options_));
     MACULA_TRY(shared.memory_, FileDescriptor::copyOf(options.memory));
-    MACULA_TRY_VOID(checkIsNoStream(shared.memory_));
+    MACULA_TRY_VOID(checkMayBeMemory(shared.memory_));
     MACULA_TRY(shared.wait_, copyOfAny(options.wait));
     MACULA_TRY(shared.signal_, copyOfAny(options.signal));
     return shared;

@@ -89,8 +89,8 @@ Result<void> Accumulation::record(gpu::Recorder& recorder, const SceneView& scen
 Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, const TraceVariant& variant,
                                 int bounces, double ms) {
     Work work{.variant = variant, .bounces = bounces, .isAdaptive = plan_.isAdaptive()};
-    // Fewer blocks than keep the device busy would take as long.
-    const std::uint32_t least = std::clamp(sideBySide_.blocksAtOnce(), kMinBlocks, kMaxBlocks);
+    const std::uint32_t least =
+        std::clamp(sideBySide_.leastBlocks(variant.isSideBySide, plan_.passMost()), kMinBlocks, kMaxBlocks);
     const auto planned = plan_.next(pace_.perMs(work) * ms, least, kMaxBlocks);
     const auto blocks = static_cast<std::uint32_t>(planned.size());
     double samples = 0.0;
@@ -99,7 +99,7 @@ Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, c
         samples += block.sampleCount;
         most = std::max(most, block.sampleCount);
     }
-    const std::uint32_t threads = variant.isSideBySide ? sideBySide_.threadsPerPixel(blocks, most) : 1;
+    const std::uint32_t threads = variant.isSideBySide ? sideBySide_.threadsPerPixel(most) : 1;
     work.leavesIdle = std::uint64_t(blocks) * threads < sideBySide_.blocksAtOnce();
 
     if (variant.isSideBySide) MACULA_TRY_VOID(makeRoomForTraced(std::uint64_t(blocks) * most));

@@ -10,6 +10,12 @@ namespace {
 
 constexpr std::uint32_t kThreadsOfBlock = shared::kBlockEdge * shared::kBlockEdge;
 
+// Of threads through the device: from so many on, those that are done make room for others nearly all the
+// time, and a picture is traced as fast by one thread for each pixel.
+constexpr std::uint32_t kRounds = 4;
+// For each pixel: far below what a dispatch may have.
+constexpr std::uint32_t kMostThreads = 256;
+
 std::uint32_t dividedUp(std::uint32_t a, std::uint32_t b) {
     return a / b + (a % b != 0 ? 1 : 0);
 }
@@ -18,25 +24,28 @@ std::uint32_t dividedUp(std::uint32_t a, std::uint32_t b) {
 
 SideBySide::SideBySide(std::uint32_t threadsAtOnce) : blocksAtOnce_(threadsAtOnce / kThreadsOfBlock) {}
 
-// Never more threads than the device holds: those that wait for their turn would be better off as the next
-// sample of one that is there.
-std::uint32_t SideBySide::mostThreads(std::uint32_t blocks) const {
-    if (forced_ > 0) return forced_;
-    return std::max(blocksAtOnce_ / std::max(blocks, 1u), 1u);
+std::uint32_t SideBySide::mostThreads() const {
+    return forced_ > 0 ? forced_ : kMostThreads;
 }
 
 bool SideBySide::isFor(std::uint32_t blocks) const {
-    return forced_ > 0 || mostThreads(blocks) > 1;
+    return forced_ > 0 || blocks <= std::uint64_t(kRounds) * blocksAtOnce_;
 }
 
-std::uint32_t SideBySide::threadsPerPixel(std::uint32_t blocks, std::uint32_t samples) const {
+std::uint32_t SideBySide::leastBlocks(bool isSideBySide, std::uint32_t samples) const {
+    if (!isSideBySide) return blocksAtOnce_;
+    const std::uint64_t inRounds = std::uint64_t(kRounds) * blocksAtOnce_ / threadsPerPixel(samples);
+    return static_cast<std::uint32_t>(std::min<std::uint64_t>(inRounds, blocksAtOnce_));
+}
+
+std::uint32_t SideBySide::threadsPerPixel(std::uint32_t samples) const {
     if (samples == 0) return 1;
-    const std::uint32_t row = dividedUp(samples, mostThreads(blocks));
+    const std::uint32_t row = dividedUp(samples, mostThreads());
     return dividedUp(samples, row);
 }
 
 std::uint32_t SideBySide::mostSamples(std::uint32_t blocks, std::uint32_t samplesPerThread) const {
-    const std::uint64_t wanted = std::uint64_t(mostThreads(blocks)) * samplesPerThread;
+    const std::uint64_t wanted = std::uint64_t(mostThreads()) * samplesPerThread;
     const std::uint64_t kept = kMostBlockSamples / std::max(blocks, 1u);
     return static_cast<std::uint32_t>(std::max<std::uint64_t>(std::min(wanted, kept), 1));
 }
