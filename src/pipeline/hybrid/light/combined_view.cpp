@@ -29,9 +29,9 @@ bool isKnown(const glm::vec4& pixel) {
 // The weights of a Gaussian filter, from -kReach to kReach.
 std::array<float, kTaps> gaussian() {
     std::array<float, kTaps> weights{};
+    auto weight = weights.begin();
     for (int i = -kReach; i <= kReach; ++i)
-        weights.at(std::size_t(i + kReach)) =
-            static_cast<float>(std::exp(-double(i) * i / (2.0 * kSigmaPx * kSigmaPx)));
+        *weight++ = static_cast<float>(std::exp(-double(i) * i / (2.0 * kSigmaPx * kSigmaPx)));
     return weights;
 }
 
