@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -195,9 +197,13 @@ TEST_F(SharedImageTest, DescriptorsThatAreNoneAreRefused) {
         expectRefused(options, ErrorCode::usage, std::to_string(bad).c_str());
     }
     options.memory = good;
-    options.signal = 1'000'000;
-    expectRefused(options, ErrorCode::usage, "a semaphore that is not open");
-    options.signal = 0;
+    for (const int bad : {1'000'000, ends[0]}) {
+        options.signal = bad;
+        expectRefused(options, ErrorCode::usage, "a semaphore that is none");
+        options.wait = std::exchange(options.signal, 0);
+        expectRefused(options, ErrorCode::usage, "a semaphore to wait for that is none");
+        options.wait = 0;
+    }
     for (const int end : ends) close(end);
 
     std::FILE* const file = std::tmpfile();
@@ -208,6 +214,31 @@ TEST_F(SharedImageTest, DescriptorsThatAreNoneAreRefused) {
     options.memory = good;
     write(expectOk(imported(options)), pixels(9));  // nobody has closed it
     expectHostHas(pixels(9));
+}
+
+// Whether it was taken or refused, and however far it was read.
+TEST_F(SharedImageTest, DescriptorsAreClosedWithTheirMemory) {
+    const auto open = [] {
+        const std::filesystem::directory_iterator all("/proc/self/fd");
+        return std::distance(begin(all), end(all));
+    };
+    SharedMemoryOptions options = shared();
+    const auto before = open();
+    {
+        options.wait = options.signal = options.memory;
+        SharedMemory memory = expectOk(SharedMemory::create(options));
+        EXPECT_EQ(open(), before + 3);
+        memory = expectOk(SharedMemory::create(options));
+        EXPECT_EQ(open(), before + 3);
+        EXPECT_GT(memory.memory().get(), STDERR_FILENO);
+    }
+    EXPECT_EQ(open(), before);
+    options.signal = 1'000'000;
+    EXPECT_FALSE(SharedMemory::create(options).ok());
+    options.signal = 0;
+    options.height = 0;
+    EXPECT_FALSE(SharedMemory::create(options).ok());
+    EXPECT_EQ(open(), before);
 }
 
 TEST_F(SharedImageTest, WhatDoesNotFitIsRefused) {

@@ -8,7 +8,9 @@
 namespace macula::gpu {
 
 Result<FileDescriptor> FileDescriptor::copyOf(int descriptor) {
-    const int copy = fcntl(descriptor, F_DUPFD_CLOEXEC, 0);
+    // Above those of stdin, stdout and stderr: where a program has closed them, a log must not be written
+    // here.
+    const int copy = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
     if (copy >= 0) return FileDescriptor(copy);
     if (errno == EMFILE || errno == ENFILE)
         return Error{ErrorCode::outOfMemory,

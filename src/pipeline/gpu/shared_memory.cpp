@@ -89,22 +89,25 @@ Result<void> checkAllocation(const SharedMemoryOptions& options) {
     return {};
 }
 
-// A driver that reads from a pipe waits for ever, and that of NVIDIA opens no memory any more once it was
-// given a file of a disk (580.159.04). Drivers on a CPU share files that are in memory, which alone can have
-// seals.
-Result<void> checkMayBeMemory(const FileDescriptor& descriptor) {
+// A copy of what a driver may be given, as far as the system can tell. A driver that reads from a pipe waits
+// for ever, and that of NVIDIA opens no memory any more once it was given a file of a disk (580.159.04).
+// Drivers on a CPU share files that are in memory, which alone can have seals.
+Result<FileDescriptor> copyFor(int descriptor, const char* what, const char* madeBy) {
+    MACULA_TRY(FileDescriptor copy, FileDescriptor::copyOf(descriptor));
     struct stat file {};
-    if (fstat(descriptor.get(), &file) != 0) return {};
-    const bool isOfDisk = S_ISREG(file.st_mode) && fcntl(descriptor.get(), F_GET_SEALS) < 0;
+    if (fstat(copy.get(), &file) != 0) return copy;
+    const bool isOfDisk = S_ISREG(file.st_mode) && fcntl(copy.get(), F_GET_SEALS) < 0;
     if (isOfDisk || S_ISFIFO(file.st_mode) || S_ISSOCK(file.st_mode) || S_ISDIR(file.st_mode))
-        return refused("What was shared is no memory, but a file, a pipe, a socket or a folder.",
-                       "Give a file descriptor of vkGetMemoryFdKHR.");
-    return {};
+        return refused(
+            fmt::format("What was shared as {} is a file, a pipe, a socket or a folder, and no {}.", what,
+                        what),
+            fmt::format("Give a file descriptor of {}.", madeBy));
+    return copy;
 }
 
-Result<FileDescriptor> copyOfAny(int descriptor) {
+Result<FileDescriptor> semaphoreCopy(int descriptor) {
     if (descriptor <= 0) return FileDescriptor();
-    return FileDescriptor::copyOf(descriptor);
+    return copyFor(descriptor, "semaphore", "vkGetSemaphoreFdKHR");
 }
 
 }  // namespace
@@ -125,10 +128,9 @@ Result<SharedMemory> SharedMemory::create(const SharedMemoryOptions& options) {
     if (options.layout == VK_IMAGE_LAYOUT_UNDEFINED) shared.options_.layout = VK_IMAGE_LAYOUT_GENERAL;
     MACULA_TRY_VOID(checkImage(shared.options_));
     MACULA_TRY_VOID(checkAllocation(shared.options_));
-    MACULA_TRY(shared.memory_, FileDescriptor::copyOf(options.memory));
-    MACULA_TRY_VOID(checkMayBeMemory(shared.memory_));
-    MACULA_TRY(shared.wait_, copyOfAny(options.wait));
-    MACULA_TRY(shared.signal_, copyOfAny(options.signal));
+    MACULA_TRY(shared.memory_, copyFor(options.memory, "memory", "vkGetMemoryFdKHR"));
+    MACULA_TRY(shared.wait_, semaphoreCopy(options.wait));
+    MACULA_TRY(shared.signal_, semaphoreCopy(options.signal));
     return shared;
 }
 
