@@ -162,12 +162,17 @@ Result<void> checkSemaphores(const Device& device) {
     info.handleType = kSemaphoreHandle;
     VkExternalSemaphoreProperties properties{VK_STRUCTURE_TYPE_EXTERNAL_SEMAPHORE_PROPERTIES};
     vkGetPhysicalDeviceExternalSemaphoreProperties(device.physical(), &info, &properties);
-    if (!functionOf<PFN_vkImportSemaphoreFdKHR>(device, "vkImportSemaphoreFdKHR") ||
-        !(properties.externalSemaphoreFeatures & VK_EXTERNAL_SEMAPHORE_FEATURE_IMPORTABLE_BIT))
+    const std::string without = "Give none: then the picture is there when the call returns.";
+    if (!(properties.externalSemaphoreFeatures & VK_EXTERNAL_SEMAPHORE_FEATURE_IMPORTABLE_BIT))
         return Error{
             ErrorCode::deviceNotUsable,
             fmt::format("The device {} cannot share semaphores with another program.", device.info().name),
-            "", "Give none: then the picture is there when the call returns."};
+            "", without};
+    if (!functionOf<PFN_vkImportSemaphoreFdKHR>(device, "vkImportSemaphoreFdKHR"))
+        return Error{ErrorCode::deviceNotUsable,
+                     fmt::format("The device {} was opened without what semaphores are shared by.",
+                                 device.info().name),
+                     "", without + " Or open it with VK_KHR_external_semaphore_fd, if it offers that."};
     return {};
 }
 
