@@ -157,8 +157,15 @@ TEST_F(CSharedImage, FramesAreTheSameAsInMemory) {
         EXPECT_EQ(host.pixels(), rgba_);
     }
     frame_.rgba = nullptr;  // and without memory
+    camera.position_mm[0] += 30.0;
     ASSERT_EQ(draw(), MACULA_DONE) << lastError().message;
-    EXPECT_EQ(host.pixels().size(), rgba_.size());
+    const std::vector<std::uint8_t> alone = host.pixels();
+    EXPECT_EQ(alone.size(), rgba_.size());
+    EXPECT_NE(alone, rgba_) << "it has the frame before";
+    frame_.shared = nullptr;  // and what is no longer asked for stays
+    camera.position_mm[0] += 30.0;
+    ASSERT_EQ(draw(), MACULA_DONE) << lastError().message;
+    EXPECT_EQ(host.pixels(), alone);
 }
 
 TEST_F(CSharedImage, SemaphoresPassTheImageToAndFro) {

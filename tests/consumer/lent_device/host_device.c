@@ -58,6 +58,18 @@ static int offers(VkPhysicalDevice physical, const char* extension) {
     return 0;
 }
 
+/* Both ways, by opaque file descriptors: a driver may offer the extension for those of other kinds. */
+static int shares_semaphores(VkPhysicalDevice physical) {
+    VkPhysicalDeviceExternalSemaphoreInfo info = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTERNAL_SEMAPHORE_INFO};
+    info.handleType = VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT;
+    VkExternalSemaphoreProperties can = {VK_STRUCTURE_TYPE_EXTERNAL_SEMAPHORE_PROPERTIES};
+    vkGetPhysicalDeviceExternalSemaphoreProperties(physical, &info, &can);
+    const VkExternalSemaphoreFeatureFlags both =
+        VK_EXTERNAL_SEMAPHORE_FEATURE_EXPORTABLE_BIT | VK_EXTERNAL_SEMAPHORE_FEATURE_IMPORTABLE_BIT;
+    return (can.externalSemaphoreFeatures & both) == both &&
+           offers(physical, VK_KHR_EXTERNAL_SEMAPHORE_FD_EXTENSION_NAME);
+}
+
 static int open_device(struct host_device* host, int shares) {
     VkPhysicalDeviceVulkan13Features v13 = {VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     v13.synchronization2 = VK_TRUE;
@@ -74,7 +86,7 @@ static int open_device(struct host_device* host, int shares) {
     const char* extensions[3] = {VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME};
     uint32_t extension_count = 1;
     if (shares) extensions[extension_count++] = VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME;
-    if (shares && offers(host->physical, VK_KHR_EXTERNAL_SEMAPHORE_FD_EXTENSION_NAME)) {
+    if (shares && shares_semaphores(host->physical)) {
         extensions[extension_count++] = VK_KHR_EXTERNAL_SEMAPHORE_FD_EXTENSION_NAME;
         host->has_semaphores = 1;
     }
