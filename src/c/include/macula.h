@@ -410,8 +410,11 @@ typedef struct macula_lent_image {
  * Semaphores are binary VkSemaphores of VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT, and may be missing.
  * Each frame that is delivered waits for `wait_fd` once, before it writes, and signals `signal_fd` once, when
  * it has written; a call that fails does neither, unless the device was lost. Submit the signal that it waits
- * for before the call, and the wait for what it signals before the next. Not every device can share them:
- * lavapipe cannot. */
+ * for before the call, and the wait for what it signals before the next: a signal that never comes is waited
+ * for for ever. After a call that failed it is still there for the next. Where Macula's device is lost, also
+ * after a call, what it was to signal may never be: wait for your own submission with a limit of time, and
+ * once that has passed share the image anew, with new semaphores. Not every device can share them: lavapipe
+ * cannot. */
 typedef struct macula_shared_memory {
     uint32_t size;
     int32_t memory_fd;       /* of vkGetMemoryFdKHR, above 0 */
@@ -424,8 +427,8 @@ typedef struct macula_shared_memory {
     int32_t width;        /* pixels, 1 to 16384 */
     int32_t height;
     int32_t format;    /* VkFormat: R8G8B8A8, UNORM or SRGB: bits are copied, encoded for display */
-    int32_t tiling;    /* VkImageTiling */
-    uint32_t usage;    /* VkImageUsageFlags, with VK_IMAGE_USAGE_TRANSFER_DST_BIT */
+    int32_t tiling;    /* VkImageTiling: optimal or linear */
+    uint32_t usage;    /* VkImageUsageFlags, with TRANSFER_DST: of transfers, sampling, storage, colour */
     uint32_t flags;    /* VkImageCreateFlags: mutable format, extended usage, alias, or 0 */
     int32_t layout;    /* VkImageLayout that it is left in, 0: general */
     int32_t wait_fd;   /* of vkGetSemaphoreFdKHR, above 0; else the image may be written to at once */
@@ -437,7 +440,7 @@ typedef struct macula_shared_image macula_shared_image;
 /* Macula duplicates the file descriptors: yours stay open, and are yours to close, at once if you like. Which
  * card draws shows with the first frame, and that fails where it is another one (MACULA_USAGE), or where it
  * cannot share images, or semaphores (MACULA_DEVICE). A device that was lost and replaced has the image again
- * by itself. */
+ * by itself; of semaphores see above. */
 MACULA_API macula_status macula_shared_image_create(const macula_shared_memory* memory,
                                                     macula_shared_image** image);
 /* What a live picture has of it goes with its next frame to another shared image, or with its close. */
