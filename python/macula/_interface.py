@@ -68,7 +68,8 @@ class LiveOptions(Sized):
 class Frame(Sized):
     _fields_ = [("size", c_uint32), ("width", c_int32), ("height", c_int32), ("is_moving", c_int32),
                 ("camera", POINTER(Camera)), ("gaze", c_double * 2), ("for_about_ms", c_double),
-                ("rgba", POINTER(c_uint8)), ("bytes", c_uint64), ("row_bytes", c_uint64), ("image", c_void_p), ("shared", c_void_p)]
+                ("rgba", POINTER(c_uint8)), ("bytes", c_uint64), ("row_bytes", c_uint64), ("image", c_void_p),
+                ("shared", c_void_p)]
 
 
 class Shown(Sized):
