@@ -8,10 +8,13 @@
 #include <cstring>
 #include <filesystem>
 #include <iterator>
+#include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "gpu/gpu_test.h"
+#include "gpu/lose_device.h"
 #include "host_share.h"
 #include "pipeline/gpu/physical_device.h"
 #include "pipeline/gpu/transfer.h"
@@ -216,29 +219,67 @@ TEST_F(SharedImageTest, DescriptorsThatAreNoneAreRefused) {
     expectHostHas(pixels(9));
 }
 
+std::ptrdiff_t openDescriptors() {
+    const std::filesystem::directory_iterator all("/proc/self/fd");
+    return std::distance(begin(all), end(all));
+}
+
 // Whether it was taken or refused, and however far it was read.
 TEST_F(SharedImageTest, DescriptorsAreClosedWithTheirMemory) {
-    const auto open = [] {
-        const std::filesystem::directory_iterator all("/proc/self/fd");
-        return std::distance(begin(all), end(all));
-    };
     SharedMemoryOptions options = shared();
-    const auto before = open();
+    const std::ptrdiff_t before = openDescriptors();
     {
         options.wait = options.signal = options.memory;
         SharedMemory memory = expectOk(SharedMemory::create(options));
-        EXPECT_EQ(open(), before + 3);
+        EXPECT_EQ(openDescriptors(), before + 3);
         memory = expectOk(SharedMemory::create(options));
-        EXPECT_EQ(open(), before + 3);
+        EXPECT_EQ(openDescriptors(), before + 3);
         EXPECT_GT(memory.memory().get(), STDERR_FILENO);
     }
-    EXPECT_EQ(open(), before);
+    EXPECT_EQ(openDescriptors(), before);
     options.signal = 1'000'000;
     EXPECT_FALSE(SharedMemory::create(options).ok());
     options.signal = 0;
     options.height = 0;
     EXPECT_FALSE(SharedMemory::create(options).ok());
-    EXPECT_EQ(open(), before);
+    EXPECT_EQ(openDescriptors(), before);
+}
+
+// It takes them with success alone.
+TEST_F(SharedImageTest, DescriptorsThatTheDriverDoesNotTakeAreClosed) {
+    const SharedMemory memory = expectOk(SharedMemory::create(shared()));
+    const auto lost = expectOk(Device::create(*instance_));
+    const std::ptrdiff_t before = openDescriptors();
+    {
+        const test::NoMemory none;
+        EXPECT_EQ(SharedImage::import(device(), memory).error().code, ErrorCode::usage);
+        EXPECT_EQ(none.refused(), 1);
+    }
+    EXPECT_EQ(openDescriptors(), before);
+    test::loseDeviceAt(test::VulkanCall::allocate, 1);
+    EXPECT_EQ(SharedImage::import(lost, memory).error().code, ErrorCode::deviceLost);
+    EXPECT_EQ(test::devicesLost(), 1);
+    EXPECT_EQ(openDescriptors(), before);
+}
+
+TEST_F(SharedImageTest, AfterALossAnotherDeviceHasTheImageAgain) {
+    const SharedMemory memory = expectOk(SharedMemory::create(shared()));
+    auto lost = expectOk(Device::create(*instance_));
+    std::optional<SharedImage> image = expectOk(SharedImage::import(lost, memory));
+    write(*image, pixels(50));
+    test::loseDeviceAt(test::VulkanCall::submit, 1);
+    {
+        Recorder recorder = expectOk(Recorder::create(lost, "nothing"));
+        EXPECT_EQ(recorder.submit(image->semaphores()).error().code, ErrorCode::deviceLost);
+    }
+    EXPECT_EQ(SharedImage::import(lost, memory).error().code, ErrorCode::deviceLost);
+    const std::weak_ptr<Device> gone = lost;
+    image.reset();
+    lost.reset();
+    EXPECT_TRUE(gone.expired());
+    expectHostHas(pixels(50));
+    write(expectOk(SharedImage::import(device(), memory)), pixels(60));
+    expectHostHas(pixels(60));
 }
 
 TEST_F(SharedImageTest, WhatDoesNotFitIsRefused) {
