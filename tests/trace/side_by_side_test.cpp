@@ -57,6 +57,14 @@ TEST(SideBySide, ADispatchKeepsTheCardBusyAndNotForLong) {
     EXPECT_EQ(card.leastBlocks(true, 123), 137u);
     const SideBySide small(1);
     EXPECT_EQ(small.leastBlocks(true, 16), 0u);
+    for (const std::uint32_t threads : {1u << 10, 1u << 13, 1u << 16, kLargeCard}) {
+        const SideBySide device(threads);
+        for (const std::uint32_t samples : {1u, 3u, 16u, 200u, 256u, 257u, 5000u}) {
+            const std::uint32_t blocks = device.leastBlocks(true, samples);
+            EXPECT_LE(blocks, device.blocksAtOnce());
+            EXPECT_LE(blocks * device.threadsPerPixel(samples), 4 * device.blocksAtOnce()) << samples;
+        }
+    }
 }
 
 TEST(SideBySide, APassFitsWhatMayBeKept) {
