@@ -17,7 +17,7 @@ TEST(SideBySide, ACpuDeviceTakesAllSamplesOfAPixelInOneThread) {
     const SideBySide cpu(0);
     EXPECT_EQ(cpu.blocksAtOnce(), 0u);
     EXPECT_EQ(cpu.leastBlocks(false, 16), 0u);
-    for (const std::uint32_t blocks : {1u, kFovea, kFrame, kLargest}) EXPECT_FALSE(cpu.isFor(blocks));
+    for (const std::uint32_t blocks : {0u, 1u, kFovea, kFrame, kLargest}) EXPECT_FALSE(cpu.isFor(blocks));
 }
 
 TEST(SideBySide, ASmallPictureOnACardHasAThreadForEachSample) {
