@@ -212,7 +212,6 @@ TEST(StudyState, ASecondVolumeIsTurnedAndMovedAndNothingElse) {
     EXPECT_FALSE(read(toJson(unreadable)).beside) << "the rest is not lost with it";
 }
 
-// Equal states are no step, and are not kept: whatever tells two apart has to be among what is compared.
 // Bound and doubt are of a registration; what somebody linked otherwise has none, and comes back from its
 // text as it was.
 TEST(StudyState, OnlyARegistrationCanBeDoubtful) {
@@ -227,6 +226,7 @@ TEST(StudyState, OnlyARegistrationCanBeDoubtful) {
     }
 }
 
+// Equal states are no step, and are not kept: whatever tells two apart has to be among what is compared.
 TEST(StudyState, AnotherPhaseBesideTheStudyIsAnotherState) {
     BesideState beside;
     beside.seriesDigest = "ab";

@@ -131,5 +131,17 @@ TEST_F(ReadingTest, OnALostDeviceIsAnError) {
     EXPECT_EQ(reading.begin({&buffer}).error().code, ErrorCode::deviceLost);
 }
 
+// What never came is not taken for what came.
+TEST_F(ReadingTest, OfADeviceThatIsLostOnTheWayIsAnError) {
+    const Buffer buffer = filled(devices_[0], 4000, 7);
+    Reading reading;
+    expectOk(reading.begin({&buffer}));
+    test::loseDeviceAt(test::VulkanCall::wait, 1);
+    EXPECT_EQ(reading.finish().error().code, ErrorCode::deviceLost);
+    EXPECT_EQ(test::devicesLost(), 1);
+    EXPECT_EQ(reading.finish().error().code, ErrorCode::deviceLost) << "and stays one";
+    EXPECT_EQ(reading.begin({&buffer}).error().code, ErrorCode::deviceLost);
+}
+
 }  // namespace
 }  // namespace macula::gpu

@@ -17,7 +17,7 @@ TEST(SideBySide, ACpuDeviceTakesAllSamplesOfAPixelInOneThread) {
     const SideBySide cpu(0);
     EXPECT_EQ(cpu.blocksAtOnce(), 0u);
     EXPECT_EQ(cpu.leastBlocks(false, 16), 0u);
-    for (const std::uint32_t blocks : {1u, kFovea, kFrame, kLargest}) EXPECT_FALSE(cpu.isFor(blocks));
+    for (const std::uint32_t blocks : {0u, 1u, kFovea, kFrame, kLargest}) EXPECT_FALSE(cpu.isFor(blocks));
 }
 
 TEST(SideBySide, ASmallPictureOnACardHasAThreadForEachSample) {
@@ -57,6 +57,14 @@ TEST(SideBySide, ADispatchKeepsTheCardBusyAndNotForLong) {
     EXPECT_EQ(card.leastBlocks(true, 123), 137u);
     const SideBySide small(1);
     EXPECT_EQ(small.leastBlocks(true, 16), 0u);
+    for (const std::uint32_t threads : {1u << 10, 1u << 13, 1u << 16, kLargeCard}) {
+        const SideBySide device(threads);
+        for (const std::uint32_t samples : {1u, 3u, 16u, 200u, 256u, 257u, 5000u}) {
+            const std::uint32_t blocks = device.leastBlocks(true, samples);
+            EXPECT_LE(blocks, device.blocksAtOnce());
+            EXPECT_LE(blocks * device.threadsPerPixel(samples), 4 * device.blocksAtOnce()) << samples;
+        }
+    }
 }
 
 TEST(SideBySide, APassFitsWhatMayBeKept) {

@@ -13,7 +13,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint32_t kMaxBlocks = 65535;  // of one dispatch: what every device allows
-constexpr std::uint32_t kMinBlocks = 4;      // of one dispatch, so that no thread of a CPU device is idle
+constexpr std::uint32_t kMinBlocksCpu = 4;   // of one dispatch, so that no thread of a CPU device is idle
 
 }  // namespace
 
@@ -89,8 +89,9 @@ Result<void> Accumulation::record(gpu::Recorder& recorder, const SceneView& scen
 Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, const TraceVariant& variant,
                                 int bounces, double ms) {
     Work work{.variant = variant, .bounces = bounces, .isAdaptive = plan_.isAdaptive()};
-    const std::uint32_t least =
-        std::clamp(sideBySide_.leastBlocks(variant.isSideBySide, plan_.passMost()), kMinBlocks, kMaxBlocks);
+    // Side by side a block has up to hundreds of threads for each pixel, and one fills a small card.
+    const std::uint32_t least = std::clamp(sideBySide_.leastBlocks(variant.isSideBySide, plan_.passMost()),
+                                           device_->isCpu() ? kMinBlocksCpu : 1u, kMaxBlocks);
     const auto planned = plan_.next(pace_.perMs(work) * ms, least, kMaxBlocks);
     const auto blocks = static_cast<std::uint32_t>(planned.size());
     double samples = 0.0;

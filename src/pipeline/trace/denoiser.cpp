@@ -1,6 +1,7 @@
 #include "pipeline/trace/denoiser.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <utility>
 
@@ -163,9 +164,9 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     if (stage_ == 0 && row_ == 0) ran_ = false;
     for (bool goesOn = true; stage_ < stages && goesOn;) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "denoise"));
-        int pixels = 0;
+        std::int64_t pixels = 0;  // of the largest picture all stages have more than an int holds
         do {
-            pixels += std::min(rowsAtOnce, height_ - row_) * width_;
+            pixels += std::int64_t(std::min(rowsAtOnce, height_ - row_)) * width_;
             recordSome(recorder);
         } while (stage_ < stages && (!keepGoing || pixels < pixelsToSubmitAtOnce(*device)));
         const Result<gpu::Ticket> ticket = recorder.submit();

@@ -29,7 +29,8 @@ std::uint32_t SideBySide::mostThreads() const {
 }
 
 bool SideBySide::isFor(std::uint32_t blocks) const {
-    return forced_ > 0 || blocks <= std::uint64_t(kRounds) * blocksAtOnce_;
+    if (forced_ > 0) return true;
+    return blocksAtOnce_ > 0 && blocks <= std::uint64_t(kRounds) * blocksAtOnce_;
 }
 
 std::uint32_t SideBySide::leastBlocks(bool isSideBySide, std::uint32_t samples) const {

@@ -25,7 +25,9 @@ class SideBySide {
 
     // Blocks that keep all of the device busy with one thread for each pixel; 0: one does.
     std::uint32_t blocksAtOnce() const { return blocksAtOnce_; }
-    // The fewest blocks of a dispatch, of which a block has so many samples: fewer would not take less time.
+    // The fewest blocks of a dispatch, of which a block has so many samples: with one thread for each pixel
+    // so many as keep the device busy; side by side as many as fill it up to four times, with threads that
+    // are done sooner, as otherwise much of the time would go to the longest path of each dispatch.
     std::uint32_t leastBlocks(bool isSideBySide, std::uint32_t samples) const;
     // Whether a picture of so many blocks is traced so. It decides about all of its passes, so that chance
     // and time have no part in which kernel a picture is made with.
