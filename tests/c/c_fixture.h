@@ -47,6 +47,22 @@ inline void expectError(macula_status status, macula_status expected) {
     EXPECT_STRNE(error.advice, "") << error.message;
 }
 
+// One for all tests of a program.
+inline macula_device* testDevice() {
+    static const Owned<macula_device> opened = [] {
+        macula_device* made = nullptr;
+        EXPECT_EQ(macula_device_open(nullptr, &made), MACULA_DONE) << lastError().message;
+        return Owned<macula_device>(made);
+    }();
+    return opened.get();
+}
+
+inline Owned<macula_view> viewOf(const Owned<macula_study>& study) {
+    macula_view* made = nullptr;
+    EXPECT_EQ(macula_view_create(study.get(), &made), MACULA_DONE) << lastError().message;
+    return Owned<macula_view>(made);
+}
+
 inline std::vector<std::string> notesOf(const macula_study* study) {
     std::vector<std::string> notes;
     while (const char* note = macula_study_note(study, std::uint32_t(notes.size()))) notes.emplace_back(note);

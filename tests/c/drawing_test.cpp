@@ -12,20 +12,12 @@ constexpr int kSide = 40;
 
 class CDrawing : public ::testing::Test {
   protected:
-    static macula_device* device() {
-        static const Owned<macula_device> opened = [] {
-            macula_device* made = nullptr;
-            EXPECT_EQ(macula_device_open(nullptr, &made), MACULA_DONE) << lastError().message;
-            return Owned<macula_device>(made);
-        }();
-        return opened.get();
-    }
+    static macula_device* device() { return testDevice(); }
 
     void SetUp() override {
         const auto study = TwoBalls().study();  // closed before its view is drawn
-        macula_view* made = nullptr;
-        ASSERT_EQ(macula_view_create(study.get(), &made), MACULA_DONE);
-        view_.reset(made);
+        view_ = viewOf(study);
+        ASSERT_NE(view_, nullptr);
         picture_ = sized<macula_picture>();
         picture_.width = picture_.height = kSide;
         picture_.samples_per_pixel = 2;
@@ -81,9 +73,8 @@ TEST_F(CDrawing, OfMirroredVoxelsThePatientStaysAsHeIs) {
     macula_study* study = nullptr;
     ASSERT_EQ(macula_study_of_voxels(&given, nullptr, &study), MACULA_DONE);
     const Owned<macula_study> owned(study);
-    macula_view* view = nullptr;
-    ASSERT_EQ(macula_view_create(study, &view), MACULA_DONE);
-    view_.reset(view);
+    view_ = viewOf(owned);
+    ASSERT_NE(view_, nullptr);
     ASSERT_EQ(draw(), MACULA_DONE);
     EXPECT_GT(right(), 3.0 * left());
 }

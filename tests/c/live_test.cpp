@@ -16,14 +16,7 @@ constexpr std::uint64_t kStepsToBeShown = 120;  // of a model, as docs/python.md
 
 class CLive : public ::testing::Test {
   protected:
-    static const macula_device* device() {
-        static const Owned<macula_device> opened = [] {
-            macula_device* made = nullptr;
-            EXPECT_EQ(macula_device_open(nullptr, &made), MACULA_DONE) << lastError().message;
-            return Owned<macula_device>(made);
-        }();
-        return opened.get();
-    }
+    static const macula_device* device() { return testDevice(); }
 
     void SetUp() override {
         std::string name = (fs::temp_directory_path() / "macula-live-XXXXXX").string();
@@ -31,9 +24,8 @@ class CLive : public ::testing::Test {
         folder_ = name;
         store_ = folder_ / "store";
         const auto study = TwoBalls().study();
-        macula_view* made = nullptr;
-        ASSERT_EQ(macula_view_create(study.get(), &made), MACULA_DONE);
-        view_.reset(made);
+        view_ = viewOf(study);
+        ASSERT_NE(view_, nullptr);
         frame_ = sized<macula_frame>();
         frame_.width = frame_.height = kSide;
         frame_.rgba = rgba_.data();

@@ -90,22 +90,14 @@ void closeAll(const macula_shared_memory& memory) {
 
 class CSharedImage : public ::testing::Test {
   protected:
-    static macula_device* device() {
-        static const Owned<macula_device> opened = [] {
-            macula_device* made = nullptr;
-            EXPECT_EQ(macula_device_open(nullptr, &made), MACULA_DONE) << lastError().message;
-            return Owned<macula_device>(made);
-        }();
-        return opened.get();
-    }
+    static macula_device* device() { return testDevice(); }
 
     void SetUp() override {
         card_ = sized<macula_device_identity>();
         ASSERT_EQ(macula_device_identify(device(), &card_), MACULA_DONE) << lastError().message;
         const auto study = TwoBalls().study();
-        macula_view* view = nullptr;
-        ASSERT_EQ(macula_view_create(study.get(), &view), MACULA_DONE);
-        view_.reset(view);
+        view_ = viewOf(study);
+        ASSERT_NE(view_, nullptr);
         auto options = sized<macula_live_options>();
         options.model = MACULA_WITHOUT_MODEL;
         macula_live* live = nullptr;

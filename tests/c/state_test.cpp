@@ -9,12 +9,6 @@ namespace {
 
 using Json = nlohmann::json;
 
-Owned<macula_view> viewOf(const Owned<macula_study>& study) {
-    macula_view* made = nullptr;
-    EXPECT_EQ(macula_view_create(study.get(), &made), MACULA_DONE) << lastError().message;
-    return Owned<macula_view>(made);
-}
-
 std::string stateOf(const Owned<macula_view>& view) {
     const char* json = nullptr;
     EXPECT_EQ(macula_view_state(view.get(), &json), MACULA_DONE) << lastError().message;

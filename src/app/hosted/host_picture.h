@@ -29,9 +29,10 @@ class HostPicture {
     Result<bool> writeTo(std::uint8_t* rgba, std::size_t rowBytes, const glm::ivec2& sizePx) const;
     // Of the same size, on the same device; it is there when this returns.
     Result<bool> copyTo(const LentPicture& target, const glm::ivec2& sizePx) const;
-    // To another device of the card, of the target's size; it is there when this returns, or when the
-    // target's semaphore is signalled. Fails as SharedImage::import. What was imported is kept for the next
-    // time, for as long as `target` lives and the device stays the same.
+    // Copies the picture to an image of another device of the same card, scaled to the image's size. It is
+    // there when this returns, or, where the target has a semaphore to signal, when that is signalled. Fails
+    // as SharedImage::import. The import is kept for the next time, while `target` lives and the device is
+    // the same.
     Result<bool> shareTo(const std::shared_ptr<const gpu::SharedMemory>& target);
 
     // By the screen.

@@ -22,10 +22,10 @@ class Reading {
   public:
     Reading() = default;
 
-    // Of all that is submitted by now, which may be written over as soon as this returns. The copies are
-    // submitted together, through memory that is kept for the next time. Where the buffers lie in host memory
-    // anyway, or there is none for copies, they are read here and now, which waits. What was read before is
-    // lost.
+    // Begins to copy what the buffers hold once all that is submitted by now is done; they may be written
+    // over as soon as this returns. All copies are one submission, to staging memory that is kept for the
+    // next time. Buffers in host memory are read here and now, which waits; likewise all where there is no
+    // staging memory. What was read before is lost.
     Result<void> begin(std::initializer_list<const Buffer*> buffers);
     // Waits for what was begun; nothing else does.
     Result<void> finish();

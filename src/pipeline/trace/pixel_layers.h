@@ -15,8 +15,8 @@
 namespace macula::trace {
 
 // Finds them for the view of the scene, by layers.comp as compiled for that scene (TraceKernels): a
-// shared::PixelLayers for each pixel, row 0 on top. A buffer of that size is used again, so that
-// not each of many views makes one.
+// shared::PixelLayers for each pixel, row 0 on top. A buffer of that size is used again: many
+// views share one.
 Result<void> findLayers(const std::shared_ptr<gpu::Device>& device, const SceneView& scene,
                         const gpu::Kernel& kernel, int width, int height, std::optional<gpu::Buffer>& layers);
 

@@ -1,5 +1,5 @@
 /* share STUDY: shows a study live on Macula's own device, and has its frames in an image of a Vulkan device
- * of this program, on the same card, without a copy through memory. */
+ * of this program, on the same card. */
 #define _POSIX_C_SOURCE 200809L
 #include <macula.h>
 #include <stdio.h>

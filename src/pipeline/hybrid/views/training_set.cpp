@@ -1,18 +1,17 @@
 #include "pipeline/hybrid/views/training_set.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
 #include <optional>
 #include <utility>
 
-#include "base/aside.h"
 #include "pipeline/hybrid/light/combined_view.h"
 #include "pipeline/hybrid/light/light_in_space.h"
 #include "pipeline/hybrid/light/lit_view.h"
 #include "pipeline/hybrid/views/coverage_views.h"
+#include "pipeline/hybrid/views/host_work.h"
 
 namespace macula::hybrid {
 
@@ -57,56 +56,33 @@ TrainingPictures asPictures(std::vector<TracedView> views, std::size_t traced) {
     return pictures;
 }
 
-// Lights views one after the other, because there may be hundreds. While the device marches one, the picture
-// before is on its way to the host, and the host makes that before it ready.
+// Lights views one after the other, because there may be hundreds. While the device marches rays through the
+// light for one view, the picture before it comes to the host, and the host finishes the one before that.
 class Lighting {
   public:
     Lighting(trace::PathTracer& tracer, LightTable& table, const glm::ivec2& sizePx, ViewTimes& times)
-        : tracer_(tracer), table_(table), sizePx_(sizePx), times_(times) {}
+        : tracer_(tracer), table_(table), sizePx_(sizePx), times_(times), host_(times.lighting, times) {}
 
     // `ready` gets the picture, on another thread, at the latest when wait() has returned.
     Result<void> add(const Camera& camera, std::function<void(TracedView)> ready) {
+        LitPicture& picture = host_.next();
         {
             const Lap lap(times_.lighting);
-            MACULA_TRY_VOID(table_.begin(tracer_, camera, sizePx_, pictures_[next_]));
+            MACULA_TRY_VOID(table_.begin(tracer_, camera, sizePx_, picture));
         }
-        MACULA_TRY_VOID(makeReady());
-        ready_ = [&picture = pictures_[next_], ready = std::move(ready)] { ready(picture.view()); };
-        next_ = (next_ + 1) % pictures_.size();
+        MACULA_TRY_VOID(host_.advance());
+        host_.begun([&picture, ready = std::move(ready)] { ready(picture.view()); });
         return {};
     }
 
-    // For all pictures.
-    Result<void> wait() {
-        MACULA_TRY_VOID(makeReady());
-        const Lap lap(times_.waiting);
-        aside_.wait();
-        times_.beside += aside_.seconds();
-        return {};
-    }
+    Result<void> wait() { return host_.wait(); }  // for all pictures
 
   private:
-    // Of the picture that `ready_` is for. Waits until the one before it is ready, so that three are under
-    // way at most.
-    Result<void> makeReady() {
-        if (!ready_) return {};
-        {
-            const Lap lap(times_.lighting);
-            MACULA_TRY_VOID(pictures_[(next_ + pictures_.size() - 1) % pictures_.size()].finish());
-        }
-        const Lap lap(times_.waiting);
-        aside_.begin(std::exchange(ready_, nullptr));
-        return {};
-    }
-
     trace::PathTracer& tracer_;
     LightTable& table_;
     glm::ivec2 sizePx_;
     ViewTimes& times_;
-    std::array<LitPicture, 3> pictures_;
-    std::size_t next_ = 0;         // of pictures_
-    std::function<void()> ready_;  // for the one before it
-    Aside aside_;                  // last: what it works with goes after it
+    HostWork<LitPicture, 3> host_;
 };
 
 Result<TrainingPictures> litByAll(trace::PathTracer& tracer, const Box& seenMm, const TrainingSet& set,

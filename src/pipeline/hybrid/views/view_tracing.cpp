@@ -1,7 +1,6 @@
 #include "pipeline/hybrid/views/view_tracing.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <functional>
 #include <limits>
@@ -11,6 +10,7 @@
 
 #include "base/aside.h"
 #include "pipeline/hybrid/light/pixel_coverage.h"
+#include "pipeline/hybrid/views/host_work.h"
 
 namespace macula::hybrid {
 
@@ -56,7 +56,7 @@ TracedView toLearnFrom(trace::TracedColours image, const Camera& camera) {
 class LitTracing {
   public:
     LitTracing(trace::PathTracer& tracer, LightInSpace& light, ViewTimes& times)
-        : tracer_(tracer), light_(light), times_(times) {}
+        : tracer_(tracer), light_(light), times_(times), host_(times.reading, times) {}
 
     // `made` becomes the view, at the latest when wait() has returned.
     Result<void> add(const ViewMaking& making, std::optional<TracedView>& made, Progress& progress) {
@@ -74,51 +74,28 @@ class LitTracing {
             if (progress.cancelled()) return cancelled();
             done += count;
             const bool isWhole = done == making.samplesPerPixel;
-            MACULA_TRY_VOID(beginHostWork());  // of the portion before, whose way to the host ends by now
+            MACULA_TRY_VOID(host_.advance());  // with the portion before, which has come by now
             const Lap lap(times_.reading);
-            trace::ViewReading& reading = readings_[next_];
+            trace::ViewReading& reading = host_.next();
             MACULA_TRY_VOID(tracer_.beginReading(reading, {.primaries = true, .colours = isWhole}));
-            hostWork_ = [this, &reading, camera = making.view.camera, isWhole, &made] {
+            host_.begun([this, &reading, camera = making.view.camera, isWhole, &made] {
                 Aside picture;  // memory is waited for there, and here
                 if (isWhole) picture.begin([&] { made = toLearnFrom(reading.colours(), camera); });
                 light_.addAll(camera.positionMm, reading.primaries());
                 picture.wait();
-            };
-            next_ = 1 - next_;
+            });
             progress.advance(count);
         }
         return {};
     }
 
-    // For all views.
-    Result<void> wait() {
-        MACULA_TRY_VOID(beginHostWork());
-        const Lap lap(times_.waiting);
-        aside_.wait();
-        times_.beside += aside_.seconds();
-        return {};
-    }
+    Result<void> wait() { return host_.wait(); }  // for all views
 
   private:
-    // Of the portion that was read last, once that of the one before is done: its memory is then free.
-    Result<void> beginHostWork() {
-        if (!hostWork_) return {};
-        {
-            const Lap lap(times_.reading);
-            MACULA_TRY_VOID(readings_[1 - next_].finish());
-        }
-        const Lap lap(times_.waiting);
-        aside_.begin(std::exchange(hostWork_, nullptr));
-        return {};
-    }
-
     trace::PathTracer& tracer_;
     LightInSpace& light_;
     ViewTimes& times_;
-    std::array<trace::ViewReading, 2> readings_;
-    std::size_t next_ = 0;            // of readings_
-    std::function<void()> hostWork_;  // of the other one
-    Aside aside_;                     // last: what it works with goes after it
+    HostWork<trace::ViewReading, 2> host_;
 };
 
 // An order by bit reversal: of any first few, about as many are in one half as in the other, and so on in
