@@ -27,6 +27,17 @@ void* operator new(std::size_t size) {
 void* operator new[](std::size_t size) {
     return allocate(size);
 }
+// All forms of it or none: a sanitizer has its own of what is not replaced, which do not go with these.
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept try {
+    return allocate(size);
+} catch (const std::bad_alloc&) {
+    return nullptr;
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept try {
+    return allocate(size);
+} catch (const std::bad_alloc&) {
+    return nullptr;
+}
 void operator delete(void* memory) noexcept {
     std::free(memory);
 }
