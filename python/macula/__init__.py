@@ -144,6 +144,7 @@ def _log_to_nobody():
 
 _LEVELS = ("debug", "info", "warning", "error")
 _log_line = None  # must live as long as the library may call it
+_log_in_change = threading.Lock()  # so that the last line that the library was given is the one that lives
 
 
 def log_to(function, least="warning"):
@@ -159,11 +160,12 @@ def log_to(function, least="warning"):
             pass
 
     line = _interface.LogLine() if function is None else _interface.LogLine(hear)
-    atexit.unregister(_log_to_nobody)
-    if function is not None:
-        atexit.register(_log_to_nobody)
-    _check(_library.macula_log_to(line, None, _LEVELS.index(least)))
-    _log_line = line
+    with _log_in_change:
+        atexit.unregister(_log_to_nobody)
+        if function is not None:
+            atexit.register(_log_to_nobody)
+        _check(_library.macula_log_to(line, None, _LEVELS.index(least)))
+        _log_line = line
 
 
 class Device(_Handle):
