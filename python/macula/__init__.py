@@ -113,9 +113,10 @@ class _Handle:
         return self._handle
 
     def close(self):
-        if getattr(self, "_handle", None) is not None:
-            self._close(self._handle)
-            self._handle = None
+        # Let go of first: Ctrl-C while it closes is raised as soon as that returns, and __del__ would close it again.
+        handle, self._handle = getattr(self, "_handle", None), None
+        if handle is not None:
+            self._close(handle)
 
     __del__ = close
 

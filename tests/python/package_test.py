@@ -260,6 +260,20 @@ class Lives(unittest.TestCase):
         self.assertTrue(any("renders on" in line for level, line in lines))
 
 
+    def test_what_is_interrupted_while_it_closes_is_closed_once(self):
+        closed = []
+
+        def close(handle):
+            closed.append(handle)
+            raise KeyboardInterrupt  # which a call of C raises when it returns
+
+        opened = macula._Handle("handle", close)
+        with self.assertRaises(KeyboardInterrupt):
+            opened.close()
+        opened.close()
+        del opened
+        self.assertEqual(closed, ["handle"])
+
     def test_of_two_threads_that_want_the_log_the_line_of_the_last_one_lives(self):
         given, others = [], []
 
