@@ -175,8 +175,13 @@ class Device(_Handle):
     def __init__(self, preferred=None):
         handle = ctypes.c_void_p()
         _check(_library.macula_device_open(_bytes(preferred), handle))
-        super().__init__(handle, _library.macula_device_close)
         self._in_use = threading.Lock()  # one picture at a time, whichever thread wants it
+        super().__init__(handle, _library.macula_device_close)
+
+    def close(self):
+        """Once the picture is there that another thread draws."""
+        with self._in_use:
+            super().close()
 
 
 _device = None

@@ -274,6 +274,21 @@ class Lives(unittest.TestCase):
         del opened
         self.assertEqual(closed, ["handle"])
 
+    def test_a_device_that_another_thread_draws_with_is_closed_after_that(self):
+        device, view, closing = macula.Device(), macula.open("phantom:").view(), []
+
+        def hear(_stage, _fraction):
+            if not closing:
+                closing.append(threading.Thread(target=device.close))
+                closing[0].start()
+                closing[0].join(0.2)
+                self.assertTrue(closing[0].is_alive())
+
+        self.assertEqual(len(view.draw(16, 16, samples=1, device=device, progress=hear).rgba), 4 * 16 * 16)
+        closing[0].join()
+        with self.assertRaises(ValueError):
+            view.draw(16, 16, samples=1, device=device)
+
     def test_of_two_threads_that_want_the_log_the_line_of_the_last_one_lives(self):
         given, others = [], []
 
