@@ -113,9 +113,10 @@ class _Handle:
         return self._handle
 
     def close(self):
-        if getattr(self, "_handle", None) is not None:
-            self._close(self._handle)
-            self._handle = None
+        # Let go of first: Ctrl-C while it closes is raised as soon as that returns, and __del__ would close it again.
+        handle, self._handle = getattr(self, "_handle", None), None
+        if handle is not None:
+            self._close(handle)
 
     __del__ = close
 
@@ -144,6 +145,7 @@ def _log_to_nobody():
 
 _LEVELS = ("debug", "info", "warning", "error")
 _log_line = None  # must live as long as the library may call it
+_log_in_change = threading.Lock()  # so that the last line that the library was given is the one that lives
 
 
 def log_to(function, least="warning"):
@@ -159,11 +161,12 @@ def log_to(function, least="warning"):
             pass
 
     line = _interface.LogLine() if function is None else _interface.LogLine(hear)
-    atexit.unregister(_log_to_nobody)
-    if function is not None:
-        atexit.register(_log_to_nobody)
-    _check(_library.macula_log_to(line, None, _LEVELS.index(least)))
-    _log_line = line
+    with _log_in_change:
+        atexit.unregister(_log_to_nobody)
+        if function is not None:
+            atexit.register(_log_to_nobody)
+        _check(_library.macula_log_to(line, None, _LEVELS.index(least)))
+        _log_line = line
 
 
 class Device(_Handle):
@@ -172,8 +175,13 @@ class Device(_Handle):
     def __init__(self, preferred=None):
         handle = ctypes.c_void_p()
         _check(_library.macula_device_open(_bytes(preferred), handle))
-        super().__init__(handle, _library.macula_device_close)
         self._in_use = threading.Lock()  # one picture at a time, whichever thread wants it
+        super().__init__(handle, _library.macula_device_close)
+
+    def close(self):
+        """Once the picture is there that another thread draws."""
+        with self._in_use:
+            super().close()
 
 
 _device = None

@@ -41,10 +41,10 @@ Level levelFromEnvironment() {
     return Level::warning;
 }
 
+// Never destroyed, as what follows: threads log until the very end.
 spdlog::logger& logger() {
-    static const auto instance = [] {
-        auto made = std::make_shared<spdlog::logger>("macula",
-                                                     std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
+    static auto* const instance = [] {
+        auto* made = new spdlog::logger("macula", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
         made->set_pattern("%H:%M:%S.%e %^%l%$ %v");
         made->set_level(spdlogLevel(levelFromEnvironment()));
         return made;
@@ -57,7 +57,6 @@ struct SinkOfHost {
     Sink sink;  // empty: there is none
 };
 
-// Never destroyed: threads log until the very end.
 SinkOfHost& sinkOfHost() {
     static auto* const instance = new SinkOfHost;
     return *instance;
@@ -100,11 +99,12 @@ void announce(std::string_view line) {
 }
 
 std::string redact(std::string_view text) {
-    static const std::string key = [] {
+    static const auto* const key = [] {
         std::random_device device;
-        return fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device());
+        return new std::string(
+            fmt::format("{:08x}{:08x}{:08x}{:08x}", device(), device(), device(), device()));
     }();
-    return sha256Hex(key + std::string(text)).substr(0, 8);
+    return sha256Hex(*key + std::string(text)).substr(0, 8);
 }
 
 }  // namespace macula::log

@@ -6,6 +6,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "base/check.h"
@@ -45,6 +46,9 @@ macula_status guarded(const Body& body) noexcept {
         return keepOutOfMemory();
     } catch (const CheckFailure& failure) {
         return keepFault(failure);
+    } catch (const std::system_error& error) {
+        // The system gives no more threads. All else of that kind is foreseen where it comes from.
+        return error.code() == std::errc::resource_unavailable_try_again ? keepOutOfMemory() : keepFault();
     } catch (...) {
         return keepFault();
     }

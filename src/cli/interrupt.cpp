@@ -6,9 +6,10 @@ namespace macula::cli {
 
 namespace {
 
+// Never destroyed: a signal may come until the very end.
 const CancelToken& token() {
-    static const CancelToken shared;
-    return shared;
+    static const auto* const shared = new CancelToken;
+    return *shared;
 }
 
 void onSignal(int signal) {

@@ -4,6 +4,7 @@
 #include <QMetaObject>
 #include <QObject>
 #include <cstdint>
+#include <exception>
 #include <functional>
 #include <list>
 #include <memory>
@@ -37,24 +38,29 @@ class BackgroundJob {
         threads_.clear();
     }
 
-    // `work` throws nothing.
+    // What `work` throws, and a thread that cannot be made, are told as an error: there is no memory.
     void start(Work work) {
         cancel();
         const std::uint64_t id = ++lastId_;
         current_ = id;
         Thread& made = threads_.emplace_back();
         made.id = id;
-        made.thread = std::jthread([this, id, token = made.token, work = std::move(work)] {
-            giveWay(GiveWay::toTheFrame);
-            Progress progress(
-                [this, id](const ProgressUpdate& update) {
-                    tell([this, id, update] {
-                        if (id == current_) listener_.progressed(update);
-                    });
-                },
-                token);
-            tell([this, id, outcome = work(progress)] { finish(id, outcome); });
-        });
+        try {
+            made.thread = std::jthread([this, id, token = made.token, work = std::move(work)] {
+                giveWay(GiveWay::toTheFrame);
+                Progress progress(
+                    [this, id](const ProgressUpdate& update) {
+                        tell([this, id, update] {
+                            if (id == current_) listener_.progressed(update);
+                        });
+                    },
+                    token);
+                tell([this, id, outcome = outcomeOf(work, progress)] { finish(id, outcome); });
+            });
+        } catch (const std::exception&) {
+            // In its turn, as if it had begun: who starts it has not told that yet.
+            tell([this, id] { finish(id, noMemory()); });
+        }
     }
 
     // Nothing is told of it any more. Whether there was anything to cancel.
@@ -72,6 +78,20 @@ class BackgroundJob {
         CancelToken token;
         std::jthread thread;
     };
+
+    static Error noMemory() {
+        return {ErrorCode::outOfMemory, "There is not enough memory.", {}, "Close other programs."};
+    }
+
+    // Libraries' own exceptions stop in the files that called them: what comes here is that there is no
+    // memory.
+    static Result<Value> outcomeOf(const Work& work, Progress& progress) {
+        try {
+            return work(progress);
+        } catch (const std::exception&) {
+            return noMemory();
+        }
+    }
 
     template <class Call>
     void tell(Call call) {

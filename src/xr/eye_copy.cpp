@@ -5,6 +5,7 @@
 #include <cstring>
 #include <exception>
 #include <filesystem>
+#include <system_error>
 #include <utility>
 
 #include "base/check.h"
@@ -94,19 +95,27 @@ PictureWriter::~PictureWriter() {
 
 void PictureWriter::start(EyeView view, std::filesystem::path folder, RoomWords words) {
     MACULA_CHECK(!isBusy());
-    thread_ =
-        std::thread([this, view = std::move(view), folder = std::move(folder), words = std::move(words)] {
-            std::string sentence = words.ofError("The picture could not be written.");
-            try {
-                const auto written = writeEyeView(view, folder);
-                sentence = written ? filled(words.pictureWritten, written->filename().string())
-                                   : words.ofError(written.error().message);
-            } catch (const std::exception&) {
-                sentence = words.ofError("There is not enough memory for the picture.");
-            }
-            const std::lock_guard lock(mutex_);
-            told_ = std::move(sentence);
-        });
+    std::string notWritten = words.ofError("The picture could not be written.");
+    auto write = [this, view = std::move(view), folder = std::move(folder), words = std::move(words),
+                  notWritten] {
+        std::string sentence = notWritten;
+        try {
+            const auto written = writeEyeView(view, folder);
+            sentence = written ? filled(words.pictureWritten, written->filename().string())
+                               : words.ofError(written.error().message);
+        } catch (const std::exception&) {
+            sentence = words.ofError("There is not enough memory for the picture.");
+        }
+        const std::lock_guard lock(mutex_);
+        told_ = std::move(sentence);
+    };
+    try {
+        thread_ = std::thread(std::move(write));
+    } catch (const std::system_error&) {
+        // The process has no thread left. The frame that is under way goes on.
+        const std::lock_guard lock(mutex_);
+        told_ = std::move(notWritten);
+    }
 }
 
 std::optional<std::string> PictureWriter::told() {

@@ -17,6 +17,7 @@
 #include "app/session/scene_key.h"
 #include "app/state/study_state.h"
 #include "base/fingerprint.h"
+#include "base/no_threads.h"
 #include "base/phantom.h"
 #include "base/sha256.h"
 #include "pipeline/hybrid/model/peripheral_file.h"
@@ -111,6 +112,22 @@ TEST_F(ModelKeeperTest, TheNewestOfManyIsKept) {
     const hybrid::StoredModel stored = found(*second, "b");
     ASSERT_EQ(stored.answer, Answer::whole);
     EXPECT_EQ(stored.state->training.steps, 40u);
+}
+
+// What was learnt is not lost with the thread that should have written it.
+TEST_F(ModelKeeperTest, IsKeptWhereThereIsNoOtherThread) {
+    {
+        const auto first = keeper();
+        first->look("a", volume_, drawing_);
+        first->waitUntilIdle();
+        const macula::test::NoThreads none;
+        first->keep(model("a", 123));
+        first->waitUntilIdle();
+    }
+    EXPECT_TRUE(told_.empty()) << told_.front();
+    const auto second = keeper();
+    second->look("b", volume_, drawing_);
+    EXPECT_EQ(found(*second, "b").steps, 123u);
 }
 
 // Each step of a slider is another scene: what a second volume is does not have to be found for each.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "base/no_threads.h"
 #include "base/parallel.h"
 
 namespace macula {
@@ -38,6 +39,17 @@ TEST(Aside, MayTakeAllCores) {
     aside.begin([&] { parallelFor(1000, [&](std::size_t i) { squares[i] = int(i * i); }); });
     aside.wait();
     for (std::size_t i = 0; i < squares.size(); ++i) EXPECT_EQ(squares[i], int(i * i));
+}
+
+TEST(Aside, DoesItHereWhereThereIsNoThread) {
+    const test::NoThreads none;
+    Aside aside;
+    std::thread::id by;
+    aside.begin([&] { by = std::this_thread::get_id(); });
+    aside.wait();
+    EXPECT_EQ(by, std::this_thread::get_id());
+    aside.begin([] { throw std::runtime_error("here too"); });
+    EXPECT_THROW(aside.wait(), std::runtime_error);
 }
 
 TEST(Aside, CountsItsTime) {

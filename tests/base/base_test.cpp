@@ -6,9 +6,11 @@
 #include <new>
 #include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "base/atomic_file.h"
 #include "base/log.h"
+#include "base/no_threads.h"
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "base/result.h"
@@ -104,6 +106,14 @@ TEST(ParallelFor, ThrowsWhatIsThrownInside) {
     std::atomic<int> calls{0};
     parallelFor(64, [&](std::size_t) { ++calls; });
     EXPECT_EQ(calls, 64);
+}
+
+TEST(ParallelFor, IsDoneByOneThreadWhereThereAreNoMore) {
+    const test::NoThreads none;
+    std::vector<std::size_t> visits;
+    parallelFor(100, [&](std::size_t i) { visits.push_back(i); });
+    ASSERT_EQ(visits.size(), 100u);
+    for (std::size_t i = 0; i < visits.size(); ++i) EXPECT_EQ(visits[i], i);
 }
 
 TEST(Progress, ReportsStartAndEndAndAtMostTenTimesASecond) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -67,6 +68,22 @@ TEST_F(LogTest, TwoThreadsAreNotHeardAtOnce) {
     other.join();
     EXPECT_TRUE(wasAlone);
     EXPECT_EQ(heard, 1000);
+}
+
+// After all that is static was destroyed, a thread of a host may still be at work. Not of the fixture: what
+// is logged first here comes after what is to be done last.
+TEST(LogDeathTest, GoesOnUntilTheVeryEnd) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    static std::string before;  // in a new process, which runs this alone
+    const auto logAndEnd = [] {
+        std::atexit([] {
+            log::error("at the end it is {}", log::redact("a name") == before ? "the same" : "another");
+        });
+        before = log::redact("a name");
+        log::setLevel(log::Level::warning);
+        std::exit(0);
+    };
+    EXPECT_EXIT(logAndEnd(), ::testing::ExitedWithCode(0), "at the end it is the same");
 }
 
 }  // namespace

@@ -1,7 +1,10 @@
 // What becomes of errors, exceptions and failed checks at the border to C.
 #include <stdexcept>
 #include <string>
+#include <system_error>
+#include <thread>
 
+#include "base/no_threads.h"
 #include "base/parallel.h"
 #include "c/c_fixture.h"
 #include "c/last_error.h"
@@ -36,6 +39,20 @@ TEST(CBoundary, NoExceptionGetsOut) {
     expectError(c::guarded([]() -> Result<void> { throw std::bad_alloc(); }), MACULA_MEMORY);
     EXPECT_EQ(c::guarded([]() -> Result<void> { return {}; }), MACULA_DONE);
     EXPECT_FALSE(CheckBoundary::isDrawn());
+}
+
+// No mistake of Macula, and nothing to report.
+TEST(CBoundary, AThreadThatCannotBeMadeIsALackOfMemory) {
+    const NoThreads none;
+    expectError(c::guarded([]() -> Result<void> {
+                    std::jthread([] {}).join();
+                    return {};
+                }),
+                MACULA_MEMORY);
+    expectError(c::guarded([]() -> Result<void> {
+                    throw std::system_error(std::make_error_code(std::errc::io_error));
+                }),
+                MACULA_FAULT);
 }
 
 TEST(CBoundary, EachErrorHasItsStatus) {

@@ -8,7 +8,9 @@ import subprocess
 import sys
 import tempfile
 import threading
+import types
 import unittest
+import unittest.mock
 import zlib
 
 import macula
@@ -257,6 +259,53 @@ class Lives(unittest.TestCase):
         macula.log_to(None)
         self.assertTrue(any("renders on" in line for level, line in lines))
 
+
+    def test_what_is_interrupted_while_it_closes_is_closed_once(self):
+        closed = []
+
+        def close(handle):
+            closed.append(handle)
+            raise KeyboardInterrupt  # which a call of C raises when it returns
+
+        opened = macula._Handle("handle", close)
+        with self.assertRaises(KeyboardInterrupt):
+            opened.close()
+        opened.close()
+        del opened
+        self.assertEqual(closed, ["handle"])
+
+    def test_a_device_that_another_thread_draws_with_is_closed_after_that(self):
+        device, view, closing = macula.Device(), macula.open("phantom:").view(), []
+
+        def hear(_stage, _fraction):
+            if not closing:
+                closing.append(threading.Thread(target=device.close))
+                closing[0].start()
+                closing[0].join(0.2)
+                self.assertTrue(closing[0].is_alive())
+
+        self.assertEqual(len(view.draw(16, 16, samples=1, device=device, progress=hear).rgba), 4 * 16 * 16)
+        closing[0].join()
+        with self.assertRaises(ValueError):
+            view.draw(16, 16, samples=1, device=device)
+
+    def test_of_two_threads_that_want_the_log_the_line_of_the_last_one_lives(self):
+        given, others = [], []
+
+        def has(line, _user, _least):
+            given.append(line)
+            if not others:  # the other thread comes just when the library has the line of this one
+                others.append(threading.Thread(target=macula.log_to, args=(lambda level, line: None,)))
+                others[0].start()
+                others[0].join(0.2)
+            return 0
+
+        with unittest.mock.patch.object(macula, "_library", types.SimpleNamespace(macula_log_to=has)):
+            macula.log_to(lambda level, line: None)
+            others[0].join()
+        self.assertEqual(len(given), 2)
+        self.assertIs(macula._log_line, given[-1])
+        macula.log_to(None)
 
     def test_who_has_the_log_may_end_with_a_live_picture_open(self):
         # Closing says what it does by threads of Macula, after Python has begun to take itself apart.

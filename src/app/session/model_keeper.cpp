@@ -6,6 +6,7 @@
 #include <future>
 #include <span>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "app/session/scene_key.h"
@@ -154,18 +155,24 @@ void ModelKeeper::doFirst(std::deque<Job>& jobs, std::unique_lock<std::mutex>& l
 void ModelKeeper::doBeside(const std::function<void()>& work) {
     bool isDone = false;
     std::exception_ptr thrown;
-    const std::jthread thread([&] {
-        std::optional<CheckBoundary> boundary;
-        if (isBounded_) boundary.emplace();
-        try {
-            work();
-        } catch (...) {
-            thrown = std::current_exception();
-        }
-        const std::lock_guard lock(mutex_);
-        isDone = true;
-        wake_.notify_one();
-    });
+    std::jthread thread;
+    try {
+        thread = std::jthread([&] {
+            giveWay(GiveWay::toAll);
+            std::optional<CheckBoundary> boundary;
+            if (isBounded_) boundary.emplace();
+            try {
+                work();
+            } catch (...) {
+                thrown = std::current_exception();
+            }
+            const std::lock_guard lock(mutex_);
+            isDone = true;
+            wake_.notify_one();
+        });
+    } catch (const std::system_error&) {
+        return work();  // the process has no thread left: whoever waits does so for longer
+    }
     std::unique_lock lock(mutex_);
     while (true) {
         wake_.wait(lock, [&] { return isDone || !waitedFor_.empty(); });
@@ -453,10 +460,7 @@ void ModelKeeper::save(session::Store& store, const std::string& name) {
     rename(stored, named->key.digest());
     std::ostringstream stream;
     Result<void> written;
-    doBeside([&] {
-        giveWay(GiveWay::toAll);
-        written = hybrid::writePeripheral(stream, stored, packed_);
-    });
+    doBeside([&] { written = hybrid::writePeripheral(stream, stored, packed_); });
     if (!written) return tell(written.error());
     const std::string blob = std::move(stream).str();
     if (const auto saved = store.saveModel(named->key, bytesOf(blob)); !saved) tell(saved.error());

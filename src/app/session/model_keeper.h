@@ -94,7 +94,8 @@ class ModelKeeper final : public SceneKeeper {
     void run(const std::stop_token& stop);
     // The lock is of mutex_, and free while it is done.
     void doFirst(std::deque<Job>& jobs, std::unique_lock<std::mutex>& lock);
-    // On another thread; meanwhile this one does what is waited for. Throws what `work` throws.
+    // On another thread, where one can be made; meanwhile this one does what is waited for. Throws what
+    // `work` throws.
     void doBeside(const std::function<void()>& work);
     void openStore();
     void forgetUnused();

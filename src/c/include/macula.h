@@ -18,7 +18,8 @@
  * the study may be closed before it.
  *   - Threads: a handle is used by one thread at a time; different handles by different threads at once. Only
  *     macula_cancel_now() may be called whenever. Calls block: run those that take a macula_progress beside
- * the thread of your user interface.
+ * the thread of your user interface. After fork() a child uses nothing of Macula until it is another program
+ * (exec): locks may be held there by threads that it does not have, and a driver does not know it.
  *   - Nothing is written to a file but what macula_live_open, macula_live_save and macula_live_write_model
  * are given places for. Nothing is printed: macula_log_to has the log, or stderr where MACULA_LOG is set in
  * the environment. Sentences, error texts, stages and the log name no patient; titles and the `place` of an

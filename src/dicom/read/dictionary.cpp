@@ -47,8 +47,9 @@ bool hasDictionary() {
 }
 
 std::optional<Tag> tagOfKeyword(std::string_view keyword) {
+    const std::string terminated(keyword);  // nothing may throw between lock and unlock
     const DcmDataDictionary& dictionary = dcmDataDict.rdlock();
-    const DcmDictEntry* entry = dictionary.findEntry(std::string(keyword).c_str());
+    const DcmDictEntry* entry = dictionary.findEntry(terminated.c_str());
     std::optional<Tag> tag;
     if (entry != nullptr) tag = Tag{entry->getGroup(), entry->getElement()};
     dcmDataDict.rdunlock();
