@@ -49,6 +49,7 @@ inline constexpr std::string_view kStrayBytes = "stray-bytes";
 inline constexpr std::string_view kMissingSopClass = "missing-sop-class";
 inline constexpr std::string_view kUnreadableFolder = "unreadable-folder";
 inline constexpr std::string_view kLinksOutside = "links-outside";
+inline constexpr std::string_view kArchives = "archives";
 inline constexpr std::string_view kDicomdirMissingFiles = "dicomdir-missing-files";
 inline constexpr std::string_view kDicomdirOutside = "dicomdir-outside";
 inline constexpr std::string_view kDicomdirUnreadable = "dicomdir-unreadable";
@@ -126,6 +127,7 @@ inline constexpr std::string_view kBitsExceeded = "bits-exceeded";
 inline constexpr std::string_view kBitsDropped = "bits-dropped";
 inline constexpr std::string_view kNonFiniteValues = "non-finite-values";
 inline constexpr std::string_view kLossySource = "lossy-source";
+inline constexpr std::string_view kDisplayTable = "display-table";
 inline constexpr std::string_view kInvertedDisplay = "inverted-display";
 inline constexpr std::string_view kInvalidWindow = "invalid-window";
 // Segmentations.

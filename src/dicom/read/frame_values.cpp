@@ -97,6 +97,7 @@ void readWindows(const Dataset& dataset, Frame& frame) {
     const double leastWidth =
         function.empty() || function == "LINEAR" ? 1.0 : std::numeric_limits<double>::min();
     const bool present = dataset.has(tag::kWindowCenter) || dataset.has(tag::kWindowWidth);
+    frame.hasDisplayTable = dataset.has(tag::kVoiLutSequence);
     frame.windowInvalid = present && (centers.empty() || centers.size() != widths.size());
     constexpr std::size_t kMostWindows = 16;
     for (std::size_t i = 0; i < std::min<std::size_t>({centers.size(), widths.size(), kMostWindows}); ++i) {

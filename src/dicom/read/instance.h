@@ -71,6 +71,7 @@ struct Frame {
     std::optional<ValueRange> floatPadding;
     std::vector<DisplayWindow> windows;
     bool windowInvalid = false;
+    bool hasDisplayTable = false;  // VOI LUT Sequence, PS3.3 C.11.2.1.1
 
     std::vector<std::string> attributes;  // of splitRules()
 };

@@ -78,6 +78,7 @@ inline constexpr Tag kWindowExplanation{0x0028, 0x1055};
 inline constexpr Tag kVoiLutFunction{0x0028, 0x1056};
 inline constexpr Tag kLossyImageCompression{0x0028, 0x2110};
 inline constexpr Tag kModalityLutSequence{0x0028, 0x3000};
+inline constexpr Tag kVoiLutSequence{0x0028, 0x3010};
 inline constexpr Tag kLutDescriptor{0x0028, 0x3002};
 inline constexpr Tag kModalityLutType{0x0028, 0x3004};
 inline constexpr Tag kLutData{0x0028, 0x3006};

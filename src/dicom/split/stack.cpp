@@ -85,6 +85,8 @@ void assessPixels(Stack& stack) {
     if (any(stack, [](const Frame& f) { return f.instance->strayBytes; }))
         tell(stack, message(key::kStrayBytes));
     if (any(stack, [](const Frame& f) { return f.instance->lossy; })) tell(stack, message(key::kLossySource));
+    if (any(stack, [](const Frame& f) { return f.hasDisplayTable; }))
+        tell(stack, message(key::kDisplayTable));
     if (any(stack, [](const Frame& f) { return f.windowInvalid; })) tell(stack, message(key::kInvalidWindow));
 }
 
