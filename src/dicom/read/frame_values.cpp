@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "dicom/read/sop_class.h"
+
 namespace macula::dicom {
 
 namespace {
@@ -14,10 +16,12 @@ struct Mapping {
     std::string unit;  // UCUM code
 };
 
-// The real world value mapping, for PET only: there it is what the values mean, elsewhere it is for display.
-// Only a mapping in the unit of the image is taken, or the first when the image names no unit.
+// The real world value mapping, for PET and parametric maps only (PS3.3 A.75): there it is what the values
+// mean, elsewhere it is for display. Only a mapping in the unit of the image is taken, or the first when the
+// image names no unit.
 std::optional<Mapping> realWorldMapping(const Dataset& dataset) {
-    if (dataset.text(tag::kModality) != "PT") return {};
+    if (dataset.text(tag::kModality) != "PT" && dataset.text(tag::kSopClassUid) != sop_class::kParametricMap)
+        return {};
     const std::string units = dataset.text(tag::kUnits).value_or("");
     for (const Dataset& item : dataset.items(tag::kRealWorldValueMapping)) {
         const auto slope = item.number(tag::kRealWorldValueSlope);
