@@ -171,6 +171,10 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "Do not measure lengths in these images."},
     {key::kInvalidOrientation, kBlocksVolume, 0,
      "The orientation or pixel spacing of a slice is not a valid one.", kExport},
+    {key::kContradictedOrientation, kWarning, 0,
+     "The letters of the sides (PatientOrientation) say the opposite of the orientation in space "
+     "(ImageOrientationPatient), which is used, in {count} of {total} images.",
+     "Left and right, or front and back, may be exchanged: compare with the original images."},
     {key::kRepairedOrientation, kInfo, 0,
      "The row and column directions are {error:.4f} off perpendicular unit vectors, and were set right.", ""},
     {key::kMissingSlices, kWarning, 7,

@@ -92,6 +92,7 @@ inline constexpr std::string_view kMultiFrameNoPixelMeasures = "multi-frame-no-p
 inline constexpr std::string_view kNoPixelSpacing = "no-pixel-spacing";
 inline constexpr std::string_view kUncalibrated = "uncalibrated";
 inline constexpr std::string_view kInvalidOrientation = "invalid-orientation";
+inline constexpr std::string_view kContradictedOrientation = "contradicted-orientation";
 inline constexpr std::string_view kRepairedOrientation = "repaired-orientation";
 inline constexpr std::string_view kMissingSlices = "missing-slices";
 inline constexpr std::string_view kGapInterpolated = "gap-interpolated";

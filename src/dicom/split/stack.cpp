@@ -213,7 +213,16 @@ std::optional<Message> sparseness(const Stack& stack) {
                                         {"percent", 100.0 * (1.0 - thicknessMm / spacingMm)}});
 }
 
+// Images may be mirrored whose two ways of saying where sides are do not agree.
+void tellContradictions(Stack& stack) {
+    const auto count = std::ranges::count_if(stack.frames, &Frame::orientationContradicted);
+    if (count == 0) return;
+    tell(stack, message(key::kContradictedOrientation,
+                        {{"count", std::int64_t(count)}, {"total", std::int64_t(stack.frames.size())}}));
+}
+
 void assessGeometry(Stack& stack) {
+    tellContradictions(stack);
     if (any(stack, [](const Frame& f) { return isProjection(f.instance->sopClassUid); })) {
         tell(stack, message(key::kUnsupportedSeries,
                             {{"kind", describeSopClass(stack.frames.front().instance->sopClassUid)}}));

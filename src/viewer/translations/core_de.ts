@@ -1175,6 +1175,14 @@
         <translation>Die Bilder sind dafür gedacht, niedrige Werte hell zu zeigen (MONOCHROME1); Werte sind wie gespeichert.</translation>
     </message>
     <message>
+        <source>The letters of the sides (PatientOrientation) say the opposite of the orientation in space (ImageOrientationPatient), which is used, in %1 of %2 images.</source>
+        <translation>Die Buchstaben der Seiten (PatientOrientation) sagen das Gegenteil der Orientierung im Raum (ImageOrientationPatient), die verwendet wird, in %1 von %2 Bildern.</translation>
+    </message>
+    <message>
+        <source>Left and right, or front and back, may be exchanged: compare with the original images.</source>
+        <translation>Links und rechts oder vorn und hinten können vertauscht sein: Vergleichen Sie mit den Originalbildern.</translation>
+    </message>
+    <message>
         <source>The display window of these images is not usable, and was ignored.</source>
         <translation>Die Fensterung dieser Bilder ist nicht brauchbar und wurde nicht beachtet.</translation>
     </message>
