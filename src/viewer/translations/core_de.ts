@@ -1111,6 +1111,10 @@
         <translation>Pixel mit 8 Bit, wie bei einem Capture</translation>
     </message>
     <message>
+        <source>no usable description of the pixels</source>
+        <translation>keine brauchbare Beschreibung der Pixel</translation>
+    </message>
+    <message>
         <source>they are no CT image objects</source>
         <translation>sie sind keine CT-Bildobjekte</translation>
     </message>
