@@ -103,6 +103,18 @@ Frame readFrame(const Dataset& header, const Dataset& dataset, std::shared_ptr<c
     return frame;
 }
 
+// Keeps of what lists say only what tells frames of the file apart, or of the files that it is continued in.
+void dropWhatAllShare(const FrameLists& lists, std::vector<Frame>& frames) {
+    if (!frames.front().instance->concatenationUid.empty()) return;
+    for (std::size_t a = 0; a < frames.front().attributes.size(); ++a) {
+        const std::string first = frames.front().attributes[a];
+        if (first.empty() || !lists.mayHave(a)) continue;
+        if (std::ranges::all_of(frames, [&](const Frame& f) { return f.attributes[a] == first; })) {
+            for (Frame& frame : frames) frame.attributes[a].clear();
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFile& read) {
@@ -126,6 +138,7 @@ std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFil
             frames[at].modalityLut = frames[at - 1].modalityLut;
         }
     }
+    dropWhatAllShare(lists, frames);
     return frames;
 }
 

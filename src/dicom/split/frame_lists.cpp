@@ -50,4 +50,9 @@ void FrameLists::apply(const Dataset& frame, int number, std::vector<std::string
     for (const std::size_t attribute : ofDimensions_) attributes[attribute] = indices;
 }
 
+bool FrameLists::mayHave(std::size_t attribute) const {
+    return std::ranges::find(lists_, attribute, &List::attribute) != lists_.end() ||
+           std::ranges::find(ofDimensions_, attribute) != ofDimensions_.end();
+}
+
 }  // namespace macula::dicom

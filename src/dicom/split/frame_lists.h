@@ -18,6 +18,8 @@ class FrameLists {
     // Sets what the lists say of frame `number`, from 0, whose data set is `frame`, in the attributes of the
     // rules.
     void apply(const Dataset& frame, int number, std::vector<std::string>& attributes) const;
+    // Whether lists may have set this attribute. One that all frames of a file have in common tells nothing.
+    bool mayHave(std::size_t attribute) const;
 
   private:
     struct List {

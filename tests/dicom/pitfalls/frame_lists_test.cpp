@@ -38,8 +38,8 @@ void putPrivateItem(DcmItem& groups, Uint16 group) {
     put(*item, DCM_WindowWidth, "2");
 }
 
-// PS3.3 C.7.6.16.1: private sequences are no functional groups. Those of Philips and Siemens are before the
-// shared groups, and by their tags before those of the frame.
+// What is in private sequences means what their owner says (PS3.5 7.8). Those of Philips and Siemens stand
+// before the shared functional groups, and by their tags before some of the frame's own.
 TEST_F(FrameLists, privateSequencesAreNoFunctionalGroups) {
     for (const Uint16 group : {Uint16{0x0021}, Uint16{0x2005}}) {
         for (const bool shared : {true, false}) {
