@@ -129,6 +129,7 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
     }
     if (found.state == FileState::notDicom) {
         ++scan.notDicom;
+        scan.archives += found.isArchive ? 1 : 0;
         return;
     }
     if (found.kind == Examination::Kind::directory) {
@@ -367,6 +368,9 @@ Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& 
             "There is no DICOM image in the folder itself; links that lead out of it are not followed.",
             "Choose the folder that the links lead to.");
     }
+    if (scan.archives > 0)
+        return fail("There is no DICOM image here but perhaps in an archive (zip), which is not opened.",
+                    "Unpack it, and open the folder with what was in it.");
     std::error_code error;
     if (listing.files.empty())
         return fail("There is no file in this folder.", "Choose a folder with DICOM images.");
@@ -446,6 +450,7 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     }
     group(scan, files, found, options, progress);
     if (progress.cancelled()) return cancelledError();
+    if (scan.archives > 0) scan.messages.push_back(message(key::kArchives, {count(scan.archives)}));
     if (scan.imageCount() == 0 && scan.objectCount() == 0) return nothingFound(scan, path, listing);
     return scan;
 } catch (const std::bad_alloc&) {

@@ -40,6 +40,7 @@ struct Scan {
     std::vector<Message> messages;  // about the folder as a whole
     std::size_t filesSeen = 0;
     std::size_t notDicom = 0;
+    std::size_t archives = 0;          // of those: zips, which are not opened
     std::size_t mediaDirectories = 0;  // DICOMDIR
     int patients = 0;                  // see patient.h for what tells them apart
 

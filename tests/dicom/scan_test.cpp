@@ -48,6 +48,16 @@ TEST(Scan, folderOfOneFileThatIsNoDicom) {
     EXPECT_EQ(scanError(folder / "letter.txt").message, "The file is not a DICOM image.");
 }
 
+TEST(Scan, folderOfOneArchive) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "study.zip", std::ios::binary) << "PK\x03\x04" << std::string(500, 'x');
+    for (const fs::path& path : {folder.path(), folder / "study.zip"}) {
+        const Error error = scanError(path);
+        EXPECT_NE(error.message.find("archive"), std::string::npos) << error.message;
+        EXPECT_NE(error.hint.find("Unpack"), std::string::npos) << error.hint;
+    }
+}
+
 TEST(Scan, emptyFolder) {
     const TemporaryFolder folder;
     EXPECT_EQ(scanError(folder.path()).code, ErrorCode::inputNotUsable);

@@ -34,10 +34,9 @@ std::string whyNoHounsfield(std::span<const Frame> frames) {
         return "their rescale type is another";
     if (any([](const Frame& f) { return f.modalityLut != nullptr; }))
         return "their lookup table does not say what it leads to";
+    if (any([](const Frame& f) { return !f.instance->format; })) return "no usable description of the pixels";
     constexpr int kBitsOfCaptures = 8;
-    if (any([](const Frame& f) {
-            return !f.instance->format || f.instance->format->bitsStored <= kBitsOfCaptures;
-        }))
+    if (any([](const Frame& f) { return f.instance->format->bitsStored <= kBitsOfCaptures; }))
         return "pixels of 8 bits, as of a capture";
     if (any([](const Frame& f) { return !isCtImage(*f.instance); })) return "they are no CT image objects";
     return {};

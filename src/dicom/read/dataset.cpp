@@ -70,7 +70,10 @@ struct Dataset::File {
         constexpr std::size_t kMostMacros = 64;  // PS3.3 knows a third as many
         std::size_t macros = 0;
         for (const Element& macro : tree.elements(item)) {
-            if (!macro.isSequence || macro.length == 0) continue;
+            // What a private sequence holds means what its owner says (PS3.5 7.8), and nothing for the
+            // frame (PS3.3 C.7.6.16). Those of Philips (2005,140F) and Siemens (group 0021) hold standard
+            // attributes of their own, positions and rescale too, that need not be those of the frame.
+            if (!macro.isSequence || macro.length == 0 || macro.tag.isPrivate()) continue;
             if (++macros > kMostMacros) break;
             chain.push_back(macro.first);
         }

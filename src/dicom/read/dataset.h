@@ -71,8 +71,9 @@ class Dataset {
     int frameCount() const;
     // All that applies to frame `i`, from 0 (PS3.3 C.7.6.16): the macros of its item of
     // PerFrameFunctionalGroupsSequence, that item, the macros that all frames share, their item, and the top
-    // level, searched in this order until one has a value. Of each macro the first item. A frame that has no
-    // item is what the others are. Costs little, however many frames there are.
+    // level, searched in this order until one has a value. Of each macro the first item; private sequences
+    // are no macros. A frame that has no item is what the others are. Costs little, however many frames there
+    // are.
     Dataset frame(int i) const;
 
   private:

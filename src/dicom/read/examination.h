@@ -23,6 +23,7 @@ struct Examination {
     std::size_t framesMissing = 0;   // frames that the file claims and has no pixels for
     bool invalidFrameCount = false;  // NumberOfFrames is there, and is no number
     OtherObject object;              // when kind is other
+    bool isArchive = false;          // notDicom, and a zip by name and content
     bool charsetFallback = false;
     bool scattered = false;  // see Series::scattered
 

@@ -28,6 +28,37 @@ Spacing readSpacing(const Dataset& frame) {
     return {};
 }
 
+// Whether a letter of PatientOrientation (PS3.3 C.7.6.1.1.1) names the side that the direction goes away
+// from.
+bool isOpposite(std::string_view letters, const glm::dvec3& direction) {
+    constexpr double kClearly = 0.5;
+    const auto against = [&](double component) { return component < -kClearly; };
+    switch (letters.empty() ? ' ' : letters.front()) {
+        case 'L':
+            return against(direction.x);
+        case 'R':
+            return against(-direction.x);
+        case 'P':
+            return against(direction.y);
+        case 'A':
+            return against(-direction.y);
+        case 'H':
+            return against(direction.z);
+        case 'F':
+            return against(-direction.z);
+        default:
+            return false;
+    }
+}
+
+// Images that were turned over by a program say so in one of both places only. Animals have other letters.
+bool contradicts(const Dataset& dataset, const glm::dvec3& row, const glm::dvec3& column) {
+    const auto letters = dataset.shortTexts(tag::kPatientOrientation);
+    if (letters.size() != 2 || dataset.shortText(tag::kAnatomicalOrientationType) == "QUADRUPED")
+        return false;
+    return isOpposite(letters[0], row) || isOpposite(letters[1], column);
+}
+
 }  // namespace
 
 std::vector<double> frameOffsetsMm(const Dataset& header) {
@@ -76,6 +107,7 @@ void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, F
     const std::vector<double>& o = *orientation;
     const glm::dvec3 row{o[0], o[1], o[2]};
     const glm::dvec3 column{o[3], o[4], o[5]};
+    frame.orientationContradicted = contradicts(dataset, row, column);
     *frame.positionMm += offsetMm * glm::cross(row, column);
     if (spacing.source == PixelSpacingSource::none) return;
     frame.plane = ImagePlane{.positionMm = *frame.positionMm,

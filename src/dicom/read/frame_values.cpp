@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "dicom/read/sop_class.h"
+
 namespace macula::dicom {
 
 namespace {
@@ -14,10 +16,12 @@ struct Mapping {
     std::string unit;  // UCUM code
 };
 
-// The real world value mapping, for PET only: there it is what the values mean, elsewhere it is for display.
-// Only a mapping in the unit of the image is taken, or the first when the image names no unit.
+// The real world value mapping, for PET and parametric maps only (PS3.3 A.75): there it is what the values
+// mean, elsewhere it is for display. Only a mapping in the unit of the image is taken, or the first when the
+// image names no unit.
 std::optional<Mapping> realWorldMapping(const Dataset& dataset) {
-    if (dataset.text(tag::kModality) != "PT") return {};
+    if (dataset.text(tag::kModality) != "PT" && dataset.text(tag::kSopClassUid) != sop_class::kParametricMap)
+        return {};
     const std::string units = dataset.text(tag::kUnits).value_or("");
     for (const Dataset& item : dataset.items(tag::kRealWorldValueMapping)) {
         const auto slope = item.number(tag::kRealWorldValueSlope);
@@ -97,6 +101,7 @@ void readWindows(const Dataset& dataset, Frame& frame) {
     const double leastWidth =
         function.empty() || function == "LINEAR" ? 1.0 : std::numeric_limits<double>::min();
     const bool present = dataset.has(tag::kWindowCenter) || dataset.has(tag::kWindowWidth);
+    frame.hasDisplayTable = dataset.has(tag::kVoiLutSequence);
     frame.windowInvalid = present && (centers.empty() || centers.size() != widths.size());
     constexpr std::size_t kMostWindows = 16;
     for (std::size_t i = 0; i < std::min<std::size_t>({centers.size(), widths.size(), kMostWindows}); ++i) {

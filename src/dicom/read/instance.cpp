@@ -6,6 +6,7 @@
 #include "dicom/read/frame_plane.h"
 #include "dicom/read/frame_values.h"
 #include "dicom/read/transfer_syntax.h"
+#include "dicom/split/frame_lists.h"
 #include "dicom/split/split_rules.h"
 
 namespace macula::dicom {
@@ -102,6 +103,18 @@ Frame readFrame(const Dataset& header, const Dataset& dataset, std::shared_ptr<c
     return frame;
 }
 
+// Keeps of what lists say only what tells frames of the file apart, or of the files that it is continued in.
+void dropWhatAllShare(const FrameLists& lists, std::vector<Frame>& frames) {
+    if (!frames.front().instance->concatenationUid.empty()) return;
+    for (std::size_t a = 0; a < frames.front().attributes.size(); ++a) {
+        const std::string first = frames.front().attributes[a];
+        if (first.empty() || !lists.mayHave(a)) continue;
+        if (std::ranges::all_of(frames, [&](const Frame& f) { return f.attributes[a] == first; })) {
+            for (Frame& frame : frames) frame.attributes[a].clear();
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFile& read) {
@@ -110,19 +123,22 @@ std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFil
     std::vector<Frame> frames;
     frames.reserve(static_cast<std::size_t>(instance->frames));
     const std::vector<double> offsetsMm = frameOffsetsMm(header);
+    const FrameLists lists(splitRules(), header);
     for (int i = 0; i < instance->frames; ++i) {
         const auto at = static_cast<std::size_t>(i);
         // The position of frames beyond the list is unknown.
         const double beyond = offsetsMm.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
         const double offsetMm = at < offsetsMm.size() ? offsetsMm[at] : beyond;
-        frames.push_back(
-            readFrame(header, instance->multiFrame ? header.frame(i) : header, instance, i, offsetMm));
+        const Dataset dataset = instance->multiFrame ? header.frame(i) : header;
+        frames.push_back(readFrame(header, dataset, instance, i, offsetMm));
+        lists.apply(dataset, i, frames.back().attributes);
         // A table that all frames share is kept once.
         if (i > 0 && frames[at].modalityLut && frames[at - 1].modalityLut &&
             *frames[at].modalityLut == *frames[at - 1].modalityLut) {
             frames[at].modalityLut = frames[at - 1].modalityLut;
         }
     }
+    dropWhatAllShare(lists, frames);
     return frames;
 }
 

@@ -55,6 +55,7 @@ struct Frame {
     std::optional<glm::dvec3> positionMm;
     std::optional<ImagePlane> plane;  // needs position, orientation and pixel spacing
     bool hasOrientation = false;
+    bool orientationContradicted = false;  // by the letters of PatientOrientation
     PixelSpacingSource spacingSource = PixelSpacingSource::none;
     std::optional<double> sliceLocation;
     std::optional<double> sliceThicknessMm;  // above 0; plays no part in where slices lie
@@ -71,6 +72,7 @@ struct Frame {
     std::optional<ValueRange> floatPadding;
     std::vector<DisplayWindow> windows;
     bool windowInvalid = false;
+    bool hasDisplayTable = false;  // VOI LUT Sequence, PS3.3 C.11.2.1.1
 
     std::vector<std::string> attributes;  // of splitRules()
 };

@@ -11,6 +11,7 @@ inline constexpr std::string_view kMediaDirectory = "1.2.840.10008.1.3.10";  // 
 inline constexpr std::string_view kCtImage = "1.2.840.10008.5.1.4.1.1.2";
 inline constexpr std::string_view kEnhancedCtImage = "1.2.840.10008.5.1.4.1.1.2.1";
 inline constexpr std::string_view kLegacyConvertedEnhancedCtImage = "1.2.840.10008.5.1.4.1.1.2.2";
+inline constexpr std::string_view kParametricMap = "1.2.840.10008.5.1.4.1.1.30";
 inline constexpr std::string_view kMrSpectroscopy = "1.2.840.10008.5.1.4.1.1.4.2";  // has rows, and spectra
 inline constexpr std::string_view kSegmentation = "1.2.840.10008.5.1.4.1.1.66.4";
 inline constexpr std::string_view kLabelMapSegmentation = "1.2.840.10008.5.1.4.1.1.66.7";

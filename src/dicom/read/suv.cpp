@@ -19,6 +19,16 @@ std::optional<double> secondsOf(const Dataset& header, Tag dateTag, Tag timeTag)
     return 86400.0 * double(*days) + *seconds;
 }
 
+// Whether dose and weight are in Bq and kg, as they have to be (PS3.3 C.8.9.2, C.7.2.2). Files that were
+// edited or converted have kBq, MBq or g, and uptake values that are false by a factor of a thousand or more.
+// What is given to mice and men is between 0.1 and 1000 MBq/kg.
+bool isPlausibleDose(double doseBq, double weightKg) {
+    constexpr double kLeastBqPerKg = 1e4;
+    constexpr double kMostBqPerKg = 1e10;
+    const double bqPerKg = doseBq / weightKg;
+    return bqPerKg >= kLeastBqPerKg && bqPerKg <= kMostBqPerKg;
+}
+
 // The time that the decay correction START refers to: the start of the series, unless that was rewritten
 // after the acquisition, as workstations do.
 std::optional<double> scanSeconds(const Dataset& header) {
@@ -51,6 +61,8 @@ Suv suvOf(const Dataset& header) {
     const Dataset& tracer = tracers.front();
     const auto doseBq = tracer.number(tag::kRadionuclideTotalDose);
     if (!doseBq || *doseBq <= 0.0) return without("RadionuclideTotalDose");
+    if (!isPlausibleDose(*doseBq, *weightKg))
+        return without("a RadionuclideTotalDose in Bq that fits PatientWeight");
     const double gramsPerBq = 1000.0 * *weightKg / *doseBq;
     const std::string correction = header.text(tag::kDecayCorrection).value_or("");
     if (correction == "ADMIN") return {gramsPerBq, {}};

@@ -17,6 +17,7 @@ struct Row {
 constexpr std::array kTable = std::to_array<Row>({
     {"1.2.840.10008.1.2", {Codec::native, "Implicit VR Little Endian"}},
     {"1.2.840.10008.1.2.1", {Codec::native, "Explicit VR Little Endian"}},
+    {"1.2.840.10008.1.2.1.98", {Codec::native, "Encapsulated Uncompressed Explicit VR Little Endian"}},
     {"1.2.840.10008.1.2.1.99", {Codec::native, "Deflated Explicit VR Little Endian"}},
     {"1.2.840.10008.1.2.2", {Codec::native, "Explicit VR Big Endian"}},
     {"1.2.840.10008.1.2.5", {Codec::rle, "RLE Lossless"}},

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 
 #include "dicom/read/transfer_syntax.h"
 
@@ -76,6 +77,25 @@ bool isAbsurd(const Frame& frame, const UsualRescale& usual, const std::string& 
     constexpr double kMostTimesUsual = 1e6;  // PET slices of one series differ by thousands
     return reachOf(frame) > kMostTimesUsual * usual.reach ||
            std::abs(*frame.slope) * kMostTimesUsual < usual.slope;
+}
+
+bool hasNoRescale(const Frame& frame) {
+    return !frame.slope && !frame.intercept && !frame.rescaleInvalid;
+}
+
+// Whether images without any rescale are of another kind than those with one, and not few, where none is
+// required (PS3.3 A.4.3, MR): magnitude has none, phase has one, in one series.
+bool areOfAnotherKind(const std::vector<Frame>& frames, const std::string& modality) {
+    if (modality == "CT" || modality == "PT" || modality == "RTDOSE") return false;
+    std::set<std::vector<std::string>> without;
+    std::set<std::vector<std::string>> with;
+    std::size_t count = 0;
+    for (const Frame& frame : frames) {
+        (hasNoRescale(frame) ? without : with).insert(frame.imageType);
+        count += hasNoRescale(frame) ? 1 : 0;
+    }
+    return kOneOddOf * count > frames.size() &&
+           std::ranges::none_of(without, [&](const auto& type) { return with.contains(type); });
 }
 
 bool isOddRescale(const Frame& frame, const UsualRescale& usual, const std::string& modality) {
@@ -214,7 +234,10 @@ std::vector<OddImages> takeOddImages(std::vector<Frame>& frames, const std::stri
         takeThose(unreadable, "TransferSyntaxUID", key::kOddEncoding);
     if (std::ranges::any_of(frames, [](const Frame& f) { return hasRescale(f) && isComplete(f); })) {
         const UsualRescale usual = usualOf(frames);
-        takeThose(marked([&](const Frame& f) { return isOddRescale(f, usual, modality); }),
+        const bool mayLack = areOfAnotherKind(frames, modality);
+        takeThose(marked([&](const Frame& f) {
+                      return !(mayLack && hasNoRescale(f)) && isOddRescale(f, usual, modality);
+                  }),
                   "RescaleIntercept", key::kOddRescale);
         takeThose(marked([&](const Frame& f) {
                       return hasRescale(f) && isComplete(f) && (*f.slope > 0.0) != usual.positive;

@@ -28,6 +28,23 @@ Tag tagOf(const std::string& text) {
     return {hex(0), hex(5)};
 }
 
+// One tag; two with a plus, the second with the first before it; or with a slash, the second in an item of
+// the first.
+Attribute::Source sourceOf(const std::string& text) {
+    const std::size_t plus = text.find('+');
+    if (plus != std::string::npos) return {tagOf(text.substr(0, plus)), tagOf(text.substr(plus + 1))};
+    const std::size_t slash = text.find('/');
+    if (slash == std::string::npos) return {{}, tagOf(text)};
+    return {{}, tagOf(text.substr(slash + 1)), tagOf(text.substr(0, slash))};
+}
+
+Attribute::Reading readingOf(const std::string& name) {
+    if (name == "list") return Attribute::Reading::list;
+    if (name == "dimensions") return Attribute::Reading::dimensions;
+    MACULA_CHECK(name.empty());
+    return Attribute::Reading::value;
+}
+
 Attribute::Kind kindOf(const std::string& name) {
     if (name == "number") return Attribute::Kind::number;
     if (name == "numbers") return Attribute::Kind::numbers;
@@ -42,15 +59,9 @@ std::size_t enter(SplitRules& rules, const Json& json) {
                         .kind = kindOf(json.value("as", "text")),
                         .tolerance = json.value("tolerance", 0.0),
                         .relativeTolerance = json.value("relativeTolerance", 0.0),
-                        .value = json.value("value", "")};
-    for (const std::string text : json.at("tags")) {
-        const std::size_t plus = text.find('+');
-        if (plus == std::string::npos) {
-            attribute.tags.push_back({{}, tagOf(text)});
-        } else {
-            attribute.tags.push_back({tagOf(text.substr(0, plus)), tagOf(text.substr(plus + 1))});
-        }
-    }
+                        .value = json.value("value", ""),
+                        .reading = readingOf(json.value("read", ""))};
+    for (const std::string text : json.at("tags")) attribute.tags.push_back(sourceOf(text));
     const auto found = std::find(rules.attributes.begin(), rules.attributes.end(), attribute);
     if (found != rules.attributes.end()) {
         return static_cast<std::size_t>(found - rules.attributes.begin());
@@ -67,9 +78,23 @@ SplitRules::Soft::Step stepOf(const std::string& name) {
     return Step::silent;
 }
 
+// Enters what is read from data sets first: saved views name attributes by their place.
+void enterInOrder(SplitRules& rules, const Json& json) {
+    const auto enterThoseOf = [&](const Json& list) {
+        for (const Json& rule : list) {
+            if (!rule.contains("read")) enter(rules, rule);
+        }
+    };
+    enterThoseOf(json.at("hard"));
+    for (const auto& [modality, list] : json.at("soft").items()) enterThoseOf(list);
+    enterThoseOf(json.at("runs"));
+    enterThoseOf(json.at("phases"));
+}
+
 SplitRules parse(std::string_view text) {
     const Json json = Json::parse(text);
     SplitRules rules;
+    enterInOrder(rules, json);
     for (const Json& rule : json.at("hard")) rules.hard.push_back({enter(rules, rule), rule.at("message")});
     for (const auto& [modality, list] : json.at("soft").items()) {
         for (const Json& rule : list) {
@@ -107,6 +132,12 @@ bool sameNumber(const Attribute& attribute, std::string_view a, std::string_view
     return std::abs(*x - *y) <= allowed;
 }
 
+std::optional<std::string> textAt(const Dataset& frame, const Attribute::Source& source) {
+    if (!source.within) return frame.text(source.tag);
+    const std::vector<Dataset> items = frame.items(*source.within);
+    return items.empty() ? std::nullopt : items.front().text(source.tag);
+}
+
 }  // namespace
 
 const SplitRules& splitRules() {
@@ -120,7 +151,8 @@ std::vector<std::string> readAttributes(const SplitRules& rules, const Dataset& 
     for (const Attribute& attribute : rules.attributes) {
         std::string value;
         for (const Attribute::Source& source : attribute.tags) {
-            auto text = frame.text(source.tag);
+            if (attribute.reading != Attribute::Reading::value) break;
+            auto text = textAt(frame, source);
             if (!text) continue;
             value = source.before ? frame.text(*source.before).value_or("") + *text : std::move(*text);
             break;

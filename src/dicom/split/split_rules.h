@@ -13,12 +13,16 @@ namespace macula::dicom {
 
 struct Attribute {
     enum class Kind { text, number, numbers, contains };
+    // Where a frame's value is: in its data set; at its place in a list with a value for each frame of the
+    // file (PS3.3 C.7.6.6.1.1); among the frame's indices by dimension (C.7.6.17): see frame_lists.h.
+    enum class Reading { value, list, dimensions };
 
     // Where the attribute may be; `before` is put in front of the value where there is one: the date before a
-    // time.
+    // time. `within`: in the first item of that sequence.
     struct Source {
         std::optional<Tag> before;
         Tag tag;
+        std::optional<Tag> within = {};
 
         bool operator==(const Source&) const = default;
     };
@@ -29,6 +33,7 @@ struct Attribute {
     double tolerance = 0.0;
     double relativeTolerance = 0.0;
     std::string value;  // contains: what is looked for among the values
+    Reading reading = Reading::value;
 
     bool operator==(const Attribute&) const = default;
 };
@@ -68,7 +73,7 @@ struct SplitRules {
 const SplitRules& splitRules();
 
 // The value of each attribute of the rules, as text ("" when the image does not have it), in the order of
-// `attributes`. `frame` is the data set of one frame.
+// `attributes`. `frame` is the data set of one frame; what is in lists is left empty.
 std::vector<std::string> readAttributes(const SplitRules& rules, const Dataset& frame);
 
 // Whether two values of an attribute are the same, within its tolerance.

@@ -85,6 +85,8 @@ void assessPixels(Stack& stack) {
     if (any(stack, [](const Frame& f) { return f.instance->strayBytes; }))
         tell(stack, message(key::kStrayBytes));
     if (any(stack, [](const Frame& f) { return f.instance->lossy; })) tell(stack, message(key::kLossySource));
+    if (any(stack, [](const Frame& f) { return f.hasDisplayTable; }))
+        tell(stack, message(key::kDisplayTable));
     if (any(stack, [](const Frame& f) { return f.windowInvalid; })) tell(stack, message(key::kInvalidWindow));
 }
 
@@ -211,7 +213,16 @@ std::optional<Message> sparseness(const Stack& stack) {
                                         {"percent", 100.0 * (1.0 - thicknessMm / spacingMm)}});
 }
 
+// Images may be mirrored whose two ways of saying where sides are do not agree.
+void tellContradictions(Stack& stack) {
+    const auto count = std::ranges::count_if(stack.frames, &Frame::orientationContradicted);
+    if (count == 0) return;
+    tell(stack, message(key::kContradictedOrientation,
+                        {{"count", std::int64_t(count)}, {"total", std::int64_t(stack.frames.size())}}));
+}
+
 void assessGeometry(Stack& stack) {
+    tellContradictions(stack);
     if (any(stack, [](const Frame& f) { return isProjection(f.instance->sopClassUid); })) {
         tell(stack, message(key::kUnsupportedSeries,
                             {{"kind", describeSopClass(stack.frames.front().instance->sopClassUid)}}));

@@ -667,6 +667,14 @@
         <translation>Wählen Sie den Ordner, zu dem sie führen, wenn er gewünscht ist.</translation>
     </message>
     <message>
+        <source>Archives (zip) in the folder, which were not opened: %1.</source>
+        <translation>Archive (zip) im Ordner, die nicht geöffnet wurden: %1.</translation>
+    </message>
+    <message>
+        <source>Unpack those that hold images of this study, and open the folder again.</source>
+        <translation>Entpacken Sie die, in denen Bilder dieser Studie sind, und öffnen Sie den Ordner noch einmal.</translation>
+    </message>
+    <message>
         <source>Files that the directory of this medium (DICOMDIR) lists and that are not there: %1.</source>
         <translation>Dateien, die das Verzeichnis dieses Mediums (DICOMDIR) aufführt und die fehlen: %1.</translation>
     </message>
@@ -1103,6 +1111,10 @@
         <translation>Pixel mit 8 Bit, wie bei einem Capture</translation>
     </message>
     <message>
+        <source>no usable description of the pixels</source>
+        <translation>keine brauchbare Beschreibung der Pixel</translation>
+    </message>
+    <message>
         <source>they are no CT image objects</source>
         <translation>sie sind keine CT-Bildobjekte</translation>
     </message>
@@ -1159,8 +1171,20 @@
         <translation>Verwenden Sie zur Diagnose die Originalbilder.</translation>
     </message>
     <message>
+        <source>The images have lookup tables that say how they are shown (VOI LUT); these are not used, only windows are.</source>
+        <translation>Die Bilder haben Tabellen, die sagen, wie sie gezeigt werden (VOI LUT); diese werden nicht verwendet, nur Fenster.</translation>
+    </message>
+    <message>
         <source>The images are meant to be shown with low values bright (MONOCHROME1); values are as stored.</source>
         <translation>Die Bilder sind dafür gedacht, niedrige Werte hell zu zeigen (MONOCHROME1); Werte sind wie gespeichert.</translation>
+    </message>
+    <message>
+        <source>The letters of the sides (PatientOrientation) say the opposite of the orientation in space (ImageOrientationPatient), which is used, in %1 of %2 images.</source>
+        <translation>Die Buchstaben der Seiten (PatientOrientation) sagen das Gegenteil der Orientierung im Raum (ImageOrientationPatient), die verwendet wird, in %1 von %2 Bildern.</translation>
+    </message>
+    <message>
+        <source>Left and right, or front and back, may be exchanged: compare with the original images.</source>
+        <translation>Links und rechts oder vorn und hinten können vertauscht sein: Vergleichen Sie mit den Originalbildern.</translation>
     </message>
     <message>
         <source>The display window of these images is not usable, and was ignored.</source>
@@ -1409,6 +1433,14 @@
     <message>
         <source>There is no DICOM image in this folder: the only file in it is none.</source>
         <translation>In diesem Ordner ist kein DICOM-Bild: Seine einzige Datei ist keines.</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image here but perhaps in an archive (zip), which is not opened.</source>
+        <translation>Hier ist kein DICOM-Bild außer vielleicht in einem Archiv (zip), das nicht geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Unpack it, and open the folder with what was in it.</source>
+        <translation>Entpacken Sie es, und öffnen Sie den Ordner mit dem, was darin war.</translation>
     </message>
     <message>
         <source>There is no file in this folder.</source>
@@ -3835,6 +3867,10 @@
     <message>
         <source>plausible time between injection and scan</source>
         <translation>eine plausible Zeit zwischen Injektion und Aufnahme</translation>
+    </message>
+    <message>
+        <source>a RadionuclideTotalDose in Bq that fits PatientWeight</source>
+        <translation>eine RadionuclideTotalDose in Bq, die zu PatientWeight passt</translation>
     </message>
     <message>
         <source>0 for the first camera</source>

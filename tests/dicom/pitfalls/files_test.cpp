@@ -125,6 +125,22 @@ TEST_F(D17FileLayout, linksThatLoopOrLeadOut) {
     EXPECT_TRUE(opened.says(key::kLinksOutside)) << opened.keys();
 }
 
+// Zips are not opened; where one may hold the rest of a study, that is told. Programs on discs are zips too.
+TEST_F(D17FileLayout, archivesAreToldOf) {
+    writeFiles(folder.path(), series);
+    const std::string zip = "PK\x03\x04" + std::string(200, 'x');
+    std::ofstream(folder / "viewer.jar", std::ios::binary) << zip;
+    std::ofstream(folder / "letter.zip", std::ios::binary) << "no archive";
+    std::ofstream(folder / "empty.zip");
+    EXPECT_FALSE(open().says(key::kArchives));
+    std::ofstream(folder / "Rest.ZIP", std::ios::binary) << zip;
+    const Opened opened = open();
+    expectOnlyVolume(opened, series);
+    EXPECT_TRUE(opened.says(key::kArchives)) << opened.keys();
+    EXPECT_EQ(opened.scan().archives, 1u);
+    EXPECT_EQ(opened.scan().notDicom, 4u);
+}
+
 TEST_F(D17FileLayout, directoryInTheWrongCase) {
     const auto files = writeFiles(folder / "images", series);
     std::vector<std::string> ids;

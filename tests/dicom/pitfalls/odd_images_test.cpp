@@ -105,6 +105,28 @@ TEST_F(OddRescale, halfOfThemWithoutAreAStackOfTheirOwn) {
     EXPECT_TRUE(opened.says(key::kOddRescale));
 }
 
+// MR needs no rescale (PS3.3 A.4.3): magnitude without one and phase with one are two volumes, and no fault.
+TEST_F(OddRescale, magnitudeWithoutAndPhaseWith) {
+    series.modality = "MR";
+    series.phases = 2;
+    auto slices = slicesOf(series);
+    for (Slice& slice : slices) {
+        slice.edits.push_back([phase = slice.phase](DcmItem& item) {
+            put(item, DCM_ImageType, phase == 0 ? "ORIGINAL\\PRIMARY\\M\\ND" : "ORIGINAL\\PRIMARY\\P\\ND");
+            if (phase != 0) return;
+            erase(item, DCM_RescaleSlope);
+            erase(item, DCM_RescaleIntercept);
+        });
+    }
+    writeFiles(folder.path(), series, slices);
+    const Opened opened = open();
+    EXPECT_EQ(opened.frames(), 24u);
+    EXPECT_EQ(opened.volumes().size(), 2u) << opened.keys();
+    EXPECT_FALSE(opened.says(key::kOddRescale)) << opened.keys();
+    EXPECT_FALSE(opened.says(key::kMissingRescale)) << opened.keys();
+    EXPECT_TRUE(opened.says(key::kSplitSeries)) << opened.keys();
+}
+
 // Slopes of PET differ from slice to slice, by far: that is no fault.
 TEST_F(OddRescale, slopesOfPetMayDifferByThousands) {
     series.modality = "PT";

@@ -258,6 +258,35 @@ TEST_F(D06GantryTilt, slicesShiftedSidewaysAreNoVolume) {
     EXPECT_EQ(opened.frames(), 12u);
 }
 
+// The letters of the sides may say otherwise (PS3.3 C.7.6.1.1.1): geometry counts, and it is told.
+TEST_F(D24PatientPosition, lettersThatSayTheOppositeAreToldOf) {
+    struct Case {
+        const char* letters;
+        const char* kind;
+        bool told;
+    };
+    // Rows of these images go to the left, columns to the front.
+    const Case cases[]{{"L\\A", "BIPED", false},     {"L\\F", "", false}, {"LA\\AF", "", false},
+                       {"R\\A", "", true},           {"L\\P", "", true},  {"RA\\A", "BIPED", true},
+                       {"R\\A", "QUADRUPED", false}, {"L", "", false},    {"", "", false},
+                       {"x\\y", "", false}};
+    for (const Case& c : cases) {
+        SCOPED_TRACE(fmt::format("{} {}", c.letters, c.kind));
+        const TemporaryFolder own;
+        SyntheticSeries s;
+        s.size.z = 3;
+        s.worldFromVoxel = affine({1, 0, 0}, {0, -1.5, 0}, {0, 0, -2}, {-10, 20, 30});
+        s.edits.push_back([&](DcmItem& item) {
+            put(item, DCM_PatientOrientation, c.letters);
+            put(item, DCM_AnatomicalOrientationType, c.kind);
+        });
+        writeFiles(own.path(), s);
+        const Opened opened(own.path());
+        EXPECT_EQ(opened.says(key::kContradictedOrientation), c.told) << opened.keys();
+        expectOnlyVolume(opened, s);
+    }
+}
+
 TEST_F(D24PatientPosition, lettersComeFromTheDirectionsOnly) {
     struct Case {
         glm::dvec3 row, column;

@@ -159,6 +159,13 @@ TEST_F(D21Times, noUptakeValuesWithoutAllOfTheTags) {
         put(nested(item, DCM_RadiopharmaceuticalInformationSequence), DCM_RadiopharmaceuticalStartTime,
             "later");
     });
+    // Of kBq, MBq and GBq instead of Bq (PS3.3 C.8.9.2), and of grams (C.7.2.2).
+    for (const char* dose : {"400000", "400", "0.4"}) {
+        removals.push_back([dose](DcmItem& item) {
+            put(nested(item, DCM_RadiopharmaceuticalInformationSequence), DCM_RadionuclideTotalDose, dose);
+        });
+    }
+    removals.push_back([](DcmItem& item) { put(item, DCM_PatientWeight, "70000"); });
     for (std::size_t n = 0; n < removals.size(); ++n) {
         SCOPED_TRACE(n);
         const TemporaryFolder own;
@@ -172,6 +179,27 @@ TEST_F(D21Times, noUptakeValuesWithoutAllOfTheTags) {
         EXPECT_FALSE(opened.volumes()[0]->suvFactor);
         EXPECT_TRUE(opened.says(key::kSuvUnavailable)) << opened.keys();
         expectOnlyVolume(opened, s);
+    }
+}
+
+// A newborn and a mouse are given less, and more of it for each gram.
+TEST_F(D21Times, uptakeValuesOfTheSmallest) {
+    const std::pair<const char*, const char*> given[]{{"0.5", "150000"}, {"0.02", "10000000"}};
+    for (const auto& [weight, dose] : given) {
+        SCOPED_TRACE(weight);
+        const TemporaryFolder own;
+        SyntheticSeries s;
+        s.size.z = 3;
+        s.modality = "PT";
+        s.edits = {petTimes, [&](DcmItem& item) {
+                       put(item, DCM_PatientWeight, weight);
+                       put(nested(item, DCM_RadiopharmaceuticalInformationSequence),
+                           DCM_RadionuclideTotalDose, dose);
+                   }};
+        writeFiles(own.path(), s);
+        const Opened opened(own.path());
+        ASSERT_EQ(opened.volumes().size(), 1u) << opened.keys();
+        EXPECT_TRUE(opened.volumes()[0]->suvFactor) << opened.keys();
     }
 }
 
@@ -237,6 +265,23 @@ TEST_F(D22Windows, brokenOnesAreNoWindowAndStopNothing) {
         ASSERT_NE(volume, nullptr);
         EXPECT_TRUE(volume->windows().empty());
     }
+}
+
+// A VOI LUT (PS3.3 C.11.2.1.1) is left out, and that is told.
+TEST_F(D22Windows, tablesAreToldOf) {
+    series.edits.push_back([](DcmItem& item) {
+        DcmItem& table = nested(item, DCM_VOILUTSequence);
+        const std::vector<Uint16> descriptor{4, 1000, 16};
+        const std::vector<Uint16> entries{0, 100, 400, 65535};
+        item.putAndInsertString(DCM_WindowCenter, "");
+        table.putAndInsertUint16Array(DcmTag(DCM_LUTDescriptor, EVR_US), descriptor.data(), 3);
+        table.putAndInsertUint16Array(DcmTag(DCM_LUTData, EVR_US), entries.data(), 4);
+        put(table, DCM_LUTExplanation, "BRAIN");
+    });
+    writeFiles(folder.path(), series);
+    const Opened opened = open();
+    expectOnlyVolume(opened, series);
+    EXPECT_TRUE(opened.says(key::kDisplayTable)) << opened.keys();
 }
 
 // The window of the middle slice is that of the volume.

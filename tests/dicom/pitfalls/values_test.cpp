@@ -159,6 +159,39 @@ TEST_F(D09Rescale, realWorldValuesOfPet) {
     }
 }
 
+// A parametric map (PS3.3 A.75) is worth what its mapping says; that of an MR image is for display.
+TEST_F(D09Rescale, realWorldValuesOfParametricMaps) {
+    for (const bool isMap : {true, false}) {
+        SCOPED_TRACE(isMap);
+        const TemporaryFolder own;
+        SyntheticSeries s;
+        s.modality = "MR";
+        if (isMap) s.sopClassUid = "1.2.840.10008.5.1.4.1.1.30";
+        s.intercept = 0.0;
+        const auto slices = slicesOf(s);
+        writeMultiFrame(own / "map", s, slices,
+                        {.edits = {[](DcmItem& item) {
+                             DcmItem& shared = nested(item, DCM_SharedFunctionalGroupsSequence);
+                             DcmItem& map = nested(shared, DCM_RealWorldValueMappingSequence);
+                             putNumber(map, DCM_RealWorldValueSlope, 0.001);
+                             putNumber(map, DCM_RealWorldValueIntercept, -0.5);
+                             DcmItem& unit = nested(map, DCM_MeasurementUnitsCodeSequence);
+                             put(unit, DCM_CodeValue, "mm2/s");
+                             put(unit, DCM_CodingSchemeDesignator, "UCUM");
+                             put(unit, DCM_CodeMeaning, "square millimeter per second");
+                         }}});
+        const Opened opened(own.path());
+        EXPECT_EQ(opened.says(key::kRealWorldValues), isMap) << opened.keys();
+        const auto volume = opened.onlyVolume();
+        ASSERT_NE(volume, nullptr);
+        EXPECT_EQ(volume->unitName(), isMap ? "mm2/s" : "");
+        for (const Slice& slice : slices) {
+            const double raw = rawAt(s, slice, 4, 3);
+            EXPECT_NEAR(volume->value(4, 3, slice.place), isMap ? 0.001 * raw - 0.5 : raw, 1e-4);
+        }
+    }
+}
+
 // Entry n of the table is worth 3 n^2 + 10; raw values below the first are worth the first entry, those above
 // the last the last (PS3.3 C.11.1.1).
 TEST_F(D09Rescale, modalityLookupTable) {

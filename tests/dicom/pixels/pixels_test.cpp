@@ -225,6 +225,23 @@ TEST(Pixels, oneFragmentPerFrame) {
     }
 }
 
+// Encapsulated Uncompressed Explicit VR Little Endian: PS3.5 A.4.11. Frames of 8 bits are of an odd length
+// here, and padded.
+TEST(Pixels, encapsulatedWithoutCompression) {
+    const TemporaryFolder folder;
+    for (const int bits : {8, 12}) {
+        SCOPED_TRACE(bits);
+        std::vector<std::string> frames;
+        for (int frame = 0; frame < 3; ++frame) {
+            std::string& bytes = frames.emplace_back();
+            for (const std::uint16_t cell : cellsOf(frame, bits)) bytes += bytesOf(cell, bits > 8 ? 2 : 1);
+        }
+        const PixelLayout layout = layoutOf("1.2.840.10008.1.2.1.98", 3, bits > 8 ? kTwelveBits : kEightBits);
+        expectFrames(save(folder, imageHeader(layout) + encapsulated(cut(frames, 1).fragments)), layout,
+                     bits);
+    }
+}
+
 TEST(Pixels, severalFragmentsPerFrameByTheBasicOffsetTable) {
     const TemporaryFolder folder;
     for (const char* uid : kLossless) {
