@@ -36,7 +36,8 @@ class Interface(unittest.TestCase):
                 "macula_open": _interface.Open, "macula_voxels": _interface.Voxels, "macula_volume": _interface.Volume,
                 "macula_camera": _interface.Camera, "macula_picture": _interface.Picture,
                 "macula_drawn": _interface.Drawn, "macula_live_options": _interface.LiveOptions,
-                "macula_frame": _interface.Frame, "macula_shown": _interface.Shown,
+                "macula_frame": _interface.Frame, "macula_pick": _interface.Pick, "macula_picked": _interface.Picked,
+                "macula_shown": _interface.Shown,
                 "macula_model": _interface.Model, "macula_training": _interface.Training}
         # Devices of Vulkan are lent, and their images shared, by programs in C and C++.
         promised = {name: at for name, at in promised.items()
