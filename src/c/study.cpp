@@ -43,12 +43,11 @@ std::vector<std::string> reasonsOf(const dicom::Scan& scan) {
     return reasons;
 }
 
-// Which volume was taken where nobody chose one: who is shown must not be a matter of luck.
+// Which volume was taken where nobody chose one: who is shown must not be a matter of luck. The reason tells
+// of several patients.
 std::string choiceOf(const app::OpenedStudy& study) {
     const int patients = study.found == nullptr ? 1 : study.found->scan().patients;
-    if (patients > 1)
-        return fmt::format("This folder is of {} patients. {} Check that it is of the patient you mean.",
-                           patients, study.whyThisSeries);
+    if (patients > 1) return study.whyThisSeries + " Check that it is of the patient you mean.";
     return study.volumeTitles.size() > 1 ? study.whyThisSeries : std::string();
 }
 
