@@ -416,7 +416,8 @@ typedef struct macula_live_options {
     uint32_t size;
     int32_t model; /* MACULA_WITH_MODEL ... */
     /* The folder where models are kept between runs, which is made where it is missing; empty: that of the
-     * viewer; null: none is kept. Patients are digests there: docs/privacy.md. */
+     * viewer; null: none is kept. Patients are digests there: docs/privacy.md. Where it cannot be used there
+     * is a picture all the same, with a note, and macula_live_save fails. */
     const char* store;
     uint64_t store_bytes; /* of all models in it, the least recently used go; 0: 2 GB */
 } macula_live_options;
