@@ -240,6 +240,7 @@ macula_status macula_study_choose(macula_study* study, std::uint32_t index, cons
         return withProgress(progress, [&](Progress& to) -> Result<void> {
             MACULA_TRY(app::OpenedStudy other, app::openFoundVolume(of->opened.found, index, to));
             MACULA_TRY(std::unique_ptr<macula_study> chosen, studyOf(std::move(other)));
+            chosen->titles = std::move(of->titles);  // a host may still show them
             *of = std::move(*chosen);
             return {};
         });

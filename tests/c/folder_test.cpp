@@ -60,10 +60,12 @@ TEST_F(CFolder, WhoWasTakenWithoutAChoiceIsSaid) {
     EXPECT_FALSE(isSaid(study, "SYNTHETIC")) << "sentences name nobody";
     auto volume = sized<macula_volume>();
     ASSERT_EQ(macula_study_volume(study.get(), &volume), MACULA_DONE);
+    const char* const title = macula_study_title(study.get(), 0);
     // Who chooses the other one is not asked again.
     ASSERT_EQ(macula_study_choose(study.get(), 1 - volume.index, nullptr), MACULA_DONE)
         << lastError().message;
     EXPECT_FALSE(isSaid(study, "patient you mean"));
+    EXPECT_EQ(macula_study_title(study.get(), 0), title) << "titles live as long as the study";
 }
 
 TEST_F(CFolder, WhatWasLeftOutIsSaidWithTheReason) {
