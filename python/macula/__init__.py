@@ -132,13 +132,20 @@ class _Watch:
 class _Handle:
     """What is closed once."""
 
+    _is_of_process = False  # has a device, whose threads a fork does not take along
+
     def __init__(self, handle, close):
         self._handle, self._close = handle, close
-        self._in_use = threading.Lock()
+        self._in_use, self._process = threading.Lock(), os.getpid()
+
+    def _is_of_another_process(self):
+        return self._is_of_process and self._process != os.getpid()
 
     def _open(self):
         if self._handle is None:
             raise ValueError("It is closed.")
+        if self._is_of_another_process():
+            raise ValueError("It was opened before this process was forked. Open it here.")
         return self._handle
 
     @contextlib.contextmanager
@@ -150,7 +157,8 @@ class _Handle:
 
     def close(self):
         if getattr(self, "_handle", None) is not None:
-            self._close(self._handle)
+            if not self._is_of_another_process():
+                self._close(self._handle)
             self._handle = None
 
     __del__ = close
@@ -210,7 +218,10 @@ def log_to(function, least="warning"):
 
 
 class Device(_Handle):
-    """What draws: by number or part of a name; without one, MACULA_DEVICE or the best."""
+    """What draws: by number or part of a name; without one, MACULA_DEVICE or the best. A process that is forked opens
+    its own."""
+
+    _is_of_process = True
 
     def __init__(self, preferred=None):
         handle = ctypes.c_void_p()
@@ -220,6 +231,15 @@ class Device(_Handle):
 
 _device = None
 _device_in_making = threading.Lock()
+
+
+def _forget_device():
+    """In a process that was forked: it opens one of its own."""
+    global _device, _device_in_making
+    _device, _device_in_making = None, threading.Lock()
+
+
+os.register_at_fork(after_in_child=_forget_device)
 
 
 def _usual_device():
@@ -406,6 +426,8 @@ class Model:
 
 class Live(_Handle):
     """The live picture of a view; View.live makes it. Closing saves what was learnt, which may take a while."""
+
+    _is_of_process = True
 
     def show(self, view, progress=None):
         """From now on what that view shows now."""

@@ -107,8 +107,15 @@ macula_status macula_view_set_lights(macula_view* view, const char* lights) {
 
 macula_status macula_view_set_window(macula_view* view, double centre, double width) {
     return changed(view, [&](macula_view& of) -> Result<void> {
-        if (!std::isfinite(centre) || !std::isfinite(width) || width < 0.0)
-            return badArgument("The window is not usable.", "Give finite numbers, the width 0 or above.");
+        // As states have it: what can be set can be kept and set again.
+        constexpr double kMost = 1e9;
+        constexpr double kNarrowest = 1e-9;
+        const bool isUsable =
+            std::abs(centre) <= kMost && (width == 0.0 || (width >= kNarrowest && width <= kMost));
+        if (!isUsable)
+            return badArgument(
+                "The window is not usable.",
+                "Give a centre of -1e9 to 1e9, and a width of 1e-9 to 1e9, or 0 for the usual one.");
         of.window.reset();
         of.chosen.windows = {};
         if (width > 0.0)

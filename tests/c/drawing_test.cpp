@@ -112,6 +112,32 @@ TEST_F(CDrawing, WithTheCameraThatWasToldThePictureIsTheSame) {
     EXPECT_EQ(rgba_, before);
 }
 
+// What can be set can be kept and set again.
+TEST_F(CDrawing, AWindowThatNoStateCouldHoldIsRefused) {
+    for (const double bad :
+         {1e10, -1e10, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+        expectError(macula_view_set_window(view_.get(), bad, 100.0), MACULA_USAGE);
+    for (const double bad : {1e10, 1e-10, -1.0, std::numeric_limits<double>::quiet_NaN()})
+        expectError(macula_view_set_window(view_.get(), 0.0, bad), MACULA_USAGE);
+    ASSERT_EQ(macula_view_set_look(view_.get(), "mip"), MACULA_DONE);
+    ASSERT_EQ(macula_view_set_window(view_.get(), 1e9, 1e-9), MACULA_DONE);
+    const char* state = nullptr;
+    ASSERT_EQ(macula_view_state(view_.get(), &state), MACULA_DONE) << lastError().message;
+    EXPECT_EQ(macula_view_set_state(view_.get(), std::string(state).c_str()), MACULA_DONE)
+        << lastError().message;
+}
+
+TEST_F(CDrawing, ABlackProjectionSpeaksOfItsWindowAndOfNoPreset) {
+    ASSERT_EQ(macula_view_set_look(view_.get(), "mip"), MACULA_DONE);
+    ASSERT_EQ(macula_view_set_window(view_.get(), 5000.0, 100.0), MACULA_DONE);
+    ASSERT_EQ(draw(), MACULA_DONE) << lastError().message;
+    ASSERT_EQ(drawn_.is_empty, 1);
+    ASSERT_NE(macula_view_note(view_.get(), 0), nullptr);
+    const std::string note = macula_view_note(view_.get(), 0);
+    EXPECT_NE(note.find("W 100 L 5000 HU"), std::string::npos) << note;
+    EXPECT_EQ(note.find("reset"), std::string::npos) << note;
+}
+
 TEST_F(CDrawing, WhatIsPointedAtIsWhereItIs) {
     auto pick = sized<macula_pick>();
     auto picked = sized<macula_picked>();

@@ -255,6 +255,31 @@ thread.join()
             thread.join()
         self.assertEqual(seeds, {seed: seed for seed in range(6)})
 
+    def test_a_process_that_was_forked_draws_on_a_device_of_its_own(self):
+        program = """
+import macula, os, signal
+study = macula.open("phantom:")
+device, live = macula.Device(), study.view().live(model=False)
+before = bytes(study.view().draw(24, 24, samples=1).rgba)
+child = os.fork()
+if child == 0:
+    signal.alarm(60)
+    same = bytes(study.view().draw(24, 24, samples=1).rgba) == before
+    refused = 0
+    for old in (lambda: study.view().draw(8, 8, device=device), lambda: live.frame(8, 8)):
+        try:
+            old()
+        except ValueError:
+            refused += 1
+    live.close()
+    device.close()
+    os._exit(0 if same and refused == 2 else 3)
+assert os.waitpid(child, 0)[1] == 0
+assert bytes(study.view().draw(24, 24, samples=1).rgba) == before
+"""
+        told = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, timeout=120)
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+
     def test_an_error_goes_from_process_to_process(self):
         with self.assertRaises(macula.Error) as refused:
             macula.open("/nowhere/DOE^JOHN")
