@@ -239,7 +239,8 @@ def _forget_device():
     _device, _device_in_making = None, threading.Lock()
 
 
-os.register_at_fork(after_in_child=_forget_device)
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget_device)
 
 
 def _usual_device():
