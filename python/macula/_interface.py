@@ -29,7 +29,7 @@ class Progress(Sized):
 
 
 class Open(Sized):
-    _fields_ = [("size", c_uint32), ("join", c_int32)]
+    _fields_ = [("size", c_uint32), ("join", c_int32), ("series_uid", c_char_p)]
 
 
 class Voxels(Sized):

@@ -68,6 +68,29 @@ TEST_F(CFolder, WhoWasTakenWithoutAChoiceIsSaid) {
     EXPECT_EQ(macula_study_title(study.get(), 0), title) << "titles live as long as the study";
 }
 
+TEST_F(CFolder, TheSeriesThatIsAskedForIsOpened) {
+    auto how = sized<macula_open>();
+    const std::string path = folder_.path().string();
+    macula_study* made = nullptr;
+    for (const char* uid : {"2.25.1001", "2.25.1101"}) {
+        how.series_uid = uid;
+        ASSERT_EQ(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_DONE) << lastError().message;
+        const Owned<macula_study> study(made);
+        auto volume = sized<macula_volume>();
+        ASSERT_EQ(macula_study_volume(made, &volume), MACULA_DONE);
+        EXPECT_STREQ(volume.series_uid, uid);
+        EXPECT_FALSE(isSaid(study, "patient you mean")) << "it was chosen";
+    }
+    how.series_uid = "2.25.9";
+    expectError(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_INPUT);
+    EXPECT_EQ(made, nullptr);
+    expectError(macula_study_open("phantom:", &how, nullptr, &made), MACULA_USAGE);
+    // A host of before knows nothing of it.
+    how.size = 8;
+    EXPECT_EQ(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_DONE) << lastError().message;
+    macula_study_close(made);
+}
+
 TEST_F(CFolder, WhatWasLeftOutIsSaidWithTheReason) {
     const auto study = open(folder_.path());
     ASSERT_NE(study, nullptr);

@@ -141,6 +141,7 @@ typedef struct macula_open {
     uint32_t size;
     int32_t join; /* not 0: take images for one series that agree in all but identifiers made anew for each of
                      them */
+    const char* series_uid; /* the series of a folder that is meant; null: that of the best volume */
 } macula_open;
 
 /* A folder with DICOM files, of which the best volume is loaded; one of its images, and its own series is; a
