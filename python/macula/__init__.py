@@ -8,21 +8,25 @@
     live = view.live(store="MODELS")  # frame by frame, with a model that is trained and kept
 
 NOT FOR PRIMARY DIAGNOSIS. Lengths are millimetres in the patient's LPS: +x to the patient's left, +y to posterior, +z
-to superior. Show the notes of studies and pictures to whoever sees them. Objects are used by one thread at a time; a
-device may be that of several. Functions that hear of progress or have the log must not call Macula.
+to superior. Show the notes of studies and pictures to whoever sees them. Objects are used by one thread at a time: what
+is in use refuses to be changed by another, and draws for one after the other. A device may be that of several threads.
+Functions that hear of progress or have the log must not call Macula.
 NumPy is used where it is installed; nothing needs it.
 """
 
 import atexit
+import contextlib
 import ctypes
 import json
+import operator
 import os
+import pathlib
 import threading
 
 from . import _interface, _png
 
-__all__ = ["Device", "Error", "Frame", "Live", "Model", "Picture", "Study", "View", "log_to", "names", "open",
-           "study_of", "version"]
+__all__ = ["Device", "Error", "Frame", "Live", "Model", "Picture", "Study", "View", "built_in", "log_to", "names",
+           "open", "study_of", "version"]
 
 _library = _interface.load()
 _CANCELLED = 5
@@ -30,6 +34,7 @@ _TYPES = {"b": 1, "B": 2, "h": 3, "H": 4, "i": 5, "I": 6, "f": 7, "d": 8}  # MAC
 _UNITS = {None: 0, "HU": 1}
 _KINDS = {"presets": 0, "clips": 1, "lights": 2, "looks": 3, "qualities": 4}
 _DENOISE = {None: 0, True: 1, False: 2}
+_MOST = 2 ** 32 - 1
 
 
 class Error(RuntimeError):
@@ -39,6 +44,9 @@ class Error(RuntimeError):
     def __init__(self, status, message, advice, place):
         super().__init__(f"{message} {advice}".strip())
         self.status, self.message, self.advice, self.place = status, message, advice, place
+
+    def __reduce__(self):  # it goes from process to process
+        return Error, (self.status, self.message, self.advice, self.place)
 
     @property
     def is_cancelled(self):
@@ -56,7 +64,27 @@ def _check(status):
 
 def _bytes(text):
     """A path, or a word, or nothing."""
-    return None if text is None else os.fsencode(text)
+    if text is None:
+        return None
+    told = os.fsencode(text)
+    if b"\0" in told:  # where C would end: it would be another path
+        raise ValueError("A name has no 0 in it.")
+    return told
+
+
+def _numbers(values, count, what):
+    numbers = [float(value) for value in values]
+    if len(numbers) != count:
+        raise ValueError(f"{what}: {count} numbers, and not {len(numbers)}.")
+    return (ctypes.c_double * count)(*numbers)
+
+
+def _whole(value, most, what):
+    """A number that ctypes would cut off in silence."""
+    number = operator.index(value)
+    if not 0 <= number <= most:
+        raise ValueError(f"{what}: 0 to {most}.")
+    return number
 
 
 def _texts(told, handle):
@@ -104,18 +132,33 @@ class _Watch:
 class _Handle:
     """What is closed once."""
 
+    _is_of_process = False  # has a device, whose threads a fork does not take along
+
     def __init__(self, handle, close):
         self._handle, self._close = handle, close
+        self._in_use, self._process = threading.Lock(), os.getpid()
+
+    def _is_of_another_process(self):
+        return self._is_of_process and self._process != os.getpid()
 
     def _open(self):
         if self._handle is None:
             raise ValueError("It is closed.")
+        if self._is_of_another_process():
+            raise ValueError("It was opened before this process was forked. Open it here.")
         return self._handle
+
+    @contextlib.contextmanager
+    def _held(self):
+        """The handle, from a call to what there is to know of what it made: that must not be of another call."""
+        with self._in_use:
+            yield self._open()
+            self._open()  # where it was closed meanwhile, its notes are gone
 
     def close(self):
         # Let go of first: Ctrl-C while it closes is raised as soon as that returns, and __del__ would close it again.
         handle, self._handle = getattr(self, "_handle", None), None
-        if handle is not None:
+        if handle is not None and not self._is_of_another_process():
             self._close(handle)
 
     __del__ = close
@@ -136,6 +179,13 @@ def names(kind):
     if kind not in _KINDS:
         raise ValueError(f"There are {', '.join(_KINDS)}.")
     return _texts(_library.macula_name, _KINDS[kind])
+
+
+def built_in():
+    """A dict of lists of all that is built in, with titles, and of presets what they are for."""
+    told = ctypes.c_char_p()
+    _check(_library.macula_built_in(told))
+    return json.loads(told.value)
 
 
 def _log_to_nobody():
@@ -170,22 +220,29 @@ def log_to(function, least="warning"):
 
 
 class Device(_Handle):
-    """What draws: by number or part of a name; without one, MACULA_DEVICE or the best."""
+    """What draws: by number or part of a name; without one, MACULA_DEVICE or the best. A process that is forked opens
+    its own."""
+
+    _is_of_process = True
 
     def __init__(self, preferred=None):
         handle = ctypes.c_void_p()
         _check(_library.macula_device_open(_bytes(preferred), handle))
-        self._in_use = threading.Lock()  # one picture at a time, whichever thread wants it
-        super().__init__(handle, _library.macula_device_close)
-
-    def close(self):
-        """Once the picture is there that another thread draws."""
-        with self._in_use:
-            super().close()
+        super().__init__(handle, _library.macula_device_close)  # one picture at a time, whichever thread wants it
 
 
 _device = None
 _device_in_making = threading.Lock()
+
+
+def _forget_device():
+    """In a process that was forked: it opens one of its own."""
+    global _device, _device_in_making
+    _device, _device_in_making = None, threading.Lock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_forget_device)
 
 
 def _usual_device():
@@ -202,8 +259,8 @@ def _camera_of(told):
 
 
 def _camera(position_mm, target_mm, up, vertical_fov_deg=30.0, parallel_height_mm=0.0):
-    corner = ctypes.c_double * 3
-    return _interface.Camera(position_mm=corner(*position_mm), target_mm=corner(*target_mm), up=corner(*up),
+    return _interface.Camera(position_mm=_numbers(position_mm, 3, "position_mm"),
+                             target_mm=_numbers(target_mm, 3, "target_mm"), up=_numbers(up, 3, "up"),
                              vertical_fov_deg=vertical_fov_deg, parallel_height_mm=parallel_height_mm)
 
 
@@ -230,6 +287,8 @@ class Picture:
 
     def save(self, path):
         """As PNG, which says how it was made."""
+        if pathlib.Path(os.fsdecode(path)).suffix.lower() not in ("", ".png"):
+            raise ValueError("A picture is saved as PNG: end its name with .png.")
         said = "denoised" if self.is_denoised else "plain"
         _png.write(path, self.width, self.height, self.rgba, {
             "Software": f"Macula {version()}", "macula:preset": self.preset, "macula:device": self.device,
@@ -262,8 +321,8 @@ class View(_Handle):
 
     def set_box(self, low_mm, high_mm):
         """Shows what lies between two corners, along the patient's axes."""
-        corner = ctypes.c_double * 3
-        _check(_library.macula_view_set_box(self._open(), corner(*low_mm), corner(*high_mm)))
+        _check(_library.macula_view_set_box(self._open(), _numbers(low_mm, 3, "low_mm"),
+                                            _numbers(high_mm, 3, "high_mm")))
 
     def remove_table(self, remove=True):
         _check(_library.macula_view_remove_table(self._open(), bool(remove)))
@@ -302,18 +361,34 @@ class View(_Handle):
              progress=None):
         """Returns a Picture. `progress(stage, fraction)` cancels by returning True; then Error.is_cancelled."""
         _check_size(width, height)
+        if denoise not in _DENOISE:
+            raise ValueError("denoise is True, False or None.")
         rgba = bytearray(4 * width * height)
         pixels = (ctypes.c_uint8 * len(rgba)).from_buffer(rgba)
-        asked = _interface.Picture(width=width, height=height, denoise=_DENOISE[denoise], samples_per_pixel=samples,
-                                   seed=seed, quality=_bytes(quality), most_noise=most_noise, bytes=len(rgba),
+        asked = _interface.Picture(width=width, height=height, denoise=_DENOISE[denoise],
+                                   samples_per_pixel=_whole(samples, _MOST, "samples"),
+                                   seed=_whole(seed, _MOST, "seed"), quality=_bytes(quality), most_noise=most_noise,
+                                   bytes=len(rgba),
                                    rgba=ctypes.cast(pixels, ctypes.POINTER(ctypes.c_uint8)))
         drawn, watch, device = _interface.Drawn(), _Watch(progress), device or _usual_device()
-        with device._in_use:
-            watch.check(_library.macula_draw(device._open(), self._open(), asked, watch.progress, drawn))
         told = ctypes.c_char_p()
-        _check(_library.macula_view_record(self._handle, told))
-        return Picture(rgba, drawn, width, height, _texts(_library.macula_view_note, self._handle),
-                       json.loads(told.value))
+        with self._held() as handle:
+            with device._in_use:
+                watch.check(_library.macula_draw(device._open(), handle, asked, watch.progress, drawn))
+            _check(_library.macula_view_record(handle, told))
+            return Picture(rgba, drawn, width, height, _texts(_library.macula_view_note, handle),
+                           json.loads(told.value))
+
+    def pick(self, x, y, width, height, camera=None, progress=None):
+        """What of the patient is seen at that pixel of a picture of that size: patient LPS mm, or None where nothing
+        is. 0.5 is the middle of the first pixel from the left, and from above. `camera` is that of the picture, without
+        one of the last that was drawn."""
+        _check_size(width, height)
+        eye = None if camera is None else ctypes.pointer(_camera(**camera))
+        picked, watch = _interface.Picked(), _Watch(progress)
+        watch.check(_library.macula_view_pick(
+            self._open(), _interface.Pick(width=width, height=height, x=x, y=y, camera=eye), watch.progress, picked))
+        return tuple(picked.point_mm) if picked.is_something else None
 
 
 class Frame:
@@ -355,6 +430,8 @@ class Model:
 class Live(_Handle):
     """The live picture of a view; View.live makes it. Closing saves what was learnt, which may take a while."""
 
+    _is_of_process = True
+
     def show(self, view, progress=None):
         """From now on what that view shows now."""
         watch = _Watch(progress)
@@ -372,11 +449,12 @@ class Live(_Handle):
         pixels = (ctypes.c_uint8 * len(rgba)).from_buffer(rgba)
         eye = None if camera is None else ctypes.pointer(_camera(**camera))
         asked = _interface.Frame(width=width, height=height, is_moving=bool(moving), camera=eye,
-                                 gaze=(ctypes.c_double * 2)(*gaze), for_about_ms=for_about_ms, bytes=len(rgba),
+                                 gaze=_numbers(gaze, 2, "gaze"), for_about_ms=for_about_ms, bytes=len(rgba),
                                  rgba=ctypes.cast(pixels, ctypes.POINTER(ctypes.c_uint8)))
         shown, watch = _interface.Shown(), _Watch(progress)
-        watch.check(_library.macula_live_frame(self._open(), asked, watch.progress, shown))
-        return Frame(rgba, shown, width, height, _texts(_library.macula_live_note, self._handle))
+        with self._held() as handle:
+            watch.check(_library.macula_live_frame(handle, asked, watch.progress, shown))
+            return Frame(rgba, shown, width, height, _texts(_library.macula_live_note, handle))
 
     @property
     def model(self):
@@ -385,13 +463,11 @@ class Live(_Handle):
         return Model(told)
 
     def train(self, steps=0, seconds=0.0, progress=None):
-        """Teaches the model `steps` more, or for `seconds`, whatever ends first; without both until it rests. Returns a
-        Model. What was learnt stays when it is cancelled."""
-        if steps < 0:
-            raise ValueError("Steps are 0 or more.")
+        """Teaches the model at least `steps` more, some tens at a time, or for `seconds`, whatever ends first; without
+        both until it rests. Returns a Model. What was learnt stays when it is cancelled."""
         told, watch = _interface.Model(), _Watch(progress)
-        watch.check(_library.macula_live_train(self._open(), _interface.Training(steps=steps, seconds=seconds),
-                                               watch.progress, told))
+        wanted = _interface.Training(steps=_whole(steps, 2 ** 63 - 1, "steps"), seconds=seconds)
+        watch.check(_library.macula_live_train(self._open(), wanted, watch.progress, told))
         return Model(told)
 
     def save(self, progress=None):
@@ -411,13 +487,20 @@ class Study(_Handle):
     @property
     def titles(self):
         """A line for each volume, which may name the patient where there are several."""
-        return [_library.macula_study_title(self._open(), index).decode("utf-8", "replace")
-                for index in range(_library.macula_study_volumes(self._open()))]
+        return _texts(_library.macula_study_title, self._open())
 
     @property
     def notes(self):
-        """What was assumed, left out or repaired in the volume that is loaded."""
+        """Which volume was taken, and what was assumed, left out or repaired in it."""
         return _texts(_library.macula_study_note, self._open())
+
+    @property
+    def found(self):
+        """All that the folder holds, as a dict: what `macula info --json --patient` writes, with each file that was
+        left out, and why; "volumes" has the place there of each of `titles`. It names patients."""
+        told = ctypes.c_char_p()
+        _check(_library.macula_study_found(self._open(), told))
+        return json.loads(told.value)
 
     def choose(self, index, progress=None):
         """Loads another volume; views of the one before stay."""
@@ -448,6 +531,19 @@ class Study(_Handle):
     @property
     def modality(self):
         return self._volume().modality.decode("utf-8", "replace")
+
+    @property
+    def study_uid(self):
+        """Empty, as those below, where there is none. They may lead to the patient."""
+        return self._volume().study_uid.decode("utf-8", "replace")
+
+    @property
+    def series_uid(self):
+        return self._volume().series_uid.decode("utf-8", "replace")
+
+    @property
+    def frame_of_reference_uid(self):
+        return self._volume().frame_of_reference_uid.decode("utf-8", "replace")
 
     @property
     def value_range(self):
@@ -491,11 +587,12 @@ def _study(make, progress):
     return watch.made(make(watch.progress, handle), Study, handle, _library.macula_study_close)
 
 
-def open(path, join=False, progress=None):
+def open(path, join=False, progress=None, series_uid=None):
     """A folder with DICOM files, one of them, a DICOMDIR, a NIfTI, NRRD or MetaImage file, or "phantom:".
 
-    `join`: images are one series that agree in all but identifiers made anew for each of them."""
-    how = _interface.Open(join=bool(join))
+    `join`: images are one series that agree in all but identifiers made anew for each of them. `series_uid`:
+    the series of a folder that is meant, in place of that of the best volume."""
+    how = _interface.Open(join=bool(join), series_uid=_bytes(series_uid))
     return _study(lambda told, handle: _library.macula_study_open(_bytes(path), how, told, handle), progress)
 
 
@@ -509,12 +606,16 @@ def study_of(values, patient_from_voxel, unit=None, slope=1.0, intercept=0.0, pr
         raise ValueError('The unit is "HU" or None.')
     if slope == 0.0:
         raise ValueError("A slope of 0 leaves no value.")
-    view = memoryview(values)
+    try:
+        view = memoryview(values)
+    except TypeError:
+        raise TypeError("A volume is a NumPy array, or another buffer.") from None
     kind = view.format.lstrip("@=<") if view.format else ""
     if kind == "l" and view.itemsize == 4:
         kind = "i"
     if view.ndim != 3 or kind not in _TYPES:
-        raise ValueError("A volume has three dimensions, of 8 to 32 bit integers or floats.")
+        raise ValueError("A volume has three dimensions, of integers of 8 to 32 bits or floats of 32 or 64, in the "
+                         f"byte order of this machine; this has {view.ndim}, of format {view.format!r}. See numpy.astype.")
     data = view.tobytes(order="C")
     slices, rows, columns = view.shape
     numbers = [float(number) for row in patient_from_voxel for number in row]

@@ -29,7 +29,7 @@ class Progress(Sized):
 
 
 class Open(Sized):
-    _fields_ = [("size", c_uint32), ("join", c_int32)]
+    _fields_ = [("size", c_uint32), ("join", c_int32), ("series_uid", c_char_p)]
 
 
 class Voxels(Sized):
@@ -41,7 +41,8 @@ class Voxels(Sized):
 class Volume(Sized):
     _fields_ = [("size", c_uint32), ("index", c_uint32), ("columns", c_int32), ("rows", c_int32), ("slices", c_int32),
                 ("unit", c_int32), ("unit_name", c_char_p), ("modality", c_char_p), ("low", c_double),
-                ("high", c_double), ("spacing_mm", c_double * 3), ("patient_from_voxel", c_double * 16)]
+                ("high", c_double), ("spacing_mm", c_double * 3), ("patient_from_voxel", c_double * 16),
+                ("study_uid", c_char_p), ("series_uid", c_char_p), ("frame_of_reference_uid", c_char_p)]
 
 
 class Camera(Sized):
@@ -59,6 +60,15 @@ class Drawn(Sized):
     _fields_ = [("size", c_uint32), ("is_denoised", c_int32), ("is_empty", c_int32), ("is_coarse", c_int32),
                 ("samples_per_pixel", c_double), ("noise", c_double), ("seconds", c_double), ("preset", c_char_p),
                 ("device", c_char_p), ("camera", Camera)]
+
+
+class Pick(Sized):
+    _fields_ = [("size", c_uint32), ("width", c_int32), ("height", c_int32), ("reserved", c_uint32), ("x", c_double),
+                ("y", c_double), ("camera", POINTER(Camera))]
+
+
+class Picked(Sized):
+    _fields_ = [("size", c_uint32), ("is_something", c_int32), ("point_mm", c_double * 3)]
 
 
 class LiveOptions(Sized):
@@ -99,6 +109,7 @@ _STATUS = {
     "macula_study_of_voxels": [POINTER(Voxels), POINTER(Progress), POINTER(c_void_p)],
     "macula_study_choose": [c_void_p, c_uint32, POINTER(Progress)],
     "macula_study_volume": [c_void_p, POINTER(Volume)],
+    "macula_study_found": [c_void_p, POINTER(c_char_p)],
     "macula_study_values": [c_void_p, POINTER(c_float), c_uint64],
     "macula_view_create": [c_void_p, POINTER(c_void_p)],
     "macula_view_set_preset": [c_void_p, c_char_p, c_int32],
@@ -114,6 +125,8 @@ _STATUS = {
     "macula_view_state": [c_void_p, POINTER(c_char_p)],
     "macula_view_set_state": [c_void_p, c_char_p],
     "macula_view_record": [c_void_p, POINTER(c_char_p)],
+    "macula_view_pick": [c_void_p, POINTER(Pick), POINTER(Progress), POINTER(Picked)],
+    "macula_built_in": [POINTER(c_char_p)],
     "macula_live_open": [c_void_p, c_void_p, POINTER(LiveOptions), POINTER(Progress), POINTER(c_void_p)],
     "macula_live_show": [c_void_p, c_void_p, POINTER(Progress)],
     "macula_live_frame": [c_void_p, POINTER(Frame), POINTER(Progress), POINTER(Shown)],

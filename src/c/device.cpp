@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "c/handles.h"
 #include "c/last_error.h"
 #include "c/sized.h"
 #include "pipeline/gpu/instance.h"
@@ -13,13 +14,14 @@ namespace macula::c {
 
 namespace {
 
-Result<macula_device*> opened(app::DeviceWay way) {
+Result<macula_device*> deviceOf(app::DeviceWay way) {
     auto told = std::make_shared<std::vector<std::string>>();
     MACULA_TRY(gpu::Instance instance, gpu::Instance::create(way.instance));
     MACULA_TRY(gpu::LastingDevice lasting,
                gpu::LastingDevice::open(std::move(instance), way.device,
                                         [told](std::string_view sentence) { told->emplace_back(sentence); }));
-    return new macula_device{std::move(way), std::move(lasting), std::move(told)};
+    return opened(std::unique_ptr<macula_device>(
+        new macula_device{std::move(way), std::move(lasting), std::move(told)}));
 }
 
 Result<app::DeviceWay> wayOf(const macula_lent_device& lent) {
@@ -47,7 +49,7 @@ macula_status macula_device_open(const char* preferred, macula_device** device) 
         if (device == nullptr) return nullHandle();
         app::DeviceWay way;
         if (preferred != nullptr) way.device.preferred = preferred;
-        MACULA_TRY(*device, opened(std::move(way)));
+        MACULA_TRY(*device, deviceOf(std::move(way)));
         return {};
     });
 }
@@ -58,28 +60,28 @@ macula_status macula_device_lend(const macula_lent_device* lent, macula_device**
         if (lent == nullptr || device == nullptr) return nullHandle();
         MACULA_TRY(const macula_lent_device given, taken(lent));
         MACULA_TRY(app::DeviceWay way, wayOf(given));
-        MACULA_TRY(*device, opened(std::move(way)));
+        MACULA_TRY(*device, deviceOf(std::move(way)));
         return {};
     });
 }
 
 macula_status macula_device_identify(macula_device* device, macula_device_identity* identity) {
     return guarded([&]() -> Result<void> {
-        if (device == nullptr || identity == nullptr) return nullHandle();
+        MACULA_TRY(const Held<macula_device> of, changing(device));
         gpu::CardIdentity card;
-        MACULA_TRY_VOID(device->lasting.run([&](const std::shared_ptr<gpu::Device>& opened) -> Result<void> {
-            card = gpu::identityOf(*opened);
+        MACULA_TRY_VOID(of->lasting.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+            card = gpu::identityOf(*on);
             return {};
         }));
         macula_device_identity told{};
         std::copy(card.device.begin(), card.device.end(), told.device_uuid);
         std::copy(card.driver.begin(), card.driver.end(), told.driver_uuid);
-        return give(told, identity) ? Result<void>() : wrongSize();
+        return give(told, identity) ? Result<void>() : wrongSize(identity);
     });
 }
 
 void macula_device_close(macula_device* device) {
-    delete device;
+    close(device);
 }
 
 }  // extern "C"

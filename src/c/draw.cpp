@@ -12,6 +12,7 @@
 #include "app/state/drawing_of.h"
 #include "c/camera.h"
 #include "c/device.h"
+#include "c/handles.h"
 #include "c/last_error.h"
 #include "c/pixels.h"
 #include "c/seen_view.h"
@@ -120,6 +121,7 @@ Result<void> draw(macula_device& device, macula_view& view, const macula_picture
     view.notes = std::move(notes);
     view.preset = scene.record.preset;
     view.device = drawn.device;
+    view.drawnFrom = drawn.camera;
     copyRows(drawn.rgba, picture);
     if (told == nullptr) return {};
     macula_drawn all{};
@@ -143,9 +145,10 @@ extern "C" {
 macula_status macula_view_record(const macula_view* view, const char** json) {
     if (json != nullptr) *json = nullptr;
     return guarded([&]() -> Result<void> {
-        if (view == nullptr || json == nullptr) return nullHandle();
-        if (view->record.empty()) return badArgument("The view was not drawn yet.", "Draw it first.");
-        *json = view->record.c_str();
+        if (json == nullptr) return nullHandle();
+        MACULA_TRY(const Held<const macula_view> of, reading(view));
+        if (of->record.empty()) return badArgument("The view was not drawn yet.", "Draw it first.");
+        *json = of->record.c_str();
         return {};
     });
 }
@@ -153,10 +156,11 @@ macula_status macula_view_record(const macula_view* view, const char** json) {
 macula_status macula_draw(macula_device* device, macula_view* view, const macula_picture* picture,
                           const macula_progress* progress, macula_drawn* drawn) {
     return guarded([&]() -> Result<void> {
-        if (device == nullptr || view == nullptr) return nullHandle();
-        if (drawn != nullptr && !isSized(drawn)) return wrongSize();
+        MACULA_TRY(const Held<macula_device> on, changing(device));
+        MACULA_TRY(const Held<macula_view> of, changing(view));
+        if (drawn != nullptr && !isSized(drawn)) return wrongSize(drawn);
         MACULA_TRY(const macula_picture asked, checked(picture));
-        return withProgress(progress, [&](Progress& to) { return draw(*device, *view, asked, to, drawn); });
+        return withProgress(progress, [&](Progress& to) { return draw(*on, *of, asked, to, drawn); });
     });
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "c/sized.h"
+#include "c/utf8_text.h"
 
 namespace macula::c {
 
@@ -49,9 +50,9 @@ macula_status keepFixed(macula_status status, const char* message, const char* a
 
 macula_status keep(const Error& error) noexcept {
     try {
-        kept.message = error.message;
-        kept.advice = error.hint;
-        kept.place = error.where;
+        kept.message = utf8Of(error.message);
+        kept.advice = utf8Of(error.hint);
+        kept.place = utf8Of(error.where);
     } catch (const std::exception&) {
         return keepOutOfMemory();
     }

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,12 @@ std::vector<std::vector<std::string>> allNames() {
     std::vector<std::string> looks;
     for (const trace::LookTraits& look : trace::kLooks) looks.emplace_back(look.name);
     return {namesOf(all->presets), namesOf(all->clips), namesOf(all->lights), looks, namesOf(all->qualities)};
+}
+
+std::string builtInText() {
+    const Result<app::BuiltIns> all = app::builtIns();
+    MACULA_CHECK(all.ok());  // they are part of the library
+    return app::toJson(*all).dump(4);
 }
 
 std::int32_t levelOf(log::Level level) {
@@ -118,6 +125,16 @@ const char* macula_name(std::int32_t kind, std::uint32_t index) {
         return {};
     });
     return name;
+}
+
+macula_status macula_built_in(const char** json) {
+    if (json != nullptr) *json = nullptr;
+    return guarded([&]() -> Result<void> {
+        if (json == nullptr) return nullHandle();
+        static const std::string text = builtInText();
+        *json = text.c_str();
+        return {};
+    });
 }
 
 }  // extern "C"

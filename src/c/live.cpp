@@ -19,6 +19,7 @@
 #include "app/state/drawing_of.h"
 #include "c/camera.h"
 #include "c/device.h"
+#include "c/handles.h"
 #include "c/last_error.h"
 #include "c/pixels.h"
 #include "c/seen_view.h"
@@ -53,13 +54,18 @@ Error broken() {
 // body(live), which returns a Result<void>.
 template <class Body>
 macula_status with(macula_live* live, const Body& body) noexcept {
-    const macula_status status = guarded([&]() -> Result<void> {
-        if (live == nullptr) return nullHandle();
-        if (live->isBroken) return broken();
-        return body(*live);
+    return guarded([&]() -> Result<void> {
+        MACULA_TRY(const Held<macula_live> of, changing(live));
+        if (of->isBroken) return broken();
+        try {
+            return body(*of);
+        } catch (const std::bad_alloc&) {
+            throw;
+        } catch (...) {  // MACULA_FAULT
+            of->isBroken = true;
+            throw;
+        }
     });
-    if (status == MACULA_FAULT && live != nullptr) live->isBroken = true;
-    return status;
 }
 
 Result<void> show(macula_live& live, const macula_view& view, Progress& progress) {
@@ -111,11 +117,12 @@ Result<std::optional<app::LentPicture>> imageOf(const macula_lent_image* given) 
 
 Result<std::shared_ptr<const gpu::SharedMemory>> sharedOf(const macula_frame& given) {
     if (given.shared == nullptr) return std::shared_ptr<const gpu::SharedMemory>();
-    const gpu::SharedMemoryOptions& made = given.shared->memory->options();
+    MACULA_TRY(const Held<const macula_shared_image> shared, reading(given.shared));
+    const gpu::SharedMemoryOptions& made = shared->memory->options();
     if (made.width != std::uint32_t(given.width) || made.height != std::uint32_t(given.height))
         return badArgument("The frame and the shared image are not of the same size.",
                            "Ask for a frame of the width and height of the image.");
-    return given.shared->memory;
+    return shared->memory;
 }
 
 Result<AskedFrame> askedOf(const macula_live& live, const macula_frame* frame) {
@@ -263,15 +270,17 @@ macula_status macula_live_open(const macula_device* device, const macula_view* v
                                macula_live** live) {
     if (live != nullptr) *live = nullptr;
     return guarded([&]() -> Result<void> {
-        if (device == nullptr || view == nullptr || live == nullptr) return nullHandle();
+        if (live == nullptr) return nullHandle();
+        MACULA_TRY(const Held<const macula_device> on, reading(device));
+        MACULA_TRY(const Held<const macula_view> of, reading(view));
         MACULA_TRY(const macula_live_options given, taken(options));
-        MACULA_TRY(app::HostedOptions wanted, optionsOf(*device, given));
+        MACULA_TRY(app::HostedOptions wanted, optionsOf(*on, given));
         return withProgress(progress, [&](Progress& to) -> Result<void> {
             auto made = std::make_unique<macula_live>();
-            made->isLent = device->way.device.lent.has_value();
+            made->isLent = on->way.device.lent.has_value();
             MACULA_TRY(made->loop, app::HostedLoop::create(std::move(wanted)));
-            MACULA_TRY_VOID(show(*made, *view, to));
-            *live = made.release();
+            MACULA_TRY_VOID(show(*made, *of, to));
+            *live = opened(std::move(made));
             return {};
         });
     });
@@ -279,36 +288,37 @@ macula_status macula_live_open(const macula_device* device, const macula_view* v
 
 macula_status macula_live_show(macula_live* live, const macula_view* view, const macula_progress* progress) {
     return with(live, [&](macula_live& of) -> Result<void> {
-        if (view == nullptr) return nullHandle();
-        return withProgress(progress, [&](Progress& to) { return show(of, *view, to); });
+        MACULA_TRY(const Held<const macula_view> shown, reading(view));
+        return withProgress(progress, [&](Progress& to) { return show(of, *shown, to); });
     });
 }
 
 macula_status macula_live_frame(macula_live* live, const macula_frame* frame, const macula_progress* progress,
                                 macula_shown* shown) {
     return with(live, [&](macula_live& of) -> Result<void> {
-        if (shown != nullptr && !isSized(shown)) return wrongSize();
+        if (shown != nullptr && !isSized(shown)) return wrongSize(shown);
         MACULA_TRY(const AskedFrame asked, askedOf(of, frame));
         return withProgress(progress, [&](Progress& to) { return drawFrame(of, asked, to, shown); });
     });
 }
 
 const char* macula_live_note(const macula_live* live, std::uint32_t index) {
-    return live == nullptr || index >= live->notes.size() ? nullptr : live->notes[index].c_str();
+    return textAt(
+        live, index, [](const macula_live& of) -> const auto& { return of.notes; });
 }
 
 macula_status macula_live_model(const macula_live* live, macula_model* model) {
     return guarded([&]() -> Result<void> {
-        if (live == nullptr || model == nullptr) return nullHandle();
-        if (live->isBroken) return broken();
-        return give(modelOf(*live), model) ? Result<void>() : wrongSize();
+        MACULA_TRY(const Held<const macula_live> of, reading(live));
+        if (of->isBroken) return broken();
+        return give(modelOf(*of), model) ? Result<void>() : wrongSize(model);
     });
 }
 
 macula_status macula_live_train(macula_live* live, const macula_training* training,
                                 const macula_progress* progress, macula_model* model) {
     return with(live, [&](macula_live& of) -> Result<void> {
-        if (model != nullptr && !isSized(model)) return wrongSize();
+        if (model != nullptr && !isSized(model)) return wrongSize(model);
         MACULA_TRY(const app::TrainingWish wish, wishOf(training));
         return withProgress(progress, [&](Progress& to) -> Result<void> {
             MACULA_TRY_VOID(of.loop->train(wish, to));
@@ -330,13 +340,20 @@ macula_status macula_live_write_model(macula_live* live, const char* path, std::
         if (path == nullptr || *path == '\0')
             return badArgument("No file was named.", "Give a path that ends in .macula, .ply, .spz or .glb.");
         app::OutputFiles files(overwrite != 0);
-        MACULA_TRY_VOID(files.write(path));
+        if (const Result<void> may = files.write(path); !may) {
+            Error error = may.error();
+            std::error_code unknown;
+            // The option of the command is no advice for who calls this.
+            if (overwrite == 0 && std::filesystem::exists(path, unknown))
+                error.hint = "Have it overwritten, or choose another name.";
+            return error;
+        }
         return withProgress(progress, [&](Progress& to) { return of.loop->writeModel(path, to); });
     });
 }
 
 void macula_live_close(macula_live* live) {
-    delete live;
+    close(live);
 }
 
 }  // extern "C"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "c/handles.h"
 #include "c/last_error.h"
 #include "c/sized.h"
 
@@ -45,13 +46,13 @@ macula_status macula_shared_image_create(const macula_shared_memory* memory, mac
         MACULA_TRY(gpu::SharedMemory shared, gpu::SharedMemory::create(optionsOf(given)));
         auto made = std::make_unique<macula_shared_image>();
         made->memory = std::make_shared<const gpu::SharedMemory>(std::move(shared));
-        *image = made.release();
+        *image = opened(std::move(made));
         return {};
     });
 }
 
 void macula_shared_image_close(macula_shared_image* image) {
-    delete image;
+    close(image);
 }
 
 }  // extern "C"

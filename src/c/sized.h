@@ -1,6 +1,7 @@
 // Structs of macula.h, whose first member is their size: what an older or newer header calls by that name.
 #pragma once
 
+#include <fmt/format.h>
 #include <macula.h>
 
 #include <algorithm>
@@ -13,12 +14,27 @@
 
 namespace macula::c {
 
-inline Error wrongSize() {
+// What Macula calls T: its size is how one struct is told from another in an error.
+template <class T>
+Error wrongSize(const T* given) {
+    if (given == nullptr)
+        return {ErrorCode::usage,
+                "A struct for a result is null.",
+                {},
+                "Give one whose first member is its size."};
     return {ErrorCode::usage,
-            "A struct of macula.h has no size that Macula knows.",
+            fmt::format("A struct of macula.h says that it has {} bytes, and Macula knows it with {}.",
+                        given->size, sizeof(T)),
             {},
-            "Set its first member to the size of the struct, the others to 0, and build with the header of "
-            "this Macula."};
+            "Set its first member, size, to its sizeof, and the other members to 0."};
+}
+
+inline Error newerStruct() {
+    return {ErrorCode::usage,
+            "A struct of a newer macula.h asks for something that this Macula does not know.",
+            {},
+            fmt::format("Leave the members 0 that are newer than Macula {}, or install a newer one.",
+                        macula_version())};
 }
 
 // Reads what the caller knows of T; the rest is 0. usage when the size is none, or of a newer header whose
@@ -30,11 +46,11 @@ Result<T> taken(const T* given) {
     mine.size = sizeof(T);
     if (given == nullptr) return mine;
     const std::uint32_t size = given->size;
-    if (size < 2 * sizeof(std::uint32_t) || size > 65536) return wrongSize();
+    if (size < 2 * sizeof(std::uint32_t) || size > 65536) return wrongSize(given);
     const auto* bytes = reinterpret_cast<const unsigned char*>(given);
     if (size > sizeof(T) &&
         std::any_of(bytes + sizeof(T), bytes + size, [](unsigned char byte) { return byte != 0; }))
-        return wrongSize();
+        return newerStruct();
     std::memcpy(&mine, given, std::min<std::size_t>(size, sizeof(T)));
     mine.size = sizeof(T);
     return mine;

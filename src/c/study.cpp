@@ -9,19 +9,55 @@
 #include <string_view>
 #include <utility>
 
+#include "app/study/found_volumes.h"
 #include "base/fingerprint.h"
+#include "c/handles.h"
 #include "c/last_error.h"
 #include "c/sized.h"
 #include "c/told_progress.h"
+#include "c/utf8_text.h"
 #include "formats/raw_image.h"
 
 namespace macula::c {
 
 namespace {
 
+constexpr std::size_t kMostReasons = 8;  // the rest is in macula_study_found
+
+// Why files of the folder were left out; what is said of several, once.
+std::vector<std::string> reasonsOf(const dicom::Scan& scan) {
+    std::vector<std::pair<std::string, std::size_t>> files;
+    for (const dicom::SkippedFile& file : scan.skipped) {
+        const auto known =
+            std::ranges::find(files, file.message.sentence, &decltype(files)::value_type::first);
+        if (known == files.end())
+            files.emplace_back(file.message.sentence, 1);
+        else
+            ++known->second;
+    }
+    std::vector<std::string> reasons;
+    for (const auto& [sentence, count] : files) {
+        if (reasons.size() == kMostReasons) break;
+        reasons.push_back(fmt::format("Left out, {} {}: {}", count, count == 1 ? "file" : "files", sentence));
+    }
+    return reasons;
+}
+
+// Which volume was taken where nobody chose one: who is shown must not be a matter of luck. The reason tells
+// of several patients.
+std::string choiceOf(const app::OpenedStudy& study) {
+    const int patients = study.found == nullptr ? 1 : study.found->scan().patients;
+    if (patients > 1) return study.whyThisSeries + " Check that it is of the patient you mean.";
+    return study.volumeTitles.size() > 1 ? study.whyThisSeries : std::string();
+}
+
 // What loading assumed, and what there is to say of the study; nothing twice.
 std::vector<std::string> notesOf(const app::OpenedStudy& study) {
     std::vector<std::string> notes = study.messages;
+    if (study.found != nullptr) {
+        const std::vector<std::string> reasons = reasonsOf(study.found->scan());
+        notes.insert(notes.end(), reasons.begin(), reasons.end());
+    }
     for (const std::string& assumption : study.volume->provenance().assumptions) {
         const bool isKnown =
             std::ranges::any_of(notes, [&](const std::string& note) { return note.starts_with(assumption); });
@@ -39,6 +75,7 @@ Result<std::unique_ptr<macula_study>> studyOf(app::OpenedStudy opened) {
     auto study = std::make_unique<macula_study>();
     study->titles = opened.volumeTitles;
     if (study->titles.empty()) study->titles = {opened.description};
+    for (std::string& title : study->titles) title = utf8Of(title);  // a file's name may be anything
     study->notes = notesOf(opened);
     study->unitName = opened.volume->unitName();
     study->opened = std::move(opened);
@@ -118,6 +155,9 @@ macula_volume described(const macula_study& study) {
     told.slices = volume.size().z;
     told.unit = volume.unit() == Unit::hounsfield ? MACULA_UNIT_HOUNSFIELD : MACULA_UNIT_NONE;
     told.unit_name = study.unitName.c_str();
+    told.study_uid = volume.provenance().studyInstanceUid.c_str();
+    told.series_uid = volume.provenance().seriesInstanceUid.c_str();
+    told.frame_of_reference_uid = study.opened.frameOfReferenceUid.c_str();
     told.modality = volume.modality().c_str();
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     const ValueRange range = volume.valueRange().value_or(ValueRange{kNone, kNone});
@@ -139,7 +179,7 @@ macula_status made(const macula_progress* progress, Handle** out, const Make& ma
         if (out == nullptr) return nullHandle();
         return withProgress(progress, [&](Progress& to) -> Result<void> {
             MACULA_TRY(std::unique_ptr<Handle> handle, make(to));
-            *out = handle.release();
+            *out = opened(std::move(handle));
             return {};
         });
     });
@@ -158,8 +198,12 @@ macula_status macula_study_open(const char* path, const macula_open* how, const 
                                "Give a path, or phantom: for the phantom.");
         const std::string_view named(path);
         const app::StudySource source = named == "phantom:" ? std::nullopt : app::StudySource(named);
-        MACULA_TRY(app::OpenedStudy opened, app::openStudy(source, to, options.join != 0));
-        return studyOf(std::move(opened));
+        const std::string series = options.series_uid == nullptr ? "" : options.series_uid;
+        MACULA_TRY(app::OpenedStudy opened, app::openStudy(source, to, options.join != 0, {}, series));
+        const std::string choice = series.empty() ? choiceOf(opened) : std::string();
+        MACULA_TRY(std::unique_ptr<macula_study> made, studyOf(std::move(opened)));
+        if (!choice.empty()) made->notes.insert(made->notes.begin(), choice);
+        return made;
     });
 }
 
@@ -173,44 +217,54 @@ macula_status macula_study_of_voxels(const macula_voxels* voxels, const macula_p
 }
 
 std::uint32_t macula_study_volumes(const macula_study* study) {
-    return study == nullptr ? 0 : static_cast<std::uint32_t>(study->titles.size());
+    std::uint32_t volumes = 0;
+    guarded([&]() -> Result<void> {
+        MACULA_TRY(const Held<const macula_study> of, reading(study));
+        volumes = static_cast<std::uint32_t>(of->titles.size());
+        return {};
+    });
+    return volumes;
 }
 
 const char* macula_study_title(const macula_study* study, std::uint32_t index) {
-    return study == nullptr || index >= study->titles.size() ? nullptr : study->titles[index].c_str();
+    return textAt(
+        study, index, [](const macula_study& of) -> const auto& { return of.titles; });
 }
 
 macula_status macula_study_choose(macula_study* study, std::uint32_t index, const macula_progress* progress) {
     return guarded([&]() -> Result<void> {
-        if (study == nullptr) return nullHandle();
-        if (index >= study->titles.size())
-            return badArgument(fmt::format("The study has {} volumes.", study->titles.size()),
-                               "Count them from 0.");
-        if (index == study->opened.volumeIndex) return {};
+        MACULA_TRY(const Held<macula_study> of, changing(study));
+        if (index >= of->titles.size())
+            return badArgument(fmt::format("The study has no volume {}.", index),
+                               fmt::format("Give 0 to {}.", of->titles.size() - 1));
+        if (index == of->opened.volumeIndex) return {};
         return withProgress(progress, [&](Progress& to) -> Result<void> {
-            MACULA_TRY(app::OpenedStudy opened, app::openFoundVolume(study->opened.found, index, to));
-            MACULA_TRY(std::unique_ptr<macula_study> chosen, studyOf(std::move(opened)));
-            *study = std::move(*chosen);
+            MACULA_TRY(app::OpenedStudy other, app::openFoundVolume(of->opened.found, index, to));
+            MACULA_TRY(std::unique_ptr<macula_study> chosen, studyOf(std::move(other)));
+            chosen->titles = std::move(of->titles);  // a host may still show them
+            *of = std::move(*chosen);
             return {};
         });
     });
 }
 
 const char* macula_study_note(const macula_study* study, std::uint32_t index) {
-    return study == nullptr || index >= study->notes.size() ? nullptr : study->notes[index].c_str();
+    return textAt(
+        study, index, [](const macula_study& of) -> const auto& { return of.notes; });
 }
 
 macula_status macula_study_volume(const macula_study* study, macula_volume* volume) {
     return guarded([&]() -> Result<void> {
-        if (study == nullptr || volume == nullptr) return nullHandle();
-        return give(described(*study), volume) ? Result<void>() : wrongSize();
+        MACULA_TRY(const Held<const macula_study> of, reading(study));
+        return give(described(*of), volume) ? Result<void>() : wrongSize(volume);
     });
 }
 
 macula_status macula_study_values(const macula_study* study, float* values, std::uint64_t count) {
     return guarded([&]() -> Result<void> {
-        if (study == nullptr || values == nullptr) return nullHandle();
-        const Volume& volume = *study->opened.volume;
+        if (values == nullptr) return nullHandle();
+        MACULA_TRY(const Held<const macula_study> of, reading(study));
+        const Volume& volume = *of->opened.volume;
         const auto voxels = volume.voxels();
         if (count != voxels.size())
             return badArgument(fmt::format("The volume has {} voxels.", voxels.size()),
@@ -223,7 +277,7 @@ macula_status macula_study_values(const macula_study* study, float* values, std:
 }
 
 void macula_study_close(macula_study* study) {
-    delete study;
+    close(study);
 }
 
 }  // extern "C"

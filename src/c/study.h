@@ -14,4 +14,6 @@ struct macula_study {
     // Of the volume that is loaded.
     std::vector<std::string> notes;
     std::string unitName;
+
+    std::string found;  // JSON that was asked for
 };

@@ -9,6 +9,7 @@
 #include "app/choice/lights_choice.h"
 #include "app/study/study_preset.h"
 #include "c/camera.h"
+#include "c/handles.h"
 #include "c/last_error.h"
 #include "c/sized.h"
 #include "c/study.h"
@@ -45,8 +46,8 @@ Result<ClipPreset> boxOf(const Volume& volume, const double* low, const double* 
 template <class Change>
 macula_status changed(macula_view* view, const Change& change) {
     return guarded([&]() -> Result<void> {
-        if (view == nullptr) return nullHandle();
-        return change(*view);
+        MACULA_TRY(const Held<macula_view> of, changing(view));
+        return change(*of);
     });
 }
 
@@ -57,11 +58,12 @@ extern "C" {
 macula_status macula_view_create(const macula_study* study, macula_view** view) {
     if (view != nullptr) *view = nullptr;
     return guarded([&]() -> Result<void> {
-        if (study == nullptr || view == nullptr) return nullHandle();
+        if (view == nullptr) return nullHandle();
+        MACULA_TRY(const Held<const macula_study> of, reading(study));
         auto made = std::make_unique<macula_view>();
-        made->study.volume = study->opened.volume;
-        made->study.seriesDigest = study->opened.seriesDigest;
-        *view = made.release();
+        made->study.volume = of->opened.volume;
+        made->study.seriesDigest = of->opened.seriesDigest;
+        *view = opened(std::move(made));
         return {};
     });
 }
@@ -79,7 +81,7 @@ macula_status macula_view_set_preset(macula_view* view, const char* preset, std:
 
 macula_status macula_view_set_look(macula_view* view, const char* look) {
     return changed(view, [&](macula_view& of) -> Result<void> {
-        if (look == nullptr) {
+        if (textOf(look).empty()) {
             of.wish.look.reset();
             of.chosen.settings.look = usualState().settings.look;
             return {};
@@ -105,8 +107,15 @@ macula_status macula_view_set_lights(macula_view* view, const char* lights) {
 
 macula_status macula_view_set_window(macula_view* view, double centre, double width) {
     return changed(view, [&](macula_view& of) -> Result<void> {
-        if (!std::isfinite(centre) || !std::isfinite(width) || width < 0.0)
-            return badArgument("The window is not usable.", "Give finite numbers, the width 0 or above.");
+        // As states have it: what can be set can be kept and set again.
+        constexpr double kMost = 1e9;
+        constexpr double kNarrowest = 1e-9;
+        const bool isUsable =
+            std::abs(centre) <= kMost && (width == 0.0 || (width >= kNarrowest && width <= kMost));
+        if (!isUsable)
+            return badArgument(
+                "The window is not usable.",
+                "Give a centre of -1e9 to 1e9, and a width of 1e-9 to 1e9, or 0 for the usual one.");
         of.window.reset();
         of.chosen.windows = {};
         if (width > 0.0)
@@ -157,7 +166,7 @@ macula_status macula_view_set_camera(macula_view* view, const macula_camera* cam
 
 macula_status macula_view_set_direction(macula_view* view, const char* direction) {
     return changed(view, [&](macula_view& of) -> Result<void> {
-        const auto known = app::viewDirectionOf(direction == nullptr ? "anterior" : direction);
+        const auto known = app::viewDirectionOf(textOf(direction).empty() ? "anterior" : direction);
         if (!known)
             return badArgument("There is no such direction to look from.",
                                "They are anterior, posterior, left, right, superior and inferior.");
@@ -168,11 +177,12 @@ macula_status macula_view_set_direction(macula_view* view, const char* direction
 }
 
 const char* macula_view_note(const macula_view* view, std::uint32_t index) {
-    return view == nullptr || index >= view->notes.size() ? nullptr : view->notes[index].c_str();
+    return textAt(
+        view, index, [](const macula_view& of) -> const auto& { return of.notes; });
 }
 
 void macula_view_close(macula_view* view) {
-    delete view;
+    close(view);
 }
 
 }  // extern "C"

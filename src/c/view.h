@@ -10,6 +10,7 @@
 #include "app/state/state_wish.h"
 #include "app/state/study_state.h"
 #include "app/study/study_input.h"
+#include "base/camera.h"
 #include "base/volume.h"
 
 namespace macula::c {
@@ -38,4 +39,5 @@ struct macula_view {
     std::string preset;
     std::string device;
     std::string record;  // JSON
+    std::optional<macula::Camera> drawnFrom;
 };

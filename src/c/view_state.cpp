@@ -5,6 +5,7 @@
 
 #include "app/choice/lights_choice.h"
 #include "app/state/study_state.h"
+#include "c/handles.h"
 #include "c/last_error.h"
 #include "c/seen_view.h"
 #include "c/view.h"
@@ -35,22 +36,24 @@ extern "C" {
 macula_status macula_view_state(macula_view* view, const char** json) {
     if (json != nullptr) *json = nullptr;
     return guarded([&]() -> Result<void> {
-        if (view == nullptr || json == nullptr) return nullHandle();
-        MACULA_TRY(view->state, stateText(*view));
-        *json = view->state.c_str();
+        if (json == nullptr) return nullHandle();
+        MACULA_TRY(const Held<macula_view> of, changing(view));
+        MACULA_TRY(of->state, stateText(*of));
+        *json = of->state.c_str();
         return {};
     });
 }
 
 macula_status macula_view_set_state(macula_view* view, const char* json) {
     return guarded([&]() -> Result<void> {
-        if (view == nullptr || json == nullptr) return nullHandle();
+        if (json == nullptr) return nullHandle();
+        MACULA_TRY(const Held<macula_view> of, changing(view));
         MACULA_TRY(app::StudyState state, app::studyStateFromJson(json, "the state that was given"));
-        MACULA_TRY_VOID(app::checkSeries(state, view->study.seriesDigest, "the state that was given"));
-        view->chosen = std::move(state);
-        view->wish = {};
-        view->lights.clear();
-        view->window.reset();
+        MACULA_TRY_VOID(app::checkSeries(state, of->study.seriesDigest, "the state that was given"));
+        of->chosen = std::move(state);
+        of->wish = {};
+        of->lights.clear();
+        of->window.reset();
         return {};
     });
 }

@@ -112,6 +112,99 @@ TEST_F(CDrawing, WithTheCameraThatWasToldThePictureIsTheSame) {
     EXPECT_EQ(rgba_, before);
 }
 
+// What can be set can be kept and set again.
+TEST_F(CDrawing, AWindowThatNoStateCouldHoldIsRefused) {
+    for (const double bad :
+         {1e10, -1e10, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+        expectError(macula_view_set_window(view_.get(), bad, 100.0), MACULA_USAGE);
+    for (const double bad : {1e10, 1e-10, -1.0, std::numeric_limits<double>::quiet_NaN()})
+        expectError(macula_view_set_window(view_.get(), 0.0, bad), MACULA_USAGE);
+    ASSERT_EQ(macula_view_set_look(view_.get(), "mip"), MACULA_DONE);
+    ASSERT_EQ(macula_view_set_window(view_.get(), 1e9, 1e-9), MACULA_DONE);
+    const char* state = nullptr;
+    ASSERT_EQ(macula_view_state(view_.get(), &state), MACULA_DONE) << lastError().message;
+    EXPECT_EQ(macula_view_set_state(view_.get(), std::string(state).c_str()), MACULA_DONE)
+        << lastError().message;
+}
+
+TEST_F(CDrawing, ABlackProjectionSpeaksOfItsWindowAndOfNoPreset) {
+    ASSERT_EQ(macula_view_set_look(view_.get(), "mip"), MACULA_DONE);
+    ASSERT_EQ(macula_view_set_window(view_.get(), 5000.0, 100.0), MACULA_DONE);
+    ASSERT_EQ(draw(), MACULA_DONE) << lastError().message;
+    ASSERT_EQ(drawn_.is_empty, 1);
+    ASSERT_NE(macula_view_note(view_.get(), 0), nullptr);
+    const std::string note = macula_view_note(view_.get(), 0);
+    EXPECT_NE(note.find("W 100 L 5000 HU"), std::string::npos) << note;
+    EXPECT_EQ(note.find("reset"), std::string::npos) << note;
+}
+
+TEST_F(CDrawing, WhatIsPointedAtIsWhereItIs) {
+    auto pick = sized<macula_pick>();
+    auto picked = sized<macula_picked>();
+    pick.width = pick.height = 101;  // the middle of a pixel is that of the picture
+    pick.x = pick.y = 50.5;
+    expectError(macula_view_pick(view_.get(), &pick, nullptr, &picked),
+                MACULA_USAGE);  // from where is not known
+    // From the front, straight at the middle of the large ball, whose radius is 18 mm.
+    auto camera = sized<macula_camera>();
+    camera.position_mm[0] = camera.target_mm[0] = 22.0;
+    camera.position_mm[1] = -500.0;
+    camera.up[2] = 1.0;
+    pick.camera = &camera;
+    ASSERT_EQ(macula_view_pick(view_.get(), &pick, nullptr, &picked), MACULA_DONE) << lastError().message;
+    ASSERT_EQ(picked.is_something, 1);
+    EXPECT_NEAR(picked.point_mm[0], 22.0, 0.5);
+    EXPECT_NEAR(picked.point_mm[1], -18.0, 4.0);
+    EXPECT_NEAR(picked.point_mm[2], 0.0, 0.5);
+    // To the right of the picture is the patient's left, and below is inferior.
+    camera.parallel_height_mm = 101.0;  // a pixel is a millimetre
+    pick.x = 58.5;
+    pick.y = 55.5;
+    ASSERT_EQ(macula_view_pick(view_.get(), &pick, nullptr, &picked), MACULA_DONE) << lastError().message;
+    ASSERT_EQ(picked.is_something, 1);
+    EXPECT_NEAR(picked.point_mm[0], 30.0, 0.5);
+    EXPECT_NEAR(picked.point_mm[2], -5.0, 0.5);
+    pick.x = pick.y = 0.5;
+    ASSERT_EQ(macula_view_pick(view_.get(), &pick, nullptr, &picked), MACULA_DONE);
+    EXPECT_EQ(picked.is_something, 0);
+    EXPECT_EQ(picked.point_mm[0], 0.0);
+
+    // As it was drawn; and of what is clipped away nothing.
+    camera.parallel_height_mm = 0.0;
+    ASSERT_EQ(macula_view_set_camera(view_.get(), &camera), MACULA_DONE);
+    ASSERT_EQ(draw(), MACULA_DONE) << lastError().message;
+    pick.camera = nullptr;
+    pick.x = pick.y = 50.5;
+    ASSERT_EQ(macula_view_pick(view_.get(), &pick, nullptr, &picked), MACULA_DONE);
+    EXPECT_EQ(picked.is_something, 1);
+    ASSERT_EQ(macula_view_set_clip(view_.get(), "right-half"), MACULA_DONE);
+    ASSERT_EQ(macula_view_pick(view_.get(), &pick, nullptr, &picked), MACULA_DONE);
+    EXPECT_EQ(picked.is_something, 0);
+}
+
+TEST_F(CDrawing, APlaceThatIsInNoPictureIsRefused) {
+    ASSERT_EQ(draw(), MACULA_DONE);
+    auto good = sized<macula_pick>();
+    good.width = good.height = kSide;
+    auto picked = sized<macula_picked>();
+    const auto refused = [&](const auto& change) {
+        macula_pick pick = good;
+        change(pick);
+        expectError(macula_view_pick(view_.get(), &pick, nullptr, &picked), MACULA_USAGE);
+    };
+    refused([](macula_pick& p) { p.size = 0; });
+    refused([](macula_pick& p) { p.width = 0; });
+    refused([](macula_pick& p) { p.x = -1.0; });
+    refused([](macula_pick& p) { p.y = kSide + 1.0; });
+    refused([](macula_pick& p) { p.x = std::numeric_limits<double>::quiet_NaN(); });
+    auto nowhere = sized<macula_camera>();
+    refused([&](macula_pick& p) { p.camera = &nowhere; });
+    expectError(macula_view_pick(view_.get(), nullptr, nullptr, &picked), MACULA_USAGE);
+    expectError(macula_view_pick(view_.get(), &good, nullptr, nullptr), MACULA_USAGE);
+    picked.size = 0;
+    expectError(macula_view_pick(view_.get(), &good, nullptr, &picked), MACULA_USAGE);
+}
+
 TEST_F(CDrawing, RowsMayBeLongerAndNothingIsWrittenBetweenThem) {
     ASSERT_EQ(draw(), MACULA_DONE);
     const std::vector<std::uint8_t> tight = rgba_;

@@ -227,6 +227,10 @@ TEST(CLibrary, NamesWhatIsBuiltIn) {
         EXPECT_GE(names.size(), 4u) << kind;
         EXPECT_EQ(macula_name(kind, std::uint32_t(names.size()) + 1), nullptr);
     }
+    const char* all = nullptr;
+    ASSERT_EQ(macula_built_in(&all), MACULA_DONE) << lastError().message;
+    EXPECT_NE(std::string(all).find("\"cinematic-bone\""), std::string::npos);
+    expectError(macula_built_in(nullptr), MACULA_USAGE);
     EXPECT_EQ(macula_name(5, 0), nullptr);
     EXPECT_EQ(macula_name(-1, 0), nullptr);
 }

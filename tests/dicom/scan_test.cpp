@@ -29,6 +29,22 @@ TEST(Scan, missingFolder) {
     EXPECT_EQ((error.message + error.hint).find("DOE"), std::string::npos);
 }
 
+// In a folder of somebody else, as a service meets it: what one may not look at is not said to be missing.
+TEST(Scan, whatMayNotBeLookedAtIsNotCalledMissing) {
+    const TemporaryFolder folder;
+    const std::filesystem::path closed = folder / "closed";
+    std::filesystem::create_directories(closed / "study");
+    std::filesystem::permissions(closed, std::filesystem::perms::none);
+    Error error;
+    {
+        const WithoutRootsRights nobody;
+        error = scanError(closed / "study");
+    }
+    std::filesystem::permissions(closed, std::filesystem::perms::owner_all);
+    EXPECT_EQ(error.message, "The folder cannot be read.");
+    EXPECT_NE(error.hint.find("permissions"), std::string::npos);
+}
+
 TEST(Scan, folderWithoutDicom) {
     const TemporaryFolder folder;
     std::ofstream(folder / "notes.dcm")

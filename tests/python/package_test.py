@@ -3,6 +3,7 @@
 import ctypes
 import os
 import pathlib
+import pickle
 import re
 import subprocess
 import sys
@@ -38,7 +39,8 @@ class Interface(unittest.TestCase):
                 "macula_open": _interface.Open, "macula_voxels": _interface.Voxels, "macula_volume": _interface.Volume,
                 "macula_camera": _interface.Camera, "macula_picture": _interface.Picture,
                 "macula_drawn": _interface.Drawn, "macula_live_options": _interface.LiveOptions,
-                "macula_frame": _interface.Frame, "macula_shown": _interface.Shown,
+                "macula_frame": _interface.Frame, "macula_pick": _interface.Pick, "macula_picked": _interface.Picked,
+                "macula_shown": _interface.Shown,
                 "macula_model": _interface.Model, "macula_training": _interface.Training}
         # Devices of Vulkan are lent, and their images shared, by programs in C and C++.
         promised = {name: at for name, at in promised.items()
@@ -90,6 +92,22 @@ class Volumes(unittest.TestCase):
         with self.assertRaises(macula.Error) as refused:
             macula.study_of(values, [[float("nan")] * 4] * 4)
         self.assertTrue(refused.exception.advice)
+
+    def test_what_it_is_not_is_said(self):
+        with self.assertRaises(ValueError) as refused:
+            macula.study_of(balls().astype(numpy.float16), AFFINE)
+        self.assertIn("'e'", str(refused.exception))
+        with self.assertRaises(TypeError):
+            macula.study_of([[[1, 2], [3, 4]]], AFFINE)
+
+    def test_what_is_of_no_folder_has_no_identifiers(self):
+        study = macula.study_of(balls(), AFFINE)
+        self.assertEqual((study.study_uid, study.series_uid, study.frame_of_reference_uid), ("", "", ""))
+        self.assertEqual((study.found["volumes"], study.found["skipped"]), ([], []))
+
+    def test_what_is_built_in_has_titles(self):
+        self.assertEqual([preset["name"] for preset in macula.built_in()["presets"]], macula.names("presets"))
+        self.assertTrue(all(clip["title"] for clip in macula.built_in()["clips"]))
 
     def test_without_a_unit_it_is_said(self):
         self.assertIn("unit", " ".join(macula.study_of(balls(), AFFINE).notes))
@@ -180,6 +198,97 @@ class Pictures(unittest.TestCase):
         self.view.close()
         with self.assertRaises(ValueError):
             self.view.draw(8, 8)
+
+    def test_what_would_be_cut_off_or_filled_up_in_silence_is_refused(self):
+        for wrong in (lambda: self.view.draw(8, 8, samples=1 << 40), lambda: self.view.draw(8, 8, samples=-1),
+                      lambda: self.view.draw(8, 8, seed=-1), lambda: self.view.draw(8, 8, denoise="yes"),
+                      lambda: self.view.set_box((0, 0), (1, 1, 1)), lambda: self.view.set_box((0,) * 4, (1, 1, 1)),
+                      lambda: self.view.set_camera((0, -500), (0, 0, 0), (0, 0, 1)),
+                      lambda: self.view.set_preset("cinematic-bone\0.json"), lambda: macula.open("/tmp\0/other"),
+                      lambda: self.view.draw(8, 8, samples=1).save("a.jpg")):
+            with self.assertRaises(ValueError):
+                wrong()
+        self.assertFalse(pathlib.Path("a.jpg").exists())
+
+    def test_what_is_pointed_at_is_where_it_is(self):
+        camera = {"position_mm": (22, -500, 0), "target_mm": (22, 0, 0), "up": (0, 0, 1)}
+        there = self.view.pick(50.5, 50.5, 101, 101, camera=camera)
+        self.assertTrue(numpy.allclose(there, (22, -18, 0), atol=4), there)
+        self.assertIsNone(self.view.pick(0.5, 0.5, 101, 101, camera=camera))
+        with self.assertRaises(macula.Error):
+            self.view.pick(1, 1, 8, 8)  # of what, is not known before it is drawn
+        picture = self.view.draw(40, 40, samples=2)
+        y, x = numpy.unravel_index(numpy.asarray(picture)[..., :3].sum(axis=2).argmax(), (40, 40))
+        self.assertIsNotNone(self.view.pick(x + 0.5, y + 0.5, picture.width, picture.height))
+
+    def test_closing_in_another_thread_ends_nothing_but_that_call(self):
+        program = """
+import macula, threading
+view = macula.open("phantom:").view()
+begun = threading.Event()
+def draw():
+    try:
+        view.draw(64, 64, samples=64, progress=lambda stage, fraction: begun.set())
+    except ValueError as closed:
+        print(closed)
+    except macula.Error as closed:
+        print(closed.message)
+thread = threading.Thread(target=draw)
+thread.start()
+assert begun.wait(60)
+view.close()
+thread.join()
+"""
+        told = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, timeout=120)
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+        self.assertIn("closed", told.stdout)
+
+    def test_one_view_in_several_threads_has_the_pictures_that_were_asked_for(self):
+        seeds = {}
+
+        def draw(seed):
+            picture = self.view.draw(16, 16, samples=1, seed=seed)
+            seeds[seed] = picture.record["seed"]
+
+        threads = [threading.Thread(target=draw, args=(seed,)) for seed in range(6)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(seeds, {seed: seed for seed in range(6)})
+
+    def test_a_process_that_was_forked_draws_on_a_device_of_its_own(self):
+        program = """
+import macula, os, signal
+study = macula.open("phantom:")
+device, live = macula.Device(), study.view().live(model=False)
+before = bytes(study.view().draw(24, 24, samples=1).rgba)
+child = os.fork()
+if child == 0:
+    signal.alarm(60)
+    same = bytes(study.view().draw(24, 24, samples=1).rgba) == before
+    refused = 0
+    for old in (lambda: study.view().draw(8, 8, device=device), lambda: live.frame(8, 8)):
+        try:
+            old()
+        except ValueError:
+            refused += 1
+    live.close()
+    device.close()
+    os._exit(0 if same and refused == 2 else 3)
+assert os.waitpid(child, 0)[1] == 0
+assert bytes(study.view().draw(24, 24, samples=1).rgba) == before
+"""
+        told = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=False, timeout=120)
+        self.assertEqual((told.returncode, told.stderr), (0, ""))
+
+    def test_an_error_goes_from_process_to_process(self):
+        with self.assertRaises(macula.Error) as refused:
+            macula.open("/nowhere/DOE^JOHN")
+        there = pickle.loads(pickle.dumps(refused.exception))
+        self.assertEqual((there.status, there.message, there.advice, there.place, str(there)),
+                         (refused.exception.status, refused.exception.message, refused.exception.advice,
+                          refused.exception.place, str(refused.exception)))
 
     def test_a_place_is_not_in_the_sentence(self):
         with self.assertRaises(macula.Error) as refused:
@@ -281,11 +390,9 @@ class Lives(unittest.TestCase):
             if not closing:
                 closing.append(threading.Thread(target=device.close))
                 closing[0].start()
-                closing[0].join(0.2)
-                self.assertTrue(closing[0].is_alive())
+                closing[0].join()  # at once: what is in use is closed when that ends
 
         self.assertEqual(len(view.draw(16, 16, samples=1, device=device, progress=hear).rgba), 4 * 16 * 16)
-        closing[0].join()
         with self.assertRaises(ValueError):
             view.draw(16, 16, samples=1, device=device)
 

@@ -138,8 +138,14 @@ std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest
     std::vector<PictureNote> notes;
     if (request.settings.errorThreshold > 0.0 && !statistics.converged)
         notes.push_back({"The picture is noisier than was asked for."});
-    if (isEmpty(drawn))
-        notes.push_back({.sentence = whyNothingIsVisible(*request.scene.volume), .isWarning = true});
+    if (isEmpty(drawn)) {
+        // A projection knows no preset: what is black there is below its window.
+        const auto& window = request.settings.window;
+        const bool isSeenThroughWindow = trace::isProjection(request.settings.look) && window.has_value();
+        notes.push_back({.sentence = isSeenThroughWindow ? whyNothingIsVisible(*request.scene.volume, *window)
+                                                         : whyNothingIsVisible(*request.scene.volume),
+                         .isWarning = true});
+    }
     for (const Message& message : statistics.messages) notes.push_back({message.sentence, message.action});
     if (statistics.nonFiniteSamples > 0)
         notes.push_back({fmt::format("{} samples were not finite and were dropped; please report this.",

@@ -79,6 +79,20 @@ Result<FoundVolumes::Choice> FoundVolumes::best(const std::filesystem::path& fol
     return Choice{*index, choice.why};
 }
 
+Result<FoundVolumes::Choice> FoundVolumes::ofSeries(const std::string& seriesInstanceUid,
+                                                    const std::filesystem::path& folder) const {
+    const auto all = dicom::findAllSeries(scan_, seriesInstanceUid);
+    if (all.size() != 1)
+        return Error{ErrorCode::inputNotUsable,
+                     all.empty() ? "The series that was asked for is not in this folder."
+                                 : "Several studies of this folder have the series that was asked for.",
+                     folder.string(), "Check its Series Instance UID, or choose another folder."};
+    const dicom::Choice choice = dicom::bestVolume(*all.front());
+    const auto index = indexOf(choice.stack);
+    if (!index) return notUsable(choice.why, folder);
+    return Choice{*index, choice.why};
+}
+
 Result<FoundVolumes::Choice> FoundVolumes::holding(const std::filesystem::path& file) const {
     for (const dicom::Study& study : scan_.studies) {
         for (const dicom::Series& series : study.series) {

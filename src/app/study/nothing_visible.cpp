@@ -6,6 +6,7 @@
 #include <map>
 #include <vector>
 
+#include "app/frame/projection_windows.h"
 #include "pipeline/volume/transfer_function.h"
 #include "pipeline/volume/volume_fit.h"
 #include "presets/catalogue.h"
@@ -13,6 +14,14 @@
 namespace macula::app {
 
 namespace {
+
+// "Nothing is visible in the picture. The series has values from …": of a volume that has some.
+std::string nothingOf(const Volume& volume, const ValueRange& range) {
+    const std::string unit = volume.unitName().empty() ? "" : " " + volume.unitName();
+    return fmt::format("Nothing is visible in the picture. The series has values from {:g} to {:g}{}.",
+                       range.low, range.high, unit);
+}
+constexpr const char* kAllIsPadding = "Nothing is visible: every voxel of the series is padding.";
 
 // Counts of stored values over a share of the voxels: evenly taken, and enough for a thousandth of them to be
 // found.
@@ -47,11 +56,8 @@ bool shows(const TransferFunction& preset, const Volume& volume,
 
 std::string whyNothingIsVisible(const Volume& volume) {
     const auto& range = volume.valueRange();
-    if (!range) return "Nothing is visible: every voxel of the series is padding.";
-    const std::string unit = volume.unitName().empty() ? "" : " " + volume.unitName();
-    std::string sentence =
-        fmt::format("Nothing is visible in the picture. The series has values from {:g} to {:g}{}.",
-                    range->low, range->high, unit);
+    if (!range) return kAllIsPadding;
+    const std::string sentence = nothingOf(volume, *range);
     const auto presets = presets::builtInPresets();
     if (!presets) return sentence;
     const auto counts = countsOf(volume);
@@ -64,6 +70,15 @@ std::string whyNothingIsVisible(const Volume& volume) {
     if (names.empty()) return sentence + " No built-in preset would show any of them.";
     return sentence + fmt::format(" Presets that show some of them: {}.", fmt::join(names, ", ")) +
            " Check the camera and the clip too.";
+}
+
+std::string whyNothingIsVisible(const Volume& volume, const DisplayWindow& window) {
+    const auto& range = volume.valueRange();
+    if (!range) return kAllIsPadding;
+    return nothingOf(volume, *range) +
+           fmt::format(
+               " It is seen through the window {}: choose another one. Check the camera and the clip too.",
+               windowText(window, volume.unitName()));
 }
 
 }  // namespace macula::app

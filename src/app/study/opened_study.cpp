@@ -86,13 +86,22 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     return study;
 }
 
+// Only images of DICOM have one.
+Error hasNoSeries(const std::filesystem::path& path) {
+    return {ErrorCode::usage, "A series was asked for of what is no folder of DICOM images.", path.string(),
+            "Ask for none, or give a folder."};
+}
+
 Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, bool join,
-                             const FoundSoFar& foundSoFar) {
+                             const FoundSoFar& foundSoFar, const std::string& series) {
     // The path is made absolute, because a name without a folder has no parent.
     const std::filesystem::path path = std::filesystem::absolute(given).lexically_normal();
     std::error_code notThere;
     const bool isFile = std::filesystem::is_regular_file(path, notThere);
-    if (isFile && formats::isVolumeFileName(path)) return openVolumeFile(path, progress);
+    if (isFile && formats::isVolumeFileName(path)) {
+        if (!series.empty()) return hasNoSeries(path);
+        return openVolumeFile(path, progress);
+    }
     const bool isOneImage = isFile && !isMediaDirectory(path);
     dicom::ScanOptions how{.join = join};
     if (foundSoFar)
@@ -104,7 +113,9 @@ Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progr
     if (auto question = joinQuestionOf(*found); !question.empty())
         return OpenedStudy{.volume = nullptr, .joinQuestion = std::move(question)};
     if (foundSoFar) foundSoFar(found);
-    MACULA_TRY(const FoundVolumes::Choice choice, isOneImage ? found->holding(path) : found->best(path));
+    MACULA_TRY(const FoundVolumes::Choice choice, !series.empty() ? found->ofSeries(series, path)
+                                                  : isOneImage    ? found->holding(path)
+                                                                  : found->best(path));
     MACULA_TRY(OpenedStudy study, loadFound(found, choice.index, progress));
     study.whyThisSeries = choice.why;
     return study;
@@ -130,9 +141,11 @@ Result<OpenedStudy> withoutExceptions(const StudySource& source, Load load) {
 }  // namespace
 
 Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join,
-                              const FoundSoFar& foundSoFar) {
-    return withoutExceptions(source, [&] {
-        return source ? openPath(*source, progress, join, foundSoFar) : openPhantom(progress);
+                              const FoundSoFar& foundSoFar, const std::string& seriesInstanceUid) {
+    return withoutExceptions(source, [&]() -> Result<OpenedStudy> {
+        if (source) return openPath(*source, progress, join, foundSoFar, seriesInstanceUid);
+        if (!seriesInstanceUid.empty()) return hasNoSeries({});
+        return openPhantom(progress);
     });
 }
 

@@ -45,8 +45,9 @@ using StudySource = std::optional<std::filesystem::path>;
 using FoundSoFar = std::function<void(std::shared_ptr<const FoundVolumes>)>;
 
 // Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation. Throws nothing.
+// With a Series Instance UID it is that series, wherever `source` leads to.
 Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join = false,
-                              const FoundSoFar& foundSoFar = {});
+                              const FoundSoFar& foundSoFar = {}, const std::string& seriesInstanceUid = {});
 // Decodes another volume of the folder.
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                                     Progress& progress);

@@ -6,9 +6,11 @@
  * Rules of all of it
  *   - Text is UTF-8 with a 0 at the end. Text that comes back belongs to Macula; each function says how long
  * it lives.
- *   - A struct begins with its size, which the caller sets: `macula_picture picture = {sizeof picture};`.
- * Every other member may stay 0, and has its usual value then. A newer Macula takes the struct of an older
- * header.
+ *   - A struct begins with its size, which the caller sets: `macula_picture picture = {.size = sizeof
+ * picture};` in C; in C++ `macula_picture picture{};` and `picture.size = sizeof picture;`. Every other
+ * member may stay 0, and has its usual value then. A newer Macula takes the struct of an older header. A
+ * struct for a result needs its size too.
+ *   - An empty text is as null, where a function does not say otherwise.
  *   - Functions that can fail return a macula_status. macula_last_error() has the sentence for a person and
  * what to do. On failure nothing is changed, and handles that would come back are null. No C++ exception gets
  * out.
@@ -16,10 +18,16 @@
  * superior.
  *   - Handles are closed by the function of their name; null is allowed. A view holds on to its volume, so
  * the study may be closed before it.
- *   - Threads: a handle is used by one thread at a time; different handles by different threads at once. Only
- *     macula_cancel_now() may be called whenever. Calls block: run those that take a macula_progress beside
- * the thread of your user interface. After fork() a child uses nothing of Macula until it is another program
- * (exec): locks may be held there by threads that it does not have, and a driver does not know it.
+ *   - Threads: calls that take a handle as const may go on at once in several threads; any other call has its
+ * handles for itself. Different handles are used by different threads at once. Only macula_cancel_now() may
+ * be called whenever. Calls block: run those that take a macula_progress beside the thread of your user
+ * interface.
+ *   - Mistakes are noticed where they can be: a handle that is closed, of another kind, or in use by another
+ * call is MACULA_USAGE (no text, no number, where no status is returned), closing it once more does nothing,
+ * and what is closed while a call uses it ends with that call. Do not rely on it: a new handle may be where a
+ * closed one was, and handles that cancel are not watched.
+ *   - Devices and live pictures are of the process that opened them: after fork() a child opens its own. Fork
+ * while no call is under way and no live picture is open: others' locks stay locked in the child.
  *   - Nothing is written to a file but what macula_live_open, macula_live_save and macula_live_write_model
  * are given places for. Nothing is printed: macula_log_to has the log, or stderr where MACULA_LOG is set in
  * the environment. Sentences, error texts, stages and the log name no patient; titles and the `place` of an
@@ -67,8 +75,8 @@ typedef struct macula_error {
     macula_status status;
     const char* message; /* one sentence that a radiologist understands; names no patient */
     const char* advice;  /* what to do; may be empty */
-    const char*
-        place; /* the file or object concerned; may be empty, may name a patient, and belongs in no log */
+    const char* place;   /* the file or object concerned, U+FFFD for what is no UTF-8 in it; may be empty, may
+                            name a patient, and belongs in no log */
 } macula_error;
 
 /* The error of the last call of this thread that failed. Its texts live until the next call of this thread.
@@ -121,6 +129,9 @@ enum {
 };
 /* What is built in. Null for an index that is too large; names live as long as the library is loaded. */
 MACULA_API const char* macula_name(int32_t kind, uint32_t index);
+/* All that is built in, with titles, and what presets are for (modality, unit), as JSON: what `macula presets
+ * --json` writes. Lives as long as the library is loaded. */
+MACULA_API macula_status macula_built_in(const char** json);
 
 /* ---- Studies ---- */
 
@@ -131,6 +142,7 @@ typedef struct macula_open {
     uint32_t size;
     int32_t join; /* not 0: take images for one series that agree in all but identifiers made anew for each of
                      them */
+    const char* series_uid; /* the series of a folder that is meant; null: that of the best volume */
 } macula_open;
 
 /* A folder with DICOM files, of which the best volume is loaded; one of its images, and its own series is; a
@@ -184,9 +196,14 @@ MACULA_API const char* macula_study_title(const macula_study* study, uint32_t in
  */
 MACULA_API macula_status macula_study_choose(macula_study* study, uint32_t index,
                                              const macula_progress* progress);
-/* Sentences on what was assumed, left out or repaired in the volume that is loaded: show them. Null for an
- * index that is too large. Live until another volume is chosen or the study is closed. */
+/* Sentences on which volume was taken, and on what was assumed, left out or repaired in it: show them. Null
+ * for an index that is too large. Live until another volume is chosen or the study is closed. */
 MACULA_API const char* macula_study_note(const macula_study* study, uint32_t index);
+/* All that was found in the folder, as JSON: what `macula info --json --patient` writes (docs/dicom.md), with
+ * each file that was left out, and why; and "volumes", the place there of each volume, in the order of
+ * macula_study_title. It names patients. Without a folder its lists are empty. Lives until this is asked
+ * again, another volume is chosen, or the study is closed. */
+MACULA_API macula_status macula_study_found(macula_study* study, const char** json);
 
 /* The volume that is loaded. */
 typedef struct macula_volume {
@@ -203,6 +220,11 @@ typedef struct macula_volume {
     double high;                   /* the largest */
     double spacing_mm[3];          /* between the centres of voxels along i, j, k */
     double patient_from_voxel[16]; /* as in macula_voxels */
+    /* (0020,000D), (0020,000E), (0020,0052); empty where there are none. They may lead to the patient. As
+     * long as the volume */
+    const char* study_uid;
+    const char* series_uid;
+    const char* frame_of_reference_uid;
 } macula_volume;
 /* What is known of it; nothing is loaded. */
 MACULA_API macula_status macula_study_volume(const macula_study* study, macula_volume* volume);
@@ -354,6 +376,30 @@ MACULA_API macula_status macula_draw(macula_device* device, macula_view* view, c
  * Live until the view is drawn again or closed. */
 MACULA_API const char* macula_view_note(const macula_view* view, uint32_t index);
 
+/* A place in a picture of a view. */
+typedef struct macula_pick {
+    uint32_t size;
+    int32_t width; /* of the picture, pixels */
+    int32_t height;
+    uint32_t reserved; /* 0 */
+    double x;          /* pixels from the left edge of the picture: 0.5 is the middle of the first */
+    double y;          /* from the upper edge */
+    const macula_camera* camera; /* of the picture; null: of the last that macula_draw drew of the view */
+} macula_pick;
+
+/* What is there. */
+typedef struct macula_picked {
+    uint32_t size;
+    int32_t is_something; /* 0: nothing that is seen */
+    double point_mm[3];   /* patient LPS, on the first matter that is seen; of mip and minip where their value
+                             is */
+} macula_picked;
+/* What of the patient is at a place of a picture, found in the volume and not in a model, with the preset,
+ * clip and look that the view has now. Some 20 ms, no device; longer for a preset that is fitted, and for a
+ * table that is left out. */
+MACULA_API macula_status macula_view_pick(const macula_view* view, const macula_pick* pick,
+                                          const macula_progress* progress, macula_picked* picked);
+
 /* How the last picture was made, as JSON: what `macula render --json` writes. Lives until the view is drawn
  * again or closed. MACULA_USAGE before the first. */
 MACULA_API macula_status macula_view_record(const macula_view* view, const char** json);
@@ -373,7 +419,8 @@ typedef struct macula_live_options {
     uint32_t size;
     int32_t model; /* MACULA_WITH_MODEL ... */
     /* The folder where models are kept between runs, which is made where it is missing; empty: that of the
-     * viewer; null: none is kept. Patients are digests there: docs/privacy.md. */
+     * viewer; null: none is kept. Patients are digests there: docs/privacy.md. Where it cannot be used there
+     * is a picture all the same, with a note, and macula_live_save fails. */
     const char* store;
     uint64_t store_bytes; /* of all models in it, the least recently used go; 0: 2 GB */
 } macula_live_options;
@@ -528,7 +575,7 @@ MACULA_API macula_status macula_live_model(const macula_live* live, macula_model
 typedef struct macula_training {
     uint32_t size;
     uint32_t reserved; /* 0 */
-    uint64_t steps;    /* so many more; 0: no end */
+    uint64_t steps;    /* at least so many more, as steps are made some tens at a time; 0: no end */
     double seconds;    /* for so long, preparing too; 0: no end */
 } macula_training;
 /* Trains without a frame to draw meanwhile; macula_live_frame does it at rest, in turns. `training` may be

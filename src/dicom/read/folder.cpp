@@ -115,7 +115,8 @@ bool liesInside(const fs::path& canonicalPath, const fs::path& canonicalFolder) 
 Result<FolderListing> listFiles(const fs::path& path, Progress& progress) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
-    if (!fs::exists(status)) {
+    // What one may not look at may be there.
+    if (status.type() == fs::file_type::not_found) {
         return Error{ErrorCode::inputNotUsable, "The folder does not exist.", path.string(),
                      "Check the path."};
     }

@@ -1,0 +1,147 @@
+// What the C interface tells of a folder: which volume was taken, of whom, and what was left out.
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "c/c_fixture.h"
+#include "dicom/support.h"
+#include "dicom/synthetic.h"
+
+namespace macula::test {
+namespace {
+
+using Json = nlohmann::json;
+
+Owned<macula_study> open(const std::filesystem::path& path) {
+    macula_study* made = nullptr;
+    EXPECT_EQ(macula_study_open(path.c_str(), nullptr, nullptr, &made), MACULA_DONE) << lastError().message;
+    return Owned<macula_study>(made);
+}
+
+Json foundIn(const Owned<macula_study>& study) {
+    const char* text = nullptr;
+    EXPECT_EQ(macula_study_found(study.get(), &text), MACULA_DONE) << lastError().message;
+    return text == nullptr ? Json() : Json::parse(text);
+}
+
+bool isSaid(const Owned<macula_study>& study, const std::string& words) {
+    return std::ranges::any_of(
+        notesOf(study.get()), [&](const std::string& note) { return note.find(words) != std::string::npos; });
+}
+
+// Two patients of a series each, and a file that was cut off.
+class CFolder : public ::testing::Test {
+  protected:
+    void SetUp() override {
+        dicom::test::SyntheticSeries one;
+        dicom::test::SyntheticSeries other;
+        other.patientId = "SYN2";
+        other.patientName = "SYNTHETIC^TWO";
+        other.studyUid = "2.25.1100";
+        other.seriesUid = "2.25.1101";
+        other.frameOfReferenceUid = "2.25.1102";
+        other.size = {8, 7, 30};
+        writeFiles(folder_ / "one", one);
+        const auto files = writeFiles(folder_ / "other", other);
+        std::filesystem::copy_file(files.front(), folder_ / "cut");
+        std::filesystem::resize_file(folder_ / "cut", 200);
+    }
+
+    dicom::test::TemporaryFolder folder_;
+};
+
+TEST_F(CFolder, WhoWasTakenWithoutAChoiceIsSaid) {
+    const auto study = open(folder_.path());
+    ASSERT_NE(study, nullptr);
+    ASSERT_EQ(macula_study_volumes(study.get()), 2u);
+    EXPECT_TRUE(isSaid(study, "of 2 patients")) << notesOf(study.get())[0];
+    EXPECT_TRUE(isSaid(study, "patient you mean"));
+    EXPECT_FALSE(isSaid(study, "SYNTHETIC")) << "sentences name nobody";
+    auto volume = sized<macula_volume>();
+    ASSERT_EQ(macula_study_volume(study.get(), &volume), MACULA_DONE);
+    const char* const title = macula_study_title(study.get(), 0);
+    // Who chooses the other one is not asked again.
+    ASSERT_EQ(macula_study_choose(study.get(), 1 - volume.index, nullptr), MACULA_DONE)
+        << lastError().message;
+    EXPECT_FALSE(isSaid(study, "patient you mean"));
+    EXPECT_EQ(macula_study_title(study.get(), 0), title) << "titles live as long as the study";
+}
+
+TEST_F(CFolder, TheSeriesThatIsAskedForIsOpened) {
+    auto how = sized<macula_open>();
+    const std::string path = folder_.path().string();
+    macula_study* made = nullptr;
+    for (const char* uid : {"2.25.1001", "2.25.1101"}) {
+        how.series_uid = uid;
+        ASSERT_EQ(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_DONE) << lastError().message;
+        const Owned<macula_study> study(made);
+        auto volume = sized<macula_volume>();
+        ASSERT_EQ(macula_study_volume(made, &volume), MACULA_DONE);
+        EXPECT_STREQ(volume.series_uid, uid);
+        EXPECT_FALSE(isSaid(study, "patient you mean")) << "it was chosen";
+    }
+    how.series_uid = "2.25.9";
+    expectError(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_INPUT);
+    EXPECT_EQ(made, nullptr);
+    expectError(macula_study_open("phantom:", &how, nullptr, &made), MACULA_USAGE);
+    // A host of before knows nothing of it.
+    how.size = 8;
+    EXPECT_EQ(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_DONE) << lastError().message;
+    macula_study_close(made);
+}
+
+TEST_F(CFolder, WhatWasLeftOutIsSaidWithTheReason) {
+    const auto study = open(folder_.path());
+    ASSERT_NE(study, nullptr);
+    EXPECT_TRUE(isSaid(study, "Left out, 1 file: "));
+    const Json found = foundIn(study);
+    ASSERT_EQ(found.at("skipped").size(), 1u);
+    EXPECT_NE(found.at("skipped")[0].at("sentence"), "");
+    EXPECT_NE(found.at("skipped")[0].at("file").get<std::string>().find("cut"), std::string::npos);
+}
+
+TEST_F(CFolder, EachVolumeHasItsPlaceAndItsIdentifiers) {
+    const auto study = open(folder_.path());
+    ASSERT_NE(study, nullptr);
+    const Json found = foundIn(study);
+    ASSERT_EQ(found.at("volumes").size(), macula_study_volumes(study.get()));
+    EXPECT_EQ(found.at("patients"), 2);
+    for (std::uint32_t index = 0; index < 2; ++index) {
+        ASSERT_EQ(macula_study_choose(study.get(), index, nullptr), MACULA_DONE) << lastError().message;
+        auto volume = sized<macula_volume>();
+        ASSERT_EQ(macula_study_volume(study.get(), &volume), MACULA_DONE);
+        const bool isOther = std::string(volume.series_uid) == "2.25.1101";
+        EXPECT_STREQ(volume.series_uid, isOther ? "2.25.1101" : "2.25.1001");
+        EXPECT_STREQ(volume.study_uid, isOther ? "2.25.1100" : "2.25.1000");
+        EXPECT_STREQ(volume.frame_of_reference_uid, isOther ? "2.25.1102" : "2.25.1002");
+        EXPECT_EQ(volume.slices, isOther ? 30 : 12);
+        for (const Json& of : found.at("studies"))
+            for (const Json& series : of.at("series"))
+                for (const Json& stack : series.at("stacks"))
+                    if (stack.at("place") == found.at("volumes")[index]) {
+                        EXPECT_EQ(series.at("seriesInstanceUid"), volume.series_uid);
+                        EXPECT_EQ(stack.at("size")[2], volume.slices);
+                        EXPECT_EQ(of.at("patientId"), isOther ? "SYN2" : "SYN1");
+                    }
+    }
+}
+
+TEST(CFound, WithoutAFolderNothingIsListed) {
+    const auto study = TwoBalls().study();
+    const Json found = foundIn(study);
+    EXPECT_TRUE(found.at("volumes").empty());
+    EXPECT_TRUE(found.at("studies").empty());
+    EXPECT_TRUE(found.at("skipped").empty());
+    auto volume = sized<macula_volume>();
+    ASSERT_EQ(macula_study_volume(study.get(), &volume), MACULA_DONE);
+    EXPECT_STREQ(volume.study_uid, "");
+    EXPECT_STREQ(volume.frame_of_reference_uid, "");
+    expectError(macula_study_found(study.get(), nullptr), MACULA_USAGE);
+    const char* text = "not touched";
+    expectError(macula_study_found(nullptr, &text), MACULA_USAGE);
+    EXPECT_EQ(text, nullptr);
+}
+
+}  // namespace
+}  // namespace macula::test
