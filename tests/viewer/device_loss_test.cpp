@@ -28,6 +28,9 @@ void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept try {
 void operator delete(void* memory) noexcept {
     std::free(memory);
 }
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
+    std::free(memory);
+}
 void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
