@@ -72,9 +72,9 @@ TEST_F(DrawnPictureTest, TheCameraThatFitsIsTheSameWithoutADevice) {
         EXPECT_LT(glm::distance(drawn.targetMm, fitted.targetMm), 1e-6) << nameOf(look);
     }
     // Nothing to be seen: the whole volume.
-    const Volume& volume = *request().scene.volume;
-    const Camera empty = fittedCamera({}, trace::Look::cinematic, volume, {});
-    EXPECT_LT(glm::distance(empty.targetMm, volume.worldBox().centre()), 1e-6);
+    const std::shared_ptr<const Volume> volume = request().scene.volume;
+    const Camera empty = fittedCamera({}, trace::Look::cinematic, *volume, {});
+    EXPECT_LT(glm::distance(empty.targetMm, volume->worldBox().centre()), 1e-6);
 }
 
 // The same request, the same bytes: samples are a function of their number.

@@ -155,7 +155,7 @@ TEST_F(PanesTest, ADrivenSessionIsFoundAgain) {
     const QPoint centre = axial.rect().center();
     drag(axial, centre, centre + QPoint(60, 0));
     ASSERT_EQ(window_->state().measurements.size(), 1u);
-    const auto& distance = std::get<slices::Distance>(window_->state().measurements[0].shape);
+    const auto distance = std::get<slices::Distance>(window_->state().measurements[0].shape);
     EXPECT_NEAR(slices::lengthMm(distance), 60.0 * axial.devicePixelRatioF() * axial.shownFrame()->mmPerPixel,
                 1e-6);
     QTest::mouseDClick(&axial, Qt::LeftButton, {}, QPoint(20, axial.height() / 2));
