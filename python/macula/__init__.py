@@ -15,15 +15,14 @@ NumPy is used where it is installed; nothing needs it.
 """
 
 import atexit
-import contextlib
 import ctypes
 import json
-import operator
 import os
 import pathlib
 import threading
 
 from . import _interface, _png
+from ._handle import Handle as _Handle, bytes_of as _bytes, is_heard as _is_heard, numbers as _numbers, whole as _whole
 
 __all__ = ["Device", "Error", "Frame", "Live", "Model", "Picture", "Study", "View", "built_in", "log_to", "names",
            "open", "study_of", "version"]
@@ -60,31 +59,6 @@ def _check(status):
     _library.macula_last_error(error)
     raise Error(error.status, *((text or b"").decode("utf-8", "replace")
                                 for text in (error.message, error.advice, error.place)))
-
-
-def _bytes(text):
-    """A path, or a word, or nothing."""
-    if text is None:
-        return None
-    told = os.fsencode(text)
-    if b"\0" in told:  # where C would end: it would be another path
-        raise ValueError("A name has no 0 in it.")
-    return told
-
-
-def _numbers(values, count, what):
-    numbers = [float(value) for value in values]
-    if len(numbers) != count:
-        raise ValueError(f"{what}: {count} numbers, and not {len(numbers)}.")
-    return (ctypes.c_double * count)(*numbers)
-
-
-def _whole(value, most, what):
-    """A number that ctypes would cut off in silence."""
-    number = operator.index(value)
-    if not 0 <= number <= most:
-        raise ValueError(f"{what}: 0 to {most}.")
-    return number
 
 
 def _texts(told, handle):
@@ -129,47 +103,6 @@ class _Watch:
         return opened
 
 
-class _Handle:
-    """What is closed once."""
-
-    _is_of_process = False  # has a device, whose threads a fork does not take along
-
-    def __init__(self, handle, close):
-        self._handle, self._close = handle, close
-        self._in_use, self._process = threading.Lock(), os.getpid()
-
-    def _is_of_another_process(self):
-        return self._is_of_process and self._process != os.getpid()
-
-    def _open(self):
-        if self._handle is None:
-            raise ValueError("It is closed.")
-        if self._is_of_another_process():
-            raise ValueError("It was opened before this process was forked. Open it here.")
-        return self._handle
-
-    @contextlib.contextmanager
-    def _held(self):
-        """The handle, from a call to what there is to know of what it made: that must not be of another call."""
-        with self._in_use:
-            yield self._open()
-            self._open()  # where it was closed meanwhile, its notes are gone
-
-    def close(self):
-        # Let go of first: Ctrl-C while it closes is raised as soon as that returns, and __del__ would close it again.
-        handle, self._handle = getattr(self, "_handle", None), None
-        if handle is not None and not self._is_of_another_process():
-            self._close(handle)
-
-    __del__ = close
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_raised):
-        self.close()
-
-
 def version():
     return _library.macula_version().decode()
 
@@ -205,10 +138,13 @@ def log_to(function, least="warning"):
         raise ValueError(f"The levels are {', '.join(_LEVELS)}.")
 
     def hear(_user, level, line):
+        _is_heard.now = True
         try:
             function(_LEVELS[level], line.decode("utf-8", "replace"))
         except Exception:  # nothing may go through C, and what is logged is not worth ending for
             pass
+        finally:
+            _is_heard.now = False
 
     line = _interface.LogLine() if function is None else _interface.LogLine(hear)
     with _log_in_change:
@@ -353,8 +289,8 @@ class View(_Handle):
         none is. Without `model` all is traced."""
         options = _interface.LiveOptions(model=0 if model else 1, store=_bytes(store))
         handle, watch, device = ctypes.c_void_p(), _Watch(progress), device or _usual_device()
-        with device._in_use:
-            status = _library.macula_live_open(device._open(), self._open(), options, watch.progress, handle)
+        with device._held() as on:
+            status = _library.macula_live_open(on, self._open(), options, watch.progress, handle)
             return watch.made(status, Live, handle, _library.macula_live_close)
 
     def draw(self, width, height, samples=0, quality=None, most_noise=0.0, denoise=None, seed=0, device=None,
@@ -373,8 +309,8 @@ class View(_Handle):
         drawn, watch, device = _interface.Drawn(), _Watch(progress), device or _usual_device()
         told = ctypes.c_char_p()
         with self._held() as handle:
-            with device._in_use:
-                watch.check(_library.macula_draw(device._open(), handle, asked, watch.progress, drawn))
+            with device._held() as on:
+                watch.check(_library.macula_draw(on, handle, asked, watch.progress, drawn))
             _check(_library.macula_view_record(handle, told))
             return Picture(rgba, drawn, width, height, _texts(_library.macula_view_note, handle),
                            json.loads(told.value))
@@ -505,7 +441,7 @@ class Study(_Handle):
     def choose(self, index, progress=None):
         """Loads another volume; views of the one before stay."""
         watch = _Watch(progress)
-        watch.check(_library.macula_study_choose(self._open(), index, watch.progress))
+        watch.check(_library.macula_study_choose(self._open(), _whole(index, _MOST, "index"), watch.progress))
 
     def _volume(self):
         told = _interface.Volume()

@@ -54,18 +54,15 @@ Error broken() {
 // body(live), which returns a Result<void>.
 template <class Body>
 macula_status with(macula_live* live, const Body& body) noexcept {
-    return guarded([&]() -> Result<void> {
-        MACULA_TRY(const Held<macula_live> of, changing(live));
-        if (of->isBroken) return broken();
-        try {
-            return body(*of);
-        } catch (const std::bad_alloc&) {
-            throw;
-        } catch (...) {  // MACULA_FAULT
-            of->isBroken = true;
-            throw;
-        }
+    std::optional<Held<macula_live>> of;
+    const macula_status status = guarded([&]() -> Result<void> {
+        MACULA_TRY(Held<macula_live> held, changing(live));
+        of.emplace(std::move(held));
+        if ((*of)->isBroken) return broken();
+        return body(**of);
     });
+    if (status == MACULA_FAULT && of) (*of)->isBroken = true;
+    return status;
 }
 
 Result<void> show(macula_live& live, const macula_view& view, Progress& progress) {

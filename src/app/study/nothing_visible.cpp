@@ -21,6 +21,7 @@ std::string nothingOf(const Volume& volume, const ValueRange& range) {
     return fmt::format("Nothing is visible in the picture. The series has values from {:g} to {:g}{}.",
                        range.low, range.high, unit);
 }
+
 constexpr const char* kAllIsPadding = "Nothing is visible: every voxel of the series is padding.";
 
 // Counts of stored values over a share of the voxels: evenly taken, and enough for a thousandth of them to be
@@ -57,7 +58,7 @@ bool shows(const TransferFunction& preset, const Volume& volume,
 std::string whyNothingIsVisible(const Volume& volume) {
     const auto& range = volume.valueRange();
     if (!range) return kAllIsPadding;
-    const std::string sentence = nothingOf(volume, *range);
+    std::string sentence = nothingOf(volume, *range);
     const auto presets = presets::builtInPresets();
     if (!presets) return sentence;
     const auto counts = countsOf(volume);

@@ -26,8 +26,8 @@
  * call is MACULA_USAGE (no text, no number, where no status is returned), closing it once more does nothing,
  * and what is closed while a call uses it ends with that call. Do not rely on it: a new handle may be where a
  * closed one was, and handles that cancel are not watched.
- *   - Devices and live pictures are of the process that opened them: after fork() a child opens its own. Fork
- * while no call is under way and no live picture is open: others' locks stay locked in the child.
+ *   - Devices and live pictures are of the process that opened them: after fork() a child opens its own, and
+ * leaves those open. Fork while no call is under way and no live picture is open: locks stay locked there.
  *   - Nothing is written to a file but what macula_live_open, macula_live_save and macula_live_write_model
  * are given places for. Nothing is printed: macula_log_to has the log, or stderr where MACULA_LOG is set in
  * the environment. Sentences, error texts, stages and the log name no patient; titles and the `place` of an

@@ -1,5 +1,6 @@
 #include "dicom/read/frame_plane.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace macula::dicom {
@@ -51,10 +52,15 @@ bool isOpposite(std::string_view letters, const glm::dvec3& direction) {
     }
 }
 
-// Images that were turned over by a program say so in one of both places only. Animals have other letters.
+// Images that were turned over by a program say so in one of both places only. Animals have other letters,
+// such as RT and PR, and not always say what they are.
 bool contradicts(const Dataset& dataset, const glm::dvec3& row, const glm::dvec3& column) {
     const auto letters = dataset.shortTexts(tag::kPatientOrientation);
-    if (letters.size() != 2 || dataset.shortText(tag::kAnatomicalOrientationType) == "QUADRUPED")
+    const auto isOfPerson = [](std::string_view side) {
+        return side.find_first_not_of("LRAPHF") == std::string_view::npos;
+    };
+    if (letters.size() != 2 || !std::ranges::all_of(letters, isOfPerson) ||
+        dataset.shortText(tag::kAnatomicalOrientationType) == "QUADRUPED")
         return false;
     return isOpposite(letters[0], row) || isOpposite(letters[1], column);
 }

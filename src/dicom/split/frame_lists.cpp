@@ -12,7 +12,7 @@ namespace {
 // Dimensions that say where a frame lies: position in the stack, stack, positions in the patient and in a
 // volume, and the macros of both.
 constexpr std::array kOfPlace = std::to_array<std::string_view>(
-    {"(0020,9057)", "(0020,9056)", "(0020,0032)", "(0020,9301)", "(0020,9113)", "(0020,930e)"});
+    {"(0020,9057)", "(0020,9056)", "(0020,0032)", "(0020,9301)", "(0020,9113)", "(0020,930E)"});
 
 }  // namespace
 

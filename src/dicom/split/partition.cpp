@@ -13,12 +13,23 @@ namespace macula::dicom {
 
 namespace {
 
+// Numbers before words; of several numbers the first that differs counts: 1\\2 is before 1\\10.
 bool before(std::string_view a, std::string_view b) {
-    const auto x = numberOf(a);
-    const auto y = numberOf(b);
-    if (x && y && *x != *y) return *x < *y;
-    if (x.has_value() != y.has_value()) return x.has_value();
-    return a < b;
+    std::string_view restOfA = a;
+    std::string_view restOfB = b;
+    while (true) {
+        const auto x = numberOf(restOfA);
+        const auto y = numberOf(restOfB);
+        if (x.has_value() != y.has_value()) return x.has_value();
+        if (!x) return a < b;
+        if (*x != *y) return *x < *y;
+        const std::size_t endOfA = restOfA.find('\\');
+        const std::size_t endOfB = restOfB.find('\\');
+        if (endOfA == std::string_view::npos || endOfB == std::string_view::npos)
+            return endOfA == endOfB ? a < b : endOfA == std::string_view::npos;
+        restOfA.remove_prefix(endOfA + 1);
+        restOfB.remove_prefix(endOfB + 1);
+    }
 }
 
 // Maps values of one attribute to the number of their class; classes are by ascending value.

@@ -104,6 +104,37 @@ TEST_F(FrameLists, dimensionsThatNothingElseTellsOf) {
     EXPECT_NE(told->sentence.find("DimensionIndexValues"), std::string::npos) << told->sentence;
 }
 
+// What is the same in all frames, or says where they lie, changes no order: the tenth comes after the second.
+TEST_F(FrameLists, phasesOfSeveralDimensionsAreInTheirOrder) {
+    series.phases = 11;
+    series.size.z = 3;
+    for (const DcmTagKey& ofPlace : {DCM_InStackPositionNumber, DCM_PlanePositionVolumeSequence}) {
+        SCOPED_TRACE(ofPlace.toString().c_str());
+        const TemporaryFolder own;
+        auto slices = shuffled();
+        for (Slice& slice : slices) {
+            slice.edits.push_back([phase = slice.phase, place = slice.place](DcmItem& groups) {
+                DcmItem& content = nested(groups, DCM_FrameContentSequence);
+                erase(content, DCM_TemporalPositionIndex);
+                erase(content, DCM_DimensionIndexValues);
+                const Uint32 values[] = {5, static_cast<Uint32>(place + 1), static_cast<Uint32>(phase + 1)};
+                auto* element = new DcmUnsignedLong(DCM_DimensionIndexValues);
+                ASSERT_TRUE(element->putUint32Array(values, 3).good());
+                ASSERT_TRUE(content.insert(element).good());
+            });
+        }
+        const Edit pointers = [&](DcmItem& item) {
+            erase(item, DCM_DimensionIndexSequence);
+            for (const DcmTagKey& pointer : {DCM_EffectiveEchoTime, ofPlace, DCM_TemporalPositionIndex}) {
+                DcmItem& index = appended(item, DCM_DimensionIndexSequence);
+                ASSERT_TRUE(index.putAndInsertTagKey(DCM_DimensionIndexPointer, pointer).good());
+            }
+        };
+        writeMultiFrame(own / "enhanced", series, slices, {.edits = {pointers}});
+        expectPhases(Opened(own.path()), series);
+    }
+}
+
 // Without pointers nobody knows which of the indices is the place.
 TEST_F(FrameLists, indicesWithoutDimensionsSayNothing) {
     series.phases = 2;

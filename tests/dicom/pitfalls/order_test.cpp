@@ -269,7 +269,7 @@ TEST_F(D24PatientPosition, lettersThatSayTheOppositeAreToldOf) {
     const Case cases[]{{"L\\A", "BIPED", false},     {"L\\F", "", false}, {"LA\\AF", "", false},
                        {"R\\A", "", true},           {"L\\P", "", true},  {"RA\\A", "BIPED", true},
                        {"R\\A", "QUADRUPED", false}, {"L", "", false},    {"", "", false},
-                       {"x\\y", "", false}};
+                       {"RT\\V", "", false},         {"x\\y", "", false}};
     for (const Case& c : cases) {
         SCOPED_TRACE(fmt::format("{} {}", c.letters, c.kind));
         const TemporaryFolder own;
