@@ -643,6 +643,22 @@
         <translation>In manchen Dateien folgen ein paar überzählige Bytes auf die Pixeldaten; die Bilder sind vollständig.</translation>
     </message>
     <message>
+        <source>Images that do not say by what kind of device they were taken (Modality): %1 of %2; they were taken for %3.</source>
+        <translation>Bilder, die nicht sagen, mit was für einem Gerät sie aufgenommen wurden (Modality): %1 von %2; sie gelten als %3.</translation>
+    </message>
+    <message>
+        <source>%1, as their kind of object is</source>
+        <translation>%1, wie die Art ihrer Objekte</translation>
+    </message>
+    <message>
+        <source>images of an unknown device</source>
+        <translation>Bilder eines unbekannten Geräts</translation>
+    </message>
+    <message>
+        <source>what others of the series are</source>
+        <translation>das, was andere der Serie sind</translation>
+    </message>
+    <message>
         <source>Files of this series that do not say what kind of object they are: %1.</source>
         <translation>Dateien dieser Serie, die nicht sagen, was für ein Objekt sie sind: %1.</translation>
     </message>
