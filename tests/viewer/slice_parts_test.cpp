@@ -24,7 +24,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ScaleBar, IsARoundNumberAndAsLongAsItMayBe) {
     for (double mmPerPx = 1e-3; mmPerPx < 1e3; mmPerPx *= 1.37) {
-        const auto bar = scaleBar(mmPerPx, 120.0);
+        const auto bar = scaleBar(mmPerPx, 120.0, true);
         ASSERT_TRUE(bar) << mmPerPx;
         const double power = std::pow(10.0, std::floor(std::log10(bar->lengthMm) + 1e-6));
         const double digit = bar->lengthMm / power;
@@ -37,13 +37,13 @@ TEST(ScaleBar, IsARoundNumberAndAsLongAsItMayBe) {
 }
 
 TEST(ScaleBar, IsInCentimetresFromOneOn) {
-    EXPECT_EQ(scaleBar(0.5, 120.0)->text, "5 cm");
-    EXPECT_EQ(scaleBar(1.0, 100.0)->text, "10 cm");
-    EXPECT_EQ(scaleBar(0.05, 120.0)->text, "5 mm");
-    EXPECT_EQ(scaleBar(0.005, 100.0)->text, "0.5 mm");
+    EXPECT_EQ(scaleBar(0.5, 120.0, true)->text, "5 cm");
+    EXPECT_EQ(scaleBar(1.0, 100.0, true)->text, "10 cm");
+    EXPECT_EQ(scaleBar(0.05, 120.0, true)->text, "5 mm");
+    EXPECT_EQ(scaleBar(0.005, 100.0, true)->text, "0.5 mm");
     for (const double bad : {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity()})
-        EXPECT_FALSE(scaleBar(bad, 120.0));
-    EXPECT_FALSE(scaleBar(1.0, 0.0));
+        EXPECT_FALSE(scaleBar(bad, 120.0, true));
+    EXPECT_FALSE(scaleBar(1.0, 0.0, true));
 }
 
 TEST(SliceSteps, GoThroughTheVoxelsOfAStraightVolume) {

@@ -264,8 +264,11 @@ void assessGeometry(Stack& stack) {
     stack.orientation =
         strongest(first.rowDirection) + strongest(first.columnDirection) + strongest(first.normal());
     for (Message& message : geometry.messages) tell(stack, std::move(message));
-    if (const auto source = stack.frames.front().spacingSource; source != PixelSpacingSource::pixelSpacing) {
-        tell(stack, message(key::kUncalibrated, {{"source", std::string(nameOf(source))}}));
+    const auto estimated = std::ranges::find_if(
+        stack.frames, [](const Frame& f) { return f.spacingSource != PixelSpacingSource::pixelSpacing; });
+    if (estimated != stack.frames.end()) {
+        stack.isCalibrated = false;
+        tell(stack, message(key::kUncalibrated, {{"source", std::string(nameOf(estimated->spacingSource))}}));
     }
     if (!geometry.worldFromVoxel) return;
     stack.worldFromVoxel = geometry.worldFromVoxel;
