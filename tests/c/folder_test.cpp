@@ -1,6 +1,6 @@
 // What the C interface tells of a folder: which volume was taken, of whom, and what was left out.
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
 
 #include <algorithm>
 #include <filesystem>

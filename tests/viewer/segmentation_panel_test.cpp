@@ -2,7 +2,7 @@
 #include "viewer/segmentation/segmentation_panel.h"
 
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dctk.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
 #include <gtest/gtest.h>
 
 #include <QLabel>
