@@ -204,6 +204,24 @@ TEST_F(GermanTest, WindowsOfSlicesAndTheErrorOf16BitsArriveInGerman) {
                              "höchstens 0,25 SUV."));
 }
 
+TEST_F(GermanTest, WhatIsNotCalibratedArrivesInGerman) {
+    EXPECT_EQ(inWindowsLanguage(std::string("The table is left out, and whatever else lies apart from the "
+                                            "patient: 3 parts, ≈ 120 mL, not calibrated (confidence high).")),
+              QStringLiteral("Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: 3 Teile, "
+                             "≈ 120 mL, nicht kalibriert (Sicherheit: hoch)."));
+    EXPECT_EQ(inWindowsLanguage(std::string("The table is left out, and whatever else lies apart from the "
+                                            "patient: 1 part, 120 mL (confidence high).")),
+              QStringLiteral("Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: 1 Teil, "
+                             "120 mL (Sicherheit: hoch)."));
+    EXPECT_EQ(listInWindowsLanguage("512 × 256 · 1 × 1 × 2 mm · not calibrated", QStringLiteral(" · ")),
+              QStringLiteral("512 × 256 · 1 × 1 × 2 mm · nicht kalibriert"));
+    EXPECT_EQ(inWindowsLanguage(std::string("Images that do not say by what kind of device they were taken "
+                                            "(Modality): 2 of 12; they were taken for CT, by their kind of "
+                                            "object.")),
+              QStringLiteral("Bilder, die nicht sagen, mit was für einem Gerät sie aufgenommen wurden "
+                             "(Modality): 2 von 12; sie gelten als CT, nach der Art ihrer Objekte."));
+}
+
 TEST_F(GermanTest, KeysAndTitlesOfWhatIsBuiltInHaveOne) {
     const std::set<QString> known = coreTexts();
     const auto has = [&](const std::string& text) { return known.contains(QString::fromStdString(text)); };

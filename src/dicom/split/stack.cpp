@@ -44,7 +44,7 @@ void tellMissingModality(Stack& stack) {
     const auto count = std::ranges::count_if(stack.frames, isMissing);
     // What others of the series say is text of a file, which may be anything, and is not repeated.
     const std::string& ofClass = first->instance->modality;
-    const std::string taken = !ofClass.empty()         ? ofClass + ", as their kind of object is"
+    const std::string taken = !ofClass.empty()         ? ofClass + ", by their kind of object"
                               : stack.modality.empty() ? "images of an unknown device"
                                                        : "what others of the series are";
     tell(stack, message(key::kMissingModality, {{"count", std::int64_t(count)},

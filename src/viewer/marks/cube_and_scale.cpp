@@ -22,6 +22,7 @@ constexpr int kWidthPx = 124;
 constexpr int kCubePx = 72;  // the square that the cube turns in
 constexpr int kBarRowPx = 26;
 constexpr int kBadgeRowPx = 15;  // that the bar is not calibrated
+constexpr int kAboutPx = 16;     // the sign before its length
 constexpr int kBarPx = 108;      // the longest bar
 constexpr int kTickPx = 5;
 constexpr int kFontPx = 12;
@@ -45,8 +46,9 @@ struct Layout {
 std::optional<Layout> layoutOf(const MarkedPicture& picture) {
     if (!(picture.pixelRatio > 0.0) || !std::isfinite(picture.pixelRatio)) return std::nullopt;
     Layout layout{.ratio = picture.pixelRatio, .box = {}};
-    const int badge = picture.isCalibrated ? 0 : layout.px(kBadgeRowPx);
-    const QSize size(layout.px(kWidthPx), layout.px(kCubePx) + badge + layout.px(kBarRowPx));
+    const QSize more =
+        picture.isCalibrated ? QSize(0, 0) : QSize(layout.px(kAboutPx), layout.px(kBadgeRowPx));
+    const QSize size = QSize(layout.px(kWidthPx), layout.px(kCubePx) + layout.px(kBarRowPx)) + more;
     if (picture.pixels.width() < kLeastTimes * size.width() ||
         picture.pixels.height() < kLeastTimes * size.height())
         return std::nullopt;

@@ -647,8 +647,8 @@
         <translation>Bilder, die nicht sagen, mit was für einem Gerät sie aufgenommen wurden (Modality): %1 von %2; sie gelten als %3.</translation>
     </message>
     <message>
-        <source>%1, as their kind of object is</source>
-        <translation>%1, wie die Art ihrer Objekte</translation>
+        <source>%1, by their kind of object</source>
+        <translation>%1, nach der Art ihrer Objekte</translation>
     </message>
     <message>
         <source>images of an unknown device</source>
