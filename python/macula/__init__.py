@@ -482,6 +482,11 @@ class Study(_Handle):
         return self._volume().frame_of_reference_uid.decode("utf-8", "replace")
 
     @property
+    def is_calibrated(self):
+        """Whether spacing_mm is a measured one, and no estimate: else each length, area and volume is one too."""
+        return not self._volume().is_uncalibrated
+
+    @property
     def value_range(self):
         told = self._volume()
         return told.low, told.high

@@ -42,7 +42,8 @@ class Volume(Sized):
     _fields_ = [("size", c_uint32), ("index", c_uint32), ("columns", c_int32), ("rows", c_int32), ("slices", c_int32),
                 ("unit", c_int32), ("unit_name", c_char_p), ("modality", c_char_p), ("low", c_double),
                 ("high", c_double), ("spacing_mm", c_double * 3), ("patient_from_voxel", c_double * 16),
-                ("study_uid", c_char_p), ("series_uid", c_char_p), ("frame_of_reference_uid", c_char_p)]
+                ("study_uid", c_char_p), ("series_uid", c_char_p), ("frame_of_reference_uid", c_char_p),
+                ("is_uncalibrated", c_int32), ("reserved", c_int32)]
 
 
 class Camera(Sized):

@@ -163,6 +163,7 @@ macula_volume described(const macula_study& study) {
     const ValueRange range = volume.valueRange().value_or(ValueRange{kNone, kNone});
     told.low = range.low;
     told.high = range.high;
+    told.is_uncalibrated = volume.provenance().isCalibrated ? 0 : 1;
     const glm::dvec3 spacing = volume.spacingMm();
     for (int axis = 0; axis < 3; ++axis) told.spacing_mm[axis] = spacing[axis];
     for (int row = 0; row < 4; ++row)

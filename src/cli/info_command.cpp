@@ -80,8 +80,8 @@ void print(const dicom::Stack& stack, const std::string& place, bool isBest) {
     fmt::print("   {}[{}]  {} x {} x {}", isBest ? '*' : ' ', place, stack.columns, stack.rows,
                stack.slices.empty() ? stack.frames.size() : stack.slices.size());
     if (stack.spacingMm) {
-        fmt::print("  {:.4g} x {:.4g} x {:.4g} mm", stack.spacingMm->x, stack.spacingMm->y,
-                   stack.spacingMm->z);
+        fmt::print("  {:.4g} x {:.4g} x {:.4g} mm{}", stack.spacingMm->x, stack.spacingMm->y,
+                   stack.spacingMm->z, stack.isCalibrated ? "" : ", not calibrated");
     }
     fmt::print("{}{}{}\n", stack.orientation.empty() ? "" : "  ", printable(stack.orientation),
                describe(stack));

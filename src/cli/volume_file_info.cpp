@@ -20,9 +20,9 @@ void show(const formats::VolumeFileInfo& info, const Volume* volume, bool isJson
         return;
     }
     const auto mm = json["spacingMm"].get<std::vector<double>>();
-    fmt::print("{}  {}  {} x {} x {}  {:.4g} x {:.4g} x {:.4g} mm  {}\n", info.format, info.values,
+    fmt::print("{}  {}  {} x {} x {}  {:.4g} x {:.4g} x {:.4g} mm{}  {}\n", info.format, info.values,
                info.size.x, info.size.y, info.size.z, mm[0], mm[1], mm[2],
-               app::orientationOf(info.worldFromVoxel));
+               info.isCalibrated ? "" : ", not calibrated", app::orientationOf(info.worldFromVoxel));
     if (volume != nullptr && volume->valueRange()) {
         fmt::print("  values {:g} to {:g}{}{}\n", volume->valueRange()->low, volume->valueRange()->high,
                    volume->unitName().empty() ? "" : " ", volume->unitName());

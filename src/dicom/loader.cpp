@@ -210,7 +210,8 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
                                          .description = series_.description,
                                          .assumptions = series_.assumptions,
                                          .messages = messages_,
-                                         .interpolatedSlices = interpolatedRanges(slices)},
+                                         .interpolatedSlices = interpolatedRanges(slices),
+                                         .isCalibrated = stack_.isCalibrated},
                           .unitName = unit.name,
                           .windows = middle.realWorld ? std::vector<DisplayWindow>() : middle.windows};
     auto& assumptions = options.provenance.assumptions;

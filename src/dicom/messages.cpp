@@ -45,6 +45,10 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kMissingSopClass, kWarning, 15,
      "Files of this series that do not say what kind of object they are: {count}.",
      "Check that the series is what it seems to be."},
+    {key::kMissingModality, kWarning, 0,
+     "Images that do not say by what kind of device they were taken (Modality): {count} of {total}; they "
+     "were taken for {modality}.",
+     "Check that the series is what it seems to be."},
     {key::kUnreadableFolder, kWarning, 0,
      "Folders that could not be read: {count}. Images in them are missing here.",
      "Check the permissions of the folders, or copy the study again."},

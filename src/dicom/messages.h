@@ -47,6 +47,7 @@ inline constexpr std::string_view kInvalidFrameCount = "invalid-frame-count";
 inline constexpr std::string_view kMissingFrames = "missing-frames";
 inline constexpr std::string_view kStrayBytes = "stray-bytes";
 inline constexpr std::string_view kMissingSopClass = "missing-sop-class";
+inline constexpr std::string_view kMissingModality = "missing-modality";
 inline constexpr std::string_view kUnreadableFolder = "unreadable-folder";
 inline constexpr std::string_view kLinksOutside = "links-outside";
 inline constexpr std::string_view kArchives = "archives";

@@ -61,15 +61,17 @@ Result<ScalarType> typeOf(const Fields& fields) {
         "The values of the image are neither whole numbers of 8 to 32 bits nor floating-point ones.");
 }
 
-Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, std::vector<std::string>& assumptions) {
+Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, RawImageLayout& layout) {
     std::string matrix = firstOf(fields, {"TransformMatrix", "Rotation", "Orientation"});
     if (matrix.empty()) {
-        assumptions.push_back(lpsAssumed());
+        layout.assumptions.push_back(lpsAssumed());
         matrix = "1 0 0 0 1 0 0 0 1";
     }
     std::string spacing = firstOf(fields, {"ElementSpacing", "ElementSize"});
     if (spacing.empty()) {
-        assumptions.emplace_back("The file does not give the distance of the voxels: 1 mm was assumed.");
+        layout.isCalibrated = false;
+        layout.assumptions.emplace_back(
+            "The file does not give the distance of the voxels: 1 mm was assumed.");
         spacing = "1 1 1";
     }
     const std::string offset = firstOf(fields, {"Offset", "Position", "Origin"});
@@ -135,7 +137,7 @@ Result<TextHeader> readMetaImageHeader(const fs::path& path) {
         *into = *value;
     }
     readValueNote(valueOf(fields, std::string(kValueNoteField).c_str()), header.layout);
-    MACULA_TRY(header.layout.worldFromVoxel, worldFromVoxelOf(fields, header.layout.assumptions));
+    MACULA_TRY(header.layout.worldFromVoxel, worldFromVoxelOf(fields, header.layout));
     MACULA_TRY(header.values, valuesOf(path, parsed, header.layout));
     MACULA_TRY_VOID(checkExtent(header.layout, header.values));
     return header;

@@ -103,7 +103,7 @@ std::optional<std::vector<double>> vectors(std::string text, std::size_t count) 
     return parseNumbers(text, count);
 }
 
-Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, std::vector<std::string>& assumptions) {
+Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, RawImageLayout& layout) {
     const std::string space = lowerCase(valueOf(fields, "space"));
     glm::dvec3 lpsFromSpace(1.0);
     if (space == "right-anterior-superior" || space == "ras") {
@@ -111,7 +111,7 @@ Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, std::vector<std::strin
     } else if (space == "left-anterior-superior" || space == "las") {
         lpsFromSpace = {1, -1, 1};
     } else if (space != "left-posterior-superior" && space != "lps") {
-        assumptions.push_back(lpsAssumed());
+        layout.assumptions.push_back(lpsAssumed());
     }
     if (const std::string directions = valueOf(fields, "spacedirections"); !directions.empty()) {
         if (lowerCase(directions).find("none") != std::string::npos) {
@@ -130,8 +130,11 @@ Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, std::vector<std::strin
     const std::string spacings = valueOf(fields, "spacings");
     const auto mm = parseNumbers(spacings.empty() ? "1 1 1" : spacings, 3);
     if (!mm) return headerDamaged();
-    if (spacings.empty())
-        assumptions.emplace_back("The file does not give the distance of the voxels: 1 mm was assumed.");
+    if (spacings.empty()) {
+        layout.isCalibrated = false;
+        layout.assumptions.emplace_back(
+            "The file does not give the distance of the voxels: 1 mm was assumed.");
+    }
     return affine({(*mm)[0], 0, 0}, {0, (*mm)[1], 0}, {0, 0, (*mm)[2]}, glm::dvec3(0.0));
 }
 
@@ -184,7 +187,7 @@ Result<TextHeader> readNrrdHeader(const fs::path& path) {
     MACULA_TRY_VOID(checkAxes(parsed.fields));
     MACULA_TRY(header.layout.size, parseSize(valueOf(parsed.fields, "sizes")));
     MACULA_TRY(header.layout.type, typeOf(valueOf(parsed.fields, "type")));
-    MACULA_TRY(header.layout.worldFromVoxel, worldFromVoxelOf(parsed.fields, header.layout.assumptions));
+    MACULA_TRY(header.layout.worldFromVoxel, worldFromVoxelOf(parsed.fields, header.layout));
     readValueNote(parsed.valueNote, header.layout);
     MACULA_TRY(header.values, valuesOf(path, parsed, header.layout));
     MACULA_TRY_VOID(checkExtent(header.layout, header.values));

@@ -23,6 +23,7 @@ constexpr double kMost16 = 65535.0;
 constexpr std::array<std::pair<Unit, std::string_view>, 3> kUnitNames{
     {{Unit::hounsfield, "HU"}, {Unit::becquerelsPerMillilitre, "Bq/mL"}, {Unit::suvBodyWeight, "SUVbw"}}};
 constexpr std::string_view kNoteBegin = "Macula";
+constexpr std::string_view kNoteUncalibrated = "uncalibrated";
 
 Error cancelled() {
     return {ErrorCode::cancelled, "Stopped.", {}, {}};
@@ -152,6 +153,7 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
                           .worldFromVoxel = image.worldFromVoxel,
                           .unit = image.unit,
                           .modality = image.modality};
+    options.provenance.isCalibrated = image.isCalibrated;
     const double slope = image.slope;
     const double intercept = image.intercept;
 
@@ -241,16 +243,17 @@ std::string_view nameOf(ScalarType type) {
 }
 
 std::string valueNote(const RawImageLayout& layout) {
-    for (const auto& [unit, name] : kUnitNames) {
-        if (unit != layout.unit) continue;
-        // Modality is a code of capitals (PS3.5 6.2, CS); what is none is left out.
-        const bool isCode =
-            layout.modality.size() <= 16 &&
-            layout.modality.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
-        return fmt::format("{}|{}|{}|{}", kNoteBegin, nameOf(layout.type), name,
-                           isCode ? layout.modality : std::string());
-    }
-    return {};
+    const auto known = std::ranges::find(kUnitNames, layout.unit, &decltype(kUnitNames)::value_type::first);
+    const bool hasUnit = known != kUnitNames.end();
+    if (!hasUnit && layout.isCalibrated) return {};
+    // Modality is a code of capitals (PS3.5 6.2, CS); what is none is left out.
+    const bool isCode = layout.modality.size() <= 16 &&
+                        layout.modality.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+    std::string note = fmt::format("{}|{}|{}|{}", kNoteBegin, nameOf(layout.type),
+                                   hasUnit ? known->second : std::string_view(),
+                                   isCode && hasUnit ? layout.modality : std::string());
+    if (!layout.isCalibrated) note += fmt::format("|{}", kNoteUncalibrated);
+    return note;
 }
 
 void readValueNote(std::string_view note, RawImageLayout& layout) {
@@ -261,6 +264,13 @@ void readValueNote(std::string_view note, RawImageLayout& layout) {
         } else if (c >= ' ' && c <= '~') {
             parts.back() += c;
         }
+    }
+    // Whatever became of the values since, nothing has calibrated them.
+    if (parts.size() == 5 && parts[0] == kNoteBegin && parts[4] == kNoteUncalibrated) {
+        layout.isCalibrated = false;
+        layout.assumptions.emplace_back(
+            "The size of a voxel is not calibrated: lengths, areas and volumes are estimates.");
+        parts.pop_back();
     }
     const bool isChanged = layout.slope != 1.0 || layout.intercept != 0.0;
     if (parts.size() != 4 || parts[0] != kNoteBegin || parts[1] != nameOf(layout.type) || isChanged) return;
@@ -313,6 +323,7 @@ Result<RawImage> rawImageOf(const Volume& volume, Progress& progress) {
     image.worldFromVoxel = volume.worldFromVoxel();
     image.unit = volume.unit();
     image.modality = volume.modality();
+    image.isCalibrated = volume.provenance().isCalibrated;
     if (volume.format() == VoxelFormat::float32) {
         const auto voxels = volume.floatVoxels();
         return packed(std::move(image), voxels.size(), progress,

@@ -30,17 +30,18 @@ struct RawImageLayout {
     // What valueNote() told of a file that Macula wrote: other programs name no unit, and none is guessed.
     Unit unit = Unit::raw;
     std::string modality;
+    bool isCalibrated = true;              // as in Provenance
     std::vector<std::string> assumptions;  // sentences, as in Provenance
 
     std::uint64_t bytes() const;
 };
 
-// What Macula writes into a file beside the values: "Macula|int16|HU|CT", at most 79 characters; empty for
-// values without a unit.
+// What Macula writes into a file beside the values: "Macula|int16|HU|CT", and "|uncalibrated" behind it where
+// that is so, at most 79 characters; empty for calibrated ones without a unit.
 std::string valueNote(const RawImageLayout& layout);
 inline constexpr std::string_view kValueNoteField = "MaculaValues";  // where NRRD and MetaImage keep it
-// Fills in unit and modality. Takes nothing from a note whose type is not that of the file: then another
-// program has changed the values since.
+// Fills in unit and modality, and that lengths are estimates. Takes no unit from a note whose type is not
+// that of the file: then another program has changed the values since.
 void readValueNote(std::string_view note, RawImageLayout& layout);
 
 struct RawImage : RawImageLayout {

@@ -207,8 +207,9 @@ Result<VolumeFileInfo> readVolumeFileInfo(const fs::path& path) try {
     MACULA_TRY(const Ending ending, checkInput(path));
     const auto layout = readLayout(ending.format, path);
     if (!layout) return at(path, layout.error());
-    return VolumeFileInfo{nameOf(ending.format), std::string(nameOf(layout->type)), layout->size,
-                          layout->worldFromVoxel, layout->assumptions};
+    return VolumeFileInfo{nameOf(ending.format), std::string(nameOf(layout->type)),
+                          layout->size,          layout->worldFromVoxel,
+                          layout->assumptions,   layout->isCalibrated};
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, "There is not enough memory.", {}, "Close other programs."};
 } catch (const std::exception&) {

@@ -42,6 +42,7 @@ struct VolumeFileInfo {
     glm::ivec3 size{0};
     glm::dmat4 worldFromVoxel{1.0};
     std::vector<std::string> assumptions;
+    bool isCalibrated = true;  // as in Provenance
 };
 
 // From the header alone.

@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::array<CatalogueEntry, 6> kCatalogue{{
     {key::kTableRemoved, Severity::info,
-     "The table is left out, and whatever else lies apart from the patient: {partsText}, {volumeMl:.0f} mL "
+     "The table is left out, and whatever else lies apart from the patient: {partsText}, {volumeText} "
      "(confidence {confidence}).",
      "Show the table again to see everything that was scanned."},
     {key::kPartsRemoved, Severity::info,
-     "No table was found. What lies apart from the patient is left out: {partsText}, {volumeMl:.0f} mL "
+     "No table was found. What lies apart from the patient is left out: {partsText}, {volumeText} "
      "(confidence {confidence}).",
      "Show the table again to see everything that was scanned."},
     {key::kNothingToRemove, Severity::info, "Nothing lies apart from the patient; nothing is left out.", ""},

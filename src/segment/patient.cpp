@@ -71,6 +71,10 @@ std::string partsText(int parts) {
     return parts == 1 ? "1 part" : fmt::format("{} parts", parts);
 }
 
+std::string volumeText(double ml, bool isCalibrated) {
+    return isCalibrated ? fmt::format("{:.0f} mL", ml) : fmt::format("≈ {:.0f} mL, not calibrated", ml);
+}
+
 // The parts with `isKept`, as a mask.
 Mask maskOf(const Parts& parts, const std::vector<char>& isKept) {
     Mask mask(parts.labels.size());
@@ -295,12 +299,14 @@ class Search {
         const auto confidence = table && 10 * surface_.touchingSlices < slices && removedMl < 0.5 * patientMl
                                     ? Confidence::high
                                     : Confidence::moderate;
-        std::vector<Message> messages{message(table ? key::kTableRemoved : key::kPartsRemoved,
-                                              {{"parts", std::int64_t(parts)},
-                                               {"partsText", partsText(parts)},
-                                               {"volumeMl", removedMl},
-                                               {"patientMl", patientMl},
-                                               {"confidence", std::string(nameOf(confidence))}})};
+        std::vector<Message> messages{
+            message(table ? key::kTableRemoved : key::kPartsRemoved,
+                    {{"parts", std::int64_t(parts)},
+                     {"partsText", partsText(parts)},
+                     {"volumeMl", removedMl},
+                     {"volumeText", volumeText(removedMl, volume_.provenance().isCalibrated)},
+                     {"patientMl", patientMl},
+                     {"confidence", std::string(nameOf(confidence))}})};
         if (surface_.touchingSlices > 0) {
             messages.push_back(message(
                 key::kTableTouchesPatient,

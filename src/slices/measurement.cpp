@@ -70,9 +70,16 @@ std::string numberText(double value, int decimals, std::string_view unit = {}) {
     return text.append(unit);
 }
 
+// Of a length or an area; what is not defined is no estimate.
+std::string sizeText(double size, int decimals, std::string_view unit, const Volume& volume) {
+    std::string text = numberText(size, decimals, unit);
+    const bool isEstimate = !volume.provenance().isCalibrated && std::isfinite(size);
+    return isEstimate ? "≈ " + text : text;
+}
+
 std::string textOfEllipse(const Ellipse& ellipse, const Volume& volume) {
     const double area = areaMm2(ellipse);
-    const std::string areaText = numberText(area, decimalsFor(area), " mm²");
+    const std::string areaText = sizeText(area, decimalsFor(area), " mm²", volume);
     const auto values = valuesIn(ellipse, volume);
     if (!values) return fmt::format("{}, {}", kNotDefined, areaText);
     const int decimals = volume.unit() == Unit::hounsfield
@@ -157,8 +164,12 @@ bool liesIn(const Measurement& measurement, const SlicePlane& plane, double tole
                                [&](const glm::dvec3& mm) { return distanceMm(mm) <= toleranceMm; });
 }
 
+bool hasSize(const Measurement& measurement) {
+    return !std::holds_alternative<Angle>(measurement.shape);
+}
+
 std::string textOf(const Measurement& measurement, const Volume& volume) {
-    return std::visit(Overloaded{[](const Distance& d) { return numberText(lengthMm(d), 1, " mm"); },
+    return std::visit(Overloaded{[&](const Distance& d) { return sizeText(lengthMm(d), 1, " mm", volume); },
                                  [](const Angle& a) { return numberText(angleDeg(a), 1, "°"); },
                                  [&](const Ellipse& e) { return textOfEllipse(e, volume); }},
                       measurement.shape);

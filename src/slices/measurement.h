@@ -71,9 +71,12 @@ std::optional<EllipseValues> valuesIn(const Ellipse& ellipse, const Volume& volu
 // All of it within `toleranceMm` of the plane of the frame, and drawn on one parallel to it, to a degree.
 bool liesIn(const Measurement& measurement, const SlicePlane& plane, double toleranceMm);
 
+// Whether it says a length or an area: all but angles do.
+bool hasSize(const Measurement& measurement);
+
 // What is written beside it: "12.3 mm", "45.0°", "120 ± 14 HU, 35 to 160, 310 mm²"; "–" for what is not
-// defined. The unit is Volume::unitName. HU are whole numbers; others have three digits or more. As slow as
-// valuesIn: for whoever draws to keep.
+// defined. Lengths and areas begin with "≈" where the volume is not calibrated. The unit is Volume::unitName.
+// HU are whole numbers; others have three digits or more. As slow as valuesIn: for whoever draws to keep.
 std::string textOf(const Measurement& measurement, const Volume& volume);
 
 }  // namespace macula::slices

@@ -5,6 +5,7 @@
 
 #include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
+#include "viewer/slices/slice_texts.h"
 #include "viewer/status_texts.h"
 
 namespace macula::viewer {
@@ -20,7 +21,7 @@ void MainWindow::setStudyTexts(const app::OpenedStudy& study) {
                              .arg(spacing.x, 0, 'f', 2)
                              .arg(spacing.y, 0, 'f', 2)
                              .arg(spacing.z, 0, 'f', 2);
-    volumeText_->setFullText(text);
+    volumeText_->setFullText(study.volume->provenance().isCalibrated ? text : notCalibrated(text));
     const QString why = inWindowsLanguage(study.whyThisSeries);
     // The description of a series may name a patient.
     if (options_.namesPatient) description_->setFullText(listInWindowsLanguage(study.description), why);

@@ -79,8 +79,9 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
                              .isOfNobody = study().identity.isOfNobody,
                              .isDeidentified = how.isDeidentified()};
     if (how.hasOverlays())
-        picture.stampsFor = [sizePx = picture.sizePx](const Camera& camera) {
-            return overlaysOf(camera, sizePx);
+        picture.stampsFor = [sizePx = picture.sizePx,
+                             isCalibrated = picture.volume->provenance().isCalibrated](const Camera& camera) {
+            return overlaysOf(camera, sizePx, isCalibrated);
         };
     ask(dialog, [this, picture = std::move(picture)](const QString& path) {
         app::ViewPicture wanted = picture;

@@ -285,7 +285,7 @@ void Viewport::fit() {
 
 std::optional<MarkedPicture> Viewport::pictureOnScreen() const {
     if (!shown_ || shown_->study != input_.study) return std::nullopt;
-    return MarkedPicture{shown_->camera, window_->pixels(), window_->devicePixelRatio()};
+    return MarkedPicture{shown_->camera, window_->pixels(), window_->devicePixelRatio(), isCalibrated()};
 }
 
 void Viewport::setCamera(const app::OrbitCamera& camera) {
@@ -330,8 +330,9 @@ void Viewport::updateText() {
 void Viewport::updateMarks() {
     std::optional<Marked> wanted;
     if (input_.volume) {
-        wanted = Marked{.picture = {input_.camera, window_->pixels(), window_->devicePixelRatio()},
-                        .hasCube = marksShown_};
+        wanted =
+            Marked{.picture = {input_.camera, window_->pixels(), window_->devicePixelRatio(), isCalibrated()},
+                   .hasCube = marksShown_};
         for (const PictureTool* tool : tools_)
             std::ranges::copy(tool->marks(geometry()), std::back_inserter(wanted->ofTools));
     }
@@ -343,6 +344,10 @@ void Viewport::updateMarks() {
     input_.marks =
         marked_ ? withToolMarks(cube_, marked_->ofTools, marked_->picture.pixels, marked_->picture.pixelRatio)
                 : nullptr;
+}
+
+bool Viewport::isCalibrated() const {
+    return !input_.volume || input_.volume->provenance().isCalibrated;
 }
 
 double Viewport::sceneDiagonalMm() const {

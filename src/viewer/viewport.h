@@ -124,8 +124,9 @@ class Viewport : public QWidget {
     void turnToSide(QPointF place);
     void fly(double notches);
     bool handleRoll(const QKeyEvent& event);
-    void nudge();             // an interaction without an end: a key, a notch of the wheel
-    std::uint64_t publish();  // its number
+    void nudge();               // an interaction without an end: a key, a notch of the wheel
+    std::uint64_t publish();    // its number
+    bool isCalibrated() const;  // the volume; also without one
     double sceneDiagonalMm() const;
     std::vector<glm::dvec3> outlineMm() const;  // of what is to fit
     void onOutline(const app::OutlineFound& found);

@@ -132,6 +132,7 @@ Result<void> RoomControls::takeWanted(const Show& show) {
 }
 
 std::string RoomControls::sizeText(double scale) const {
+    if (!host_.isCalibrated) return words().notCalibrated;
     if (std::abs(scale - 1.0) < 0.005) return words().realSize;
     const double times = scale >= 1.0 ? scale : 1.0 / scale;
     return filled(scale >= 1.0 ? words().larger : words().smaller,
@@ -239,12 +240,12 @@ Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, con
             followed.stageFromWorld = scaledAbout(
                 followed.stageFromWorld, transformPoint(followed.stageFromWorld, frame.seenMm.centre()), 1.0);
             grasp_.takeAnew();
-            tell(words().isRealSize);
+            tell(host_.isCalibrated ? words().isRealSize : words().notCalibrated);
             return {};
         case PanelButton::recentre:
             followed.stageFromWorld = stageFromWorldBefore(frame.head, frame.seenMm);
             grasp_.takeAnew();
-            tell(words().isBeforeYou);
+            tell(host_.isCalibrated ? words().isBeforeYou : words().notCalibrated);
             return {};
         case PanelButton::otherWrist:
             panelHand_ = 1 - panelHand_;

@@ -18,6 +18,7 @@ namespace macula::xr {
 struct RoomHost {
     std::vector<std::shared_ptr<const TransferFunction>> presets = {};  // to choose from
     RoomWords words = {};
+    bool isCalibrated = true;             // the volume, as in Provenance: of no other a size is told
     std::filesystem::path pictures = {};  // where those that are taken go; empty: none can be taken
     std::function<void(const std::string&)> note = {};
     std::function<void(const RoomState&)> changed = {};

@@ -27,6 +27,7 @@ struct RoomWords {
     std::string realSize = "Real size 1:1";
     std::string larger = "%1 times real size";
     std::string smaller = "1/%1 of real size";
+    std::string notCalibrated = "Size is not calibrated";  // in the place of all sizes
     std::string recentre = "Before me";
     std::string quality = "Quality: %1";
     std::string fast = "fast";

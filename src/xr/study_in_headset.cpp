@@ -163,6 +163,7 @@ Result<HeadsetFigures> showIn(std::shared_ptr<Runtime> runtime, RoomScene scene,
     first.transferFunction = scene.drawing.transferFunction;
     first.clip = scene.drawing.clip;
     first.quality = scene.quality;
+    host.isCalibrated = scene.volume->provenance().isCalibrated;
     kept.controls = std::make_shared<RoomControls>(std::move(host), std::move(first));
     kept.scene = std::move(scene);
     const Clock::time_point begun = Clock::now();

@@ -68,12 +68,14 @@ std::vector<Row> rowsOf(const std::string& csv) {
 }
 
 // 9 x 9 x 3 voxels of 1 mm at their indices: 0 at i = 4 and around, 200 from i = 5 on.
-Volume volumeOf(Unit unit, const std::string& unitName = {}) {
+Volume volumeOf(Unit unit, const std::string& unitName = {}, bool isCalibrated = true) {
     std::vector<std::uint16_t> voxels(9 * 9 * 3);
     for (std::size_t n = 0; n < voxels.size(); ++n) voxels[n] = n % 9 > 4 ? 200 : 0;
     auto made = Volume::create({.size = {9, 9, 3},
                                 .unit = unit,
-                                .provenance = {.studyInstanceUid = "1.2.3.4", .description = "Doe^John"},
+                                .provenance = {.studyInstanceUid = "1.2.3.4",
+                                               .description = "Doe^John",
+                                               .isCalibrated = isCalibrated},
                                 .unitName = unitName},
                                std::move(voxels));
     EXPECT_TRUE(made.ok());
@@ -95,7 +97,7 @@ TEST(MeasurementsCsv, HasALineForEachWithAllNumbers) {
     EXPECT_TRUE(
         csv.starts_with("kind,label,length_mm,angle_deg,area_mm2,voxels,mean,deviation,low,high,unit,"
                         "x1_mm,y1_mm,z1_mm,x2_mm,y2_mm,z2_mm,x3_mm,y3_mm,z3_mm,"
-                        "normal_x,normal_y,normal_z\r\n"));
+                        "normal_x,normal_y,normal_z,calibrated\r\n"));
     std::vector<Row> rows = rowsOf(csv);
     ASSERT_EQ(rows.size(), 3u);
     Row& distance = rows[0];
@@ -197,6 +199,19 @@ TEST(MeasurementsFile, NumbersHaveAPointWhateverTheLocale) {
     EXPECT_EQ(csvThere, csv);
     EXPECT_EQ(textThere, text);
     EXPECT_EQ(rowsOf(csv).at(3).at("length_mm"), "12345.678");
+}
+
+// In spreadsheets each line may go its own way.
+TEST(Measurements, SayWhetherPixelsAreCalibrated) {
+    for (const bool isCalibrated : {true, false}) {
+        const Volume volume = volumeOf(Unit::hounsfield, {}, isCalibrated);
+        std::vector<Row> rows = rowsOf(measurementsCsv(oneOfEachKind(), volume));
+        ASSERT_EQ(rows.size(), 3u);
+        for (Row& row : rows) EXPECT_EQ(row["calibrated"], isCalibrated ? "yes" : "no");
+        EXPECT_EQ(rows[0]["length_mm"], "13.000") << "a number stays one";
+        const json all = json::parse(measurementsJsonText(oneOfEachKind(), volume));
+        EXPECT_EQ(all.at("calibrated"), isCalibrated);
+    }
 }
 
 TEST(MeasurementsJson, HasWhatWasDrawnAndWhatItSays) {

@@ -94,6 +94,23 @@ TEST(StudyTree, ASeriesTellsImagesSizeAndVoxels) {
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 1: Scout")].details, (Texts{"CT · 1 image", "512 × 256"}));
 }
 
+TEST(StudyTree, VoxelsThatAreNotCalibratedAreToldSo) {
+    dicom::Stack stack = test::volumeOf(20);
+    stack.isCalibrated = false;
+    dicom::Scan scan;
+    scan.studies.push_back(
+        test::studyOf(0, "DOE^JANE", "20200102", "Chest",
+                      {test::seriesOf(1, "One", {stack}), test::seriesOf(2, "Two", {stack, stack})}));
+    scan.patients = 1;
+    const FoundVolumes found(std::move(scan));
+    const StudyTree tree = studyTree(found);
+    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 1: One")].details.at(1),
+              "512 × 256 × 20 · 0.7 × 0.5 × 1.25 mm · not calibrated");
+    const StudyRow& several = tree.rows[rowTitled(tree, "Series 2: Two")];
+    ASSERT_EQ(several.children.size(), 2u);
+    EXPECT_EQ(tree.rows[several.children[0]].details.at(1), "0.7 × 0.5 × 1.25 mm · not calibrated");
+}
+
 TEST(StudyTree, SeveralVolumesOfASeriesAreRowsOfTheirOwn) {
     const auto found = test::twoPatients();
     const StudyTree tree = studyTree(*found);

@@ -1,4 +1,7 @@
 // What the C interface tells of a folder: which volume was taken, of whom, and what was left out.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -124,6 +127,26 @@ TEST_F(CFolder, EachVolumeHasItsPlaceAndItsIdentifiers) {
                         EXPECT_EQ(stack.at("size")[2], volume.slices);
                         EXPECT_EQ(of.at("patientId"), isOther ? "SYN2" : "SYN1");
                     }
+    }
+}
+
+TEST_F(CFolder, SaysWhetherPixelsAreCalibrated) {
+    for (const bool isCalibrated : {true, false}) {
+        const dicom::test::TemporaryFolder own;
+        dicom::test::SyntheticSeries series;
+        series.edits.push_back([&](DcmItem& item) {
+            if (!isCalibrated) dicom::test::erase(item, DCM_PixelSpacing);
+            dicom::test::put(item, DCM_ImagerPixelSpacing, "1.1\\0.7");
+        });
+        writeFiles(own.path(), series);
+        const auto study = open(own.path());
+        ASSERT_NE(study, nullptr);
+        auto volume = sized<macula_volume>();
+        ASSERT_EQ(macula_study_volume(study.get(), &volume), MACULA_DONE);
+        EXPECT_EQ(volume.is_uncalibrated, isCalibrated ? 0 : 1);
+        EXPECT_EQ(isSaid(study, "not calibrated"), !isCalibrated);
+        const Json stack = foundIn(study).at("studies")[0].at("series")[0].at("stacks")[0];
+        EXPECT_EQ(stack.at("calibrated"), isCalibrated);
     }
 }
 

@@ -119,6 +119,36 @@ TEST(VolumeFile, RoundTripsAreExact) {
     }
 }
 
+// Of what has a unit, and of what has none.
+TEST(VolumeFile, ThatPixelsAreNotCalibratedIsKept) {
+    const TemporaryFolder folder;
+    for (const Unit unit : {Unit::hounsfield, Unit::raw}) {
+        for (const bool isCalibrated : {true, false}) {
+            const Volume small = smallVolume();
+            VolumeOptions options{.size = small.size(), .worldFromVoxel = small.worldFromVoxel()};
+            options.unit = unit;
+            options.modality = "CT";
+            options.provenance.isCalibrated = isCalibrated;
+            const auto volume = Volume::create(options, {small.voxels().begin(), small.voxels().end()});
+            ASSERT_TRUE(volume.ok());
+            for (const std::string ending : kEndings) {
+                SCOPED_TRACE(ending);
+                const fs::path path = folder / ("c" + ending);
+                expectWritten(*volume, path);
+                const auto back = readBack(path);
+                ASSERT_NE(back, nullptr);
+                EXPECT_EQ(back->provenance().isCalibrated, isCalibrated);
+                EXPECT_EQ(back->unit(), unit);
+                EXPECT_EQ(back->modality(), unit == Unit::raw ? "" : "CT");
+                const auto info = readVolumeFileInfo(path);
+                ASSERT_TRUE(info.ok());
+                EXPECT_EQ(info->isCalibrated, isCalibrated);
+                EXPECT_EQ(info->assumptions.empty(), isCalibrated) << "it is told";
+            }
+        }
+    }
+}
+
 TEST(VolumeFile, PhantomKeepsItsUnitAndStorage) {
     const TemporaryFolder folder;
     const Volume phantom = phantom::make();

@@ -196,6 +196,45 @@ TEST_F(Import, TheUnitMaculaWroteIsTakenUnlessTheTypeChanged) {
     }
 }
 
+// Other values do not calibrate what was not.
+TEST_F(Import, UncalibratedStaysSoWhateverBecameOfTheValues) {
+    for (const auto& [note, isCalibrated] :
+         {std::pair("Macula|int16|HU|CT|uncalibrated", false),
+          std::pair("Macula|float32|HU|CT|uncalibrated", false),
+          std::pair("Macula|int16|||uncalibrated", false), std::pair("Other|int16|HU|CT|uncalibrated", true),
+          std::pair("Macula|int16|HU|CT|", true), std::pair("Macula|int16|HU|CT", true)}) {
+        SCOPED_TRACE(note);
+        NiftiBytes file = makeNifti(4, 2);
+        file.bytes.replace(148, std::string(note).size(), note);
+        const auto volume = import(write("a.nii", file.bytes));
+        ASSERT_NE(volume, nullptr);
+        EXPECT_EQ(volume->provenance().isCalibrated, isCalibrated);
+        EXPECT_NE(anyContains(volume->provenance().assumptions, "not calibrated"), isCalibrated);
+    }
+}
+
+// A millimetre that was only assumed is no measure.
+TEST_F(Import, WithoutASpacingPixelsAreNotCalibrated) {
+    const std::string voxels(2 * 2 * 2 * 2, '\1');
+    const std::string nrrd =
+        "NRRD0004\ntype: short\ndimension: 3\nsizes: 2 2 2\nencoding: raw\nendian: little\n";
+    const std::string meta =
+        "ObjectType = Image\nNDims = 3\nBinaryData = True\nBinaryDataByteOrderMSB = False\nDimSize = 2 2 2\n";
+    const std::string metaEnd = "ElementType = MET_SHORT\nElementDataFile = LOCAL\n";
+    for (const bool isCalibrated : {true, false}) {
+        SCOPED_TRACE(isCalibrated);
+        const auto read = [&](const char* name, const std::string& bytes) {
+            const auto volume = import(write(name, bytes));
+            ASSERT_NE(volume, nullptr);
+            EXPECT_EQ(volume->provenance().isCalibrated, isCalibrated) << name;
+            EXPECT_NE(anyContains(volume->provenance().assumptions, "1 mm was assumed"), isCalibrated)
+                << name;
+        };
+        read("a.nrrd", nrrd + (isCalibrated ? "spacings: 1 1 1\n\n" : "\n") + voxels);
+        read("a.mha", meta + (isCalibrated ? "ElementSpacing = 1 1 1\n" : "") + metaEnd + voxels);
+    }
+}
+
 TEST_F(Import, ValuesThatAreNoFiniteNumberAreCountedAndPadding) {
     NiftiBytes file = makeNifti(16, 4);
     file.set(352, std::nanf(""));

@@ -104,6 +104,7 @@ class Volumes(unittest.TestCase):
         study = macula.study_of(balls(), AFFINE)
         self.assertEqual((study.study_uid, study.series_uid, study.frame_of_reference_uid), ("", "", ""))
         self.assertEqual((study.found["volumes"], study.found["skipped"]), ([], []))
+        self.assertIs(study.is_calibrated, True)
 
     def test_what_is_built_in_has_titles(self):
         self.assertEqual([preset["name"] for preset in macula.built_in()["presets"]], macula.names("presets"))

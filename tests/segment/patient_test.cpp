@@ -39,6 +39,26 @@ TEST_P(OnTable, PatientStaysAndTableGoes) {
     EXPECT_NE(found.confidence, Confidence::none);
     ASSERT_FALSE(found.messages.empty());
     EXPECT_EQ(found.messages[0].key, key::kTableRemoved);
+    EXPECT_NE(found.messages[0].sentence.find(" mL (confidence"), std::string::npos);
+}
+
+// What was taken away has a volume, which is only as good as the size of a voxel.
+TEST(Patient, TheVolumeThatIsLeftOutSaysThatItIsNotCalibrated) {
+    const Made made = make({});
+    VolumeOptions options{.size = made.volume.size(), .worldFromVoxel = made.volume.worldFromVoxel()};
+    options.unitsFromStored = made.volume.unitsFromStored();
+    options.unit = made.volume.unit();
+    options.modality = made.volume.modality();
+    options.padding = made.volume.padding();
+    options.provenance.isCalibrated = false;
+    const auto voxels = made.volume.voxels();
+    const auto volume = Volume::create(options, {voxels.begin(), voxels.end()});
+    ASSERT_TRUE(volume.ok());
+    const PatientMask found = find(*volume);
+    ASSERT_FALSE(found.messages.empty());
+    ASSERT_EQ(found.messages[0].key, key::kTableRemoved);
+    EXPECT_NE(found.messages[0].sentence.find("mL, not calibrated (confidence"), std::string::npos)
+        << found.messages[0].sentence;
 }
 
 // Columns of a tilted gantry: each slice a little higher than the one before.

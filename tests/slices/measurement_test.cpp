@@ -404,6 +404,21 @@ TEST(TextOf, IsWhatARadiologistReads) {
     EXPECT_EQ(text(ellipseAt({5, 20, 99}, {kNaN, 10})), "–, –");
 }
 
+// Lengths and areas; angles and values do not depend on the size of a pixel.
+TEST(TextOf, OfUncalibratedPixelsSizesAreEstimates) {
+    VolumeOptions options{.size = {41, 41, 4}, .unit = Unit::hounsfield};
+    options.provenance.isCalibrated = false;
+    const Volume volume = volumeOf(options, [](const glm::ivec3& v) { return v.x < 20 ? 35 : 160; });
+    const auto text = [&](const auto& shape) { return textOf({.shape = shape}, volume); };
+    EXPECT_EQ(text(Distance{{glm::dvec3(0.0), {12.34, 0, 0}}}), "≈ 12.3 mm");
+    EXPECT_EQ(text(Distance{{glm::dvec3(0.0), {kNaN, 0, 0}}}), "–");
+    EXPECT_EQ(text(Angle{{glm::dvec3(1, 0, 0), {}, {1, 1, 0}}}), "45.0°");
+    EXPECT_EQ(text(ellipseAt({20, 20, 2}, glm::dvec2(5.001))), "106 ± 62 HU, min 35, max 160, ≈ 78.6 mm²");
+    EXPECT_TRUE(hasSize({.shape = Distance{}}));
+    EXPECT_FALSE(hasSize({.shape = Angle{}}));
+    EXPECT_TRUE(hasSize({.shape = Ellipse{}}));
+}
+
 TEST(TextOf, HasTheUnitOfTheVolumeAndDigitsForSmallValues) {
     const Ellipse ellipse = ellipseAt({20, 20, 2}, glm::dvec2(5.001));
     const auto text = [&](Unit unit, const std::string& name, const UnitsFromStored& map) {

@@ -130,6 +130,28 @@ TEST_F(CubeAndScale, AnotherCameraHasOtherMarks) {
     EXPECT_NE(paintCubeAndScale(pictureOf(camera))->rgba, front) << "it says where the bar is true";
 }
 
+// In a second line; the cube stands as much higher, and is clicked there.
+TEST_F(CubeAndScale, TheScaleSaysThatPixelsAreNotCalibrated) {
+    for (const bool isParallel : {true, false}) {
+        app::OrbitCamera camera = parallel(300);
+        camera.isParallel = isParallel;
+        MarkedPicture picture = pictureOf(camera);
+        const auto calibrated = paintCubeAndScale(picture);
+        ASSERT_TRUE(calibrated && scaleBarOf(picture));
+        const QString text = scaleBarOf(picture)->text;
+        picture.isCalibrated = false;
+        const auto estimate = paintCubeAndScale(picture);
+        ASSERT_TRUE(estimate);
+        EXPECT_EQ(scaleBarOf(picture)->text, QStringLiteral("≈ ") + text);
+        EXPECT_GE(estimate->size.width, calibrated->size.width);
+        EXPECT_GT(estimate->size.height, calibrated->size.height);
+        EXPECT_EQ(cornerOf(*estimate).y() + int(estimate->size.height),
+                  cornerOf(*calibrated).y() + int(calibrated->size.height));
+        EXPECT_GT(estimate->boxes.back().extent.height, calibrated->boxes.back().extent.height);
+        EXPECT_EQ(cubeSideAt(picture, placeOf(picture, cubeMiddle(picture))), ViewDirection::anterior);
+    }
+}
+
 TEST_F(CubeAndScale, WhatIsClickedIsTheSideThatIsSeen) {
     app::OrbitCamera camera = parallel(300);
     const MarkedPicture front = pictureOf(camera);

@@ -121,7 +121,7 @@ TEST_F(MoviePanelTest, LettersStandAtTheirEdges) {
 TEST_F(MoviePanelTest, OverlaysOfASavedPictureAreLettersCubeAndScale) {
     const Camera anterior = toCamera(app::OrbitCamera{});
     const auto letters = stampsOf({}, app::edgeLetters(app::OrbitCamera{}), {1280, 720});
-    const auto all = overlaysOf(anterior, {1280, 720});
+    const auto all = overlaysOf(anterior, {1280, 720}, true);
     ASSERT_GT(all.size(), letters.size()) << "cube and scale";
     for (std::size_t i = 0; i < letters.size(); ++i) {
         EXPECT_EQ(all[i].atPx, letters[i].atPx);
@@ -135,13 +135,13 @@ TEST_F(MoviePanelTest, OverlaysOfASavedPictureAreLettersCubeAndScale) {
         EXPECT_LE(all[i].atPx.y + all[i].sizePx.y, 720);
     }
     // Twice the picture, twice the marks.
-    const auto large = overlaysOf(anterior, {2560, 1440});
+    const auto large = overlaysOf(anterior, {2560, 1440}, true);
     EXPECT_NEAR(large.back().sizePx.y, 2 * all.back().sizePx.y, 4);
-    EXPECT_EQ(overlaysOf(anterior, {64, 48}).size(), 4u) << "letters alone";
-    EXPECT_TRUE(overlaysOf(anterior, {0, 48}).empty());
+    EXPECT_EQ(overlaysOf(anterior, {64, 48}, true).size(), 4u) << "letters alone";
+    EXPECT_TRUE(overlaysOf(anterior, {0, 48}, true).empty());
     Camera none = anterior;
     none.targetMm = none.positionMm;
-    EXPECT_TRUE(overlaysOf(none, {640, 480}).empty());
+    EXPECT_TRUE(overlaysOf(none, {640, 480}, true).empty());
 }
 
 class VideoEncoderTest : public test::OffscreenTest {

@@ -1,6 +1,8 @@
 // The segmentations of a study under a real hand: found, loaded, on slices, in 3D, and undone.
 #include "viewer/segmentation/segmentation_panel.h"
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
 #include <gtest/gtest.h>
 
 #include <QLabel>
@@ -111,6 +113,28 @@ class SegmentationPanelTest : public test::OffscreenTest {
     std::optional<HiddenVoxels> hidden_;
     std::optional<SegmentationPanel> panel_;
 };
+
+TEST_F(SegmentationPanelTest, VolumesInUncalibratedImagesSayThatTheyAreEstimates) {
+    openFolder();
+    showFirst();
+    const QString ml = segment(0).text(1);
+    EXPECT_TRUE(ml.front().isDigit()) << ml.toStdString();
+    EXPECT_FALSE(find<QLabel>("segments-notes").text().contains(QStringLiteral("not calibrated")));
+
+    series_.edits.push_back([this](DcmItem& item) {
+        dicom::test::erase(item, DCM_PixelSpacing);
+        dicom::test::put(item, DCM_ImagerPixelSpacing,
+                         dicom::test::decimals({glm::length(glm::dvec3(series_.worldFromVoxel[1])),
+                                                glm::length(glm::dvec3(series_.worldFromVoxel[0]))}));
+    });
+    std::filesystem::remove_all(folder_ / "ct");
+    dicom::test::writeFiles(folder_ / "ct", series_);
+    openFolder();
+    showFirst();
+    EXPECT_EQ(segment(0).text(1), QStringLiteral("≈ ") + ml);
+    EXPECT_TRUE(segment(0).toolTip(1).contains(QStringLiteral("not calibrated")));
+    EXPECT_TRUE(find<QLabel>("segments-notes").text().contains(QStringLiteral("not calibrated")));
+}
 
 TEST_F(SegmentationPanelTest, InColourASegmentIsTintedIn3d) {
     openFolder();

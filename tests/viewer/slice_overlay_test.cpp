@@ -56,6 +56,18 @@ TEST_F(SliceOverlayTest, TheCrossHairLeavesLinesOfTextFree) {
     EXPECT_TRUE(isFreeIn(overlay, below));
 }
 
+// Beside the scale, and nowhere else: what is drawn in the rest of the pane is the same.
+TEST_F(SliceOverlayTest, TheScaleSaysThatPixelsAreNotCalibrated) {
+    const SliceOverlay calibrated = coronal();
+    SliceOverlay estimate = coronal();
+    estimate.isCalibrated = false;
+    EXPECT_NE(painted(calibrated), painted(estimate));
+    const QRect corner(kPane.width() / 2, kPane.height() - 40, kPane.width() / 2, 40);
+    EXPECT_NE(painted(calibrated).copy(corner), painted(estimate).copy(corner));
+    const QRect above(0, 0, kPane.width(), kPane.height() - 40);
+    EXPECT_EQ(painted(calibrated).copy(above), painted(estimate).copy(above));
+}
+
 TEST_F(SliceOverlayTest, ACrossHairOutsideOfThePaneIsNotDrawn) {
     SliceOverlay overlay = coronal();
     overlay.crosshairMm = glm::dvec3(1e6, 1e6, 1e6);

@@ -10,6 +10,7 @@
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/measurement_drawing.h"
 #include "viewer/slices/measurement_handles.h"
+#include "viewer/slices/measurement_texts.h"
 #include "viewer/slices/pane_view.h"
 #include "viewer/slices/scale_bar.h"
 #include "viewer/slices/slice_steps.h"
@@ -24,7 +25,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ScaleBar, IsARoundNumberAndAsLongAsItMayBe) {
     for (double mmPerPx = 1e-3; mmPerPx < 1e3; mmPerPx *= 1.37) {
-        const auto bar = scaleBar(mmPerPx, 120.0);
+        const auto bar = scaleBar(mmPerPx, 120.0, true);
         ASSERT_TRUE(bar) << mmPerPx;
         const double power = std::pow(10.0, std::floor(std::log10(bar->lengthMm) + 1e-6));
         const double digit = bar->lengthMm / power;
@@ -37,13 +38,42 @@ TEST(ScaleBar, IsARoundNumberAndAsLongAsItMayBe) {
 }
 
 TEST(ScaleBar, IsInCentimetresFromOneOn) {
-    EXPECT_EQ(scaleBar(0.5, 120.0)->text, "5 cm");
-    EXPECT_EQ(scaleBar(1.0, 100.0)->text, "10 cm");
-    EXPECT_EQ(scaleBar(0.05, 120.0)->text, "5 mm");
-    EXPECT_EQ(scaleBar(0.005, 100.0)->text, "0.5 mm");
+    EXPECT_EQ(scaleBar(0.5, 120.0, true)->text, "5 cm");
+    EXPECT_EQ(scaleBar(1.0, 100.0, true)->text, "10 cm");
+    EXPECT_EQ(scaleBar(0.05, 120.0, true)->text, "5 mm");
+    EXPECT_EQ(scaleBar(0.005, 100.0, true)->text, "0.5 mm");
     for (const double bad : {0.0, -1.0, kNaN, std::numeric_limits<double>::infinity()})
-        EXPECT_FALSE(scaleBar(bad, 120.0));
-    EXPECT_FALSE(scaleBar(1.0, 0.0));
+        EXPECT_FALSE(scaleBar(bad, 120.0, true));
+    EXPECT_FALSE(scaleBar(1.0, 0.0, true));
+}
+
+TEST(ScaleBar, SaysThatItIsAnEstimate) {
+    const auto bar = scaleBar(0.5, 120.0, false);
+    ASSERT_TRUE(bar);
+    EXPECT_EQ(bar->text, QStringLiteral("≈ 5 cm"));
+    EXPECT_FALSE(bar->isCalibrated);
+    EXPECT_DOUBLE_EQ(bar->lengthMm, 50.0);
+    EXPECT_EQ(notCalibrated(bar->text), QStringLiteral("≈ 5 cm, not calibrated"));
+    EXPECT_EQ(sizeText(QStringLiteral("310 mm²"), false), QStringLiteral("≈ 310 mm², not calibrated"));
+    EXPECT_EQ(sizeText(QStringLiteral("310 mm²"), true), QStringLiteral("310 mm²"));
+}
+
+TEST(MeasurementTexts, SayThatSizesAreNotCalibratedAndLeaveAnglesAlone) {
+    VolumeOptions options = test::sliceVolumeOptions();
+    options.provenance.isCalibrated = false;
+    const auto volume = test::sliceVolume(std::move(options));
+    MeasurementTexts texts;
+    const slices::Distance distance{{glm::dvec3(0.0), glm::dvec3(3.0, 4.0, 0.0)}};
+    EXPECT_EQ(texts.of({.shape = distance}, *volume), QStringLiteral("≈ 5.0 mm, not calibrated"));
+    EXPECT_EQ(texts.of({.label = "cyst", .shape = distance}, *volume),
+              QStringLiteral("cyst: ≈ 5.0 mm, not calibrated"));
+    const slices::Angle angle{{glm::dvec3(1, 0, 0), glm::dvec3(0.0), glm::dvec3(0, 1, 0)}};
+    EXPECT_EQ(texts.of({.shape = angle}, *volume), QStringLiteral("90.0°"));
+    slices::Ellipse ellipse{.radiiMm = {2.0, 2.0}};
+    EXPECT_EQ(texts.of({.shape = ellipse}, *volume),
+              QStringLiteral("0 ± 0 HU, min 0, max 0, ≈ 12.6 mm², not calibrated"));
+    texts.forget();
+    EXPECT_EQ(texts.of({.shape = distance}, *test::sliceVolume()), QStringLiteral("5.0 mm"));
 }
 
 TEST(SliceSteps, GoThroughTheVoxelsOfAStraightVolume) {

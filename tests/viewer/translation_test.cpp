@@ -103,7 +103,7 @@ TEST(Translation, WordsOfTheHeadsetFitItsPanel) {
         if (text.context != QLatin1String("HeadsetWords")) continue;
         words[text.source] = QString(text.translation).replace(QStringLiteral("ß"), QStringLiteral("SS"));
     }
-    ASSERT_EQ(words.size(), 26u);
+    ASSERT_EQ(words.size(), 27u);
     constexpr int kButtonLetters = 15;
     constexpr int kPanelLetters = 32;
     constexpr int kSentenceLetters = 52;
@@ -116,7 +116,8 @@ TEST(Translation, WordsOfTheHeadsetFitItsPanel) {
         EXPECT_LE(words.at("Quality: %1").arg(words.at(quality)).size(), kPanelLetters) << quality;
     for (const char* size : {"%1 times real size", "1/%1 of real size"})
         EXPECT_LE(words.at(size).arg("100,00").size(), kPanelLetters) << size;
-    EXPECT_LE(words.at("Not for primary diagnosis").size(), kPanelLetters);
+    for (const char* line : {"Not for primary diagnosis", "Size is not calibrated"})
+        EXPECT_LE(words.at(line).size(), kPanelLetters) << line;
     words["Picture %1 is written."] = words.at("Picture %1 is written.").arg("macula-headset-100.png");
     for (const auto& [source, translation] : words)
         EXPECT_LE(translation.size(), kSentenceLetters) << source.toStdString();
@@ -201,6 +202,24 @@ TEST_F(GermanTest, WindowsOfSlicesAndTheErrorOf16BitsArriveInGerman) {
                                             "error of at most 0.25 SUV.")),
               QStringLiteral("Die Werte wurden für das Bild auf 16 Bit gebracht, mit einem Fehler von "
                              "höchstens 0,25 SUV."));
+}
+
+TEST_F(GermanTest, WhatIsNotCalibratedArrivesInGerman) {
+    EXPECT_EQ(inWindowsLanguage(std::string("The table is left out, and whatever else lies apart from the "
+                                            "patient: 3 parts, ≈ 120 mL, not calibrated (confidence high).")),
+              QStringLiteral("Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: 3 Teile, "
+                             "≈ 120 mL, nicht kalibriert (Sicherheit: hoch)."));
+    EXPECT_EQ(inWindowsLanguage(std::string("The table is left out, and whatever else lies apart from the "
+                                            "patient: 1 part, 120 mL (confidence high).")),
+              QStringLiteral("Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: 1 Teil, "
+                             "120 mL (Sicherheit: hoch)."));
+    EXPECT_EQ(listInWindowsLanguage("512 × 256 · 1 × 1 × 2 mm · not calibrated", QStringLiteral(" · ")),
+              QStringLiteral("512 × 256 · 1 × 1 × 2 mm · nicht kalibriert"));
+    EXPECT_EQ(inWindowsLanguage(std::string("Images that do not say by what kind of device they were taken "
+                                            "(Modality): 2 of 12; they were taken for CT, by their kind of "
+                                            "object.")),
+              QStringLiteral("Bilder, die nicht sagen, mit was für einem Gerät sie aufgenommen wurden "
+                             "(Modality): 2 von 12; sie gelten als CT, nach der Art ihrer Objekte."));
 }
 
 TEST_F(GermanTest, KeysAndTitlesOfWhatIsBuiltInHaveOne) {

@@ -33,9 +33,12 @@ std::shared_ptr<const TransferFunction> preset(const std::string& name) {
 class RoomControlsTest : public ::testing::Test {
   protected:
     void SetUp() override { begin({}); }
-    void begin(RoomWords words, std::vector<std::shared_ptr<const TransferFunction>> presets = {
-                                    preset("one"), preset("two"), preset("three")}) {
+    void begin(RoomWords words,
+               std::vector<std::shared_ptr<const TransferFunction>> presets = {preset("one"), preset("two"),
+                                                                               preset("three")},
+               bool isCalibrated = true) {
         RoomHost host;
+        host.isCalibrated = isCalibrated;
         host.words = std::move(words);
         host.presets = std::move(presets);
         host.pictures = "somewhere";
@@ -360,6 +363,19 @@ TEST_F(RoomControlsTest, SizeIsSaidAndGoesBackToReal) {
     const glm::dmat4 before = stageFromWorldBefore(kHead, kSeen);
     for (int column = 0; column < 4; ++column)
         EXPECT_NEAR(glm::distance(placed_[column], before[column]), 0.0, 1e-9);
+}
+
+TEST_F(RoomControlsTest, OfUncalibratedPixelsNoSizeIsClaimed) {
+    begin({}, {preset("one")}, false);
+    frame({});
+    EXPECT_EQ(controls_->texts().size, RoomWords{}.notCalibrated);
+    for (const PanelButton button : {PanelButton::realSize, PanelButton::recentre}) {
+        press(button);
+        EXPECT_EQ(controls_->texts().size, RoomWords{}.notCalibrated);
+        ASSERT_FALSE(notes_.empty());
+        EXPECT_EQ(notes_.back(), RoomWords{}.notCalibrated);
+        notes_.clear();
+    }
 }
 
 TEST_F(RoomControlsTest, TheOtherWristHasThePanelAndNoStrayCut) {

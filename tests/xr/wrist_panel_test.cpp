@@ -102,9 +102,10 @@ TEST(WristPanel, WordsFitTheirButtons) {
     for (const std::string& text : {words.isRealSize, words.isBeforeYou, words.nothingLeft, words.noMoreCuts,
                                     words.lostPlace, filled(words.pictureWritten, "macula-headset-100.png")})
         EXPECT_LE(int(signsOf(text).size()), 52) << text;
-    for (const std::string& text : {filled(words.quality, words.fast), filled(words.quality, words.balanced),
-                                    filled(words.quality, words.fine), filled(words.larger, "100.00"),
-                                    filled(words.smaller, "100.00"), words.notForDiagnosis})
+    for (const std::string& text :
+         {filled(words.quality, words.fast), filled(words.quality, words.balanced),
+          filled(words.quality, words.fine), filled(words.larger, "100.00"), filled(words.smaller, "100.00"),
+          words.notCalibrated, words.notForDiagnosis})
         EXPECT_LE(int(signsOf(text).size()), (384 + 2) / 12) << text;
     RoomWords others;
     others.undo =

@@ -43,7 +43,7 @@ Said saidBy(const Measurement& measurement, const Volume& volume) {
 constexpr std::array kColumns{"kind",  "label",     "length_mm", "angle_deg", "area_mm2", "voxels",
                               "mean",  "deviation", "low",       "high",      "unit",     "x1_mm",
                               "y1_mm", "z1_mm",     "x2_mm",     "y2_mm",     "z2_mm",    "x3_mm",
-                              "y3_mm", "z3_mm",     "normal_x",  "normal_y",  "normal_z"};
+                              "y3_mm", "z3_mm",     "normal_x",  "normal_y",  "normal_z", "calibrated"};
 constexpr std::size_t kMostPoints = 3;
 
 std::string field(std::string_view text) {
@@ -98,6 +98,7 @@ std::string lineOf(const Measurement& measurement, const Volume& volume) {
             fields.push_back(i < points.size() ? number(points[i][axis]) : std::string());
     }
     for (int axis = 0; axis < 3; ++axis) fields.push_back(number(measurement.normal[axis]));
+    fields.emplace_back(volume.provenance().isCalibrated ? "yes" : "no");
     MACULA_CHECK_EQ(fields.size(), kColumns.size());
     return line(fields);
 }
@@ -146,7 +147,10 @@ std::string measurementsCsv(std::span<const Measurement> measurements, const Vol
 std::string measurementsJsonText(std::span<const Measurement> measurements, const Volume& volume) {
     Json all = Json::array();
     for (const Measurement& measurement : measurements) all.push_back(jsonOf(measurement, volume));
-    return prettyJson({{"version", 1}, {"frame", "patient LPS, mm"}, {"measurements", std::move(all)}});
+    return prettyJson({{"version", 1},
+                       {"frame", "patient LPS, mm"},
+                       {"calibrated", volume.provenance().isCalibrated},
+                       {"measurements", std::move(all)}});
 }
 
 Result<void> writeMeasurements(const std::filesystem::path& path, std::span<const Measurement> measurements,

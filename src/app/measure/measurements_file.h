@@ -15,10 +15,11 @@ namespace macula::app {
 // RFC 4180, in UTF-8: a line of names, then one for each measurement; lines end with CR LF. Numbers have a
 // point and three decimals, values nine digits, whatever the locale; what a measurement does not have is
 // empty. Points are those of slices::pointsOf. No text is one that a spreadsheet would run: where it begins
-// like a formula, an apostrophe is put before it.
+// like a formula, an apostrophe is put before it. The last field says whether pixels are calibrated: "no"
+// where points, lengths and areas are estimates.
 std::string measurementsCsv(std::span<const slices::Measurement> measurements, const Volume& volume);
 
-//   { "version": 1, "frame": "patient LPS, mm", "measurements": [{as slices_json.h}] }
+//   { "version": 1, "frame": "patient LPS, mm", "calibrated": true, "measurements": [{as slices_json.h}] }
 // A distance has "lengthMm" besides, an angle "angleDeg", and an ellipse "areaMm2", "voxels", "mean",
 // "deviation", "low", "high" and "unit"; those behind the area are missing where there is no voxel, and a
 // number that is not defined is null.

@@ -70,7 +70,10 @@ Json toJson(const dicom::Stack& stack, const std::string& place, bool isBest, Pa
         json["splitBy"] = labels;
     }
     if (stack.phases > 1) json["phase"] = {{"index", stack.phase}, {"count", stack.phases}};
-    if (stack.spacingMm) json["spacingMm"] = toJson(*stack.spacingMm);
+    if (stack.spacingMm) {
+        json["spacingMm"] = toJson(*stack.spacingMm);
+        json["calibrated"] = stack.isCalibrated;
+    }
     if (stack.firstPositionMm) json["firstPositionMm"] = toJson(*stack.firstPositionMm);
     if (stack.lastPositionMm) json["lastPositionMm"] = toJson(*stack.lastPositionMm);
     if (stack.worldFromVoxel) json["worldFromVoxel"] = toJson(*stack.worldFromVoxel);

@@ -75,8 +75,10 @@ std::string sizeText(const dicom::Stack& stack) {
 
 std::string voxelText(const dicom::Stack& stack) {
     if (!stack.canBeVolume() || !stack.spacingMm) return {};
-    return fmt::format("{:.3g}{}{:.3g}{}{:.3g} mm", stack.spacingMm->x, kTimes, stack.spacingMm->y, kTimes,
-                       stack.spacingMm->z);
+    std::string text = fmt::format("{:.3g}{}{:.3g}{}{:.3g} mm", stack.spacingMm->x, kTimes,
+                                   stack.spacingMm->y, kTimes, stack.spacingMm->z);
+    if (!stack.isCalibrated) text += fmt::format("{}not calibrated", kBetween);
+    return text;
 }
 
 // What stands for a series: the volume with most images, else the stack with most.

@@ -9,6 +9,7 @@ namespace macula::app {
 nlohmann::ordered_json toJson(const formats::VolumeFileInfo& info, const Volume* volume) {
     nlohmann::ordered_json json = {{"format", info.format}, {"values", info.values}};
     json.update(gridToJson(info.size, info.worldFromVoxel));
+    json["calibrated"] = info.isCalibrated;
     json["sheared"] = isSheared(info.worldFromVoxel);
     if (volume != nullptr) {
         json["unit"] = volume->unitName();

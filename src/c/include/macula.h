@@ -225,6 +225,8 @@ typedef struct macula_volume {
     const char* study_uid;
     const char* series_uid;
     const char* frame_of_reference_uid;
+    int32_t is_uncalibrated; /* spacing_mm is an estimate, and with it each length, area and volume */
+    int32_t reserved;        /* 0 */
 } macula_volume;
 /* What is known of it; nothing is loaded. */
 MACULA_API macula_status macula_study_volume(const macula_study* study, macula_volume* volume);

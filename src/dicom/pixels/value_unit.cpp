@@ -49,8 +49,10 @@ ValueUnit valueUnit(std::string_view modality, std::span<const Frame> frames) {
     };
     const std::string name = nameOf(frames.front());
     if (std::ranges::any_of(frames, [&](const Frame& frame) { return nameOf(frame) != name; })) return {};
-    if (modality == "CT" && whyNoHounsfield(frames).empty()) return {Unit::hounsfield, {}};
-    if (modality == "CT" && isHounsfield(name)) return {};
+    // Of an unknown device only the type of the rescale can say so.
+    const bool mayBeHounsfield = modality == "CT" || (modality.empty() && isHounsfield(name));
+    if (mayBeHounsfield && whyNoHounsfield(frames).empty()) return {Unit::hounsfield, {}};
+    if (mayBeHounsfield && isHounsfield(name)) return {};
     if (isOneOf(name, {"BQML", "Bq/ml", "Bq/mL"})) return {Unit::becquerelsPerMillilitre, {}};
     if (isOneOf(name, {"g/ml{SUVbw}", "{SUVbw}g/ml"})) return {Unit::suvBodyWeight, {}};
     if (modality == "RTDOSE" && name == "GY") return {Unit::other, "Gy"};  // PS3.3 C.8.8.3

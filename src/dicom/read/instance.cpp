@@ -67,6 +67,8 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
     instance->sopInstanceUid = header.text(tag::kSopInstanceUid).value_or("");
     instance->transferSyntaxUid = header.transferSyntaxUid();
     instance->modality = header.text(tag::kModality).value_or("");
+    instance->modalityMissing = instance->modality.empty();
+    if (instance->modalityMissing) instance->modality = modalityOfClass(instance->sopClassUid);
     instance->photometricInterpretation = header.text(tag::kPhotometricInterpretation).value_or("");
     instance->instanceNumber = header.integer(tag::kInstanceNumber);
     instance->columns = header.integer(tag::kColumns).value_or(0);

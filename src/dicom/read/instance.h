@@ -25,7 +25,8 @@ struct Instance {
     std::string sopInstanceUid;
     std::string transferSyntaxUid;
     std::string photometricInterpretation;
-    std::string modality;
+    std::string modality;          // that of the SOP class where the file does not say; else empty then
+    bool modalityMissing = false;  // Modality, which each image has to have (type 1, PS3.3 C.7.3.1)
     std::optional<int> instanceNumber;
     int columns = 0;
     int rows = 0;

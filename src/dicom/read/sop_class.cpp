@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace macula::dicom {
 
@@ -81,6 +82,25 @@ bool isImage(std::string_view sopClassUid) {
 bool isProjection(std::string_view sopClassUid) {
     const Kind* kind = kindOf(sopClassUid);
     return kind != nullptr && kind->projection;
+}
+
+std::string_view modalityOfClass(std::string_view sopClassUid) {
+    using Pair = std::pair<std::string_view, std::string_view>;
+    constexpr std::array kModalities = std::to_array<Pair>({
+        {sop_class::kCtImage, "CT"},
+        {sop_class::kEnhancedCtImage, "CT"},
+        {sop_class::kLegacyConvertedEnhancedCtImage, "CT"},
+        {UID_MRImageStorage, "MR"},
+        {UID_EnhancedMRImageStorage, "MR"},
+        {UID_LegacyConvertedEnhancedMRImageStorage, "MR"},
+        {UID_PositronEmissionTomographyImageStorage, "PT"},
+        {UID_EnhancedPETImageStorage, "PT"},
+        {UID_LegacyConvertedEnhancedPETImageStorage, "PT"},
+        {UID_NuclearMedicineImageStorage, "NM"},
+        {UID_RTDoseStorage, "RTDOSE"},
+    });
+    const auto found = std::ranges::find(kModalities, sopClassUid, &Pair::first);
+    return found == kModalities.end() ? std::string_view() : found->second;
 }
 
 std::string describeSopClass(std::string_view sopClassUid) {

@@ -32,6 +32,9 @@ bool isImage(std::string_view sopClassUid);
 // Images that look through or at the patient from outside, and are no slices, whatever else they say.
 bool isProjection(std::string_view sopClassUid);
 
+// The only modality that PS3.3 allows for images of the class; empty where there may be several.
+std::string_view modalityOfClass(std::string_view sopClassUid);
+
 // For a person: "Segmentation", "Structured report"; the keyword, or the UID of none that DCMTK
 // knows, when it is none of the common ones.
 std::string describeSopClass(std::string_view sopClassUid);

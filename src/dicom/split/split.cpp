@@ -433,6 +433,11 @@ std::size_t countOfSharedUids(const Part& part, const std::vector<Frame>& frames
     return sharing;
 }
 
+std::string modalityOf(const std::vector<Frame>& frames, const std::string& ofSeries) {
+    const std::string& own = frames.front().instance->modality;
+    return own.empty() ? ofSeries : own;
+}
+
 // Files that share an identifier and a position, and differ: the first of each stays.
 std::vector<Stack> takeCopies(std::vector<Frame>& frames, const std::string& modality,
                               std::vector<Message>& messages) {
@@ -444,7 +449,8 @@ std::vector<Stack> takeCopies(std::vector<Frame>& frames, const std::string& mod
     for (std::size_t copy = 1; copy < partition.size(); ++copy) {
         std::vector<Frame> taken;
         for (const std::size_t index : partition[copy].frames) taken.push_back(frames[index]);
-        stacks.push_back(makeStack(std::move(taken), {{"Copy", partition[copy].values.front()}}, modality));
+        const std::string own = modalityOf(taken, modality);
+        stacks.push_back(makeStack(std::move(taken), {{"Copy", partition[copy].values.front()}}, own));
     }
     messages.push_back(message(key::kDuplicateInstances,
                                {{"count", std::int64_t(frames.size() - partition.front().frames.size())}}));
@@ -452,11 +458,6 @@ std::vector<Stack> takeCopies(std::vector<Frame>& frames, const std::string& mod
     for (const std::size_t index : partition.front().frames) kept.push_back(std::move(frames[index]));
     frames = std::move(kept);
     return stacks;
-}
-
-std::string modalityOf(const std::vector<Frame>& frames, const std::string& ofSeries) {
-    const std::string& own = frames.front().instance->modality;
-    return own.empty() ? ofSeries : own;
 }
 
 }  // namespace

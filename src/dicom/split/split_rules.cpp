@@ -1,5 +1,7 @@
 #include "dicom/split/split_rules.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -28,9 +30,15 @@ Tag tagOf(const std::string& text) {
     return {hex(0), hex(5)};
 }
 
-// One tag; two with a plus, the second with the first before it; or with a slash, the second in an item of
-// the first.
+// One tag; two with a plus, the second with the first before it; with a slash, the second in an item of the
+// first; or with a minus, a tag and what may have been added to its number.
 Attribute::Source sourceOf(const std::string& text) {
+    const std::size_t minus = text.find('-');
+    if (minus != std::string::npos) {
+        const auto bias = finiteNumber(std::string_view(text).substr(minus + 1));
+        MACULA_CHECK(bias && *bias > 0.0);
+        return {.before = {}, .tag = tagOf(text.substr(0, minus)), .bias = *bias};
+    }
     const std::size_t plus = text.find('+');
     if (plus != std::string::npos) return {tagOf(text.substr(0, plus)), tagOf(text.substr(plus + 1))};
     const std::size_t slash = text.find('/');
@@ -132,8 +140,19 @@ bool sameNumber(const Attribute& attribute, std::string_view a, std::string_view
     return std::abs(*x - *y) <= allowed;
 }
 
+// The first number without what was added to it; text that is no number as it is.
+std::string withoutBias(std::string text, double bias) {
+    const auto number = numberOf(text);
+    if (!number) return text;
+    return fmt::format("{}", *number < bias ? *number : *number - bias);
+}
+
 std::optional<std::string> textAt(const Dataset& frame, const Attribute::Source& source) {
-    if (!source.within) return frame.text(source.tag);
+    if (!source.within) {
+        auto text = frame.text(source.tag);
+        if (text && source.bias > 0.0) text = withoutBias(*std::move(text), source.bias);
+        return text;
+    }
     const std::vector<Dataset> items = frame.items(*source.within);
     return items.empty() ? std::nullopt : items.front().text(source.tag);
 }

@@ -18,11 +18,13 @@ struct Attribute {
     enum class Reading { value, list, dimensions };
 
     // Where the attribute may be; `before` is put in front of the value where there is one: the date before a
-    // time. `within`: in the first item of that sequence.
+    // time. `within`: in the first item of that sequence. `bias`: the value is the first number without it,
+    // where that is not less; 0 where there is none.
     struct Source {
         std::optional<Tag> before;
         Tag tag;
         std::optional<Tag> within = {};
+        double bias = 0.0;
 
         bool operator==(const Source&) const = default;
     };

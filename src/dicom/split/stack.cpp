@@ -36,6 +36,22 @@ bool isMosaic(const Frame& frame) {
     return std::ranges::find(frame.imageType, "MOSAIC") != frame.imageType.end();
 }
 
+// A stack whose images say no modality has the one of their SOP class, or that of the series' first file.
+void tellMissingModality(Stack& stack) {
+    const auto isMissing = [](const Frame& f) { return f.instance->modalityMissing; };
+    const auto first = std::ranges::find_if(stack.frames, isMissing);
+    if (first == stack.frames.end()) return;
+    const auto count = std::ranges::count_if(stack.frames, isMissing);
+    // What others of the series say is text of a file, which may be anything, and is not repeated.
+    const std::string& ofClass = first->instance->modality;
+    const std::string taken = !ofClass.empty()         ? ofClass + ", by their kind of object"
+                              : stack.modality.empty() ? "images of an unknown device"
+                                                       : "what others of the series are";
+    tell(stack, message(key::kMissingModality, {{"count", std::int64_t(count)},
+                                                {"total", std::int64_t(stack.frames.size())},
+                                                {"modality", taken}}));
+}
+
 // The few frames whose rescale differs from the one that all others share; none where each has its own.
 std::vector<const Frame*> deviatingRescales(const std::vector<Frame>& frames) {
     constexpr std::size_t kOneOf = 4;
@@ -248,8 +264,11 @@ void assessGeometry(Stack& stack) {
     stack.orientation =
         strongest(first.rowDirection) + strongest(first.columnDirection) + strongest(first.normal());
     for (Message& message : geometry.messages) tell(stack, std::move(message));
-    if (const auto source = stack.frames.front().spacingSource; source != PixelSpacingSource::pixelSpacing) {
-        tell(stack, message(key::kUncalibrated, {{"source", std::string(nameOf(source))}}));
+    const auto estimated = std::ranges::find_if(
+        stack.frames, [](const Frame& f) { return f.spacingSource != PixelSpacingSource::pixelSpacing; });
+    if (estimated != stack.frames.end()) {
+        stack.isCalibrated = false;
+        tell(stack, message(key::kUncalibrated, {{"source", std::string(nameOf(estimated->spacingSource))}}));
     }
     if (!geometry.worldFromVoxel) return;
     stack.worldFromVoxel = geometry.worldFromVoxel;
@@ -283,6 +302,7 @@ void assess(Stack& stack, const std::string& modality) {
     });
     stack.columns = stack.frames.front().instance->columns;
     stack.rows = stack.frames.front().instance->rows;
+    tellMissingModality(stack);
     assessPixels(stack);
     assessRescale(stack, modality);
     if (isLocalizer(stack)) tell(stack, message(key::kLocalizer));

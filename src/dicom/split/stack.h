@@ -32,6 +32,7 @@ struct Stack {
     int columns = 0;
     int rows = 0;
     std::optional<glm::dvec3> spacingMm;  // between columns, rows, slices; known when it is a volume
+    bool isCalibrated = true;             // false: the size of a pixel is an estimate
     std::string orientation;              // where columns, rows, slices run to, e.g. "LPS"; may be empty
     std::optional<glm::dvec3> firstPositionMm;  // patient LPS
     std::optional<glm::dvec3> lastPositionMm;

@@ -30,6 +30,7 @@ void fillPanel(xr::RoomWords& words) {
     words.realSize = Words::tr("Real size 1:1").toStdString();
     words.larger = Words::tr("%1 times real size").toStdString();
     words.smaller = Words::tr("1/%1 of real size").toStdString();
+    words.notCalibrated = Words::tr("Size is not calibrated").toStdString();
     words.recentre = Words::tr("Before me").toStdString();
     words.quality = Words::tr("Quality: %1").toStdString();
     words.fast = Words::tr("fast").toStdString();

@@ -21,7 +21,9 @@ constexpr int kMarginPx = 8;
 constexpr int kWidthPx = 124;
 constexpr int kCubePx = 72;  // the square that the cube turns in
 constexpr int kBarRowPx = 26;
-constexpr int kBarPx = 108;  // the longest bar
+constexpr int kBadgeRowPx = 15;  // that the bar is not calibrated
+constexpr int kAboutPx = 16;     // the sign before its length
+constexpr int kBarPx = 108;      // the longest bar
 constexpr int kTickPx = 5;
 constexpr int kFontPx = 12;
 constexpr double kLeastTimes = 2.5;  // the picture is so many times as wide and as high as the marks
@@ -44,7 +46,9 @@ struct Layout {
 std::optional<Layout> layoutOf(const MarkedPicture& picture) {
     if (!(picture.pixelRatio > 0.0) || !std::isfinite(picture.pixelRatio)) return std::nullopt;
     Layout layout{.ratio = picture.pixelRatio, .box = {}};
-    const QSize size(layout.px(kWidthPx), layout.px(kCubePx) + layout.px(kBarRowPx));
+    const QSize more =
+        picture.isCalibrated ? QSize(0, 0) : QSize(layout.px(kAboutPx), layout.px(kBadgeRowPx));
+    const QSize size = QSize(layout.px(kWidthPx), layout.px(kCubePx) + layout.px(kBarRowPx)) + more;
     if (picture.pixels.width() < kLeastTimes * size.width() ||
         picture.pixels.height() < kLeastTimes * size.height())
         return std::nullopt;
@@ -93,8 +97,10 @@ void paintCube(QPainter& painter, const CameraBasis& axes, const Layout& layout,
 }
 
 void paintBar(QPainter& painter, const ScaleBar& bar, bool isTrueEverywhere, const Layout& layout) {
-    const QString text =
+    QString text =
         isTrueEverywhere ? bar.text : QCoreApplication::translate("ScaleBar", "%1 at centre").arg(bar.text);
+    if (!bar.isCalibrated)
+        text += QLatin1Char('\n') + QCoreApplication::translate("ScaleBar", "not calibrated");
     const double left = 0.5 * (layout.box.width() - bar.lengthPx);
     const double y = layout.box.height() - layout.px(4);
     const double tick = layout.px(kTickPx);
@@ -150,7 +156,8 @@ std::vector<VkRect2D> boxesOf(const QImage& image, int barTop) {
 
 std::optional<ScaleBar> scaleBarOf(const MarkedPicture& picture) {
     if (!basis(picture.camera) || picture.pixels.height() < 1) return std::nullopt;
-    return scaleBar(heightAtTargetMm(picture.camera) / picture.pixels.height(), kBarPx * picture.pixelRatio);
+    return scaleBar(heightAtTargetMm(picture.camera) / picture.pixels.height(), kBarPx * picture.pixelRatio,
+                    picture.isCalibrated);
 }
 
 std::shared_ptr<const app::PictureText> paintCubeAndScale(const MarkedPicture& picture) {

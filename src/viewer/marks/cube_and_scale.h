@@ -17,8 +17,9 @@ namespace macula::viewer {
 // The picture that the marks are of.
 struct MarkedPicture {
     Camera camera;
-    QSize pixels;             // device pixels
-    double pixelRatio = 1.0;  // of the screen
+    QSize pixels;              // device pixels
+    double pixelRatio = 1.0;   // of the screen
+    bool isCalibrated = true;  // as in Provenance, of the volume: else a second line says so
 
     bool operator==(const MarkedPicture&) const = default;
 };

@@ -40,13 +40,15 @@ app::Stamp stampOf(const app::PictureText& marks, std::size_t index) {
 
 }  // namespace
 
-std::vector<app::Stamp> overlaysOf(const Camera& camera, const glm::ivec2& sizePx) {
+std::vector<app::Stamp> overlaysOf(const Camera& camera, const glm::ivec2& sizePx, bool isCalibrated) {
     const auto axes = basis(camera);
     if (!axes || sizePx.x < 1 || sizePx.y < 1) return {};
     std::vector<app::Stamp> stamps = stampsOf({}, lettersOf(*axes), sizePx);
     const double ratio = std::max(1.0, std::min(sizePx.x, sizePx.y) / kUsualScreenPx);
-    const auto marks =
-        paintCubeAndScale({.camera = camera, .pixels = QSize(sizePx.x, sizePx.y), .pixelRatio = ratio});
+    const auto marks = paintCubeAndScale({.camera = camera,
+                                          .pixels = QSize(sizePx.x, sizePx.y),
+                                          .pixelRatio = ratio,
+                                          .isCalibrated = isCalibrated});
     if (marks == nullptr) return stamps;
     for (std::size_t i = 0; i < marks->boxes.size(); ++i) stamps.push_back(stampOf(*marks, i));
     return stamps;

@@ -10,7 +10,8 @@
 namespace macula::viewer {
 
 // As large in the picture as on a screen of usual size. Pictures that are too small for cube and scale have
-// letters alone; a camera that is none has nothing. Needs a QGuiApplication; any thread may call it.
-std::vector<app::Stamp> overlaysOf(const Camera& camera, const glm::ivec2& sizePx);
+// letters alone; a camera that is none has nothing. `isCalibrated` as in Provenance, of the volume. Needs a
+// QGuiApplication; any thread may call it.
+std::vector<app::Stamp> overlaysOf(const Camera& camera, const glm::ivec2& sizePx, bool isCalibrated);
 
 }  // namespace macula::viewer

@@ -18,6 +18,7 @@
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
+#include "viewer/slices/slice_texts.h"
 
 namespace macula::viewer {
 
@@ -40,8 +41,10 @@ QIcon chip(const QColor& colour) {
     return QIcon(pixmap);
 }
 
-QString mlText(double ml) {
-    return QLocale().toString(ml, 'f', ml < 1.0 ? 3 : ml < 100.0 ? 2 : 1);
+// The note below the list says what the sign means.
+QString mlText(double ml, bool isCalibrated) {
+    const QString text = QLocale().toString(ml, 'f', ml < 1.0 ? 3 : ml < 100.0 ? 2 : 1);
+    return isCalibrated ? text : QStringLiteral("≈ ") + text;
 }
 
 QString madeBy(const Segment& segment) {
@@ -245,11 +248,16 @@ void SegmentationPanel::addSegment(QTreeWidgetItem& above, const std::string& di
     const Row row{digest, segment.number};
     const app::LoadedSegment* there = loaded(row);
     QString ml = QStringLiteral("–");
-    if (there != nullptr && there->volumeMl) ml = mlText(*there->volumeMl);
+    if (there != nullptr && there->volumeMl) ml = mlText(*there->volumeMl, isCalibrated());
     item->setText(kMl, ml);
     item->setTextAlignment(kMl, Qt::AlignRight | Qt::AlignVCenter);
-    item->setToolTip(kMl, there == nullptr ? tr("Volume in ml, once the segmentation is shown")
-                                           : tr("Volume in ml: its voxels, times that of one"));
+    const QString what = there == nullptr ? tr("Volume in ml, once the segmentation is shown")
+                                          : tr("Volume in ml: its voxels, times that of one");
+    item->setToolTip(kMl, isCalibrated() ? what : notCalibrated(what));
+}
+
+bool SegmentationPanel::isCalibrated() const {
+    return !session_.hasStudy() || session_.study().volume->provenance().isCalibrated;
 }
 
 void SegmentationPanel::showChoices() {
@@ -357,6 +365,8 @@ void SegmentationPanel::showControls() {
         if (const app::LoadedSegmentation* whole = keeper_.loaded(digest))
             for (const std::string& note : whole->notes) notes << inWindowsLanguage(note);
     }
+    if (!isCalibrated() && !keeper_.found().empty())
+        notes << tr("Volumes are estimates: the size of a pixel is not calibrated.");
     if (isEmpty) notes << tr("This segment has no voxel in the volume.");
     notes_->setText(notes.join(QLatin1Char(' ')));
     notes_->setVisible(!notes.isEmpty());

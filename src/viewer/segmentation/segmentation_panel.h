@@ -59,6 +59,7 @@ class SegmentationPanel : public QWidget {
     app::SegmentChoice choice(const Row& row) const;
     std::optional<Segment> segment(const Row& row) const;
     const app::LoadedSegment* loaded(const Row& row) const;  // null: not there yet
+    bool isCalibrated() const;                               // the volume, as in Provenance; also without one
     QColor colour(const Row& row) const;
 
     ViewerSession& session_;

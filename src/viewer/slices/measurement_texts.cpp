@@ -4,6 +4,7 @@
 
 #include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
+#include "viewer/slices/slice_texts.h"
 
 namespace macula::viewer {
 
@@ -13,6 +14,7 @@ QString MeasurementTexts::of(const slices::Measurement& measurement, const Volum
     constexpr std::size_t kMost = 2048;  // more than a state has; each step of a moved one is one
     if (known_.size() == kMost) known_.erase(known_.begin());
     QString text = withLocalNumbers(QString::fromStdString(slices::textOf(measurement, volume)));
+    if (!volume.provenance().isCalibrated && slices::hasSize(measurement)) text = notCalibrated(text);
     if (!measurement.label.empty())
         text = harmless(QString::fromStdString(measurement.label)) + QStringLiteral(": ") + text;
     known_.push_back({measurement, text});

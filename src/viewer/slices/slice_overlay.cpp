@@ -210,7 +210,9 @@ void OverlayPainter::facts() {
 
 std::optional<ScaleBar> OverlayPainter::bar() const {
     const double mostPx = std::min(kLongestBarPx, kLongestBarOfPane * size_.width());
-    return scaleBar(overlay_.frame.mmPerPixel * overlay_.pixelRatio, mostPx);
+    auto bar = scaleBar(overlay_.frame.mmPerPixel * overlay_.pixelRatio, mostPx, overlay_.isCalibrated);
+    if (bar && !bar->isCalibrated) bar->text = elided(notCalibrated(bar->text), roomPx());
+    return bar;
 }
 
 // Above the facts where they leave no room beside them.

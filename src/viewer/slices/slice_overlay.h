@@ -27,6 +27,7 @@ struct SliceOverlay {
     QStringList notes = {};  // upper right
     QStringList facts = {};  // lower left
     std::vector<ShownMeasurement> measurements = {};
+    bool isCalibrated = true;  // as in Provenance, all that is in the picture
 };
 
 // `size` of the pane in logical pixels, which the painter must have. What is too long for the pane ends in an

@@ -116,6 +116,14 @@ QString probeText(const Volume& volume, const glm::dvec3& mm) {
              QString::number(probe->voxel.z), pointText(mm));
 }
 
+QString notCalibrated(const QString& text) {
+    return QCoreApplication::translate("Slices", "%1, not calibrated").arg(text);
+}
+
+QString sizeText(const QString& size, bool isCalibrated) {
+    return isCalibrated ? size : notCalibrated(QStringLiteral("≈ ") + size);
+}
+
 bool isInterpolated(const Volume& volume, const SliceSteps& steps, int slice) {
     if (!steps.areAcquired()) return false;
     return std::ranges::any_of(volume.provenance().interpolatedSlices, [slice](const SliceRange& range) {

@@ -29,6 +29,11 @@ QString pointText(const glm::dvec3& mm);     // "L 12.3 P 45.6 S 78.9 mm"
 // "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, and what lies outside, in words.
 QString probeText(const Volume& volume, const glm::dvec3& mm);
 
+// "12.3 mm, not calibrated": behind a size that is an estimate.
+QString notCalibrated(const QString& text);
+// "5 cm"; of what is not calibrated "≈ 5 cm, not calibrated".
+QString sizeText(const QString& size, bool isCalibrated);
+
 // Whether no image was taken where the slice is.
 bool isInterpolated(const Volume& volume, const SliceSteps& steps, int slice);
 

@@ -351,7 +351,9 @@ SliceOverlay SliceView::overlay() {
                          .crosshairMm = isLive ? crosshairMm() : of.crosshairMm,
                          .names = of.tags,
                          .notes = notes(),
-                         .measurements = shownMeasurements()};
+                         .measurements = shownMeasurements(),
+                         .isCalibrated = of.volume->provenance().isCalibrated &&
+                                         (!of.over || of.over->volume->provenance().isCalibrated)};
     if (namesShown_) overlay.names += showsStudy() ? lines_ : of.names;
     if (of.shows == SliceShows::secondByHand) overlay.crosshairMm.reset();
     for (const QString& probed : {overProbedText(), probedText()})
@@ -391,7 +393,8 @@ QString SliceView::textOf(const slices::Measurement& measurement) {
 QString SliceView::textWhileDrawn(const slices::Measurement& measurement) {
     const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape);
     if (ellipse == nullptr) return texts_.of(measurement, volume());
-    return tr("%1 mm²").arg(std::llround(slices::areaMm2(*ellipse)));
+    return sizeText(tr("%1 mm²").arg(std::llround(slices::areaMm2(*ellipse))),
+                    volume().provenance().isCalibrated);
 }
 
 }  // namespace macula::viewer

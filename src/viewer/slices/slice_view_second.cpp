@@ -67,6 +67,7 @@ bool SliceView::secondIsInverted() const {
 void SliceView::addSecond(SliceWish& wish) const {
     const app::BesideState* state = beside();
     if (state == nullptr) return;
+    const bool isCalibrated = second_->study.volume->provenance().isCalibrated;
     wish.tags = {second_->studyTag};
     if (wantsSecond()) {
         wish.volume = second_->study.volume;
@@ -84,6 +85,7 @@ void SliceView::addSecond(SliceWish& wish) const {
         wish.secondNotes = {linkText(*state)};
         if (!wish.volume->provenance().interpolatedSlices.empty())
             wish.secondNotes.push_back(tr("Some of its slices are interpolated"));
+        if (!isCalibrated) wish.secondNotes.push_back(tr("The size of its pixels is not calibrated"));
     } else if (role_ == PaneRole::study && state->view == app::BesideView::over && state->isLinked()) {
         wish.over = SliceOver{.volume = second_->study.volume,
                               .volumeFromPane = state->secondFromStudy,
@@ -95,6 +97,7 @@ void SliceView::addSecond(SliceWish& wish) const {
         wish.secondNotes = {linkText(*state)};
         if (!second_->study.volume->provenance().interpolatedSlices.empty())
             wish.secondNotes.push_back(tr("In colours: some slices are interpolated"));
+        if (!isCalibrated) wish.secondNotes.push_back(tr("In colours: the size of pixels is not calibrated"));
     } else {
         return;
     }

@@ -643,6 +643,22 @@
         <translation>In manchen Dateien folgen ein paar überzählige Bytes auf die Pixeldaten; die Bilder sind vollständig.</translation>
     </message>
     <message>
+        <source>Images that do not say by what kind of device they were taken (Modality): %1 of %2; they were taken for %3.</source>
+        <translation>Bilder, die nicht sagen, mit was für einem Gerät sie aufgenommen wurden (Modality): %1 von %2; sie gelten als %3.</translation>
+    </message>
+    <message>
+        <source>%1, by their kind of object</source>
+        <translation>%1, nach der Art ihrer Objekte</translation>
+    </message>
+    <message>
+        <source>images of an unknown device</source>
+        <translation>Bilder eines unbekannten Geräts</translation>
+    </message>
+    <message>
+        <source>what others of the series are</source>
+        <translation>das, was andere der Serie sind</translation>
+    </message>
+    <message>
         <source>Files of this series that do not say what kind of object they are: %1.</source>
         <translation>Dateien dieser Serie, die nicht sagen, was für ein Objekt sie sind: %1.</translation>
     </message>
@@ -1914,6 +1930,10 @@
         <translation>Die Werte des Bildes sind weder ganze Zahlen mit 8 bis 32 Bit noch Gleitkommazahlen.</translation>
     </message>
     <message>
+        <source>The size of a voxel is not calibrated: lengths, areas and volumes are estimates.</source>
+        <translation>Die Größe eines Voxels ist nicht kalibriert: Längen, Flächen und Volumina sind Schätzungen.</translation>
+    </message>
+    <message>
         <source>The file does not give the distance of the voxels: 1 mm was assumed.</source>
         <translation>Die Datei nennt den Abstand der Voxel nicht: 1 mm wurde angenommen.</translation>
     </message>
@@ -2173,16 +2193,20 @@
         <translation>Schließen Sie andere Programme, oder zeigen Sie das Volumen mit dem Tisch.</translation>
     </message>
     <message>
-        <source>The table is left out, and whatever else lies apart from the patient: %1, %2 mL (confidence %3).</source>
-        <translation>Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: %1, %2 mL (Sicherheit: %3).</translation>
+        <source>The table is left out, and whatever else lies apart from the patient: %1, %2 (confidence %3).</source>
+        <translation>Der Tisch und was sonst abseits des Patienten liegt, ist weggelassen: %1, %2 (Sicherheit: %3).</translation>
     </message>
     <message>
         <source>Show the table again to see everything that was scanned.</source>
         <translation>Zeigen Sie den Tisch wieder, um alles Aufgenommene zu sehen.</translation>
     </message>
     <message>
-        <source>No table was found. What lies apart from the patient is left out: %1, %2 mL (confidence %3).</source>
-        <translation>Kein Tisch wurde gefunden. Was abseits des Patienten liegt, ist weggelassen: %1, %2 mL (Sicherheit: %3).</translation>
+        <source>≈ %1 mL, not calibrated</source>
+        <translation>≈ %1 mL, nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>No table was found. What lies apart from the patient is left out: %1, %2 (confidence %3).</source>
+        <translation>Kein Tisch wurde gefunden. Was abseits des Patienten liegt, ist weggelassen: %1, %2 (Sicherheit: %3).</translation>
     </message>
     <message>
         <source>1 part</source>
@@ -2354,6 +2378,10 @@
 </context>
 <context>
     <name>app</name>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
+    </message>
     <message>
         <source>A picture of light has no cube, scale and letters over it.</source>
         <translation>Über einem Bild aus Licht liegen weder Würfel noch Maßstab und Buchstaben.</translation>

@@ -222,6 +222,10 @@
         <source>Picture %1 is written.</source>
         <translation>Bild %1 ist gespeichert.</translation>
     </message>
+    <message>
+        <source>Size is not calibrated</source>
+        <translation>Größe ist nicht kalibriert</translation>
+    </message>
 </context>
 <context>
     <name>Help</name>
@@ -432,6 +436,10 @@
     <message>
         <source>%1 at centre</source>
         <translation>%1 in der Mitte</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>nicht kalibriert</translation>
     </message>
 </context>
 <context>
@@ -652,6 +660,10 @@
     <message>
         <source>%1 at (%2, %3, %4), %5</source>
         <translation>%1 bei (%2, %3, %4), %5</translation>
+    </message>
+    <message>
+        <source>%1, not calibrated</source>
+        <translation>%1, nicht kalibriert</translation>
     </message>
 </context>
 <context>
@@ -3273,6 +3285,10 @@
         <source>Segment in colour</source>
         <translation>Segment farbig</translation>
     </message>
+    <message>
+        <source>Volumes are estimates: the size of a pixel is not calibrated.</source>
+        <translation>Volumina sind Schätzungen: Die Pixelgröße ist nicht kalibriert.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::SettingsDialog</name>
@@ -3619,6 +3635,14 @@
     <message>
         <source>In colours: some slices are interpolated</source>
         <translation>In Farbe: einige Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>The size of its pixels is not calibrated</source>
+        <translation>Die Größe seiner Pixel ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>In colours: the size of pixels is not calibrated</source>
+        <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
     </message>
 </context>
 <context>

@@ -48,6 +48,30 @@ TEST_F(D15UncalibratedPixels, imagerPixelSpacing) {
     expectOnlyVolume(opened, series);
 }
 
+// Whoever has the volume knows it, whatever is done with its voxels.
+TEST_F(D15UncalibratedPixels, theVolumeSaysThatSizesAreEstimates) {
+    for (const bool isCalibrated : {true, false}) {
+        SCOPED_TRACE(isCalibrated);
+        const TemporaryFolder own;
+        SyntheticSeries s;
+        s.edits.push_back([&](DcmItem& item) {
+            if (!isCalibrated) erase(item, DCM_PixelSpacing);
+            put(item, DCM_ImagerPixelSpacing, "1.1\\0.7");
+        });
+        auto slices = slicesOf(s);
+        for (Slice& slice : slices) slice.slope = 0.37 * (1.0 + slice.place);  // floats
+        writeFiles(own.path(), s, slices);
+        const Opened opened(own.path());
+        ASSERT_EQ(opened.volumes().size(), 1u);
+        EXPECT_EQ(opened.volumes().front()->isCalibrated, isCalibrated);
+        const auto volume = opened.onlyVolume();
+        ASSERT_NE(volume, nullptr);
+        EXPECT_EQ(volume->format(), VoxelFormat::float32);
+        EXPECT_EQ(volume->provenance().isCalibrated, isCalibrated);
+        EXPECT_EQ(in16Bits(volume)->provenance().isCalibrated, isCalibrated);
+    }
+}
+
 TEST_F(D15UncalibratedPixels, magnificationIsTakenOut) {
     series.edits.push_back([](DcmItem& item) {
         erase(item, DCM_PixelSpacing);

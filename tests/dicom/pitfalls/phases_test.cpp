@@ -44,6 +44,11 @@ std::string clock(double seconds) {
                        static_cast<int>(seconds) / 60 % 60, seconds - 60 * (static_cast<int>(seconds) / 60));
 }
 
+void putBValueOfGe(DcmItem& item, const std::string& values) {
+    ASSERT_TRUE(item.putAndInsertString(DcmTag(0x0043, 0x0010, EVR_LO), "GEMS_PARM_01").good());
+    ASSERT_TRUE(item.putAndInsertString(DcmTag(0x0043, 0x1039, EVR_IS), values.c_str()).good());
+}
+
 TEST_F(D05DuplicatePositions, temporalPosition) {
     series.modality = "MR";
     expectSplitBy(series, "TemporalPosition", [](DcmItem& item, int phase, int) {
@@ -69,6 +74,40 @@ TEST_F(D05DuplicatePositions, bValue) {
     series.modality = "MR";
     expectSplitBy(series, "DiffusionBValue",
                   [](DcmItem& item, int phase, int) { putNumber(item, DCM_DiffusionBValue, 500.0 * phase); });
+}
+
+// GE keeps it in a private element, with 1e9 added where a series has several, and with other numbers behind.
+TEST_F(D05DuplicatePositions, privateBValueOfGeIsWithoutWhatWasAdded) {
+    series.modality = "MR";
+    series.phases = 3;
+    series.size.z = 6;
+    auto slices = slicesOf(series);
+    const char* values[] = {"0\\8\\0\\0", "1000000500\\8\\0\\0", "1000012000\\8\\0\\0"};
+    for (Slice& slice : slices) {
+        slice.edits.push_back(
+            [&values, phase = slice.phase](DcmItem& item) { putBValueOfGe(item, values[phase]); });
+    }
+    writeFiles(folder.path(), series, slices);
+    const Opened opened = open();
+    expectPhases(opened, series);
+    std::vector<std::string> said;
+    for (const Stack* stack : opened.volumes()) {
+        for (const StackLabel& label : stack->splitBy)
+            if (label.attribute == "DiffusionBValue") said.push_back(label.value);
+    }
+    EXPECT_EQ(said, (std::vector<std::string>{"0", "500", "12000"}));
+}
+
+// One image has the standard's attribute, another only that of GE: the same b-value is the same.
+TEST_F(D05DuplicatePositions, bValueOfGeIsComparedWithThatOfTheStandard) {
+    series.modality = "MR";
+    expectSplitBy(series, "DiffusionBValue", [](DcmItem& item, int phase, int place) {
+        if (place % 2 == 0) {
+            putNumber(item, DCM_DiffusionBValue, 400.0 * phase);
+            return;
+        }
+        putBValueOfGe(item, std::to_string(1000000000 + 400 * phase) + "\\8\\0\\0");
+    });
 }
 
 TEST_F(D05DuplicatePositions, acquisitionNumber) {

@@ -127,6 +127,86 @@ TEST_F(D09Rescale, nonsenseIsNoValue) {
     }
 }
 
+// A CT image object is of CT, whether it says so or not: its values follow the rules of CT, and it is told.
+TEST_F(D09Rescale, ctImagesWithoutModalityAreCtAndToldSo) {
+    for (const bool isEmpty : {true, false}) {
+        SCOPED_TRACE(isEmpty);
+        const TemporaryFolder own;
+        SyntheticSeries s;
+        s.edits.push_back([&](DcmItem& item) {
+            erase(item, DCM_Modality);
+            if (isEmpty) put(item, DCM_Modality, "");
+        });
+        writeFiles(own.path(), s);
+        const Opened opened(own.path());
+        const Message* told = opened.find(key::kMissingModality);
+        ASSERT_NE(told, nullptr) << opened.keys();
+        EXPECT_EQ(told->severity, Severity::warning);
+        EXPECT_EQ(numberArgument(*told, "count"), 12.0);
+        EXPECT_EQ(numberArgument(*told, "total"), 12.0);
+        EXPECT_NE(told->sentence.find("CT"), std::string::npos) << told->sentence;
+        const auto volume = opened.onlyVolume();
+        ASSERT_NE(volume, nullptr);
+        EXPECT_EQ(volume->modality(), "CT");
+        EXPECT_EQ(volume->unit(), Unit::hounsfield);
+        const auto& assumed = volume->provenance().assumptions;
+        EXPECT_NE(std::ranges::find(assumed, told->sentence), assumed.end());
+    }
+}
+
+// The class says CT, and not that values are HU: a type that says otherwise, and a missing rescale, count.
+TEST_F(D09Rescale, ctImagesWithoutModalityAreNotHounsfieldWhereNothingSaysSo) {
+    for (const bool hasRescale : {true, false}) {
+        SCOPED_TRACE(hasRescale);
+        const TemporaryFolder own;
+        SyntheticSeries s;
+        s.writeRescale = hasRescale;
+        s.edits.push_back([&](DcmItem& item) {
+            erase(item, DCM_Modality);
+            if (hasRescale) put(item, DCM_RescaleType, "US");
+        });
+        if (!hasRescale) s.intercept = 0.0;
+        writeFiles(own.path(), s);
+        const Opened opened(own.path());
+        EXPECT_TRUE(opened.says(key::kMissingModality)) << opened.keys();
+        EXPECT_TRUE(opened.says(key::kNoHounsfield)) << opened.keys();
+        EXPECT_EQ(opened.says(key::kMissingRescale), !hasRescale) << opened.keys();
+        const auto volume = opened.onlyVolume();
+        ASSERT_NE(volume, nullptr);
+        EXPECT_EQ(volume->unit(), Unit::raw);
+    }
+}
+
+// A capture may be of any device: it is told, and values are HU only where their type says so.
+TEST_F(D09Rescale, capturesWithoutModalityAreOfAnUnknownDevice) {
+    for (const auto& [type, unit] : {std::pair("", Unit::raw), std::pair("HU", Unit::hounsfield)}) {
+        SCOPED_TRACE(type);
+        const TemporaryFolder own;
+        SyntheticSeries s;
+        s.sopClassUid = UID_SecondaryCaptureImageStorage;
+        s.edits.push_back([type = std::string(type)](DcmItem& item) {
+            erase(item, DCM_Modality);
+            erase(item, DCM_RescaleType);
+            if (!type.empty()) put(item, DCM_RescaleType, type);
+        });
+        writeFiles(own.path(), s);
+        const Opened opened(own.path());
+        const Message* told = opened.find(key::kMissingModality);
+        ASSERT_NE(told, nullptr) << opened.keys();
+        EXPECT_NE(told->sentence.find("unknown device"), std::string::npos) << told->sentence;
+        const auto volume = opened.onlyVolume();
+        ASSERT_NE(volume, nullptr);
+        EXPECT_EQ(volume->modality(), "");
+        EXPECT_EQ(volume->unit(), unit);
+    }
+}
+
+TEST_F(D09Rescale, imagesThatSayTheirModalityAreNotToldOf) {
+    writeFiles(folder.path(), series);
+    const Opened opened = open();
+    EXPECT_FALSE(opened.says(key::kMissingModality)) << opened.keys();
+}
+
 // SUVbw by the file's own word: the mapping takes stored values, not rescaled ones.
 TEST_F(D09Rescale, realWorldValuesOfPet) {
     series.modality = "PT";
