@@ -12,8 +12,7 @@
  * struct for a result needs its size too.
  *   - An empty text is as null, where a function does not say otherwise.
  *   - Functions that can fail return a macula_status. macula_last_error() has the sentence for a person and
- * what to do. On failure nothing is changed, and handles that would come back are null. No C++ exception gets
- * out.
+ * what to do. On failure nothing is changed, and handles come back null. No C++ exception gets out.
  *   - Lengths are millimetres. World is the patient's LPS: +x to the patient's left, +y to posterior, +z to
  * superior.
  *   - Handles are closed by the function of their name; null is allowed. A view holds on to its volume, so
