@@ -5,6 +5,7 @@
 
 #include "dicom/read/frame_plane.h"
 #include "dicom/read/frame_values.h"
+#include "dicom/read/sop_class.h"
 #include "dicom/read/transfer_syntax.h"
 #include "dicom/split/frame_lists.h"
 #include "dicom/split/split_rules.h"
