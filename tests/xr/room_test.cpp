@@ -164,7 +164,7 @@ TEST_F(RoomTest, ARayPressesThePanelWhichIsSeenAndFelt) {
     EXPECT_EQ(xr_script::record().pulses.size(), 1u);
     EXPECT_EQ(view_->scene().drawing.clip, nullptr) << "nothing was cut by that";
     const PanelPicture& other = headset_->controls().picture(RoomPicture::panel);
-    const auto& got = lastFrame().quads[0].rgba;
+    const auto got = lastFrame().quads[0].rgba;
     EXPECT_TRUE(std::equal(got.begin(), got.end(), other.pixels().begin())) << "the new name";
     press(PanelButton::undo);
     EXPECT_NE(view_->scene().drawing.transferFunction->name, "other");
