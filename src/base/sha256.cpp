@@ -1,13 +1,25 @@
 #include "base/sha256.h"
 
 #include <fmt/format.h>
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
 
 #include "base/check.h"
 
 namespace macula {
 
+namespace {
+
+// OpenSSL is there until the very end, as threads that log are: by itself it takes itself apart at exit, and
+// crashes who comes later.
+void keepOpenSsl() {
+    [[maybe_unused]] static const int done = OPENSSL_init_crypto(OPENSSL_INIT_NO_ATEXIT, nullptr);
+}
+
+}  // namespace
+
 std::string sha256Hex(std::span<const std::byte> bytes) {
+    keepOpenSsl();
     unsigned char digest[EVP_MAX_MD_SIZE];
     unsigned int digestBytes = 0;
     MACULA_CHECK(EVP_Digest(bytes.data(), bytes.size(), digest, &digestBytes, EVP_sha256(), nullptr) == 1);

@@ -44,11 +44,11 @@ macula_status guarded(const Body& body) noexcept {
         return done ? MACULA_DONE : keep(done.error());
     } catch (const std::bad_alloc&) {
         return keepOutOfMemory();
-    } catch (const CheckFailure& failure) {
-        return keepFault(failure);
     } catch (const std::system_error& error) {
         // The system gives no more threads. All else of that kind is foreseen where it comes from.
         return error.code() == std::errc::resource_unavailable_try_again ? keepOutOfMemory() : keepFault();
+    } catch (const CheckFailure& failure) {
+        return keepFault(failure);
     } catch (...) {
         return keepFault();
     }

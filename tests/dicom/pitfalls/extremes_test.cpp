@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <fstream>
 #include <string>
@@ -59,7 +60,7 @@ TEST_F(D15UncalibratedPixels, theVolumeSaysThatSizesAreEstimates) {
             put(item, DCM_ImagerPixelSpacing, "1.1\\0.7");
         });
         auto slices = slicesOf(s);
-        for (Slice& slice : slices) slice.slope = 0.37 * (1.0 + slice.place);  // floats
+        for (Slice& slice : slices) slice.slope = std::sqrt(2.0 + slice.place);  // floats
         writeFiles(own.path(), s, slices);
         const Opened opened(own.path());
         ASSERT_EQ(opened.volumes().size(), 1u);
