@@ -41,7 +41,7 @@ Level levelFromEnvironment() {
     return Level::warning;
 }
 
-// Never destroyed, as what follows: threads log until the very end.
+// Logger, sink and key below are never destroyed: threads log until the process is gone.
 spdlog::logger& logger() {
     static auto* const instance = [] {
         auto* made = new spdlog::logger("macula", std::make_shared<spdlog::sinks::stderr_color_sink_mt>());

@@ -10,8 +10,8 @@ namespace macula {
 
 namespace {
 
-// OpenSSL is there until the very end, as threads that log are: by itself it takes itself apart at exit, and
-// crashes who comes later.
+// Initialises OpenSSL without its cleanup at exit: a thread that logs after that cleanup would crash in
+// EVP_Digest.
 void keepOpenSsl() {
     [[maybe_unused]] static const int done = OPENSSL_init_crypto(OPENSSL_INIT_NO_ATEXIT, nullptr);
 }

@@ -84,7 +84,7 @@ struct Provenance {
         assumptions;                     // sentences, each naming what was missing and what was taken instead
     std::vector<Message> messages = {};  // what loading found
     std::vector<SliceRange> interpolatedSlices = {};  // ascending; no image was taken there
-    // False: the size of a voxel is an estimate, and so is each length, area and volume (PS3.3 10.7).
+    // Whether the pixel spacing is calibrated (PS3.3 10.7); else lengths, areas and volumes are estimates.
     bool isCalibrated = true;
 };
 

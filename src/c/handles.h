@@ -119,7 +119,8 @@ inline Error handleInUse() {
         "while it tells progress.");
 }
 
-// For who only reads it. usage when it is null, closed, of another kind, or being changed.
+// Marks the handle as read until Held goes. MACULA_USAGE when it is null, closed, of another kind, or when
+// another call changes it.
 template <class Handle>
 Result<Held<const Handle>> reading(const Handle* handle) {
     if (handle == nullptr) return nullHandle();
@@ -129,7 +130,7 @@ Result<Held<const Handle>> reading(const Handle* handle) {
     return Held<const Handle>(std::move(open));
 }
 
-// For who changes it. usage as above, and when it is being read.
+// Marks the handle as changed until Held goes. MACULA_USAGE as above, and when another call reads it.
 template <class Handle>
 Result<Held<Handle>> changing(Handle* handle) {
     static_assert(!std::is_const_v<Handle>);

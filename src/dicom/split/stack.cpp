@@ -36,7 +36,8 @@ bool isMosaic(const Frame& frame) {
     return std::ranges::find(frame.imageType, "MOSAIC") != frame.imageType.end();
 }
 
-// A stack whose images say no modality has the one of their SOP class, or that of the series' first file.
+// Tells that images lack the Modality (0008,0060), and which one was taken in its place: that of their SOP
+// class, or of the first file of the series.
 void tellMissingModality(Stack& stack) {
     const auto isMissing = [](const Frame& f) { return f.instance->modalityMissing; };
     const auto first = std::ranges::find_if(stack.frames, isMissing);

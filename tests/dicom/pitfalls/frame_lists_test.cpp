@@ -20,6 +20,16 @@ class FrameLists : public Pitfall {
         std::shuffle(slices.begin(), slices.end(), std::mt19937(11));
         return slices;
     }
+    // No attribute tells the phases apart: what does is in the indices by dimension.
+    std::vector<Slice> shuffledWithoutTimes() const {
+        auto slices = shuffled();
+        for (Slice& slice : slices) {
+            slice.edits.push_back([](DcmItem& groups) {
+                erase(nested(groups, DCM_FrameContentSequence), DCM_TemporalPositionIndex);
+            });
+        }
+        return slices;
+    }
 };
 
 // An item of a private sequence with standard attributes that are not those of the frame.
@@ -90,12 +100,7 @@ TEST_F(FrameLists, gradientsOfSeveralStrengths) {
 // PS3.3 C.7.6.17: indices by dimension tell frames apart where no attribute that is known does.
 TEST_F(FrameLists, dimensionsThatNothingElseTellsOf) {
     series.phases = 3;
-    auto slices = shuffled();
-    for (Slice& slice : slices) {
-        slice.edits.push_back([](DcmItem& groups) {
-            erase(nested(groups, DCM_FrameContentSequence), DCM_TemporalPositionIndex);
-        });
-    }
+    const auto slices = shuffledWithoutTimes();
     writeMultiFrame(folder / "enhanced", series, slices);
     const Opened opened = open();
     expectPhases(opened, series);
@@ -138,12 +143,7 @@ TEST_F(FrameLists, phasesOfSeveralDimensionsAreInTheirOrder) {
 // Without pointers nobody knows which of the indices is the place.
 TEST_F(FrameLists, indicesWithoutDimensionsSayNothing) {
     series.phases = 2;
-    auto slices = shuffled();
-    for (Slice& slice : slices) {
-        slice.edits.push_back([](DcmItem& groups) {
-            erase(nested(groups, DCM_FrameContentSequence), DCM_TemporalPositionIndex);
-        });
-    }
+    const auto slices = shuffledWithoutTimes();
     writeMultiFrame(folder / "enhanced", series, slices,
                     {.edits = {[](DcmItem& item) { erase(item, DCM_DimensionIndexSequence); }}});
     const Opened opened = open();

@@ -1,5 +1,5 @@
-// What the host does for views to learn from while the device makes the next one: a pipeline of the thread
-// that uses the device, and one beside it.
+// What the host does for training views while the device traces the next one: a pipeline of two threads, one
+// that drives the device and one that works on the view before.
 //
 //     host.advance();                  // the view before has come; the host begins with it
 //     fill(host.next());               // the device begins the next view
