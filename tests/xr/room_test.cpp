@@ -75,6 +75,15 @@ class RoomTest : public ScriptedRoom {
             for (const glm::u8vec4& pixel : view.rgba) sum += pixel.y;
         return sum;
     }
+    // All samples that a head at rest is given. The headset takes its own steps toward them, as far as the
+    // machine's speed lets it.
+    void traceToTheEnd() {
+        const Headset::Shown& shown = *headset_->shown();
+        for (int doubled = 0; doubled < 12; ++doubled)
+            expectOk(view_->work(
+                Work::fovea, shown.eyes,
+                {.budgetMs = 1e6, .gaze = shown.gaze, .fineness = shown.fineness, .mostSamples = 64}));
+    }
 
     std::shared_ptr<Hands> hands_ = std::make_shared<Hands>();
 };
@@ -297,20 +306,23 @@ TEST_F(RoomTest, LostTrackingFadesThePictureAndComesBack) {
     connect(script);
     show();
     frames(3);
-    traceAll(headset_->shown()->eyes, 4);
+    traceToTheEnd();  // from here on, only the light changes
     frames(1);
     const double usual = brightness(lastFrame());
     ASSERT_GT(usual, 0.0);
+    frames(2);
+    ASSERT_EQ(brightness(lastFrame()), usual);
     *tracked = false;
     frames(5);  // half of the time
     EXPECT_LT(brightness(lastFrame()), usual);
+    EXPECT_GT(brightness(lastFrame()), 0.0);
     frames(10);
     EXPECT_EQ(brightness(lastFrame()), 0.0);
     EXPECT_EQ(lastFrame().views.size(), 2u) << "frames go on";
     ASSERT_EQ(lastFrame().quads.size(), 1u) << "and a sentence";
     *tracked = true;
     frames(15);
-    EXPECT_GT(brightness(lastFrame()), 0.9 * usual);
+    EXPECT_EQ(brightness(lastFrame()), usual);
 }
 
 TEST_F(RoomTest, BareHandsGrabAndCutByPinching) {
