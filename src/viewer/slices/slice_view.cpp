@@ -349,12 +349,12 @@ SliceOverlay SliceView::overlay() {
                          .frame = of.frame,
                          .pixelRatio = of.pixelRatio,
                          .crosshairMm = isLive ? crosshairMm() : of.crosshairMm,
-                         .names = of.tags,
+                         .tags = of.tags,
                          .notes = notes(),
                          .measurements = shownMeasurements(),
                          .isCalibrated = of.volume->provenance().isCalibrated &&
                                          (!of.over || of.over->volume->provenance().isCalibrated)};
-    if (namesShown_) overlay.names += showsStudy() ? lines_ : of.names;
+    if (namesShown_) overlay.names = showsStudy() ? lines_ : of.names;
     if (of.shows == SliceShows::secondByHand) overlay.crosshairMm.reset();
     for (const QString& probed : {overProbedText(), probedText()})
         if (!probed.isEmpty()) overlay.facts.push_back(probed);
