@@ -212,7 +212,10 @@ TEST_F(BesideTest, TheBarShowsTheStateAndProposesOthers) {
     EXPECT_EQ(links->currentIndex(), int(BesideLink::registered));
     EXPECT_DOUBLE_EQ(white->value(), 1000.0);
     EXPECT_FALSE(state().beside->window) << "showing proposes nothing";
+    int left = 0;  // letters would choose from the list that was left
+    QObject::connect(&bar, &BesideBar::listLeft, &bar, [&left] { ++left; });
     emit views->activated(int(BesideView::over));
+    EXPECT_EQ(left, 1);
     EXPECT_EQ(state().beside->view, BesideView::over);
     opacity->setValue(25);
     EXPECT_DOUBLE_EQ(state().beside->opacity, 0.25);

@@ -74,6 +74,8 @@ BesideBar::BesideBar(ViewerSession& session, BesideStudy& beside, QWidget* paren
     QAction* close = addAction(tr("Close"), &beside_, &BesideStudy::close);
     close->setObjectName(QStringLiteral("close-beside"));
     close->setToolTip(tr("Close the second volume; the study stays"));
+    for (QComboBox* list : {views_, links_, colours_, presets_})
+        connect(list, &QComboBox::activated, this, &BesideBar::listLeft);
     connect(&session_, &ViewerSession::changed, this, &BesideBar::showState);
     connect(&beside_, &BesideStudy::secondChanged, this, &BesideBar::showState);
     connect(&beside_, &BesideStudy::began, this, &BesideBar::showState);

@@ -3,11 +3,13 @@
 #include <QFontMetricsF>
 #include <QRegion>
 #include <algorithm>
+#include <cmath>
 
 #include "viewer/slices/haloed_drawing.h"
 #include "viewer/slices/measurement_handles.h"
 #include "viewer/slices/scale_bar.h"
 #include "viewer/slices/slice_texts.h"
+#include "viewer/theme/theme.h"
 
 namespace macula::viewer {
 
@@ -53,7 +55,7 @@ class OverlayPainter {
   public:
     OverlayPainter(QPainter& painter, const QSize& size, const SliceOverlay& overlay)
         : painter_(painter), size_(size), overlay_(overlay), font_(painter.font()) {
-        font_.setPixelSize(kFontPx);
+        font_.setPixelSize(int(std::lround(kFontPx * scale_)));
         names_ = wrapped(overlay.tags);
         for (const QString& name : overlay.names) names_ << elided(name, roomPx());
         notes_ = wrapped(overlay.notes);
@@ -84,7 +86,7 @@ class OverlayPainter {
     QStringList wrapped(const QStringList& texts) const;
     double roomPx() const { return std::max(size_.width() - 2.0 * kMarginPx, 0.0); }
     // Lines that are longer come upon the letters in the middle.
-    double reachPx() const { return 0.5 * size_.width() - kMarginPx - 2.0 * kLetterPx; }
+    double reachPx() const { return 0.5 * size_.width() - kMarginPx - 2.0 * kLetterPx * scale_; }
     double lineHeight() const { return QFontMetricsF(font_).height(); }
     double widest(const QStringList& lines) const;
     void line(const QPointF& from, const QPointF& to, const QColor& ink) const;
@@ -98,6 +100,7 @@ class OverlayPainter {
     QPainter& painter_;
     QSize size_;
     const SliceOverlay& overlay_;
+    double scale_ = fontScaleOverPictures();
     QFont font_;
     QStringList names_;  // lines as they are painted, also below
     QStringList notes_;
@@ -277,7 +280,7 @@ void OverlayPainter::scaleText() {
 void OverlayPainter::letters() {
     const app::EdgeLetters sides = edgeLetters(overlay_.frame.plane);
     const QFont before = font_;
-    font_.setPixelSize(kLetterPx);
+    font_.setPixelSize(int(std::lround(kLetterPx * scale_)));
     font_.setBold(true);
     const QFontMetricsF metrics(font_);
     const auto place = [&](const std::string& letters, const auto& leftOf, double base) {
