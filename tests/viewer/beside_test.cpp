@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QSlider>
 #include <QTest>
@@ -13,6 +14,7 @@
 #include "app/clip/edited_clip.h"
 #include "viewer/beside/beside_bar.h"
 #include "viewer/beside_fixture.h"
+#include "viewer/language/language.h"
 
 namespace macula::viewer {
 namespace {
@@ -196,6 +198,18 @@ TEST_F(BesideTest, MeasurementsAreOfTheStudy) {
     QTest::mouseClick(&second(), Qt::LeftButton, {}, QPoint(160, 160));
     EXPECT_TRUE(state().measurements.empty());
     EXPECT_TRUE(second().notes().join(' ').contains("of the study alone"));
+}
+
+TEST_F(BesideTest, ListsOfTheBarAreInTheLanguageOfTheWindow) {
+    useLanguage(Language::german);
+    const BesideBar bar(*session_, *beside_);
+    useLanguage(Language::english);
+    QLocale::setDefault(QLocale::c());
+    const auto* views = bar.findChild<QComboBox*>("beside-view");
+    const auto* colours = bar.findChild<QComboBox*>("beside-colours");
+    ASSERT_TRUE(views != nullptr && colours != nullptr);
+    EXPECT_EQ(views->itemText(int(BesideView::beside)), QStringLiteral("Nebeneinander"));
+    EXPECT_EQ(colours->itemText(0), QStringLiteral("Glühendes Eisen"));
 }
 
 TEST_F(BesideTest, TheBarShowsTheStateAndProposesOthers) {

@@ -115,6 +115,22 @@ TEST_F(SliceViewTest, AClickTakesTheOtherPanesThere) {
     EXPECT_FALSE(session_->canUndo());
 }
 
+// In the black beside the volume there is no slice for the other panes.
+TEST_F(SliceViewTest, AClickBesideTheVolumeIsAtItsEdge) {
+    showStudy();
+    const auto axial = pane(Orientation::axial);
+    const auto coronal = pane(Orientation::coronal);
+    click(*axial, {200, 2});
+    ASSERT_TRUE(settled(*coronal));
+    EXPECT_DOUBLE_EQ(crosshair().y, -15.5) << "the outer side of the first voxels";
+    EXPECT_NEAR(crosshair().x, 0.0, 0.2);
+    EXPECT_DOUBLE_EQ(crosshair().z, 0.0) << "the slice stays";
+    EXPECT_DOUBLE_EQ(coronal->shownFrame()->plane.centreMm.y, -15.0);
+    EXPECT_LE(std::abs(coronal->shownFrame()->distanceMm(crosshair())), 0.5 + 1e-9);
+    drag(*axial, Qt::LeftButton, {200, 200}, {200, 399});
+    EXPECT_DOUBLE_EQ(crosshair().y, 15.5);
+}
+
 TEST_F(SliceViewTest, TheWheelGoesThroughSlicesInOneStepToUndo) {
     showStudy();
     const auto view = pane(Orientation::axial);

@@ -2,37 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>BesideBar</name>
-    <message>
-        <source>Study alone</source>
-        <translation>Studie allein</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
-        <source>Second alone</source>
-        <translation>Zweites allein</translation>
-    </message>
-    <message>
-        <source>In colours over the study</source>
-        <translation>Farbig über der Studie</translation>
-    </message>
-    <message>
-        <source>Hot iron</source>
-        <translation>Glühendes Eisen</translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation>Grün</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>Grau</translation>
-    </message>
-</context>
-<context>
     <name>Clip</name>
     <message>
         <source>right</source>
@@ -699,6 +668,34 @@
 </context>
 <context>
     <name>macula::viewer::BesideBar</name>
+    <message>
+        <source>Study alone</source>
+        <translation>Studie allein</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Second alone</source>
+        <translation>Zweites allein</translation>
+    </message>
+    <message>
+        <source>In colours over the study</source>
+        <translation>Farbig über der Studie</translation>
+    </message>
+    <message>
+        <source>Hot iron</source>
+        <translation>Glühendes Eisen</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
     <message>
         <source>Second Volume</source>
         <translation>Zweites Volumen</translation>
