@@ -272,6 +272,20 @@ TEST_F(SliceViewTest, WhatIsBegunOnOneSliceDoesNotEndOnAnother) {
     EXPECT_TRUE(state().measurements.empty());
 }
 
+// Slices are counted from the feet, images of most series from the head: a report names the image.
+TEST_F(SliceViewTest, TellsTheNumberOfTheImageWhereItIsAnother) {
+    app::OpenedStudy study{.volume = test::sliceVolume()};
+    for (int k = 0; k < 21; ++k) study.imageNumbers.push_back(k == 10 ? 0 : 21 - k);
+    session_->show(std::move(study), {});
+    const auto axial = pane(Orientation::axial);
+    const auto coronal = pane(Orientation::coronal);
+    EXPECT_EQ(axial->positionText(), "Axial S 0.0 mm, slice 11 of 21") << "of this there is no image";
+    QTest::keyClick(axial.get(), Qt::Key_End);
+    ASSERT_TRUE(settled(*axial));
+    EXPECT_EQ(axial->positionText(), "Axial S 20.0 mm, slice 21 of 21, image 1");
+    EXPECT_FALSE(coronal->positionText().contains("image")) << "none was taken so";
+}
+
 TEST_F(SliceViewTest, KeysGoThroughSlicesWindowsAndBlackForWhite) {
     showStudy();
     const auto view = pane(Orientation::axial);

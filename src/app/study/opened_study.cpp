@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/study/found_volumes.h"
+#include "app/study/image_numbers.h"
 #include "base/fingerprint.h"
 #include "base/phantom.h"
 #include "base/sha256.h"
@@ -67,6 +68,7 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     study.isLowBright = std::ranges::any_of(
         chosen.stack->messages, [](const Message& m) { return m.key == dicom::key::kInvertedDisplay; });
     study.frameOfReferenceUid = frameOfReferenceOf(*chosen.stack);
+    study.imageNumbers = imageNumbersOf(*chosen.stack, study.volume->size().z);
     // Nothing twice: what is said of a series may be said of its volume too.
     const auto tell = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {

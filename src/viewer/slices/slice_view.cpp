@@ -196,7 +196,7 @@ void SliceView::request() {
                    .window = studyWindow(),
                    .isInverted = session_.state().slices.isInverted != session_.study().isLowBright,
                    .segments = segments_,
-                   .positionText = viewer::positionText(orientation_, *steps_, slice),
+                   .positionText = viewer::positionText(orientation_, *steps_, slice, imageNumberOf(slice)),
                    .isInterpolated = isInterpolated(volume(), *steps_, slice),
                    .isLowBright = session_.study().isLowBright,
                    .pixelRatio = ratio,
@@ -220,6 +220,15 @@ void SliceView::onPicture(SlicePicture picture) {
     setAccessibleDescription(positionText());
     update();
     emit pictureShown();
+}
+
+// That by which a report names it, which is often counted from the other end.
+std::optional<int> SliceView::imageNumberOf(int slice) const {
+    const std::vector<int>& numbers = session_.study().imageNumbers;
+    if (!steps_->areAcquired() || slice < 0 || std::size_t(slice) >= numbers.size() ||
+        isInterpolated(volume(), *steps_, slice) || numbers[std::size_t(slice)] < 1)
+        return {};
+    return numbers[std::size_t(slice)];
 }
 
 glm::dvec3 SliceView::crosshairMm() const {

@@ -607,6 +607,10 @@
         <translation>%1, Schicht %2 von %3</translation>
     </message>
     <message>
+        <source>%1, image %2</source>
+        <translation>%1, Bild %2</translation>
+    </message>
+    <message>
         <source>MIP %1 mm</source>
         <translation>MIP %1 mm</translation>
     </message>
