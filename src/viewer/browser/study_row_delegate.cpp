@@ -29,7 +29,7 @@ qsizetype firstLineOf(const QString& text, const QFont& font, int widthPx) {
     QTextLayout layout(text, font);
     layout.beginLayout();
     QTextLine line = layout.createLine();
-    line.setLineWidth(widthPx);
+    line.setLineWidth(std::max(widthPx, 1));
     layout.endLayout();
     return line.textLength();
 }
