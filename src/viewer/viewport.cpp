@@ -14,6 +14,7 @@
 #include "app/frame/window_screen.h"
 #include "base/log.h"
 #include "viewer/painted_text.h"
+#include "viewer/status_texts.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {
@@ -318,7 +319,8 @@ std::uint64_t Viewport::publish() {
 }
 
 void Viewport::updateText() {
-    const std::vector<std::string> names = namesShown_ ? names_ : std::vector<std::string>();
+    const std::vector<std::string> names =
+        linesOver(namesShown_ ? names_ : std::vector<std::string>(), input_.drawing);
     const double ratio = window_->devicePixelRatio();
     const double fontScale = fontScaleOverPictures();
     if (names == textNames_ && input_.width == textWidthPx_ && ratio == textPixelRatio_ &&

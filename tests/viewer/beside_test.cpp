@@ -9,12 +9,16 @@
 #include <QRegularExpression>
 #include <QSlider>
 #include <QTest>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/clip/edited_clip.h"
 #include "viewer/beside/beside_bar.h"
 #include "viewer/beside_fixture.h"
 #include "viewer/language/language.h"
+#include "viewer/status_texts.h"
 
 namespace macula::viewer {
 namespace {
@@ -198,6 +202,23 @@ TEST_F(BesideTest, MeasurementsAreOfTheStudy) {
     QTest::mouseClick(&second(), Qt::LeftButton, {}, QPoint(160, 160));
     EXPECT_TRUE(state().measurements.empty());
     EXPECT_TRUE(second().notes().join(' ').contains("of the study alone"));
+}
+
+// Names over the 3D picture are those of the study; what else is in it is said below them.
+TEST_F(BesideTest, A3dPictureSaysWhatElseIsInIt) {
+    using Lines = std::vector<std::string>;
+    app::Drawing drawing;
+    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), Lines{"DOE, JANE"});
+    Additions additions;
+    additions.remark = "with PT";
+    drawing.additions = std::make_shared<const Additions>(additions);
+    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), (Lines{"DOE, JANE", "With PT"}));
+    EXPECT_EQ(linesOver({}, drawing), Lines{"With PT"}) << "also where nobody is named";
+    drawing.settings.look = trace::Look::mip;
+    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), Lines{"DOE, JANE"}) << "projections show the study alone";
+    drawing.settings.look = trace::Look::cinematic;
+    drawing.additions = std::make_shared<const Additions>();
+    EXPECT_EQ(linesOver({}, drawing), Lines{});
 }
 
 TEST_F(BesideTest, ListsOfTheBarAreInTheLanguageOfTheWindow) {
