@@ -66,6 +66,7 @@ void MainWindow::makeBeside() {
 void MainWindow::makeBesideBar() {
     addToolBarBreak();
     besideBar_ = new BesideBar(session_, *beside_, this);
+    connect(besideBar_, &BesideBar::listLeft, this, &MainWindow::focusPicture);
     addToolBar(besideBar_);
     besideBar_->showState();
     statusBar()->addWidget(besideWork_);

@@ -13,14 +13,13 @@ namespace macula::viewer {
 void MainWindow::setStudyTexts(const app::OpenedStudy& study) {
     const glm::ivec3 size = study.volume->size();
     const glm::dvec3 spacing = study.volume->spacingMm();
+    const auto mm = [](double length) { return withLocalNumbers(QString::number(length, 'f', 2)); };
     const QString text = QStringLiteral("%1 %2×%3×%4, %5×%6×%7 mm")
                              .arg(QString::fromStdString(study.volume->modality()))
                              .arg(size.x)
                              .arg(size.y)
                              .arg(size.z)
-                             .arg(spacing.x, 0, 'f', 2)
-                             .arg(spacing.y, 0, 'f', 2)
-                             .arg(spacing.z, 0, 'f', 2);
+                             .arg(mm(spacing.x), mm(spacing.y), mm(spacing.z));
     volumeText_->setFullText(study.volume->provenance().isCalibrated ? text : notCalibrated(text));
     const QString why = inWindowsLanguage(study.whyThisSeries);
     // The description of a series may name a patient.
@@ -113,7 +112,7 @@ void MainWindow::onFrame(const app::FrameShown& frame) {
     onModel(frame.model);
     QString pictureText = QStringLiteral("%1×%2").arg(frame.width).arg(frame.height);
     if (frame.framesPerSecond > 0.0 && frame.stage == app::Stage::moving) {
-        pictureText += tr(", %1/s").arg(frame.framesPerSecond, 0, 'f', 1);
+        pictureText += tr(", %1/s").arg(withLocalNumbers(QString::number(frame.framesPerSecond, 'f', 1)));
         rateEnds_.start();
     }
     pictureText_->setFullText(pictureText);

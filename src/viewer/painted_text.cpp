@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "viewer/harmless_text.h"
+#include "viewer/theme/theme.h"
 
 namespace macula::viewer {
 
@@ -27,7 +28,7 @@ std::shared_ptr<const app::PictureText> paintText(const std::vector<std::string>
                                                   double pixelRatio) {
     const auto px = [&](int logical) { return std::max(1, int(std::lround(logical * pixelRatio))); };
     QFont font = QGuiApplication::font();
-    font.setPixelSize(px(kFontPx));
+    font.setPixelSize(px(int(std::lround(kFontPx * fontScaleOverPictures()))));
     const QFontMetrics metrics(font);
     const int room = widthPx - 2 * px(kMarginPx) - 2 * px(kPaddingPx);
     if (room <= 0) return nullptr;

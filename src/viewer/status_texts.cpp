@@ -46,6 +46,16 @@ std::vector<std::string> linesToShow(const app::Identity& identity) {
     return lines;
 }
 
+std::vector<std::string> linesOver(std::vector<std::string> names, const app::Drawing& drawing) {
+    // Projections show the study alone.
+    if (!drawing.additions || trace::isProjection(drawing.settings.look)) return names;
+    QString remark = listInWindowsLanguage(drawing.additions->remark);
+    if (remark.isEmpty()) return names;
+    remark[0] = remark[0].toUpper();
+    names.push_back(remark.toStdString());
+    return names;
+}
+
 QString fidelityText(const app::FrameShown& frame) {
     const QString remarks =
         frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);

@@ -14,6 +14,8 @@
 #include "app/frame/window_screen.h"
 #include "base/log.h"
 #include "viewer/painted_text.h"
+#include "viewer/status_texts.h"
+#include "viewer/theme/theme.h"
 
 namespace macula::viewer {
 
@@ -317,12 +319,17 @@ std::uint64_t Viewport::publish() {
 }
 
 void Viewport::updateText() {
-    const std::vector<std::string> names = namesShown_ ? names_ : std::vector<std::string>();
+    const std::vector<std::string> names =
+        linesOver(namesShown_ ? names_ : std::vector<std::string>(), input_.drawing);
     const double ratio = window_->devicePixelRatio();
-    if (names == textNames_ && input_.width == textWidthPx_ && ratio == textPixelRatio_) return;
+    const double fontScale = fontScaleOverPictures();
+    if (names == textNames_ && input_.width == textWidthPx_ && ratio == textPixelRatio_ &&
+        fontScale == textFontScale_)
+        return;
     textNames_ = names;
     textWidthPx_ = input_.width;
     textPixelRatio_ = ratio;
+    textFontScale_ = fontScale;
     input_.text = paintText(names, input_.width, ratio);
 }
 

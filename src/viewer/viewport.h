@@ -153,6 +153,7 @@ class Viewport : public QWidget {
     std::vector<std::string> textNames_;
     int textWidthPx_ = 0;
     double textPixelRatio_ = 0.0;
+    double textFontScale_ = 0.0;
     bool marksShown_ = true;
     struct Marked {
         MarkedPicture picture;

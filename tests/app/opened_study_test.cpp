@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 #include "app/study/found_volumes.h"
 #include "base/paths.h"
@@ -32,6 +35,19 @@ TEST(OpenStudy, GivesUpWhereverItIsCancelled) {
         ASSERT_FALSE(study.ok()) << stage;
         EXPECT_EQ(study.error().code, ErrorCode::cancelled) << stage;
     }
+}
+
+// Some things are said of a series, of its stack and of its volume.
+TEST(OpenStudy, TellsNothingTwice) {
+    const std::filesystem::path folder = macula::test::sharedFolder() / "data/odd/dicomdir_media";
+    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "shared data is not here";
+    Progress progress;
+    const auto study = openStudy(folder, progress);
+    ASSERT_TRUE(study.ok()) << study.error().message;
+    std::vector<std::string> messages = study->messages;
+    EXPECT_FALSE(messages.empty());
+    std::ranges::sort(messages);
+    EXPECT_EQ(std::ranges::adjacent_find(messages), messages.end());
 }
 
 // Two patients in one folder: the best series is the CT, but who opens a file of the other one means that.

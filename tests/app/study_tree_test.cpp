@@ -90,7 +90,7 @@ TEST(StudyTree, ASeriesTellsImagesSizeAndVoxels) {
     const auto found = test::twoPatients();
     const StudyTree tree = studyTree(*found);
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 2: Portal venous")].details,
-              (Texts{"CT · 100 images", "512 × 256 × 100 · 0.7 × 0.5 × 1.25 mm"}));
+              (Texts{"CT · 100 images", "512 × 256 × 100", "0.7 × 0.5 × 1.25 mm"}));
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 1: Scout")].details, (Texts{"CT · 1 image", "512 × 256"}));
 }
 
@@ -104,8 +104,8 @@ TEST(StudyTree, VoxelsThatAreNotCalibratedAreToldSo) {
     scan.patients = 1;
     const FoundVolumes found(std::move(scan));
     const StudyTree tree = studyTree(found);
-    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 1: One")].details.at(1),
-              "512 × 256 × 20 · 0.7 × 0.5 × 1.25 mm · not calibrated");
+    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 1: One")].details,
+              (Texts{"CT · 20 images", "512 × 256 × 20", "0.7 × 0.5 × 1.25 mm · not calibrated"}));
     const StudyRow& several = tree.rows[rowTitled(tree, "Series 2: Two")];
     ASSERT_EQ(several.children.size(), 2u);
     EXPECT_EQ(tree.rows[several.children[0]].details.at(1), "0.7 × 0.5 × 1.25 mm · not calibrated");

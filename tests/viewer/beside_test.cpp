@@ -5,14 +5,20 @@
 #include <QAction>
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QLocale>
 #include <QRegularExpression>
 #include <QSlider>
 #include <QTest>
+#include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/clip/edited_clip.h"
 #include "viewer/beside/beside_bar.h"
 #include "viewer/beside_fixture.h"
+#include "viewer/language/language.h"
+#include "viewer/status_texts.h"
 
 namespace macula::viewer {
 namespace {
@@ -198,6 +204,35 @@ TEST_F(BesideTest, MeasurementsAreOfTheStudy) {
     EXPECT_TRUE(second().notes().join(' ').contains("of the study alone"));
 }
 
+// Names over the 3D picture are those of the study; what else is in it is said below them.
+TEST_F(BesideTest, A3dPictureSaysWhatElseIsInIt) {
+    using Lines = std::vector<std::string>;
+    app::Drawing drawing;
+    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), Lines{"DOE, JANE"});
+    Additions additions;
+    additions.remark = "with PT";
+    drawing.additions = std::make_shared<const Additions>(additions);
+    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), (Lines{"DOE, JANE", "With PT"}));
+    EXPECT_EQ(linesOver({}, drawing), Lines{"With PT"}) << "also where nobody is named";
+    drawing.settings.look = trace::Look::mip;
+    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), Lines{"DOE, JANE"}) << "projections show the study alone";
+    drawing.settings.look = trace::Look::cinematic;
+    drawing.additions = std::make_shared<const Additions>();
+    EXPECT_EQ(linesOver({}, drawing), Lines{});
+}
+
+TEST_F(BesideTest, ListsOfTheBarAreInTheLanguageOfTheWindow) {
+    useLanguage(Language::german);
+    const BesideBar bar(*session_, *beside_);
+    useLanguage(Language::english);
+    QLocale::setDefault(QLocale::c());
+    const auto* views = bar.findChild<QComboBox*>("beside-view");
+    const auto* colours = bar.findChild<QComboBox*>("beside-colours");
+    ASSERT_TRUE(views != nullptr && colours != nullptr);
+    EXPECT_EQ(views->itemText(int(BesideView::beside)), QStringLiteral("Nebeneinander"));
+    EXPECT_EQ(colours->itemText(0), QStringLiteral("Glühendes Eisen"));
+}
+
 TEST_F(BesideTest, TheBarShowsTheStateAndProposesOthers) {
     BesideBar bar(*session_, *beside_);
     EXPECT_TRUE(bar.isHidden());
@@ -212,7 +247,10 @@ TEST_F(BesideTest, TheBarShowsTheStateAndProposesOthers) {
     EXPECT_EQ(links->currentIndex(), int(BesideLink::registered));
     EXPECT_DOUBLE_EQ(white->value(), 1000.0);
     EXPECT_FALSE(state().beside->window) << "showing proposes nothing";
+    int left = 0;  // letters would choose from the list that was left
+    QObject::connect(&bar, &BesideBar::listLeft, &bar, [&left] { ++left; });
     emit views->activated(int(BesideView::over));
+    EXPECT_EQ(left, 1);
     EXPECT_EQ(state().beside->view, BesideView::over);
     opacity->setValue(25);
     EXPECT_DOUBLE_EQ(state().beside->opacity, 0.25);

@@ -197,6 +197,7 @@ TEST_F(PanesTest, FilesAreWritten) {
         action("save-picture").trigger();
         auto* dialog = window_->findChild<PictureDialog*>();
         ASSERT_NE(dialog, nullptr);
+        EXPECT_TRUE(dialog->hasOverlays()) << "sides of the patient, unless somebody wants none";
         const auto sides = dialog->findChildren<QSpinBox*>();
         ASSERT_EQ(sides.size(), 2);
         for (QSpinBox* side : sides) side->setValue(48);

@@ -56,6 +56,37 @@ TEST_F(SliceOverlayTest, TheCrossHairLeavesLinesOfTextFree) {
     EXPECT_TRUE(isFreeIn(overlay, below));
 }
 
+// Half a warning warns of something else: what does not fit into one line goes on in the next.
+TEST_F(SliceOverlayTest, WhatMustNotBeCutOffGoesOnInTheNextLine) {
+    const QString first = QStringList(10, QStringLiteral("wide")).join(QLatin1Char(' '));
+    const auto differs = [&](auto part, int top, int bottom) {
+        SliceOverlay one = coronal();
+        SliceOverlay other = coronal();
+        (one.*part) = {first + QStringLiteral(" and so it goes on: ends well")};
+        (other.*part) = {first + QStringLiteral(" and so it goes on: ends badly")};
+        const QRect place(0, top, kPane.width(), bottom - top);
+        return painted(one).copy(place) != painted(other).copy(place);
+    };
+    EXPECT_TRUE(differs(&SliceOverlay::notes, 0, 80));
+    EXPECT_TRUE(differs(&SliceOverlay::tags, 0, 80));
+    EXPECT_TRUE(differs(&SliceOverlay::facts, kPane.height() - 80, kPane.height()));
+    EXPECT_FALSE(differs(&SliceOverlay::names, 0, kPane.height())) << "descriptions would hide the picture";
+}
+
+// One word that is longer than the pane, and a text of hundreds, leave the picture free.
+TEST_F(SliceOverlayTest, TextsWithoutEndTakeFourLines) {
+    SliceOverlay overlay = coronal();
+    overlay.notes = {QString(500, QLatin1Char('w')),
+                     QStringList(300, QStringLiteral("wide")).join(QLatin1Char(' '))};
+    const QRect below(0, 8 * 16, kPane.width(), kPane.height() - 8 * 16);
+    SliceOverlay cut = coronal();
+    cut.notes = {QString(500, QLatin1Char('w')), QString(300, QLatin1Char('w'))};
+    EXPECT_EQ(painted(overlay).copy(below), painted(cut).copy(below));
+    overlay.notes.clear();
+    overlay.tags = {QString(), QStringLiteral(" ")};
+    EXPECT_EQ(painted(overlay), painted(coronal()));
+}
+
 // Beside the scale, and nowhere else: what is drawn in the rest of the pane is the same.
 TEST_F(SliceOverlayTest, TheScaleSaysThatPixelsAreNotCalibrated) {
     const SliceOverlay calibrated = coronal();

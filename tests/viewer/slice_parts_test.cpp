@@ -269,6 +269,8 @@ TEST(SliceTexts, SayWhereAndWhat) {
     };
     EXPECT_EQ(position(Orientation::axial, 20), "Axial S 20.0 mm, slice 21 of 21");
     EXPECT_EQ(position(Orientation::coronal, 0), "Coronal A 15.0 mm");
+    EXPECT_EQ(positionText(Orientation::axial, SliceSteps(*volume, Orientation::axial, false), 20, 1),
+              "Axial S 20.0 mm, slice 21 of 21, image 1");
     EXPECT_EQ(position(Orientation::sagittal, 0), "Sagittal R 20.0 mm");
     EXPECT_EQ(probeText(*volume, {5.0, 4.0, 0.0}), "0 HU at (25, 19, 10), L 5.0 P 4.0 S 0.0 mm");
     EXPECT_EQ(probeText(*volume, test::kBlockCentreMm), "Padding at (7, 6, 16), R 13.0 A 9.0 S 12.0 mm");

@@ -115,6 +115,22 @@ TEST_F(SliceViewTest, AClickTakesTheOtherPanesThere) {
     EXPECT_FALSE(session_->canUndo());
 }
 
+// In the black beside the volume there is no slice for the other panes.
+TEST_F(SliceViewTest, AClickBesideTheVolumeIsAtItsEdge) {
+    showStudy();
+    const auto axial = pane(Orientation::axial);
+    const auto coronal = pane(Orientation::coronal);
+    click(*axial, {200, 2});
+    ASSERT_TRUE(settled(*coronal));
+    EXPECT_DOUBLE_EQ(crosshair().y, -15.5) << "the outer side of the first voxels";
+    EXPECT_NEAR(crosshair().x, 0.0, 0.2);
+    EXPECT_DOUBLE_EQ(crosshair().z, 0.0) << "the slice stays";
+    EXPECT_DOUBLE_EQ(coronal->shownFrame()->plane.centreMm.y, -15.0);
+    EXPECT_LE(std::abs(coronal->shownFrame()->distanceMm(crosshair())), 0.5 + 1e-9);
+    drag(*axial, Qt::LeftButton, {200, 200}, {200, 399});
+    EXPECT_DOUBLE_EQ(crosshair().y, 15.5);
+}
+
 TEST_F(SliceViewTest, TheWheelGoesThroughSlicesInOneStepToUndo) {
     showStudy();
     const auto view = pane(Orientation::axial);
@@ -254,6 +270,20 @@ TEST_F(SliceViewTest, WhatIsBegunOnOneSliceDoesNotEndOnAnother) {
     ASSERT_TRUE(settled(*view));
     click(*view, {300, 200});
     EXPECT_TRUE(state().measurements.empty());
+}
+
+// Slices are counted from the feet, images of most series from the head: a report names the image.
+TEST_F(SliceViewTest, TellsTheNumberOfTheImageWhereItIsAnother) {
+    app::OpenedStudy study{.volume = test::sliceVolume()};
+    for (int k = 0; k < 21; ++k) study.imageNumbers.push_back(k == 10 ? 0 : 21 - k);
+    session_->show(std::move(study), {});
+    const auto axial = pane(Orientation::axial);
+    const auto coronal = pane(Orientation::coronal);
+    EXPECT_EQ(axial->positionText(), "Axial S 0.0 mm, slice 11 of 21") << "of this there is no image";
+    QTest::keyClick(axial.get(), Qt::Key_End);
+    ASSERT_TRUE(settled(*axial));
+    EXPECT_EQ(axial->positionText(), "Axial S 20.0 mm, slice 21 of 21, image 1");
+    EXPECT_FALSE(coronal->positionText().contains("image")) << "none was taken so";
 }
 
 TEST_F(SliceViewTest, KeysGoThroughSlicesWindowsAndBlackForWhite) {

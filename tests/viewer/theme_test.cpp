@@ -22,6 +22,7 @@
 #include <vector>
 
 #include "viewer/offscreen.h"
+#include "viewer/painted_text.h"
 #include "viewer/status_widgets.h"
 #include "viewer/theme/theme_style.h"
 
@@ -114,6 +115,39 @@ class ThemeTest : public test::OffscreenTest {
         return image;
     }
 };
+
+// Who needs large letters needs them for names and measurements above all; none becomes smaller than its own.
+TEST_F(ThemeTest, LettersOverPicturesGrowToo) {
+    const auto heightOfName = [] { return paintText({"A name"}, 1000, 1.0)->size.height; };
+    applyTheme(*application_, {});
+    EXPECT_EQ(fontScaleOverPictures(), 1.0);
+    const auto height = heightOfName();
+    applyTheme(*application_, {.fontScale = 2.0});
+    EXPECT_EQ(fontScaleOverPictures(), 2.0);
+    EXPECT_GT(heightOfName(), 1.5 * height);
+    applyTheme(*application_, {.fontScale = kSmallestFontScale});
+    EXPECT_EQ(fontScaleOverPictures(), 1.0);
+    EXPECT_EQ(heightOfName(), height);
+}
+
+// Arrows of what a narrow window hides of its bars.
+TEST_F(ThemeTest, WhatABarHidesCanBeFound) {
+    for (const ThemeColours* theme : kThemes) {
+        const ThemeStyle style(*theme, 1.0);
+        std::vector<QImage> arrows;
+        for (const auto which :
+             {QStyle::SP_ToolBarHorizontalExtensionButton, QStyle::SP_ToolBarVerticalExtensionButton}) {
+            QImage image(16, 16, QImage::Format_RGB32);
+            image.fill(theme->window);
+            QPainter painter(&image);
+            painter.drawPixmap(image.rect(), style.standardIcon(which).pixmap(QSize(16, 16)));
+            painter.end();
+            EXPECT_GT(seenBeside(image, theme->window), 15);
+            arrows.push_back(image);
+        }
+        EXPECT_NE(arrows[0], arrows[1]) << "one shows to the right, one downwards";
+    }
+}
 
 // What widgets are drawn with, and not only the table.
 TEST_F(ThemeTest, ThePaletteStandsOutInAllStates) {

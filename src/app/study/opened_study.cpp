@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/study/found_volumes.h"
+#include "app/study/image_numbers.h"
 #include "base/fingerprint.h"
 #include "base/phantom.h"
 #include "base/sha256.h"
@@ -67,9 +68,13 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     study.isLowBright = std::ranges::any_of(
         chosen.stack->messages, [](const Message& m) { return m.key == dicom::key::kInvertedDisplay; });
     study.frameOfReferenceUid = frameOfReferenceOf(*chosen.stack);
+    study.imageNumbers = imageNumbersOf(*chosen.stack, study.volume->size().z);
+    // Nothing twice: what is said of a series may be said of its volume too.
     const auto tell = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {
-            if (message.severity != Severity::info) study.messages.push_back(message.sentence);
+            if (message.severity != Severity::info &&
+                std::ranges::find(study.messages, message.sentence) == study.messages.end())
+                study.messages.push_back(message.sentence);
         }
     };
     const dicom::Scan& scan = found->scan();
@@ -80,7 +85,7 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     if (!scan.skipped.empty()) {
         study.messages.push_back(std::to_string(scan.skipped.size()) +
                                  (scan.skipped.size() == 1 ? " file was" : " files were") +
-                                 " left out; `macula info` on the folder says why.");
+                                 " left out; the list of studies and `macula info` on the folder say why.");
     }
     study.found = std::move(found);
     return study;

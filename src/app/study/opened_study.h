@@ -29,6 +29,7 @@ struct OpenedStudy {
     std::shared_ptr<const FoundVolumes> found = {};
     std::vector<std::string> volumeTitles = {};
     std::size_t volumeIndex = 0;
+    std::vector<int> imageNumbers = {};    // of its slices: see imageNumbersOf()
     bool isLowBright = false;              // its own display shows low values white (MONOCHROME1)
     std::string joinQuestion = {};         // see dicom::ScanOptions
     std::string frameOfReferenceUid = {};  // PS3.3 C.7.4.1; empty: not known

@@ -206,7 +206,9 @@ class Builder {
         if (volumes.size() == 1) row.volume = volumes_.at(volumes.front());
         if (isOne || volumes.size() == 1) {
             const dicom::Stack& stack = isOne ? series.stacks.front() : *volumes.front();
-            row.details.push_back(joined({sizeText(stack), voxelText(stack)}, kBetween));
+            // Each in a line: the list is narrow, and the distance of slices comes last.
+            row.details.push_back(sizeText(stack));
+            if (std::string voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
         }
         const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
         // Where presentation states are all that there is, they are what is opened.

@@ -31,19 +31,20 @@ struct ViewRow {
     const char* title;
 };
 constexpr std::array kViews{
-    ViewRow{app::BesideView::hidden, QT_TRANSLATE_NOOP("BesideBar", "Study alone")},
-    ViewRow{app::BesideView::beside, QT_TRANSLATE_NOOP("BesideBar", "Side by side")},
-    ViewRow{app::BesideView::instead, QT_TRANSLATE_NOOP("BesideBar", "Second alone")},
-    ViewRow{app::BesideView::over, QT_TRANSLATE_NOOP("BesideBar", "In colours over the study")}};
+    ViewRow{app::BesideView::hidden, QT_TRANSLATE_NOOP("macula::viewer::BesideBar", "Study alone")},
+    ViewRow{app::BesideView::beside, QT_TRANSLATE_NOOP("macula::viewer::BesideBar", "Side by side")},
+    ViewRow{app::BesideView::instead, QT_TRANSLATE_NOOP("macula::viewer::BesideBar", "Second alone")},
+    ViewRow{app::BesideView::over,
+            QT_TRANSLATE_NOOP("macula::viewer::BesideBar", "In colours over the study")}};
 
 struct ColourRow {
     slices::ColourTable colours;
     const char* title;
 };
 constexpr std::array kColours{
-    ColourRow{slices::ColourTable::hotIron, QT_TRANSLATE_NOOP("BesideBar", "Hot iron")},
-    ColourRow{slices::ColourTable::green, QT_TRANSLATE_NOOP("BesideBar", "Green")},
-    ColourRow{slices::ColourTable::grey, QT_TRANSLATE_NOOP("BesideBar", "Grey")}};
+    ColourRow{slices::ColourTable::hotIron, QT_TRANSLATE_NOOP("macula::viewer::BesideBar", "Hot iron")},
+    ColourRow{slices::ColourTable::green, QT_TRANSLATE_NOOP("macula::viewer::BesideBar", "Green")},
+    ColourRow{slices::ColourTable::grey, QT_TRANSLATE_NOOP("macula::viewer::BesideBar", "Grey")}};
 
 void setItemEnabled(QComboBox& box, int index, bool enabled) {
     auto* model = qobject_cast<QStandardItemModel*>(box.model());
@@ -74,6 +75,8 @@ BesideBar::BesideBar(ViewerSession& session, BesideStudy& beside, QWidget* paren
     QAction* close = addAction(tr("Close"), &beside_, &BesideStudy::close);
     close->setObjectName(QStringLiteral("close-beside"));
     close->setToolTip(tr("Close the second volume; the study stays"));
+    for (QComboBox* list : {views_, links_, colours_, presets_})
+        connect(list, &QComboBox::activated, this, &BesideBar::listLeft);
     connect(&session_, &ViewerSession::changed, this, &BesideBar::showState);
     connect(&beside_, &BesideStudy::secondChanged, this, &BesideBar::showState);
     connect(&beside_, &BesideStudy::began, this, &BesideBar::showState);

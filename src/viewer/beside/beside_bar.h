@@ -30,6 +30,10 @@ class BesideBar : public QToolBar {
 
     void showState();
 
+  signals:
+    // Something was chosen from a list: letters are keys of pictures again, and change no list.
+    void listLeft();
+
   private:
     void addViews();
     void addLinks();

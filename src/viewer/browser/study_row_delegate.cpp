@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QStyle>
+#include <QTextLayout>
 #include <algorithm>
 
 #include "viewer/browser/study_tree_model.h"
@@ -16,6 +17,22 @@ namespace {
 constexpr int kPicturePx = 96;  // logical, as all here
 constexpr int kMarginPx = 4;
 constexpr int kLeastTextPx = 80;
+
+// Where the list is narrow, words count more.
+bool showsPicture(const QModelIndex& index, int widthPx) {
+    return index.data(StudyTreeModel::hasPictureRole).toBool() &&
+           widthPx >= kPicturePx + 2 * kMarginPx + kLeastTextPx;
+}
+
+// As much of it as fits into a line, up to a space.
+qsizetype firstLineOf(const QString& text, const QFont& font, int widthPx) {
+    QTextLayout layout(text, font);
+    layout.beginLayout();
+    QTextLine line = layout.createLine();
+    line.setLineWidth(std::max(widthPx, 1));
+    layout.endLayout();
+    return line.textLength();
+}
 
 // The picture as it was acquired, also where text runs from right to left.
 void paintPicture(QPainter* painter, const QRect& box, const QImage& picture, const QPalette& palette) {
@@ -58,7 +75,13 @@ void paintLines(QPainter* painter, QRect room, const QStyleOptionViewItem& optio
     bold.setBold(true);
     painter->setFont(index.data(StudyTreeModel::isOpenRole).toBool() ? bold : option.font);
     painter->setPen(ink.title);
-    line(index.data(Qt::DisplayRole).toString());
+    const QString title = index.data(Qt::DisplayRole).toString();
+    // What tells series apart is often the end of their description; see sizeHint().
+    const qsizetype first = index.data(StudyTreeModel::hasPictureRole).toBool()
+                                ? firstLineOf(title, painter->font(), room.width())
+                                : title.size();
+    line(title.left(first).trimmed());
+    if (first < title.size()) line(title.mid(first).trimmed());
     painter->setFont(option.font);
     painter->setPen(ink.details);
     for (const QString& text : index.data(StudyTreeModel::detailsRole).toStringList()) line(text);
@@ -80,7 +103,7 @@ void StudyRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& give
     painter->setClipRect(option.rect);
     painter->setRenderHint(QPainter::SmoothPixmapTransform);
     QRect room = option.rect.adjusted(kMarginPx, kMarginPx, -kMarginPx, -kMarginPx);
-    if (index.data(StudyTreeModel::hasPictureRole).toBool()) {
+    if (showsPicture(index, room.width())) {
         const QRect box(room.topLeft(), QSize(kPicturePx, kPicturePx));
         paintPicture(painter, QStyle::visualRect(option.direction, option.rect, box),
                      index.data(StudyTreeModel::pictureRole).value<QImage>(), option.palette);
@@ -92,7 +115,7 @@ void StudyRowDelegate::paint(QPainter* painter, const QStyleOptionViewItem& give
 
 QSize StudyRowDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
     const bool hasPicture = index.data(StudyTreeModel::hasPictureRole).toBool();
-    const int lines = index.data(StudyTreeModel::lineCountRole).toInt();
+    const int lines = index.data(StudyTreeModel::lineCountRole).toInt() + (hasPicture ? 1 : 0);
     const int text = lines * option.fontMetrics.lineSpacing();
     const int height = std::max(text, hasPicture ? kPicturePx : 0);
     return {(hasPicture ? kPicturePx + 2 * kMarginPx : 0) + kLeastTextPx, height + 2 * kMarginPx};

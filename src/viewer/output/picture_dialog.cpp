@@ -68,6 +68,8 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     qualities_->setCurrentIndex(qualities_->findData(QString::fromLatin1(kFirstQuality)));
 
     overlays_->setObjectName(QStringLiteral("picture-overlays"));
+    // A picture that leaves this window without its sides can be taken for its mirror image.
+    overlays_->setChecked(true);
     overlays_->setToolTip(tr(
         "From where the patient is seen, and how many mm or cm something is long, over the picture. Pictures "
         "of light (EXR) have none. Nobody is named"));

@@ -3,11 +3,13 @@
 #include <QFontMetricsF>
 #include <QRegion>
 #include <algorithm>
+#include <cmath>
 
 #include "viewer/slices/haloed_drawing.h"
 #include "viewer/slices/measurement_handles.h"
 #include "viewer/slices/scale_bar.h"
 #include "viewer/slices/slice_texts.h"
+#include "viewer/theme/theme.h"
 
 namespace macula::viewer {
 
@@ -22,6 +24,7 @@ constexpr double kLongestBarPx = 120.0;
 constexpr double kLongestBarOfPane = 0.3;
 constexpr double kBarTickPx = 5.0;
 constexpr double kAroundTextPx = 2.0;  // that the cross-hair leaves free
+constexpr qsizetype kMostLines = 4;    // of one text that must not be cut off
 const QColor kInk(235, 235, 235);
 const QColor kNoteInk(255, 190, 90);
 const QColor kMeasureInk(120, 210, 255);
@@ -52,7 +55,11 @@ class OverlayPainter {
   public:
     OverlayPainter(QPainter& painter, const QSize& size, const SliceOverlay& overlay)
         : painter_(painter), size_(size), overlay_(overlay), font_(painter.font()) {
-        font_.setPixelSize(kFontPx);
+        font_.setPixelSize(int(std::lround(kFontPx * scale_)));
+        names_ = wrapped(overlay.tags);
+        for (const QString& name : overlay.names) names_ << elided(name, roomPx());
+        notes_ = wrapped(overlay.notes);
+        facts_ = wrapped(overlay.facts);
     }
 
     void placeTexts();
@@ -75,9 +82,11 @@ class OverlayPainter {
     QString elided(const QString& line, double roomPx) const {
         return QFontMetricsF(font_).elidedText(line, Qt::ElideRight, roomPx);
     }
+    // In as many lines as it takes: half of a warning, of a date or of a number says something else.
+    QStringList wrapped(const QStringList& texts) const;
     double roomPx() const { return std::max(size_.width() - 2.0 * kMarginPx, 0.0); }
     // Lines that are longer come upon the letters in the middle.
-    double reachPx() const { return 0.5 * size_.width() - kMarginPx - 2.0 * kLetterPx; }
+    double reachPx() const { return 0.5 * size_.width() - kMarginPx - 2.0 * kLetterPx * scale_; }
     double lineHeight() const { return QFontMetricsF(font_).height(); }
     double widest(const QStringList& lines) const;
     void line(const QPointF& from, const QPointF& to, const QColor& ink) const;
@@ -91,7 +100,11 @@ class OverlayPainter {
     QPainter& painter_;
     QSize size_;
     const SliceOverlay& overlay_;
+    double scale_ = fontScaleOverPictures();
     QFont font_;
+    QStringList names_;  // lines as they are painted, also below
+    QStringList notes_;
+    QStringList facts_;
     double topLines_ = 0.0;  // of those above that reach the middle
     double factsWidth_ = 0.0;
     std::vector<PlacedText> texts_;  // what comes later lies above
@@ -99,9 +112,28 @@ class OverlayPainter {
 
 double OverlayPainter::widest(const QStringList& lines) const {
     double width = 0.0;
-    for (const QString& text : lines)
-        width = std::max(width, QFontMetricsF(font_).horizontalAdvance(elided(text, roomPx())));
+    for (const QString& text : lines) width = std::max(width, QFontMetricsF(font_).horizontalAdvance(text));
     return width;
+}
+
+// At spaces; what is longer by itself, and what is left after the last line, ends in an ellipsis.
+QStringList OverlayPainter::wrapped(const QStringList& texts) const {
+    const QFontMetricsF metrics(font_);
+    QStringList lines;
+    for (const QString& text : texts) {
+        QStringList ofThis;
+        for (const QString& word : text.split(QLatin1Char(' '))) {
+            const QString longer = ofThis.isEmpty() ? word : ofThis.constLast() + QLatin1Char(' ') + word;
+            if (ofThis.isEmpty() ||
+                (ofThis.size() < kMostLines && metrics.horizontalAdvance(longer) > roomPx())) {
+                ofThis << word;
+            } else {
+                ofThis.last() = longer;
+            }
+        }
+        for (const QString& line : ofThis) lines << elided(line, roomPx());
+    }
+    return lines;
 }
 
 void OverlayPainter::line(const QPointF& from, const QPointF& to, const QColor& ink) const {
@@ -164,46 +196,47 @@ void OverlayPainter::measurements() const {
 void OverlayPainter::measurementTexts() {
     for (const ShownMeasurement& shown : overlay_.measurements) {
         const QRectF around = pathOf(shown).boundingRect();
-        const QString text = elided(shown.text, roomPx());
-        const double width = QFontMetricsF(font_).horizontalAdvance(text);
-        const double rightmost = std::max(size_.width() - kMarginPx - width, kMarginPx);
-        put({std::clamp(around.right() + kMarginPx, kMarginPx, rightmost),
-             std::clamp(around.bottom() + lineHeight(), lineHeight(),
-                        std::max(size_.height() - kMarginPx, lineHeight()))},
-            text, inkOf(shown));
+        const QStringList lines = wrapped({shown.text});
+        const double rightmost = std::max(size_.width() - kMarginPx - widest(lines), kMarginPx);
+        const double left = std::clamp(around.right() + kMarginPx, kMarginPx, rightmost);
+        const double lowest = size_.height() - kMarginPx - double(lines.size() - 1) * lineHeight();
+        double base =
+            std::clamp(around.bottom() + lineHeight(), lineHeight(), std::max(lowest, lineHeight()));
+        for (const QString& text : lines) {
+            put({left, base}, text, inkOf(shown));
+            base += lineHeight();
+        }
     }
 }
 
 void OverlayPainter::names() {
-    if (widest(overlay_.names) > reachPx()) topLines_ = double(overlay_.names.size());
+    if (widest(names_) > reachPx()) topLines_ = double(names_.size());
     double base = kMarginPx + QFontMetricsF(font_).ascent();
-    for (const QString& text : overlay_.names) {
-        put({kMarginPx, base}, elided(text, roomPx()), kInk);
+    for (const QString& text : names_) {
+        put({kMarginPx, base}, text, kInk);
         base += lineHeight();
     }
 }
 
 // Below the names where both do not fit beside each other.
 void OverlayPainter::notes() {
-    const bool fits = widest(overlay_.names) + widest(overlay_.notes) + 2.0 * kMarginPx < roomPx();
-    const double first = fits ? 0.0 : double(overlay_.names.size());
-    if (widest(overlay_.notes) > reachPx())
-        topLines_ = std::max(topLines_, first + double(overlay_.notes.size()));
+    const bool fits = widest(names_) + widest(notes_) + 2.0 * kMarginPx < roomPx();
+    const double first = fits ? 0.0 : double(names_.size());
+    if (widest(notes_) > reachPx()) topLines_ = std::max(topLines_, first + double(notes_.size()));
     double base = kMarginPx + QFontMetricsF(font_).ascent() + first * lineHeight();
-    for (const QString& text : overlay_.notes) {
-        const QString shown = elided(text, roomPx());
-        const double width = QFontMetricsF(font_).horizontalAdvance(shown);
-        put({size_.width() - kMarginPx - width, base}, shown, kNoteInk);
+    for (const QString& text : notes_) {
+        const double width = QFontMetricsF(font_).horizontalAdvance(text);
+        put({size_.width() - kMarginPx - width, base}, text, kNoteInk);
         base += lineHeight();
     }
 }
 
 void OverlayPainter::facts() {
-    factsWidth_ = widest(overlay_.facts);
+    factsWidth_ = widest(facts_);
     double base = size_.height() - kMarginPx - QFontMetricsF(font_).descent() -
-                  double(overlay_.facts.size() - 1) * lineHeight();
-    for (const QString& text : overlay_.facts) {
-        put({kMarginPx, base}, elided(text, roomPx()), kInk);
+                  double(facts_.size() - 1) * lineHeight();
+    for (const QString& text : facts_) {
+        put({kMarginPx, base}, text, kInk);
         base += lineHeight();
     }
 }
@@ -221,7 +254,7 @@ double OverlayPainter::barBottom(const ScaleBar& bar) const {
     const double needed = std::max(bar.lengthPx, textWidth) + 2.0 * kMarginPx;
     const double bottom = size_.height() - kMarginPx - 2.0;
     const bool fits = kMarginPx + factsWidth_ + needed <= size_.width();
-    return fits ? bottom : bottom - double(overlay_.facts.size()) * lineHeight() - kMarginPx;
+    return fits ? bottom : bottom - double(facts_.size()) * lineHeight() - kMarginPx;
 }
 
 void OverlayPainter::scale() const {
@@ -247,7 +280,7 @@ void OverlayPainter::scaleText() {
 void OverlayPainter::letters() {
     const app::EdgeLetters sides = edgeLetters(overlay_.frame.plane);
     const QFont before = font_;
-    font_.setPixelSize(kLetterPx);
+    font_.setPixelSize(int(std::lround(kLetterPx * scale_)));
     font_.setBold(true);
     const QFontMetricsF metrics(font_);
     const auto place = [&](const std::string& letters, const auto& leftOf, double base) {
@@ -260,7 +293,7 @@ void OverlayPainter::letters() {
     const double lines = QFontMetricsF(before).height();
     const double top = kMarginPx + metrics.ascent() + topLines_ * lines;
     double bottom = size_.height() - kMarginPx - metrics.descent();
-    if (factsWidth_ > reachPx()) bottom -= double(overlay_.facts.size()) * lines;
+    if (factsWidth_ > reachPx()) bottom -= double(facts_.size()) * lines;
     place(
         sides.left, [](double) { return kMarginPx; }, middle);
     place(

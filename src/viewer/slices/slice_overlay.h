@@ -23,15 +23,16 @@ struct SliceOverlay {
     slices::SliceFrame frame;  // of the picture below, in device pixels
     double pixelRatio = 1.0;   // device pixels to a logical one
     std::optional<glm::dvec3> crosshairMm = {};
-    QStringList names = {};  // upper left
+    QStringList tags = {};   // upper left: which study it is, and of which day
+    QStringList names = {};  // below them
     QStringList notes = {};  // upper right
     QStringList facts = {};  // lower left
     std::vector<ShownMeasurement> measurements = {};
     bool isCalibrated = true;  // as in Provenance, all that is in the picture
 };
 
-// `size` of the pane in logical pixels, which the painter must have. What is too long for the pane ends in an
-// ellipsis. Letters of the sides are always there.
+// `size` of the pane in logical pixels, which the painter must have. What is too long for the pane goes on in
+// the next line; names end in an ellipsis. Letters of the sides are always there.
 void paintOverlay(QPainter& painter, const QSize& size, const SliceOverlay& overlay);
 
 }  // namespace macula::viewer

@@ -64,7 +64,8 @@ app::EdgeLetters edgeLetters(const slices::SlicePlane& plane) {
             .bottom = orientationLetters(plane.down)};
 }
 
-QString positionText(Orientation orientation, const SliceSteps& steps, int slice) {
+QString positionText(Orientation orientation, const SliceSteps& steps, int slice,
+                     std::optional<int> imageNumber) {
     const slices::SlicePlane plane = steps.plane(slice, glm::dvec3(0.0));
     const double position = glm::dot(plane.centreMm, plane.normal());
     QString text = nameOf(orientation);
@@ -73,10 +74,12 @@ QString positionText(Orientation orientation, const SliceSteps& steps, int slice
                .arg(text, letters(position < 0.0 ? -plane.normal() : plane.normal()),
                     withLocalNumbers(QString::number(std::abs(position), 'f', 1)));
     if (!steps.areAcquired()) return text;
-    return QCoreApplication::translate("Slices", "%1, slice %2 of %3")
-        .arg(text)
-        .arg(slice + 1)
-        .arg(steps.count());
+    text = QCoreApplication::translate("Slices", "%1, slice %2 of %3")
+               .arg(text)
+               .arg(slice + 1)
+               .arg(steps.count());
+    if (!imageNumber) return text;
+    return QCoreApplication::translate("Slices", "%1, image %2").arg(text).arg(*imageNumber);
 }
 
 QString slabText(const slices::Slab& slab) {

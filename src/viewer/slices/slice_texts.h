@@ -3,6 +3,7 @@
 
 #include <QColor>
 #include <QString>
+#include <optional>
 
 #include "app/camera/orbit_camera.h"
 #include "slices/sampled_slice.h"
@@ -23,7 +24,9 @@ app::EdgeLetters edgeLetters(const slices::SlicePlane& plane);
 
 // "Axial S 123.4 mm, slice 45 of 95": how far the plane is from the patient's origin, and in which direction;
 // the number where images were taken in such planes. "Axial, oblique" where it is no plane of the patient.
-QString positionText(slices::Orientation orientation, const SliceSteps& steps, int slice);
+// With the number of an image: "…, slice 45 of 95, image 51".
+QString positionText(slices::Orientation orientation, const SliceSteps& steps, int slice,
+                     std::optional<int> imageNumber = {});
 QString slabText(const slices::Slab& slab);  // "MIP 10 mm"; empty for the plane alone
 QString pointText(const glm::dvec3& mm);     // "L 12.3 P 45.6 S 78.9 mm"
 // "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, and what lies outside, in words.

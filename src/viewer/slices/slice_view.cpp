@@ -196,7 +196,7 @@ void SliceView::request() {
                    .window = studyWindow(),
                    .isInverted = session_.state().slices.isInverted != session_.study().isLowBright,
                    .segments = segments_,
-                   .positionText = viewer::positionText(orientation_, *steps_, slice),
+                   .positionText = viewer::positionText(orientation_, *steps_, slice, imageNumberOf(slice)),
                    .isInterpolated = isInterpolated(volume(), *steps_, slice),
                    .isLowBright = session_.study().isLowBright,
                    .pixelRatio = ratio,
@@ -220,6 +220,15 @@ void SliceView::onPicture(SlicePicture picture) {
     setAccessibleDescription(positionText());
     update();
     emit pictureShown();
+}
+
+// That by which a report names it, which is often counted from the other end.
+std::optional<int> SliceView::imageNumberOf(int slice) const {
+    const std::vector<int>& numbers = session_.study().imageNumbers;
+    if (!steps_->areAcquired() || slice < 0 || std::size_t(slice) >= numbers.size() ||
+        isInterpolated(volume(), *steps_, slice) || numbers[std::size_t(slice)] < 1)
+        return {};
+    return numbers[std::size_t(slice)];
 }
 
 glm::dvec3 SliceView::crosshairMm() const {
@@ -349,12 +358,12 @@ SliceOverlay SliceView::overlay() {
                          .frame = of.frame,
                          .pixelRatio = of.pixelRatio,
                          .crosshairMm = isLive ? crosshairMm() : of.crosshairMm,
-                         .names = of.tags,
+                         .tags = of.tags,
                          .notes = notes(),
                          .measurements = shownMeasurements(),
                          .isCalibrated = of.volume->provenance().isCalibrated &&
                                          (!of.over || of.over->volume->provenance().isCalibrated)};
-    if (namesShown_) overlay.names += showsStudy() ? lines_ : of.names;
+    if (namesShown_) overlay.names = showsStudy() ? lines_ : of.names;
     if (of.shows == SliceShows::secondByHand) overlay.crosshairMm.reset();
     for (const QString& probed : {overProbedText(), probedText()})
         if (!probed.isEmpty()) overlay.facts.push_back(probed);

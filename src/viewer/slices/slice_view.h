@@ -151,6 +151,7 @@ class SliceView : public QWidget {
     void showCursorAt(const QPointF& place);
     void moveHandle(const QPointF& place);
     void setCrosshair(const glm::dvec3& mm);
+    std::optional<int> imageNumberOf(int slice) const;
     void finishDrawing();
     void removeSelected();
     void showMenu(const QPointF& place);

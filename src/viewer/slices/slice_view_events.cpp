@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "app/frame/projection_windows.h"
+#include "base/camera.h"
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/label_editor.h"
 #include "viewer/slices/slice_menu.h"
@@ -22,6 +24,24 @@ constexpr double kOnePointPx = 3.0;  // nearer points are one
 constexpr double kClickPx = 3.0;     // a right click moves no farther
 constexpr int kManySlices = 5;       // with Shift, or by pages
 constexpr int kNotch = 120;          // eighths of a degree: QWheelEvent
+
+// The point of the same plane that is nearest to `mm` and not beside the volume. Beside it there are no
+// slices: other panes would show their last one, with a cross-hair that is somewhere else.
+glm::dvec3 placeInVolume(const Volume& volume, const slices::SlicePlane& plane, const glm::dvec3& mm) {
+    const auto corners = cornersOf(volume.worldBox());
+    glm::dvec3 place = mm;
+    for (const glm::dvec3& along : {plane.right, plane.down}) {
+        double low = std::numeric_limits<double>::max();
+        double high = std::numeric_limits<double>::lowest();
+        for (const glm::dvec3& corner : corners) {
+            low = std::min(low, glm::dot(corner, along));
+            high = std::max(high, glm::dot(corner, along));
+        }
+        const double at = glm::dot(place, along);
+        place += (std::clamp(at, low, high) - at) * along;
+    }
+    return place;
+}
 constexpr double kZoomPerNotch = 1.15;
 constexpr double kDragZoomPerHeight = 6.0;  // times closer for a drag up over the height of the pane
 
@@ -407,7 +427,8 @@ void SliceView::zoomAt(const QPointF& place, double factor) {
 
 void SliceView::setCrosshair(const glm::dvec3& mm) {
     if (shown_->of.shows == SliceShows::secondByHand) return;  // it is no place in the study
-    session_.drag(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = mm; });
+    const glm::dvec3 to = showsStudy() ? placeInVolume(volume(), plane(), mm) : mm;
+    session_.drag(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = to; });
 }
 
 void SliceView::moveHandle(const QPointF& place) {

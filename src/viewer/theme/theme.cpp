@@ -15,6 +15,7 @@ namespace macula::viewer {
 namespace {
 
 const ThemeColours* applied = &kDarkColours;
+double appliedFontScale = 1.0;
 
 // Of the desktop, whatever was applied before.
 QFont scaledFont(double scale) {
@@ -74,11 +75,16 @@ QPalette paletteOf(const ThemeColours& colours) {
 void applyTheme(QApplication&, ThemeChoice choice) {
     choice = usable(choice);
     applied = choice.highContrast ? &kHighContrastColours : &kDarkColours;
+    appliedFontScale = choice.fontScale;
     const QPalette palette = paletteOf(*applied);
     QApplication::setStyle(new ThemeStyle(*applied, choice.fontScale));  // which the application owns
     QApplication::setPalette(palette);
     QApplication::setFont(scaledFont(choice.fontScale));
     QToolTip::setPalette(palette);
+}
+
+double fontScaleOverPictures() {
+    return std::max(1.0, appliedFontScale);
 }
 
 const ThemeColours& themeColours() {

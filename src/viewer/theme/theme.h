@@ -26,6 +26,10 @@ ThemeChoice usable(ThemeChoice choice);
 // go to what is in them. May be called again: scales do not add up.
 void applyTheme(QApplication& application, ThemeChoice choice);
 
+// Times the letters over pictures: patients' names, measurements and sides have a size of their own, which
+// is never smaller. Of the theme that was applied last, 1 before.
+double fontScaleOverPictures();
+
 // Of the theme that was applied last, the dark one before; for what a palette has no role for. On the UI
 // thread. Who keeps a colour listens to QEvent::StyleChange.
 const ThemeColours& themeColours();

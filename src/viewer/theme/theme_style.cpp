@@ -47,6 +47,28 @@ QRectF squareIn(const QRect& rect) {
         .adjusted(0.5, 0.5, -0.5, -0.5);
 }
 
+// Two arrows, to the right or downwards: more is hidden there.
+QIcon moreIcon(bool isDown, const QColor& ink, double scale) {
+    constexpr double kSidePx = 16.0;
+    constexpr double kRatio = 2.0;  // for displays with two device pixels to a logical one
+    QPixmap picture(QSize(1, 1) * int(std::lround(kSidePx * scale * kRatio)));
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.scale(picture.width(), picture.height());
+    if (isDown) painter.setTransform(QTransform(0.0, 1.0, 1.0, 0.0, 0.0, 0.0), true);
+    painter.setPen(QPen(ink, 0.1, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    for (const double left : {0.25, 0.52}) {
+        painter.drawPolyline(
+            std::array<QPointF, 3>{QPointF(left, 0.28), QPointF(left + 0.22, 0.5), QPointF(left, 0.72)}
+                .data(),
+            3);
+    }
+    painter.end();
+    picture.setDevicePixelRatio(kRatio);
+    return QIcon(picture);
+}
+
 }  // namespace
 
 ThemeStyle::ThemeStyle(const ThemeColours& colours, double scale)
@@ -203,6 +225,15 @@ void ThemeStyle::drawScrollBar(QPainter& painter, const QStyleOptionComplex& opt
     const double radius = 0.5 * std::min(inner.width(), inner.height());
     painter.drawRoundedRect(inner, radius, radius);
     painter.restore();
+}
+
+// Fusion's are black, and so what a narrow window hides of a bar could not be found.
+QIcon ThemeStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
+                               const QWidget* widget) const {
+    const bool isDown = which == SP_ToolBarVerticalExtensionButton;
+    if (isDown || which == SP_ToolBarHorizontalExtensionButton)
+        return moreIcon(isDown, QColor(colours_.text), scale_);
+    return QProxyStyle::standardIcon(which, option, widget);
 }
 
 int ThemeStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const {

@@ -2,6 +2,7 @@
 // of the keyboard focus.
 #pragma once
 
+#include <QIcon>
 #include <QProxyStyle>
 
 #include "viewer/theme/theme_colours.h"
@@ -23,6 +24,9 @@ class ThemeStyle : public QProxyStyle {
                             const QWidget* widget = nullptr) const override;
     int pixelMetric(PixelMetric metric, const QStyleOption* option = nullptr,
                     const QWidget* widget = nullptr) const override;
+
+    QIcon standardIcon(StandardPixmap which, const QStyleOption* option = nullptr,
+                       const QWidget* widget = nullptr) const override;
 
   private:
     void drawEdge(QPainter& painter, const QRect& rect, bool hasFocus) const;

@@ -2771,12 +2771,12 @@
         <translation>Das gewählte Volumen.</translation>
     </message>
     <message>
-        <source>%1 file was left out; `macula info` on the folder says why.</source>
-        <translation>%1 Datei wurde weggelassen; `macula info` zum Ordner sagt, warum.</translation>
+        <source>%1 file was left out; the list of studies and `macula info` on the folder say why.</source>
+        <translation>%1 Datei wurde weggelassen; die Liste der Studien und `macula info` zum Ordner sagen, warum.</translation>
     </message>
     <message>
-        <source>%1 files were left out; `macula info` on the folder says why.</source>
-        <translation>%1 Dateien wurden weggelassen; `macula info` zum Ordner sagt, warum.</translation>
+        <source>%1 files were left out; the list of studies and `macula info` on the folder say why.</source>
+        <translation>%1 Dateien wurden weggelassen; die Liste der Studien und `macula info` zum Ordner sagen, warum.</translation>
     </message>
     <message>
         <source>There is not enough memory for this study.</source>

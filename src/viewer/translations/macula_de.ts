@@ -2,37 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>BesideBar</name>
-    <message>
-        <source>Study alone</source>
-        <translation>Studie allein</translation>
-    </message>
-    <message>
-        <source>Side by side</source>
-        <translation>Nebeneinander</translation>
-    </message>
-    <message>
-        <source>Second alone</source>
-        <translation>Zweites allein</translation>
-    </message>
-    <message>
-        <source>In colours over the study</source>
-        <translation>Farbig über der Studie</translation>
-    </message>
-    <message>
-        <source>Hot iron</source>
-        <translation>Glühendes Eisen</translation>
-    </message>
-    <message>
-        <source>Green</source>
-        <translation>Grün</translation>
-    </message>
-    <message>
-        <source>Grey</source>
-        <translation>Grau</translation>
-    </message>
-</context>
-<context>
     <name>Clip</name>
     <message>
         <source>right</source>
@@ -638,6 +607,10 @@
         <translation>%1, Schicht %2 von %3</translation>
     </message>
     <message>
+        <source>%1, image %2</source>
+        <translation>%1, Bild %2</translation>
+    </message>
+    <message>
         <source>MIP %1 mm</source>
         <translation>MIP %1 mm</translation>
     </message>
@@ -699,6 +672,34 @@
 </context>
 <context>
     <name>macula::viewer::BesideBar</name>
+    <message>
+        <source>Study alone</source>
+        <translation>Studie allein</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Second alone</source>
+        <translation>Zweites allein</translation>
+    </message>
+    <message>
+        <source>In colours over the study</source>
+        <translation>Farbig über der Studie</translation>
+    </message>
+    <message>
+        <source>Hot iron</source>
+        <translation>Glühendes Eisen</translation>
+    </message>
+    <message>
+        <source>Green</source>
+        <translation>Grün</translation>
+    </message>
+    <message>
+        <source>Grey</source>
+        <translation>Grau</translation>
+    </message>
     <message>
         <source>Second Volume</source>
         <translation>Zweites Volumen</translation>
