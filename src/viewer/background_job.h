@@ -1,7 +1,6 @@
 // Work that nobody waits for.
 #pragma once
 
-#include <QMetaObject>
 #include <QObject>
 #include <cstdint>
 #include <exception>
@@ -14,6 +13,7 @@
 #include "base/give_way.h"
 #include "base/progress.h"
 #include "base/result.h"
+#include "viewer/post.h"
 
 namespace macula::viewer {
 
@@ -93,10 +93,7 @@ class BackgroundJob {
         }
     }
 
-    template <class Call>
-    void tell(Call call) {
-        QMetaObject::invokeMethod(home_, std::move(call), Qt::QueuedConnection);
-    }
+    void tell(std::function<void()> call) { post(home_, std::move(call)); }
 
     void finish(std::uint64_t id, const Result<Value>& outcome) {
         // Posting this was the last thing its thread did: joining it takes no time.

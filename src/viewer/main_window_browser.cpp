@@ -1,10 +1,10 @@
 // The browser of studies, while a folder is read and after; and what was opened before.
-#include <QMetaObject>
 #include <set>
 
 #include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/main_window.h"
+#include "viewer/post.h"
 
 namespace macula::viewer {
 
@@ -41,12 +41,9 @@ void MainWindow::showFound(const std::shared_ptr<const app::FoundVolumes>& found
     browser_->setFound(found, open);
     if (!keeper_ || !found || !found->isWhole() || !isNew) return;
     keeper_->askWhatWasSeen(found, [this, found](const std::set<std::size_t>& seen) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, found, seen] {
-                if (browser_->found() == found) browser_->setStored(seen);
-            },
-            Qt::QueuedConnection);
+        post(this, [this, found, seen] {
+            if (browser_->found() == found) browser_->setStored(seen);
+        });
     });
 }
 

@@ -1,6 +1,5 @@
 // What of a study is kept for the next time it is opened, and how it comes back.
 #include <QDockWidget>
-#include <QMetaObject>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/tool_box.h"
+#include "viewer/post.h"
 #include "viewer/presets/preset_library.h"
 
 namespace macula::viewer {
@@ -24,14 +24,11 @@ std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
         session::StoreOptions{.folder = *options_.sessions,
                               .modelCapBytes = std::uint64_t(options_.settings.modelCapMb) * 1'000'000},
         [this](const Error& error) {
-            QMetaObject::invokeMethod(
-                this,
-                [this, error] {
-                    storeNote_ = inWindowsLanguage(error);
-                    storeNoteIsNew_ = !study().volume || loader_.loading();
-                    showNotes();
-                },
-                Qt::QueuedConnection);
+            post(this, [this, error] {
+                storeNote_ = inWindowsLanguage(error);
+                storeNoteIsNew_ = !study().volume || loader_.loading();
+                showNotes();
+            });
         },
         retention);
 }

@@ -1,13 +1,14 @@
 // Values for the UI thread of which only the newest matters.
 #pragma once
 
-#include <QMetaObject>
 #include <QObject>
 #include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <utility>
+
+#include "viewer/post.h"
 
 namespace macula::viewer {
 
@@ -26,17 +27,14 @@ class NewestPosted {
     void operator()(Value value) const {
         const std::lock_guard lock(state_->mutex);
         if (std::exchange(state_->waiting, std::move(value))) return;  // it is asked for already
-        QMetaObject::invokeMethod(
-            home_,
-            [state = state_] {
-                std::optional<Value> newest;
-                {
-                    const std::lock_guard taking(state->mutex);
-                    newest = std::exchange(state->waiting, std::nullopt);
-                }
-                if (newest) state->take(*newest);
-            },
-            Qt::QueuedConnection);
+        post(home_, [state = state_] {
+            std::optional<Value> newest;
+            {
+                const std::lock_guard taking(state->mutex);
+                newest = std::exchange(state->waiting, std::nullopt);
+            }
+            if (newest) state->take(*newest);
+        });
     }
 
   private:

@@ -3,7 +3,6 @@
 #include <QGridLayout>
 #include <QGuiApplication>
 #include <QKeyEvent>
-#include <QMetaObject>
 #include <algorithm>
 #include <chrono>
 #include <iterator>
@@ -14,6 +13,7 @@
 #include "app/frame/window_screen.h"
 #include "base/log.h"
 #include "viewer/painted_text.h"
+#include "viewer/post.h"
 #include "viewer/status_texts.h"
 #include "viewer/theme/theme.h"
 
@@ -77,8 +77,7 @@ Viewport::Viewport(gpu::Instance instance, std::string preferredDevice,
     // dropped by Qt.
     renderThread_ = std::make_unique<app::RenderThread>(
         std::move(instance), std::move(preferredDevice), std::move(keeper), [this](app::RenderEvent event) {
-            QMetaObject::invokeMethod(
-                this, [this, event = std::move(event)] { onRendered(event); }, Qt::QueuedConnection);
+            post(this, [this, event = std::move(event)] { onRendered(event); });
         });
 }
 

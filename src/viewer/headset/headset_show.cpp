@@ -13,6 +13,7 @@
 
 #include "viewer/language/core_words.h"
 #include "viewer/newest_posted.h"
+#include "viewer/post.h"
 
 namespace macula::viewer {
 
@@ -104,16 +105,15 @@ void HeadsetShow::start([[maybe_unused]] HeadsetWish wish) {
     isAbandoned_ = false;
     shared_ = std::make_shared<Shared>();
 #ifdef MACULA_HAS_XR
-    const auto told = std::make_shared<Told>(Told{
-        .mirror = NewestPosted<QImage>(this, [this](const QImage& image) { emit mirrored(image); }),
-        .chosen = NewestPosted<HeadsetChoice>(this,
-                                              [this](const HeadsetChoice& choice) {
-                                                  if (!isAbandoned_) emit chosen(choice);
-                                              }),
-        .note = [this](const std::string& sentence) {
-            QMetaObject::invokeMethod(
-                this, [this, sentence] { emit noted(inWindowsLanguage(sentence)); }, Qt::QueuedConnection);
-        }});
+    const auto told = std::make_shared<Told>(
+        Told{.mirror = NewestPosted<QImage>(this, [this](const QImage& image) { emit mirrored(image); }),
+             .chosen = NewestPosted<HeadsetChoice>(this,
+                                                   [this](const HeadsetChoice& choice) {
+                                                       if (!isAbandoned_) emit chosen(choice);
+                                                   }),
+             .note = [this](const std::string& sentence) {
+                 post(this, [this, sentence] { emit noted(inWindowsLanguage(sentence)); });
+             }});
     const auto wanted = [shared = shared_]() -> std::optional<HeadsetChoice> {
         const std::lock_guard lock(shared->mutex);
         return std::exchange(shared->wanted, std::nullopt);

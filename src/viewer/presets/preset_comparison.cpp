@@ -13,6 +13,7 @@
 
 #include "viewer/background_job.h"
 #include "viewer/language/core_words.h"
+#include "viewer/post.h"
 #include "viewer/status_widgets.h"
 
 namespace macula::viewer {
@@ -60,13 +61,10 @@ class ComparisonJob : public QObject {
         job_.start([this, pictures = std::move(pictures),
                     device = std::move(preferredDevice)](Progress& progress) -> Result<Pictures> {
             Result<Pictures> drawn = draw(pictures, device, progress);
-            QMetaObject::invokeMethod(
-                this,
-                [this] {
-                    isDone_ = true;
-                    if (isLeft_) deleteLater();
-                },
-                Qt::QueuedConnection);
+            post(this, [this] {
+                isDone_ = true;
+                if (isLeft_) deleteLater();
+            });
             return drawn;
         });
     }

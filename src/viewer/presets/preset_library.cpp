@@ -1,6 +1,5 @@
 #include "viewer/presets/preset_library.h"
 
-#include <QMetaObject>
 #include <algorithm>
 #include <new>
 #include <utility>
@@ -11,6 +10,7 @@
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/preset_file.h"
 #include "viewer/language/core_words.h"
+#include "viewer/post.h"
 
 namespace macula::viewer {
 
@@ -56,14 +56,11 @@ void PresetLibrary::readStored() {
         const std::lock_guard lock(mailbox->mutex);
         PresetLibrary* library = mailbox->library;
         if (library == nullptr) return;
-        QMetaObject::invokeMethod(
-            library,
-            [library, stored = std::move(stored)] {
-                if (stored) return library->onStored(*stored);
-                library->isKept_ = false;
-                emit library->changed();
-            },
-            Qt::QueuedConnection);
+        post(library, [library, stored = std::move(stored)] {
+            if (stored) return library->onStored(*stored);
+            library->isKept_ = false;
+            emit library->changed();
+        });
     });
 }
 
@@ -99,15 +96,12 @@ void PresetLibrary::write() {
         const std::lock_guard lock(mailbox->mutex);
         PresetLibrary* library = mailbox->library;
         if (library == nullptr || !error) return;
-        QMetaObject::invokeMethod(
-            library,
-            [library, error = *error] {
-                library->storeNote_ =
-                    tr("The last change of your presets is not stored and lasts until this window closes: %1")
-                        .arg(inWindowsLanguage(error));
-                emit library->changed();
-            },
-            Qt::QueuedConnection);
+        post(library, [library, error = *error] {
+            library->storeNote_ =
+                tr("The last change of your presets is not stored and lasts until this window closes: %1")
+                    .arg(inWindowsLanguage(error));
+            emit library->changed();
+        });
     });
 }
 

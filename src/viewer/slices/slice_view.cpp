@@ -1,6 +1,5 @@
 #include "viewer/slices/slice_view.h"
 
-#include <QMetaObject>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "pipeline/volume/window.h"
 #include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
+#include "viewer/post.h"
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/label_editor.h"
 #include "viewer/slices/slice_texts.h"
@@ -62,8 +62,7 @@ SliceView::SliceView(ViewerSession& session, slices::Orientation orientation, QW
     connect(&session_, &ViewerSession::changed, this, &SliceView::onChanged);
     // What comes after this widget is gone is dropped by Qt.
     sampler_ = std::make_unique<SliceSampler>([this](SlicePicture picture) {
-        QMetaObject::invokeMethod(
-            this, [this, picture = std::move(picture)] { onPicture(picture); }, Qt::QueuedConnection);
+        post(this, [this, picture = std::move(picture)] { onPicture(picture); });
     });
     onStudyShown();
 }
