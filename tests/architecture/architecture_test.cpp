@@ -355,4 +355,16 @@ TEST(Architecture, WhatProgramsSharePrintsNothing) {
     }
 }
 
+// Nothing else is told to the thread sanitizer.
+TEST(Architecture, ThreadsReachTheWindowInOneWay) {
+    Names ways;
+    for (const fs::path& path : sourcesIn("src/viewer")) {
+        std::ifstream stream(path);
+        const std::string text{std::istreambuf_iterator<char>(stream), {}};
+        for (const char* way : {"invokeMethod", "postEvent"})
+            if (text.find(way) != std::string::npos) ways.insert(path.filename().string());
+    }
+    EXPECT_EQ(ways, Names{"post.cpp"});
+}
+
 }  // namespace
