@@ -260,6 +260,8 @@ class Pictures(unittest.TestCase):
             thread.join()
         self.assertEqual(seeds, {seed: seed for seed in range(6)})
 
+    @unittest.skipIf("libtsan" in os.environ.get("LD_PRELOAD", ""),
+                     "the thread sanitizer starts no threads after a fork")
     def test_a_process_that_was_forked_draws_on_a_device_of_its_own(self):
         program = """
 import macula, os, signal
