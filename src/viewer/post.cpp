@@ -13,9 +13,9 @@ namespace macula::viewer {
 
 namespace {
 
-// Whatever was written before a call was sent is there when it is received: Qt's queue sees to that by locks
-// of its own, which the thread sanitizer has to be told of. It does not look at this file, of which Qt copies
-// things in between.
+// A posted call. Qt's event queue orders what the sender wrote before what the receiver reads, by locks that
+// the thread sanitizer does not see; release and acquire tell it of that order. This file is compiled without
+// the sanitizer, as Qt moves the call between the two.
 struct Handed {
     explicit Handed(std::function<void()> made) : call(std::move(made)) {
 #ifdef MACULA_TELLS_THREAD_SANITIZER
@@ -24,9 +24,10 @@ struct Handed {
     }
     Handed(const Handed&) = delete;
     Handed& operator=(const Handed&) = delete;
+    // A dropped call is destroyed on the receiving thread, too.
     ~Handed() {
         receive();
-    }  // also where nobody is there to be called
+    }
     void receive() {
 #ifdef MACULA_TELLS_THREAD_SANITIZER
         __tsan_acquire(this);

@@ -7,8 +7,9 @@ class QObject;
 
 namespace macula::viewer {
 
-// Of any thread. `call` is made on the thread that `home` lives on, in its turn among what else is waiting
-// there; not at all when `home` is gone by then. `home` lives while this is called.
+// Queues `call` for the thread that `home` lives on; any thread may post. Calls are made in the order in
+// which they were posted. A call whose `home` is destroyed before its turn is dropped. `home` must be alive
+// until post() returns.
 void post(QObject* home, std::function<void()> call);
 
 }  // namespace macula::viewer

@@ -17,12 +17,12 @@ namespace macula::viewer {
 // Of a preset, a clip or lights.
 QString titleOr(const std::string& title, const std::string& name);
 
-// What is on screen, how it was made, and how far it has come.
 // Whose picture it is, in the language of the window: a line each, as linesOf has them.
 std::vector<std::string> linesToShow(const app::Identity& identity);
 // Of a 3D picture so drawn: `names`, and that something of another series is in it, also where nobody is
 // named.
 std::vector<std::string> linesOver(std::vector<std::string> names, const app::Drawing& drawing);
+// What is on screen, how it was made, and how far it has come.
 QString fidelityText(const app::FrameShown& frame);
 
 // What the peripheral model is doing; empty where there is nothing to say.

@@ -7,9 +7,10 @@
 
 namespace macula::app {
 
-// InstanceNumber (0020,0013) of each of so many slices, for reports; 0 for those that are interpolated. Empty
-// where numbers say nothing that the place of a slice does not say: they are missing, stand twice, are those
-// of files with several frames, count as the slices do, or slices at the ends could not be read.
+// The InstanceNumber (0020,0013) of each of the `slices` slices of a volume, in their order; 0 for a slice
+// that is interpolated. Empty where no slice has a number of its own: a number is missing or below 1, two
+// images share one (as frames of one file do), or the volume lacks slices of the stack. Empty, too, where the
+// numbers count as the slices do.
 std::vector<int> imageNumbersOf(const dicom::Stack& stack, int slices);
 
 }  // namespace macula::app

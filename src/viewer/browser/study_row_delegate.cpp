@@ -76,7 +76,8 @@ void paintLines(QPainter* painter, QRect room, const QStyleOptionViewItem& optio
     painter->setFont(index.data(StudyTreeModel::isOpenRole).toBool() ? bold : option.font);
     painter->setPen(ink.title);
     const QString title = index.data(Qt::DisplayRole).toString();
-    // What tells series apart is often the end of their description; see sizeHint().
+    // A title may take two lines, for which sizeHint() leaves room: descriptions of series often differ only
+    // at their end.
     const qsizetype first = index.data(StudyTreeModel::hasPictureRole).toBool()
                                 ? firstLineOf(title, painter->font(), room.width())
                                 : title.size();

@@ -32,7 +32,7 @@ struct SliceOverlay {
 };
 
 // `size` of the pane in logical pixels, which the painter must have. What is too long for the pane goes on in
-// the next line; names end in an ellipsis. Letters of the sides are always there.
+// the next line, up to four in all; names end in an ellipsis. Letters of the sides are always there.
 void paintOverlay(QPainter& painter, const QSize& size, const SliceOverlay& overlay);
 
 }  // namespace macula::viewer

@@ -24,6 +24,8 @@ constexpr double kOnePointPx = 3.0;  // nearer points are one
 constexpr double kClickPx = 3.0;     // a right click moves no farther
 constexpr int kManySlices = 5;       // with Shift, or by pages
 constexpr int kNotch = 120;          // eighths of a degree: QWheelEvent
+constexpr double kZoomPerNotch = 1.15;
+constexpr double kDragZoomPerHeight = 6.0;  // times closer for a drag up over the height of the pane
 
 // The point of the same plane that is nearest to `mm` and not beside the volume. Beside it there are no
 // slices: other panes would show their last one, with a cross-hair that is somewhere else.
@@ -42,8 +44,6 @@ glm::dvec3 placeInVolume(const Volume& volume, const slices::SlicePlane& plane, 
     }
     return place;
 }
-constexpr double kZoomPerNotch = 1.15;
-constexpr double kDragZoomPerHeight = 6.0;  // times closer for a drag up over the height of the pane
 
 }  // namespace
 

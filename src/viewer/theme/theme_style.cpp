@@ -227,7 +227,7 @@ void ThemeStyle::drawScrollBar(QPainter& painter, const QStyleOptionComplex& opt
     painter.restore();
 }
 
-// Fusion's are black, and so what a narrow window hides of a bar could not be found.
+// Fusion draws the arrows of a bar's extension button in black, where nobody sees them on a dark bar.
 QIcon ThemeStyle::standardIcon(StandardPixmap which, const QStyleOption* option,
                                const QWidget* widget) const {
     const bool isDown = which == SP_ToolBarVerticalExtensionButton;
