@@ -104,6 +104,14 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kPhasesAssumed, kWarning, 0,
      "Every position was imaged {count} times, and only the order of the image numbers tells them apart.",
      "Check that the volumes of this series are what they seem to be."},
+    {key::kPhasesByNumber, kWarning, 0,
+     "Images whose {attribute} does not say to which phase they belong, and whose number was asked instead: "
+     "{numbers}.",
+     "Compare these slices with those beside them before relying on them."},
+    {key::kUnclearPhase, kWarning, 0,
+     "Images of which nothing says for sure to which phase they belong: {numbers}. They are in a stack of "
+     "their own, and the phases lack them.",
+     "Look at these images by themselves; part of the scan may have been repeated."},
     {key::kIncompletePhases, kWarning, 0,
      "Phases that have fewer images than the others: {count} of {total}.",
      "Copy the whole series again from its source."},
@@ -122,12 +130,21 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "Look at both; together they cover more."},
     {key::kLocalizer, kBlocksVolume, 0, "This is a localizer: an overview image, not a slice of a volume.",
      "Choose a series of slices."},
+    {key::kSplitByNumber, kWarning, 0,
+     "The image numbers run {count} times along the patient, and nothing else tells these sets of slices "
+     "apart; each is a stack of its own.",
+     "Look at all of them; they may be several acquisitions."},
     {key::kInterleavedPositions, kWarning, 0,
-     "The slices are two even sets, shifted by {offsetMm:.3f} mm against each other, and nothing else tells "
-     "them apart; each is a stack of its own.",
-     "Look at both; they may be two acquisitions."},
+     "The slices are {count} even sets, the first two shifted by {offsetMm:.3f} mm against each other, and "
+     "nothing else tells them apart; each is a stack of its own.",
+     "Look at all of them; they may be several acquisitions."},
     {key::kChangesAlongStack, kWarning, 0,
      "{attribute} changes along the slices, first at slice {slice}; values may step there.",
+     "Do not take a step there for a finding."},
+    {key::kAcquiredApart, kWarning, 0,
+     "Slices {slices} were acquired {minutes:.1f} min before or after those beside them: the patient may "
+     "have "
+     "moved, and contrast medium spread.",
      "Do not take a step there for a finding."},
     {key::kAlternatingValues, kWarning, 0,
      "Every other slice differs from those beside it in the same way: two acquisitions may be mixed in this "
@@ -145,6 +162,10 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "Images that name no coordinate system (FrameOfReferenceUID): {count} of {total}. They continue the "
      "stack of the others, and it was taken for granted that they share theirs.",
      "Check that the slices fit each other. The series is not shown together with others."},
+    {key::kStacksJoined, kInfo, 0,
+     "The frames belong to {count} stacks (StackID), which make one even volume together and are shown as "
+     "one.",
+     ""},
     {key::kSharedInstanceUid, kWarning, 0,
      "Images that share one identifier (SOPInstanceUID) and lie at different positions: {count}. All are "
      "kept.",
@@ -181,6 +202,10 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "Left and right, or front and back, may be exchanged: compare with the original images."},
     {key::kRepairedOrientation, kInfo, 0,
      "The row and column directions are {error:.4f} off perpendicular unit vectors, and were set right.", ""},
+    {key::kOrientationDrift, kInfo, 0,
+     "The slices are turned against each other by up to {degrees:.3f} degrees; they are drawn with the mean "
+     "orientation, and a voxel is up to {errorMm:.3f} mm away from where it is drawn.",
+     "Allow for this error when measuring."},
     {key::kMissingSlices, kWarning, 7,
      "Slices that are missing: {missing} of {total}, which are {spacingMm:.3f} mm apart.", kCopySeries},
     {key::kGapInterpolated, kWarning, 0,

@@ -394,6 +394,7 @@ std::vector<HostileStudy> make() {
     perSlice("study-uid-per-slice", "every slice has study and series UIDs of its own",
              {DCM_StudyInstanceUID, DCM_SeriesInstanceUID});
     perSlice("patient-id-per-slice", "every slice has a patient ID of its own", {DCM_PatientID});
+    for (HostileStudy& study : hostileAcquisitions()) add(std::move(study));
     return all;
 }
 

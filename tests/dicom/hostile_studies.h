@@ -25,5 +25,7 @@ struct HostileStudy {
 };
 
 const std::vector<HostileStudy>& hostileStudies();
+// Those of them that are several acquisitions or phases.
+std::vector<HostileStudy> hostileAcquisitions();
 
 }  // namespace macula::dicom::test

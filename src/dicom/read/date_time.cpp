@@ -39,11 +39,34 @@ std::optional<double> secondsOfDateTime(std::string_view dateTime) {
     return 86400.0 * double(*days) + *seconds;
 }
 
-std::optional<double> secondsOfEither(std::string_view text) {
+std::optional<double> secondsOfOffset(std::string_view offset) {
+    offset = trimmed(offset);
+    constexpr std::size_t kLength = 5;  // a sign, hours, minutes
+    if (offset.size() != kLength || (offset[0] != '+' && offset[0] != '-')) return {};
+    if (offset.find_first_not_of("0123456789", 1) != std::string_view::npos) return {};
+    const auto digit = [&](std::size_t at) { return double(offset[at] - '0'); };
+    const double minutes = 60.0 * (10.0 * digit(1) + digit(2)) + 10.0 * digit(3) + digit(4);
+    return (offset[0] == '-' ? -60.0 : 60.0) * minutes;
+}
+
+std::optional<Moment> momentOf(std::string_view text) {
+    text = trimmed(text);
+    const std::size_t sign = text.find_first_of("+-");
+    const double east =
+        sign == std::string_view::npos ? 0.0 : secondsOfOffset(text.substr(sign)).value_or(0.0);
+    text = text.substr(0, sign);
     constexpr std::size_t kMostOfTime = 6;  // HHMMSS
-    return text.find_first_not_of("0123456789") <= kMostOfTime || text.size() <= kMostOfTime
-               ? secondsOfTime(text)
-               : secondsOfDateTime(text);
+    constexpr std::size_t kDate = 8;        // YYYYMMDD
+    if (text.find_first_not_of("0123456789") <= kMostOfTime || text.size() <= kMostOfTime) {
+        const auto seconds = secondsOfTime(text);
+        if (!seconds) return {};
+        return Moment{{}, *seconds - east};
+    }
+    if (text.size() <= kDate) return {};
+    const auto day = daysOfDate(text.substr(0, kDate));
+    const auto seconds = secondsOfDateTime(text);
+    if (!day || !seconds) return {};
+    return Moment{day, *seconds - east};
 }
 
 }  // namespace macula::dicom

@@ -12,9 +12,20 @@ std::optional<double> secondsOfTime(std::string_view time);
 // "20010105", "2001.01.05": days since 1970-01-01.
 std::optional<long> daysOfDate(std::string_view date);
 // "20010105193059.25+0100": seconds since 1970-01-01 in the file's own time zone; what follows + or - is left
-// out, because times are only compared within one file. Needs at least a day.
+// out, because the caller compares times of one zone. Needs at least a day.
 std::optional<double> secondsOfDateTime(std::string_view dateTime);
-// Either of them, for the order of images: a date with a time, or a time alone.
-std::optional<double> secondsOfEither(std::string_view text);
+// "+0100", "-0330", as at the end of a DT or in TimezoneOffsetFromUTC: seconds east of Greenwich.
+std::optional<double> secondsOfOffset(std::string_view offset);
+
+// When something was, as far as the text says it. Only moments that both have a date, or both none, can be
+// compared; a text with an offset is in UTC, one without in the zone of the scanner.
+struct Moment {
+    std::optional<long> day;  // of the date as written, since 1970-01-01; empty of a time alone
+    double seconds = 0.0;     // since 1970-01-01, or since midnight
+};
+
+// A time, or a date and a time, either with an offset: "193059", "20010105193059.25+0100". Nothing when there
+// is no time of day: a date alone does not order the images of a day.
+std::optional<Moment> momentOf(std::string_view text);
 
 }  // namespace macula::dicom

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
 
 #include "dicom/split/partition.h"
+#include "dicom/split/trial.h"
 
 namespace macula::dicom {
 
@@ -14,8 +16,7 @@ namespace {
 
 // What to say when images that name different coordinate systems, or none, look as if they shared one: either
 // no two name the same, as a program leaves them that makes every identifier anew, or some name none.
-std::optional<Message> likelyOneFrameOfReference(const std::vector<Frame>& frames,
-                                                 const Partition& partition) {
+std::optional<Message> likelyOneFrameOfReference(const std::vector<Frame>& frames) {
     std::set<std::string_view> names;
     std::size_t silent = 0;
     for (const Frame& frame : frames) {
@@ -25,12 +26,11 @@ std::optional<Message> likelyOneFrameOfReference(const std::vector<Frame>& frame
             names.insert(frame.frameOfReferenceUid);
         }
     }
-    if (2 * silent > frames.size()) return {};
+    if (2 * silent > frames.size() + 1) return {};
     constexpr std::size_t kLeastImages = 3;
     if (names.size() >= kLeastImages && names.size() + silent == frames.size())
         return message(key::kFrameOfReferencePerSlice);
-    // Two sets of frames that alternate are not one coordinate system.
-    if (names.size() == 1 && 2 * alternations(frames, partition) <= frames.size()) {
+    if (names.size() == 1) {
         return message(key::kFrameOfReferenceMissing,
                        {{"count", std::int64_t(silent)}, {"total", std::int64_t(frames.size())}});
     }
@@ -39,9 +39,8 @@ std::optional<Message> likelyOneFrameOfReference(const std::vector<Frame>& frame
 
 // Gives the frames of the part no coordinate system when they are likely to share one, and every one of them
 // is in an even volume then, with gaps perhaps.
-bool assumeOneFrameOfReference(HardPart& part, const Partition& partition, std::size_t attribute,
-                               const TryStacks& tryStacks) {
-    auto told = likelyOneFrameOfReference(part.frames, partition);
+bool assumeOneFrameOfReference(HardPart& part, std::size_t attribute, const TryStacks& tryStacks) {
+    auto told = likelyOneFrameOfReference(part.frames);
     if (!told) return false;
     std::vector<Frame> frames = part.frames;
     for (Frame& frame : frames) {
@@ -58,6 +57,64 @@ bool assumeOneFrameOfReference(HardPart& part, const Partition& partition, std::
     return true;
 }
 
+// Takes frames of several stacks (StackID) that lie end to end for those of one when they make one even
+// volume.
+bool assumeOneStack(HardPart& part, const Partition& partition, std::size_t attribute,
+                    const TryStacks& tryStacks) {
+    if (interleave(tryOut(part.frames, partition))) return false;
+    std::vector<Frame> frames = part.frames;
+    for (Frame& frame : frames) frame.attributes[attribute].clear();
+    const std::vector<Stack> stacks = tryStacks(frames);
+    if (stacks.size() != 1 || !stacks.front().isEven()) return false;
+    part.frames = std::move(frames);
+    part.told.push_back(message(key::kStacksJoined, {{"count", std::int64_t(partition.size())}}));
+    return true;
+}
+
+// Gives frames that are turned against each other by less than anybody could see the mean orientation: some
+// writers compute the directions of each slice anew. A corner of a slice may move by a tenth of a voxel, or,
+// with a warning, by half of one.
+bool assumeOneOrientation(HardPart& part, std::size_t attribute) {
+    constexpr double kTellOfVoxel = 0.1;
+    constexpr double kMostOfVoxel = 0.5;
+    glm::dvec3 row{0.0};
+    glm::dvec3 column{0.0};
+    for (const Frame& frame : part.frames) {
+        if (!frame.plane || !isUsable(*frame.plane)) return false;
+        row += frame.plane->rowDirection;
+        column += frame.plane->columnDirection;
+    }
+    if (!(glm::length(row) > 0.0 && glm::length(column) > 0.0)) return false;
+    row = glm::normalize(row);
+    column = glm::normalize(column - glm::dot(column, row) * row);
+    double errorMm = 0.0;
+    double radians = 0.0;
+    double voxelMm = std::numeric_limits<double>::infinity();
+    for (const Frame& frame : part.frames) {
+        const ImagePlane& plane = *frame.plane;
+        const glm::dvec3 alongRow =
+            (plane.rowDirection - row) * (plane.columnSpacingMm * double(frame.instance->columns - 1));
+        const glm::dvec3 alongColumn =
+            (plane.columnDirection - column) * (plane.rowSpacingMm * double(frame.instance->rows - 1));
+        errorMm = std::max(
+            {errorMm, glm::length(alongRow), glm::length(alongColumn), glm::length(alongRow + alongColumn)});
+        radians = std::max(
+            {radians, glm::length(plane.rowDirection - row), glm::length(plane.columnDirection - column)});
+        voxelMm = std::min({voxelMm, plane.columnSpacingMm, plane.rowSpacingMm});
+    }
+    if (errorMm > kMostOfVoxel * voxelMm) return false;
+    for (Frame& frame : part.frames) {
+        frame.plane->rowDirection = row;
+        frame.plane->columnDirection = column;
+        frame.attributes[attribute] = part.frames.front().attributes[attribute];
+    }
+    Message told =
+        message(key::kOrientationDrift, {{"degrees", glm::degrees(radians)}, {"errorMm", errorMm}});
+    if (errorMm > kTellOfVoxel * voxelMm) told.severity = Severity::warning;
+    part.told.push_back(std::move(told));
+    return true;
+}
+
 // Whether `part` is a few images of the largest part that lie otherwise, or whose place is unknown. Without
 // them the volume is not complete.
 bool isLeftOver(const HardPart& part, const HardPart& largest) {
@@ -69,6 +126,16 @@ bool isLeftOver(const HardPart& part, const HardPart& largest) {
         if (kPlacement.contains(label.attribute)) return true;
         return std::find(largest.labels.begin(), largest.labels.end(), label) != largest.labels.end();
     });
+}
+
+// Whether frames that differ in a hard attribute are taken for those of one stack all the same; what was
+// assumed is told then.
+bool areOneAfterAll(const std::string& name, HardPart& part, const Partition& partition,
+                    std::size_t attribute, const TryStacks& tryStacks) {
+    if (name == "FrameOfReferenceUID") return assumeOneFrameOfReference(part, attribute, tryStacks);
+    if (name == "StackID") return assumeOneStack(part, partition, attribute, tryStacks);
+    if (name == "ImageOrientationPatient") return assumeOneOrientation(part, attribute);
+    return false;
 }
 
 // Frames that are alone in their part although they agree in all but how they lie (a rotation of projections,
@@ -129,11 +196,10 @@ std::vector<HardPart> splitHard(std::vector<Frame> frames, const SplitRules& rul
                 continue;
             }
             const std::string& name = rules.attributes[rule.attribute].name;
-            if (name == "FrameOfReferenceUID" && part.frames.front().plane) {
-                if (assumeOneFrameOfReference(part, partition, rule.attribute, tryStacks)) {
-                    finer.push_back(std::move(part));
-                    continue;
-                }
+            if (part.frames.front().plane &&
+                areOneAfterAll(name, part, partition, rule.attribute, tryStacks)) {
+                finer.push_back(std::move(part));
+                continue;
             }
             if (told.empty() || told.back().second != name) told.emplace_back(rule.message, name);
             for (const Part& piece : partition) {

@@ -23,22 +23,6 @@ using Partition = std::vector<Part>;
 Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rules,
                            const std::vector<std::size_t>& attributes);
 
-// Puts the frame with the lowest value at each position into the first part, the next into the second. Empty
-// unless all frames have a value, no two at one position the same, and all positions have equally many
-// frames. With `mayLack` a quarter of the positions may have fewer, where values are numbers or times: these
-// go where the frames at the positions beside them would have it, if that is clear.
-Partition partitionByRank(std::span<const Frame> frames, const SplitRules& rules, std::size_t attribute,
-                          bool mayLack = false);
-
-// `count` runs, each of which is over before the next one begins: the frames sorted by the time that
-// `attribute` is, cut where the longest pauses are. Empty when a frame has no time, or there are fewer
-// pauses.
-Partition partitionByRuns(std::span<const Frame> frames, std::size_t attribute, std::size_t count);
-
-// Two sets of frames, each at multiples of one distance from its first, which is the same for both. Empty
-// when the frames lie otherwise, or on one lattice, be it of half that distance and with slices missing.
-Partition separateLattices(std::span<const Frame> frames);
-
 // How often the next frame along the normal is in another part than the one before.
 std::size_t alternations(std::span<const Frame> frames, const Partition& partition);
 

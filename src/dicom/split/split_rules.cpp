@@ -10,6 +10,8 @@
 #include "base/check.h"
 #include "base/parsing.h"
 #include "base/utf8.h"
+#include "dicom/read/date_time.h"
+#include "dicom/read/tags.h"
 #include "dicom/rules/embedded.h"
 
 namespace macula::dicom {
@@ -56,6 +58,7 @@ Attribute::Reading readingOf(const std::string& name) {
 Attribute::Kind kindOf(const std::string& name) {
     if (name == "number") return Attribute::Kind::number;
     if (name == "numbers") return Attribute::Kind::numbers;
+    if (name == "time") return Attribute::Kind::time;
     if (name == "contains") return Attribute::Kind::contains;
     MACULA_CHECK(name == "text");
     return Attribute::Kind::text;
@@ -86,17 +89,20 @@ SplitRules::Soft::Step stepOf(const std::string& name) {
     return Step::silent;
 }
 
-// Enters what is read from data sets first: saved views name attributes by their place.
+// Enters what is read from data sets first, and what later versions of the rules added last: saved views name
+// attributes by their place.
 void enterInOrder(SplitRules& rules, const Json& json) {
-    const auto enterThoseOf = [&](const Json& list) {
+    const auto enterThoseOf = [&](const Json& list, bool alsoRead) {
         for (const Json& rule : list) {
-            if (!rule.contains("read")) enter(rules, rule);
+            if ((alsoRead || !rule.contains("read")) && !rule.contains("since")) enter(rules, rule);
         }
     };
-    enterThoseOf(json.at("hard"));
-    for (const auto& [modality, list] : json.at("soft").items()) enterThoseOf(list);
-    enterThoseOf(json.at("runs"));
-    enterThoseOf(json.at("phases"));
+    for (const bool alsoRead : {false, true}) {
+        enterThoseOf(json.at("hard"), alsoRead);
+        for (const auto& [modality, list] : json.at("soft").items()) enterThoseOf(list, alsoRead);
+        enterThoseOf(json.at("runs"), alsoRead);
+        enterThoseOf(json.at("phases"), alsoRead);
+    }
 }
 
 SplitRules parse(std::string_view text) {
@@ -151,10 +157,21 @@ std::optional<std::string> textAt(const Dataset& frame, const Attribute::Source&
     if (!source.within) {
         auto text = frame.text(source.tag);
         if (text && source.bias > 0.0) text = withoutBias(*std::move(text), source.bias);
+        if (text && source.before) text = frame.text(*source.before).value_or("") + *text;
         return text;
     }
     const std::vector<Dataset> items = frame.items(*source.within);
     return items.empty() ? std::nullopt : items.front().text(source.tag);
+}
+
+// With the offset of the image's time zone, where it has one and the text none. Nothing when the text has no
+// time of day.
+std::optional<std::string> timeAt(const Dataset& frame, const Attribute::Source& source) {
+    auto text = textAt(frame, source);
+    if (!text || !momentOf(*text)) return {};
+    if (text->find_first_of("+-") != std::string::npos) return text;
+    const std::string offset = frame.text(tag::kTimezoneOffsetFromUtc).value_or("");
+    return secondsOfOffset(offset) ? *text + offset : text;
 }
 
 }  // namespace
@@ -171,9 +188,10 @@ std::vector<std::string> readAttributes(const SplitRules& rules, const Dataset& 
         std::string value;
         for (const Attribute::Source& source : attribute.tags) {
             if (attribute.reading != Attribute::Reading::value) break;
-            auto text = textAt(frame, source);
+            auto text =
+                attribute.kind == Attribute::Kind::time ? timeAt(frame, source) : textAt(frame, source);
             if (!text) continue;
-            value = source.before ? frame.text(*source.before).value_or("") + *text : std::move(*text);
+            value = std::move(*text);
             break;
         }
         // No real value is as long, and there is one for each frame.
@@ -194,6 +212,11 @@ bool sameValue(const Attribute& attribute, std::string_view a, std::string_view 
         case Attribute::Kind::text:
         case Attribute::Kind::contains:
             return false;
+        case Attribute::Kind::time: {
+            const auto x = momentOf(a);
+            const auto y = momentOf(b);
+            return x && y && x->day.has_value() == y->day.has_value() && x->seconds == y->seconds;
+        }
         case Attribute::Kind::number:
             return sameNumber(attribute, a, b);
         case Attribute::Kind::numbers: {

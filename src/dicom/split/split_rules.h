@@ -12,7 +12,9 @@
 namespace macula::dicom {
 
 struct Attribute {
-    enum class Kind { text, number, numbers, contains };
+    // A time is that of a date and a time of day, or of the latter; a source that holds a date alone is
+    // passed over, and the offset of the image's time zone stands at its end (PS3.5 6.2, DT; 0008,0201).
+    enum class Kind { text, number, numbers, time, contains };
     // Where a frame's value is: in its data set; at its place in a list with a value for each frame of the
     // file (PS3.3 C.7.6.6.1.1); among the frame's indices by dimension (C.7.6.17): see frame_lists.h.
     enum class Reading { value, list, dimensions };

@@ -775,6 +775,22 @@
         <translation>Jede Position wurde %1-mal aufgenommen, und nur die Reihenfolge der Bildnummern unterscheidet sie.</translation>
     </message>
     <message>
+        <source>Images whose %1 does not say to which phase they belong, and whose number was asked instead: %2.</source>
+        <translation>Bilder, deren %1 nicht sagt, zu welcher Phase sie gehören, und deren Nummer stattdessen entschied: %2.</translation>
+    </message>
+    <message>
+        <source>Compare these slices with those beside them before relying on them.</source>
+        <translation>Vergleichen Sie diese Schichten mit denen daneben, bevor Sie sich auf sie verlassen.</translation>
+    </message>
+    <message>
+        <source>Images of which nothing says for sure to which phase they belong: %1. They are in a stack of their own, and the phases lack them.</source>
+        <translation>Bilder, von denen nichts sicher sagt, zu welcher Phase sie gehören: %1. Sie sind ein eigener Stapel, und den Phasen fehlen sie.</translation>
+    </message>
+    <message>
+        <source>Look at these images by themselves; part of the scan may have been repeated.</source>
+        <translation>Sehen Sie diese Bilder für sich an; ein Teil der Aufnahme wurde vielleicht wiederholt.</translation>
+    </message>
+    <message>
         <source>Check that the volumes of this series are what they seem to be.</source>
         <translation>Prüfen Sie, ob die Volumen dieser Serie sind, was sie zu sein scheinen.</translation>
     </message>
@@ -819,12 +835,32 @@
         <translation>Wählen Sie eine Serie von Schichten.</translation>
     </message>
     <message>
-        <source>The slices are two even sets, shifted by %1 mm against each other, and nothing else tells them apart; each is a stack of its own.</source>
-        <translation>Die Schichten sind zwei gleichmäßige Sätze, um %1 mm gegeneinander verschoben, und nichts sonst unterscheidet sie; jeder ist ein eigener Stapel.</translation>
+        <source>The slices are %1 even sets, the first two shifted by %2 mm against each other, and nothing else tells them apart; each is a stack of its own.</source>
+        <translation>Die Schichten sind %1 gleichmäßige Sätze, die ersten beiden um %2 mm gegeneinander verschoben, und nichts sonst unterscheidet sie; jeder ist ein eigener Stapel.</translation>
     </message>
     <message>
-        <source>Look at both; they may be two acquisitions.</source>
-        <translation>Sehen Sie beide an; es können zwei Aufnahmen sein.</translation>
+        <source>Look at all of them; they may be several acquisitions.</source>
+        <translation>Sehen Sie alle an; es sind vielleicht mehrere Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>The image numbers run %1 times along the patient, and nothing else tells these sets of slices apart; each is a stack of its own.</source>
+        <translation>Die Bildnummern laufen %1-mal am Patienten entlang, und nichts sonst unterscheidet diese Sätze von Schichten; jeder ist ein eigener Stapel.</translation>
+    </message>
+    <message>
+        <source>Slices %1 were acquired %2 min before or after those beside them: the patient may have moved, and contrast medium spread.</source>
+        <translation>Die Schichten %1 wurden %2 min vor oder nach denen daneben aufgenommen: Der Patient kann sich bewegt und Kontrastmittel sich ausgebreitet haben.</translation>
+    </message>
+    <message>
+        <source>The frames belong to %1 stacks (StackID), which make one even volume together and are shown as one.</source>
+        <translation>Die Bilder gehören zu %1 Stapeln (StackID), die zusammen ein gleichmäßiges Volumen ergeben und als eines gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>The slices are turned against each other by up to %1 degrees; they are drawn with the mean orientation, and a voxel is up to %2 mm away from where it is drawn.</source>
+        <translation>Die Schichten sind um bis zu %1 Grad gegeneinander gedreht; sie werden mit der mittleren Lage gezeichnet, und ein Voxel liegt bis zu %2 mm neben der Stelle, an der es gezeichnet ist.</translation>
+    </message>
+    <message>
+        <source>Allow for this error when measuring.</source>
+        <translation>Rechnen Sie beim Messen mit diesem Fehler.</translation>
     </message>
     <message>
         <source>%1 changes along the slices, first at slice %2; values may step there.</source>

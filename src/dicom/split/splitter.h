@@ -1,0 +1,69 @@
+// From frames that agree in everything hard to stacks: by what they say, when they were made, where they lie.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "dicom/split/partition.h"
+#include "dicom/split/phases.h"
+#include "dicom/split/stack.h"
+#include "dicom/split/trial.h"
+
+namespace macula::dicom {
+
+Stack makeStack(std::vector<Frame> frames, std::vector<StackLabel> labels, const std::string& modality);
+
+// Tries one way after another, from what says what it is to what is only assumed; see split.h for their
+// order.
+class Splitter {
+  public:
+    // References are kept.
+    Splitter(const std::string& modality, const SplitRules& rules, const CancelToken& cancel)
+        : modality_(modality), rules_(rules), cancel_(cancel) {}
+
+    // Every frame is in exactly one stack. Messages are about the series.
+    std::vector<Stack> split(std::vector<Frame> frames, std::vector<StackLabel> labels,
+                             std::vector<Message>& messages) const;
+
+  private:
+    using Stacks = std::optional<std::vector<Stack>>;
+    using Messages = std::vector<Message>;
+
+    // Phase rules in three groups: those that say what they are, those that follow from times, a guess.
+    enum class PhasesAsked { first, then, last };
+
+    static PhasesAsked groupOf(const SplitRules::Phase& rule);
+
+    Stacks separated(const Stack& whole, bool repeats, Messages& messages) const;
+    Stacks ofRepeats(const Stack& whole, Messages& messages) const;
+
+    Stacks bySoftAttributes(const Stack& whole, Grade least, Messages& messages) const;
+    Stacks byRuns(const Stack& whole, Grade least, Messages& messages) const;
+    Stacks byWays(const Stack& whole, Messages& messages) const;
+    Stacks byLattices(const Stack& whole, Messages& messages) const;
+    Stacks byPhases(const Stack& whole, PhasesAsked asked, Messages& messages) const;
+    Stacks bySoftAttributesAndPhases(const Stack& whole, PhasesAsked asked, Messages& messages) const;
+    Stacks byRepetition(const Stack& whole, Messages& messages) const;
+    Stacks atGaps(const Stack& whole, Messages& messages) const;
+
+    Stacks asPhases(const Stack& whole, const SplitRules::Phase& rule, Phases phases,
+                    Messages& messages) const;
+    Phases phasesOf(const std::vector<Frame>& frames, const SplitRules::Phase& rule) const;
+    std::vector<std::vector<std::size_t>> softCandidates(const Stack& whole) const;
+    bool separatesNothing(const Stack& whole, const Partition& partition) const;
+    std::vector<Stack> stacksOf(const Stack& whole, const Partition& partition,
+                                const std::vector<std::string>& names) const;
+    Stack unclearOf(const Stack& whole, const std::vector<std::size_t>& frames) const;
+    std::vector<std::string> namesOf(const std::vector<std::size_t>& attributes) const;
+    void tellPhases(Messages& messages, const SplitRules::Phase& rule, std::size_t count) const;
+    bool spend(std::size_t frames) const;
+
+    const std::string& modality_;
+    const SplitRules& rules_;
+    const CancelToken& cancel_;
+    mutable std::size_t tried_ = 0;
+};
+
+}  // namespace macula::dicom
