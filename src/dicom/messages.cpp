@@ -108,9 +108,9 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "Images whose {attribute} does not say to which phase they belong, and whose number was asked instead: "
      "{numbers}.",
      "Compare these slices with those beside them before relying on them."},
-    {key::kUnclearPhase, kWarning, 0,
-     "Images of which nothing says for sure to which phase they belong: {numbers}. They are in a stack of "
-     "their own, and the phases lack them.",
+    {key::kUnclearAcquisition, kWarning, 0,
+     "Images of which nothing says for sure to which acquisition or phase they belong: {numbers}. They are "
+     "in a stack of their own, and the others lack them.",
      "Look at these images by themselves; part of the scan may have been repeated."},
     {key::kIncompletePhases, kWarning, 0,
      "Phases that have fewer images than the others: {count} of {total}.",

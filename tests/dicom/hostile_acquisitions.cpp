@@ -3,6 +3,10 @@
 #include <dcmtk/dcmdata/dctk.h>
 #include <fmt/format.h>
 
+#include <cmath>
+#include <optional>
+
+#include "dicom/messages.h"
 #include "hostile_studies.h"
 
 namespace macula::dicom::test {
@@ -119,7 +123,7 @@ std::vector<HostileStudy> hostileAcquisitions() {
     add({"phase-reacquired",
          "three phases by AcquisitionTime; one slice of the first was taken again, with the last number",
          "three volumes, that slice interpolated in the first",
-         {key::kUnclearPhase},
+         {key::kUnclearAcquisition},
          3,
          phases(3, [](Slice& s) {
              const bool isAgain = s.phase == 0 && s.place == 5;
@@ -214,7 +218,7 @@ std::vector<HostileStudy> hostileAcquisitions() {
              return Truths{};
          }});
     add({"orientation-drifts",
-         "directions that differ by up to 0.0003 rad from slice to slice",
+         "directions that differ by up to 0.00024 rad from slice to slice",
          "one volume",
          {},
          1,
@@ -222,7 +226,7 @@ std::vector<HostileStudy> hostileAcquisitions() {
              SyntheticSeries series;
              auto slices = slicesOf(series);
              for (Slice& s : slices) {
-                 const double angle = 0.0003 * ((s.place * 5) % 7 - 3) / 3.0;
+                 const double angle = 0.00012 * ((s.place * 5) % 7 - 3) / 3.0;
                  const glm::dvec3 row = s.rowDirection;
                  s.rowDirection = std::cos(angle) * row + std::sin(angle) * s.columnDirection;
                  s.columnDirection = std::cos(angle) * s.columnDirection - std::sin(angle) * row;

@@ -50,7 +50,8 @@ bool assumeOneFrameOfReference(HardPart& part, std::size_t attribute, const TryS
     for (const Stack& stack : tryStacks(frames)) {
         const bool irregular = std::any_of(stack.messages.begin(), stack.messages.end(),
                                            [](const auto& m) { return m.key == key::kIrregularSpacing; });
-        if (!stack.canBeVolume() || irregular) return false;
+        const bool isOfLattice = !stack.splitBy.empty() && stack.splitBy.back().attribute == "Positions";
+        if (!stack.canBeVolume() || irregular || isOfLattice) return false;
     }
     part.frames = std::move(frames);
     part.told.push_back(std::move(*told));

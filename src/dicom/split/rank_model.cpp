@@ -101,7 +101,8 @@ void RankModel::findSteadiness() {
     if (errors.size() < 3) return;
     const double allowed = kTolerance * leastDistance();
     const auto good = std::ranges::count_if(errors, [&](double e) { return e <= 0.5 * allowed; });
-    isSteady_ = 4 * good >= 3 * std::ssize(errors);
+    // One that is wrong spoils what is expected at both sides of it.
+    isSteady_ = 2 * good >= std::ssize(errors);
     while (isSteady_) {
         std::size_t worst = 0;
         double error = allowed;
@@ -113,6 +114,28 @@ void RankModel::findSteadiness() {
         if (error <= allowed) return;
         regular_[worst] = false;
     }
+}
+
+// Whether all of a rank comes before the next, and no pause inside of a rank could be one between ranks.
+void RankModel::findBlocks() {
+    constexpr double kTimesUsual = 4.0;
+    std::vector<std::vector<double>> blocks(ranks_);
+    for (std::size_t k = 0; k < sorted_.size(); ++k) {
+        for (std::size_t rank = 0; rank < ranks_ && regular_[k]; ++rank)
+            blocks[rank].push_back(sorted_[k][rank]);
+    }
+    std::vector<double> inside;
+    double between = std::numeric_limits<double>::infinity();
+    for (std::size_t rank = 0; rank < ranks_; ++rank) {
+        std::ranges::sort(blocks[rank]);
+        for (std::size_t n = 1; n < blocks[rank].size(); ++n)
+            inside.push_back(blocks[rank][n] - blocks[rank][n - 1]);
+        if (rank > 0) between = std::min(between, blocks[rank].front() - blocks[rank - 1].back());
+    }
+    if (inside.empty() || between <= 0.0) return;
+    const double longest = *std::ranges::max_element(inside);
+    const double usual = medianOf(std::move(inside));
+    isInBlocks_ = longest <= 0.5 * between || (longest <= between && longest <= kTimesUsual * usual);
 }
 
 std::optional<RankModel> RankModel::of(const Positions& positions,
@@ -150,17 +173,7 @@ std::optional<RankModel> RankModel::of(const Positions& positions,
     model.findSteadiness();
     if (!isEnough(countRegular())) return {};
     model.isExact_ = ranks > 2 && 10 * exact >= 9 * whole;
-    model.isInBlocks_ = true;
-    for (std::size_t rank = 1; rank < ranks; ++rank) {
-        double most = -std::numeric_limits<double>::infinity();
-        double least = std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < model.sorted_.size(); ++k) {
-            if (!model.regular_[k]) continue;
-            most = std::max(most, model.sorted_[k][rank - 1]);
-            least = std::min(least, model.sorted_[k][rank]);
-        }
-        model.isInBlocks_ = model.isInBlocks_ && most < least;
-    }
+    model.findBlocks();
     return model;
 }
 

@@ -34,6 +34,7 @@ class RankModel {
     void findUsualDistances();
     bool hasUsualDistances(std::size_t position, double tolerance) const;
     void findSteadiness();
+    void findBlocks();
     std::optional<std::vector<double>> expectedAt(std::size_t position) const;
     double leastDistance() const;
 

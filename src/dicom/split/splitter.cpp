@@ -154,6 +154,7 @@ Splitter::Stacks Splitter::ofRepeats(const Stack& whole, Messages& messages) con
     for (const Asked asked : {Asked::first, Asked::then, Asked::last}) {
         if (auto parts = bySoftAttributesAndPhases(whole, asked, messages)) return parts;
     }
+    if (auto parts = byLattices(whole, messages)) return parts;
     if (auto parts = byPhases(whole, Asked::last, messages)) return parts;
     return byRepetition(whole, messages);
 }
@@ -217,7 +218,7 @@ Splitter::Stacks Splitter::bySoftAttributes(const Stack& whole, Grade least, Mes
 
 // Two or more acquisitions at interleaved positions, or that overlap, one after the other.
 Splitter::Stacks Splitter::byRuns(const Stack& whole, Grade least, Messages& messages) const {
-    constexpr std::size_t kMostRuns = 8;
+    constexpr std::size_t kMostRuns = 12;
     // Odd and even slices of MR are often acquired in turn.
     if (whole.modality == "MR" && gradeOf(whole) >= Grade::gapped) return {};
     for (const std::size_t attribute : rules_.runs) {
@@ -229,23 +230,41 @@ Splitter::Stacks Splitter::byRuns(const Stack& whole, Grade least, Messages& mes
             const bool alternate = 2 * alternations(whole.frames, partition) > whole.frames.size();
             if (gradeOf(whole) >= Grade::gapped && !alternate) continue;
             if (!isBetter(whole, partition, least)) continue;
-            const std::vector<Trial> trials = tryOut(whole.frames, partition);
-            if (!interleave(trials)) continue;
-            for (Part& part : partition)
-                part.values = {whole.frames[part.frames.front()].attributes[attribute]};
-            std::vector<Stack> stacks = stacksOf(whole, partition, namesOf({attribute}));
-            const Positions positions = positionsOf(whole.frames, placeToleranceMm(whole.frames));
-            if (positions.groups.size() < whole.frames.size() && arePhases(trials, positions.groups.size())) {
-                nameStackPhases(stacks, false);
-                tellPhases(messages, {.attribute = attribute}, stacks.size());
-                tellIncomplete(stacks, messages);
-            } else {
-                tellSplit(messages, namesOf({attribute}), stacks.size());
-            }
-            return stacks;
+            if (!interleave(tryOut(whole.frames, partition))) continue;
+            return asAcquisitions(whole, std::move(partition), attribute, messages);
         }
     }
     return {};
+}
+
+// Stacks of runs. Images that were made once more, one by one, are a run of nothing.
+std::vector<Stack> Splitter::asAcquisitions(const Stack& whole, Partition runs, std::size_t attribute,
+                                            Messages& messages) const {
+    constexpr std::size_t kLeastSlices = 3;
+    std::vector<std::size_t> unclear;
+    Partition acquisitions;
+    for (Part& run : runs) {
+        const bool isVolume =
+            run.frames.size() >= kLeastSlices && tryOut(whole.frames, {run}).front().grade != Grade::none;
+        if (!isVolume) {
+            unclear.insert(unclear.end(), run.frames.begin(), run.frames.end());
+            continue;
+        }
+        run.values = {whole.frames[run.frames.front()].attributes[attribute]};
+        acquisitions.push_back(std::move(run));
+    }
+    std::vector<Stack> stacks = stacksOf(whole, acquisitions, namesOf({attribute}));
+    const Positions positions = positionsOf(whole.frames, placeToleranceMm(whole.frames));
+    if (positions.groups.size() < whole.frames.size() &&
+        arePhases(tryOut(whole.frames, acquisitions), positions.groups.size())) {
+        nameStackPhases(stacks, false);
+        tellPhases(messages, {.attribute = attribute}, stacks.size());
+        tellIncomplete(stacks, messages);
+    } else {
+        tellSplit(messages, namesOf({attribute}), stacks.size());
+    }
+    addUnclear(whole, std::move(unclear), stacks, messages);
+    return stacks;
 }
 
 // Acquisitions of which only the order of the image numbers tells. An even stack whose times run one way is
@@ -256,7 +275,7 @@ Splitter::Stacks Splitter::byWays(const Stack& whole, Messages& messages) const 
     Partition partition = partitionByWays(whole.frames);
     if (partition.empty() || partition.size() > whole.frames.size() / 3) return {};
     if (isVolume && 2 * alternations(whole.frames, partition) <= whole.frames.size()) return {};
-    if (!isBetter(whole, partition, Grade::gapped)) return {};
+    if (!interleave(tryOut(whole.frames, partition)) || !isBetter(whole, partition, Grade::gapped)) return {};
     for (Part& part : partition) part.values = {numbersOf(whole, part.frames)};
     std::vector<Stack> stacks = stacksOf(whole, partition, {"InstanceNumber"});
     tellAll(stacks, messages, message(key::kSplitByNumber, {{"count", std::int64_t(partition.size())}}));
@@ -267,7 +286,8 @@ Splitter::Stacks Splitter::byWays(const Stack& whole, Messages& messages) const 
 Splitter::Stacks Splitter::byLattices(const Stack& whole, Messages& messages) const {
     if (whole.isEven()) return {};
     const Partition partition = separateLattices(whole.frames);
-    if (partition.empty() || !isBetter(whole, partition, Grade::gapped)) return {};
+    if (partition.empty() || !interleave(tryOut(whole.frames, partition))) return {};
+    if (!isBetter(whole, partition, Grade::gapped)) return {};
     // A volume that lacks slices is no two, unless it lacked every third throughout.
     const std::size_t count = alternations(whole.frames, partition);
     if (gradeOf(whole) == Grade::gapped && count + 1 < whole.frames.size()) return {};
@@ -288,13 +308,19 @@ Phases Splitter::phasesOf(const std::vector<Frame>& frames, const SplitRules::Ph
     return std::move(*phases);
 }
 
-Stack Splitter::unclearOf(const Stack& whole, const std::vector<std::size_t>& frames) const {
-    Stack stack = std::move(stacksOf(whole, {{{"not clear"}, frames}}, {"Phase"}).front());
+// Puts frames of which nothing says where they belong beside the stacks, as one that is no volume.
+void Splitter::addUnclear(const Stack& whole, std::vector<std::size_t> frames, std::vector<Stack>& stacks,
+                          Messages& messages) const {
+    if (frames.empty()) return;
+    std::ranges::sort(frames);
+    const std::string numbers = numbersOf(whole, frames);
+    tellAll(stacks, messages, message(key::kUnclearAcquisition, {{"numbers", numbers}}));
+    Stack stack = std::move(stacksOf(whole, {{{"not clear"}, std::move(frames)}}, {"Acquisition"}).front());
     if (stack.canBeVolume()) {
         stack.messages.push_back(
-            message(key::kUnclearPhase, Severity::blocksVolume, {{"numbers", numbersOf(whole, frames)}}));
+            message(key::kUnclearAcquisition, Severity::blocksVolume, {{"numbers", numbers}}));
     }
-    return stack;
+    stacks.push_back(std::move(stack));
 }
 
 Splitter::Stacks Splitter::asPhases(const Stack& whole, const SplitRules::Phase& rule, Phases phases,
@@ -323,11 +349,7 @@ Splitter::Stacks Splitter::asPhases(const Stack& whole, const SplitRules::Phase&
                 message(key::kPhasesByNumber,
                         {{"attribute", name}, {"numbers", numbersOf(whole, phases.byNumber)}}));
     }
-    if (!phases.unclear.empty()) {
-        tellAll(stacks, messages,
-                message(key::kUnclearPhase, {{"numbers", numbersOf(whole, phases.unclear)}}));
-        stacks.push_back(unclearOf(whole, phases.unclear));
-    }
+    addUnclear(whole, std::move(phases.unclear), stacks, messages);
     return stacks;
 }
 
@@ -379,11 +401,7 @@ Splitter::Stacks Splitter::bySoftAttributesAndPhases(const Stack& whole, PhasesA
                 std::vector<Stack> made = stacksOf(whole, finer.parts, names);
                 nameStackPhases(made, rule.assumed);
                 most = std::max(most, made.size());
-                if (!finer.unclear.empty()) {
-                    tellAll(made, told,
-                            message(key::kUnclearPhase, {{"numbers", numbersOf(whole, finer.unclear)}}));
-                    made.push_back(unclearOf(whole, finer.unclear));
-                }
+                addUnclear(whole, std::move(finer.unclear), made, told);
                 for (Stack& stack : made) all.push_back(std::move(stack));
             }
             if (!isPartition || most < 2 || all.size() > whole.frames.size() / 2) continue;

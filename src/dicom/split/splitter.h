@@ -48,6 +48,8 @@ class Splitter {
     Stacks byRepetition(const Stack& whole, Messages& messages) const;
     Stacks atGaps(const Stack& whole, Messages& messages) const;
 
+    std::vector<Stack> asAcquisitions(const Stack& whole, Partition runs, std::size_t attribute,
+                                      Messages& messages) const;
     Stacks asPhases(const Stack& whole, const SplitRules::Phase& rule, Phases phases,
                     Messages& messages) const;
     Phases phasesOf(const std::vector<Frame>& frames, const SplitRules::Phase& rule) const;
@@ -55,7 +57,8 @@ class Splitter {
     bool separatesNothing(const Stack& whole, const Partition& partition) const;
     std::vector<Stack> stacksOf(const Stack& whole, const Partition& partition,
                                 const std::vector<std::string>& names) const;
-    Stack unclearOf(const Stack& whole, const std::vector<std::size_t>& frames) const;
+    void addUnclear(const Stack& whole, std::vector<std::size_t> frames, std::vector<Stack>& stacks,
+                    Messages& messages) const;
     std::vector<std::string> namesOf(const std::vector<std::size_t>& attributes) const;
     void tellPhases(Messages& messages, const SplitRules::Phase& rule, std::size_t count) const;
     bool spend(std::size_t frames) const;

