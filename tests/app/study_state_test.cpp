@@ -82,6 +82,8 @@ StudyState everything() {
     beside.seriesDigest = "fedcba";
     beside.volume = 2;
     beside.volumeKey = "abcdef-2";
+    beside.pair = "abc123";
+    beside.rivalMm = 30.0;
     beside.link = BesideLink::registered;
     beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {1.0 / 3.0, 7, -80});
     beside.boundMm = 0.7;

@@ -1223,6 +1223,18 @@
         <translation>Prüfen Sie, ob Schichten der Serie fehlen.</translation>
     </message>
     <message>
+        <source>Segment %1 has the number of the background (Pixel Padding Value): nothing of it is shown.</source>
+        <translation>Segment %1 hat die Nummer des Hintergrunds (Pixel Padding Value): nichts davon wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Look at it in the program that made it.</source>
+        <translation>Sehen Sie es in dem Programm an, das es erstellt hat.</translation>
+    </message>
+    <message>
+        <source>Segment 0 has the number %1 in the label map, in which 0 is none of the segments.</source>
+        <translation>Segment 0 hat in der Label-Map die Nummer %1, denn dort ist 0 keines der Segmente.</translation>
+    </message>
+    <message>
         <source>The only volume%1.</source>
         <translation>Das einzige Volumen%1.</translation>
     </message>
@@ -1233,6 +1245,10 @@
     <message>
         <source>it is no volume.</source>
         <translation>es ist kein Volumen.</translation>
+    </message>
+    <message>
+        <source>of up to %1 patients in this folder</source>
+        <translation>von bis zu %1 Patienten in diesem Ordner</translation>
     </message>
     <message>
         <source>of %1 patients in this folder</source>
