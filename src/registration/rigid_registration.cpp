@@ -41,7 +41,7 @@ constexpr double kSamePlaceMm = 10.0;  // nearer to each other, ends of the coar
 constexpr double kApartMm = 3.0;       // of the two starts of the second and third level
 constexpr SearchRange kCoarseRange{.firstStep = 8.0, .lastStep = 1.0};
 constexpr SearchRange kMiddleRange{.firstStep = 3.0, .lastStep = 0.3};
-constexpr SearchRange kRivalRange{.firstStep = 3.0, .lastStep = 0.6, .mostCalls = 300};
+constexpr SearchRange kRivalRange{.firstStep = 3.0, .lastStep = 0.6, .mostCalls = 200};
 constexpr SearchRange kFineRange{.firstStep = 1.0, .lastStep = 0.06};
 
 constexpr std::uint64_t kSeed = 20031;
@@ -49,7 +49,7 @@ constexpr std::uint64_t kSeed = 20031;
 constexpr double kDoubtfulMm = 3.0;
 constexpr double kDoubtfulInformation = 0.05;  // nats: what is left between volumes of two bodies, about
 constexpr double kDoubtfulOverlap = 0.1;
-constexpr double kDoubtfulRival = 0.8;
+constexpr double kDoubtfulRival = 0.6;  // one vertebra off has 0.8 and more, anatomy without a like 0.15
 
 constexpr std::size_t kProgressSteps = 10;
 

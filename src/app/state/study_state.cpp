@@ -69,7 +69,7 @@ bool BesideState::operator==(const BesideState& b) const {
 }
 
 bool StudyState::operator==(const StudyState& b) const {
-    return seriesDigest == b.seriesDigest && samePreset(*this, b) && clip == b.clip &&
+    return seriesDigest == b.seriesDigest && grid == b.grid && samePreset(*this, b) && clip == b.clip &&
            leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
            windows == b.windows && camera == b.camera && showsMarks == b.showsMarks && layout == b.layout &&
            slices == b.slices && measurements == b.measurements && cuts == b.cuts &&
@@ -92,10 +92,20 @@ Stale staleAfter(const StudyState& before, const StudyState& after) {
     return stale;
 }
 
-Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const std::string& where) {
-    if (state.seriesDigest.empty() || state.seriesDigest == seriesDigest) return {};
-    return Error{ErrorCode::inputNotUsable, "The view was saved of another series.", where,
-                 "Open that series, or choose another view."};
+Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const Volume& volume,
+                         const std::string& where) {
+    if (state.seriesDigest.empty()) return {};
+    if (state.seriesDigest != seriesDigest)
+        return Error{ErrorCode::inputNotUsable, "The view was saved of another series.", where,
+                     "Open that series, or choose another view."};
+    if (state.grid && !liesAt(volume, *state.grid))
+        return Error{
+            ErrorCode::inputNotUsable,
+            "The view was saved when the images lay in other places, or of another volume of the series.",
+            where,
+            "Make it anew; or choose the volume that it is of. Without \"grid\" in the file it is taken as "
+            "it is."};
+    return {};
 }
 
 }  // namespace macula::app

@@ -1,5 +1,6 @@
 // StudyState as JSON:
-//   { "version": 1, "series": "<SHA-256>", "look": "dvr", "shading": true, "filter": "trilinear",
+//   { "version": 1, "series": "<SHA-256>", "grid": {as saved_grid.h}, "look": "dvr", "shading": true,
+//   "filter": "trilinear",
 //     "denoising": "denoised", <a key for each row of parameters()>,
 //     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
@@ -76,10 +77,10 @@ Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& 
 }  // namespace
 
 std::vector<std::string> stateKeys() {
-    std::vector<std::string> keys{"version",      "series", "look",       "shading",        "filter",
-                                  "denoising",    "preset", "clip",       "leavesTableOut", "lights",
-                                  "windows",      "camera", "layout",     "slices",         "measurements",
-                                  "cubeAndScale", "cuts",   "namedClips", "segmentations",  "beside"};
+    std::vector<std::string> keys{
+        "version", "series",       "grid",           "look",   "shading",    "filter",        "denoising",
+        "preset",  "clip",         "leavesTableOut", "lights", "windows",    "camera",        "layout",
+        "slices",  "measurements", "cubeAndScale",   "cuts",   "namedClips", "segmentations", "beside"};
     for (const Parameter& parameter : parameters()) keys.emplace_back(parameter.id);
     return keys;
 }
@@ -87,6 +88,7 @@ std::vector<std::string> stateKeys() {
 std::string toJson(const StudyState& state) {
     Json json{{"version", kVersion}};
     if (!state.seriesDigest.empty()) json["series"] = state.seriesDigest;
+    if (state.grid) json["grid"] = toJson(*state.grid);
     json["look"] = nameOf(state.settings.look);
     json["shading"] = state.settings.shading == trace::Shading::headlight;
     json["filter"] = nameOf(state.settings.filter);
@@ -127,6 +129,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     if (root["version"].number() != kVersion)
         root["version"].fail("version 1; newer ones need a newer Macula");
     if (const auto node = root.find("series")) state.seriesDigest = node->text();
+    if (const auto node = root.find("grid")) state.grid = savedGridFrom(*node);
     std::array<trace::Look, trace::kLooks.size()> looks{};
     std::ranges::transform(trace::kLooks, looks.begin(), &trace::LookTraits::look);
     readName(root, "look", looks, state.settings.look);

@@ -89,9 +89,8 @@ QString linkText(const app::BesideState& state) {
             return Words::tr("Same frame, not registered: the patient may have moved");
         case app::BesideLink::registered:
             if (state.isDoubtful && state.rivalMm > 0.0)
-                return Words::
-                    tr("Registration is doubtful: it fits nearly as well %1 mm from there. Check landmarks")
-                        .arg(withLocalNumbers(QString::number(state.rivalMm, 'f', 0)));
+                return Words::tr("Registration is doubtful: nearly as good %1 mm away; check landmarks")
+                    .arg(withLocalNumbers(QString::number(state.rivalMm, 'f', 0)));
             return state.isDoubtful ? Words::tr("Registration is doubtful (%1 mm): check landmarks")
                                           .arg(withLocalNumbers(QString::number(state.boundMm, 'f', 1)))
                                     : Words::tr("Registered, rigid; searches agree to %1 mm")

@@ -450,8 +450,8 @@
         <translation>Aktuell: %1</translation>
     </message>
     <message>
-        <source>Registration is doubtful: it fits nearly as well %1 mm from there. Check landmarks</source>
-        <translation>Registrierung unsicher: %1 mm daneben passt es fast ebenso gut. Landmarken prüfen</translation>
+        <source>Registration is doubtful: nearly as good %1 mm away; check landmarks</source>
+        <translation>Registrierung unsicher: %1 mm daneben fast ebenso gut; Landmarken prüfen</translation>
     </message>
     <message>
         <source>Registration is doubtful (%1 mm): check landmarks</source>
