@@ -2707,6 +2707,14 @@
         <translation>Alle Werte</translation>
     </message>
     <message>
+        <source>The view was saved when the images lay in other places, or of another volume of the series.</source>
+        <translation>Die Ansicht wurde gespeichert, als die Bilder an anderen Orten lagen, oder von einem anderen Volumen der Serie.</translation>
+    </message>
+    <message>
+        <source>Make it anew; or choose the volume that it is of. Without "grid" in the file it is taken as it is.</source>
+        <translation>Machen Sie sie neu, oder wählen Sie das Volumen, von dem sie ist. Ohne „grid“ in der Datei wird sie genommen, wie sie ist.</translation>
+    </message>
+    <message>
         <source>The view was saved of another series.</source>
         <translation>Die Ansicht wurde von einer anderen Serie gespeichert.</translation>
     </message>
