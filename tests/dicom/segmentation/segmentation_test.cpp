@@ -7,89 +7,18 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <fstream>
-#include <map>
-#include <set>
 
 #include "bytes.h"
 #include "dicom/messages.h"
 #include "dicom/read/dataset.h"
 #include "dicom/segmentation/grid_placement.h"
-#include "dicom/segmentation/segment_voxels.h"
+#include "segmentation/drawing.h"
 #include "support.h"
 
 namespace macula::dicom::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A segmentation object of which everything can be wrong.
-struct Drawing {
-    struct Frame {
-        glm::dvec3 positionMm{0.0};
-        int segment = 1;
-    };
-    std::string type = "BINARY";
-    std::string sopClass = "1.2.840.10008.5.1.4.1.1.66.4";
-    std::string transferSyntax = kExplicit;
-    int columns = 5;
-    int rows = 3;
-    int bits = 1;
-    std::string orientation = "1\\0\\0\\0\\1\\0";
-    std::string pixelSpacing = "0.5\\0.25";  // between rows, between columns
-    std::string sliceSpacing = "2";
-    std::vector<Frame> frames;
-    std::string claimedFrames;  // when not as many as there are
-    std::vector<int> segments{1, 2};
-    std::map<int, std::string> labels;  // else "label 1"
-    std::set<int> codedBackground;      // by Segmented Property Type
-    std::string padding;                // elements of group 28 after High Bit
-    std::string more;                   // elements of the top level, from group 62 on
-    std::string pixels;                 // packed
-};
-
-std::string word(int value) {
-    return bytesOf(static_cast<std::uint64_t>(value), 2);
-}
-
-std::string bytesOfDrawing(const Drawing& d) {
-    const auto us = [](Tag tag, int value) { return shortElement(tag, "US", word(value)); };
-    std::vector<std::string> segments, frames;
-    for (const int number : d.segments) {
-        segments.push_back(
-            us({0x0062, 0x0004}, number) +
-            shortElement({0x0062, 0x0005}, "LO",
-                         d.labels.contains(number) ? d.labels.at(number) : fmt::format("label {}", number)) +
-            shortElement({0x0062, 0x0008}, "CS", "MANUAL"));
-        if (d.codedBackground.contains(number))
-            segments.back() += sequence({0x0062, 0x000F}, {shortElement({0x0008, 0x0100}, "SH", "125040") +
-                                                           shortElement({0x0008, 0x0102}, "SH", "DCM")});
-    }
-    for (const Drawing::Frame& f : d.frames) {
-        const std::string position =
-            fmt::format("{}\\{}\\{}", f.positionMm.x, f.positionMm.y, f.positionMm.z);
-        std::string frame =
-            sequence({0x0020, 0x9113}, {shortElement(tag::kImagePositionPatient, "DS", position)});
-        if (f.segment != 0) frame += sequence({0x0062, 0x000A}, {us({0x0062, 0x000B}, f.segment)});
-        frames.push_back(frame);
-    }
-    const std::string shared =
-        sequence({0x0020, 0x9116}, {shortElement(tag::kImageOrientationPatient, "DS", d.orientation)}) +
-        sequence({0x0028, 0x9110}, {shortElement({0x0018, 0x0088}, "DS", d.sliceSpacing) +
-                                    shortElement(tag::kPixelSpacing, "DS", d.pixelSpacing)});
-    const std::string count = d.claimedFrames.empty() ? std::to_string(d.frames.size()) : d.claimedFrames;
-    const std::string dataset =
-        shortElement(tag::kSopClassUid, "UI", d.sopClass) + shortElement(tag::kModality, "CS", "SEG") +
-        sequence({0x0008, 0x1115}, {shortElement(tag::kSeriesInstanceUid, "UI", "1.2.3.4")}) +
-        shortElement(tag::kSeriesInstanceUid, "UI", "1.2.9") + us(tag::kSamplesPerPixel, 1) +
-        shortElement(tag::kNumberOfFrames, "IS", count) + us(tag::kRows, d.rows) +
-        us(tag::kColumns, d.columns) + us(tag::kBitsAllocated, d.bits) + us(tag::kBitsStored, d.bits) +
-        us(tag::kHighBit, d.bits - 1) + us(tag::kPixelRepresentation, 0) + d.padding +
-        shortElement({0x0062, 0x0001}, "CS", d.type) + sequence({0x0062, 0x0002}, segments) + d.more +
-        sequence(tag::kSharedFunctionalGroups, {shared}) + sequence(tag::kPerFrameFunctionalGroups, frames) +
-        longElement(tag::kPixelData, d.bits > 8 ? "OW" : "OB", static_cast<std::uint32_t>(d.pixels.size())) +
-        d.pixels;
-    return preamble(d.transferSyntax) + (d.transferSyntax == kDeflated ? deflated(dataset) : dataset);
-}
 
 // Pixels of 1 bit, one after the other, least significant first; no frame begins at a byte of its own.
 std::string packed(const std::vector<int>& bits) {
@@ -317,109 +246,6 @@ TEST_F(SegmentationTest, labelMaps) {
     EXPECT_EQ(labelsOf(*narrow), (Labels{0, 1, 2, 255, 0, 0, 0, 2}));
     d.bits = 1;
     EXPECT_FALSE(on(d, kGrid, {4, 1, 2}));
-}
-
-Drawing labelMapOf(std::string pixels, int bits = 8) {
-    const int columns = static_cast<int>(pixels.size()) * 8 / bits;
-    return {.type = "LABELMAP",
-            .sopClass = "1.2.840.10008.5.1.4.1.1.66.7",
-            .columns = columns,
-            .rows = 1,
-            .bits = bits,
-            .frames = {{{10, 20, 30}, 0}},
-            .pixels = std::move(pixels)};
-}
-
-std::string paddedWith(int value) {
-    return shortElement(tag::kPixelPaddingValue, "US", word(value));
-}
-
-std::vector<int> numbersOf(const Segmentation& segmentation) {
-    std::vector<int> numbers;
-    for (const Segment& segment : segmentation.segments) numbers.push_back(segment.number);
-    return numbers;
-}
-
-// 0 is a segment like others where 255 is said to be none (PS3.3 C.8.20.2).
-TEST_F(SegmentationTest, aLabelMapsBackgroundIsItsPadding) {
-    Drawing d = labelMapOf(std::string("\xFF\x00\x01\xFF\x00\x00", 6));
-    d.segments = {0, 1};
-    d.labels = {{0, "Liver"}, {1, "Tumour"}};
-    d.padding = paddedWith(255);
-    const auto header = readSegmentation(write(d));
-    ASSERT_TRUE(header) << header.error().message;
-    EXPECT_EQ(numbersOf(*header), (std::vector{0, 1}));
-    Progress progress;
-    const auto sets = loadSegmentVoxels(*header, kGrid, {6, 1, 1}, progress);
-    ASSERT_TRUE(sets) << sets.error().message;
-    ASSERT_EQ(sets->segments.size(), 2u) << "no segment 255";
-    EXPECT_EQ(sets->segments[0].segment.number, 0);
-    EXPECT_EQ(sets->segments[0].segment.label, "Liver");
-    EXPECT_EQ(sets->segments[0].voxels.count(), 3u);
-    EXPECT_EQ(sets->segments[1].voxels.count(), 1u);
-    // A label map has no other value for none than 0.
-    const auto map = on(d, kGrid, {6, 1, 1});
-    ASSERT_TRUE(map) << map.error().message;
-    EXPECT_EQ(labelsOf(*map), (Labels{0, 256, 1, 0, 256, 256}));
-    ASSERT_NE(map->segment(256), nullptr);
-    EXPECT_EQ(map->segment(256)->label, "Liver");
-    ASSERT_EQ(map->messages().size(), 1u);
-    EXPECT_EQ(map->messages()[0].key, key::kSegmentZero);
-    EXPECT_NE(map->messages()[0].sentence.find("256"), std::string::npos);
-}
-
-TEST_F(SegmentationTest, otherBackgroundsOfLabelMaps) {
-    const auto labels = [this](const Drawing& d) {
-        const auto map = on(d, kGrid, {d.columns, 1, 1});
-        EXPECT_TRUE(map) << (map ? "" : map.error().message);
-        return map ? labelsOf(*map) : Labels{};
-    };
-    Drawing d = labelMapOf(std::string("\xFF\x00\x01\xFE\x02\x00", 6));
-    d.padding = paddedWith(0);
-    EXPECT_EQ(labels(d), (Labels{255, 0, 1, 254, 2, 0})) << "as where nothing is said";
-    d.segments = {0, 1, 2};
-    d.labels = {{0, "Background"}};
-    EXPECT_EQ(labels(d), (Labels{255, 0, 1, 254, 2, 0})) << "it is described, as nothing";
-    d.padding.clear();
-    EXPECT_EQ(labels(d), (Labels{255, 0, 1, 254, 2, 0}));
-    d.labels = {{0, "Fond"}};
-    d.codedBackground = {0};
-    EXPECT_EQ(labels(d), (Labels{255, 0, 1, 254, 2, 0}));
-    d.codedBackground.clear();
-    EXPECT_EQ(labels(d), (Labels{255, 256, 1, 254, 2, 256})) << "and a segment where nothing says so";
-    d.segments = {1, 2};
-    d.labels.clear();
-    for (const auto& [value, limit] : {std::pair(254, 255), std::pair(255, 254)}) {
-        d.padding = paddedWith(value) + shortElement(tag::kPixelPaddingRangeLimit, "US", word(limit));
-        EXPECT_EQ(labels(d), (Labels{0, 0, 1, 0, 2, 0})) << value;
-    }
-    d.padding = shortElement(tag::kPixelPaddingValue, "SS", word(0xFFFF));
-    EXPECT_EQ(labels(d), (Labels{0, 0, 1, 254, 2, 0})) << "-1 is the highest";
-    d.padding = paddedWith(77);
-    EXPECT_EQ(labels(d), (Labels{255, 0, 1, 254, 2, 0})) << "not in the pixels: 0 is still none";
-}
-
-TEST_F(SegmentationTest, aLabelMapOf16BitsHasASegment0Too) {
-    Drawing d = labelMapOf(word(65535) + word(0) + word(1) + word(300), 16);
-    d.segments = {0, 1, 65534};
-    d.padding = paddedWith(65535);
-    const auto map = on(d, kGrid, {4, 1, 1});
-    ASSERT_TRUE(map) << map.error().message;
-    EXPECT_EQ(labelsOf(*map), (Labels{0, 65535, 1, 300}));
-    EXPECT_EQ(map->segment(65535)->label, "label 0");
-}
-
-TEST_F(SegmentationTest, aSegmentUnderTheNumberOfThePaddingIsTold) {
-    Drawing d = labelMapOf(std::string("\x01\x02\x00\x01", 4));
-    d.padding = paddedWith(2);
-    const auto header = readSegmentation(write(d));
-    ASSERT_TRUE(header) << header.error().message;
-    EXPECT_EQ(header->paddedSegments, std::vector<std::uint16_t>{2});
-    const auto map = on(d, kGrid, {4, 1, 1});
-    ASSERT_TRUE(map) << map.error().message;
-    EXPECT_EQ(labelsOf(*map), (Labels{1, 0, 0, 1}));
-    ASSERT_EQ(map->messages().size(), 1u);
-    EXPECT_EQ(map->messages()[0].key, key::kSegmentIsPadding);
 }
 
 TEST_F(SegmentationTest, compressed) {
