@@ -77,7 +77,8 @@ StudyState everything() {
     state.segmentations = {
         {.digest = std::string(64, 'd'),
          .isShown = true,
-         .segments = {{.number = 7, .isVisible = false, .opacity = 0.25, .in3d = In3d::alone}}}};
+         .segments = {{.number = 0, .in3d = In3d::hidden},  // of a label map
+                      {.number = 7, .isVisible = false, .opacity = 0.25, .in3d = In3d::alone}}}};
     state.grid =
         SavedGrid{.size = {512, 511, 95},
                   .worldFromVoxel = affine({0.7, 0, 0}, {0, 0.7, 0}, {0, 1.0 / 3.0, 2}, {-179, -171, 4})};
