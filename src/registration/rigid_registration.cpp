@@ -51,7 +51,7 @@ constexpr double kDoubtfulInformation = 0.05;  // nats: what is left between vol
 constexpr double kDoubtfulOverlap = 0.1;
 constexpr double kDoubtfulRival = 0.6;  // one vertebra off has 0.8 and more, anatomy without a like 0.15
 
-constexpr std::size_t kProgressSteps = 10;
+constexpr std::size_t kProgressSteps = 12;
 
 Error cancelled() {
     return {ErrorCode::cancelled, "Registration was cancelled.", {}, {}};

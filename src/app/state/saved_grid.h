@@ -1,13 +1,7 @@
 // Where the voxels lay that a view was saved of: camera, clips and measurements are of these places.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include "base/volume.h"
-
-namespace macula {
-class JsonNode;
-}
 
 namespace macula::app {
 
@@ -23,10 +17,5 @@ SavedGrid savedGridOf(const Volume& volume);
 // As many voxels, each in its place to a hundredth of a millimetre. Images that were exported anew keep their
 // UIDs, and may not.
 bool liesAt(const Volume& volume, const SavedGrid& grid);
-
-// { "size": [512, 512, 95], "worldFromVoxel": [16 numbers, row by row] }
-nlohmann::ordered_json toJson(const SavedGrid& grid);
-// The node's document tells what is wrong with it.
-SavedGrid savedGridFrom(const JsonNode& node);
 
 }  // namespace macula::app

@@ -1,7 +1,8 @@
 // StudyState as JSON:
-//   { "version": 1, "series": "<SHA-256>", "grid": {as saved_grid.h}, "look": "dvr", "shading": true,
-//   "filter": "trilinear",
-//     "denoising": "denoised", <a key for each row of parameters()>,
+//   { "version": 1, "series": "<SHA-256>",
+//     "grid": { "size": [512, 512, 95], "worldFromVoxel": [16 numbers, row by row] },
+//     "look": "dvr", "shading": true, "filter": "trilinear", "denoising": "denoised",
+//     <a key for each row of parameters()>,
 //     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
 //     "camera": {as camera_file.h}, "cubeAndScale": false, "layout": "axial", "slices": {as slices_json.h},
@@ -49,6 +50,27 @@ void readParameters(const JsonNode& root, trace::Settings& settings) {
         if (p.isWhole && value != std::floor(value)) node->fail("a whole number");
         p.set(settings, value);
     }
+}
+
+Json toJson(const SavedGrid& grid) {
+    Json json{{"size", {grid.size.x, grid.size.y, grid.size.z}}};
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            json["worldFromVoxel"].push_back(grid.worldFromVoxel[column][row]);
+    return json;
+}
+
+SavedGrid savedGridFrom(const JsonNode& node) {
+    node.allowOnly({"size", "worldFromVoxel"});
+    SavedGrid grid;
+    const std::vector<double> size = node["size"].numbers(3, JsonRange{1.0, 65536.0});
+    for (int axis = 0; axis < 3; ++axis)
+        grid.size[axis] = static_cast<int>(std::lround(size[std::size_t(axis)]));
+    const std::vector<double> rows = node["worldFromVoxel"].numbers(16, JsonRange{-1e6, 1e6});
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            grid.worldFromVoxel[column][row] = rows[4 * std::size_t(row) + std::size_t(column)];
+    return grid;
 }
 
 void readWindows(const JsonNode& root, StudyState& state) {
