@@ -49,7 +49,9 @@ constexpr std::uint64_t kSeed = 20031;
 constexpr double kDoubtfulMm = 3.0;
 constexpr double kDoubtfulInformation = 0.05;  // nats: what is left between volumes of two bodies, about
 constexpr double kDoubtfulOverlap = 0.1;
-constexpr double kDoubtfulRival = 0.6;  // one vertebra off has 0.8 and more, anatomy without a like 0.15
+// Spines that repeat themselves have 0.7 and more one vertebra off or farther, anatomy that does not 0.36 and
+// less.
+constexpr double kDoubtfulRival = 0.5;
 
 constexpr std::size_t kProgressSteps = 12;
 
