@@ -532,7 +532,8 @@ def open(path, join=False, progress=None, series_uid=None):
     """A folder with DICOM files, one of them, a DICOMDIR, a NIfTI, NRRD or MetaImage file, or "phantom:".
 
     `join`: images are one series that agree in all but identifiers made anew for each of them. `series_uid`:
-    the series of a folder that is meant, in place of that of the best volume."""
+    the series of a folder that is meant, in place of that of the best volume, or its number in `macula info`. A folder
+    of several patients is an Error that lists their series, unless it is given."""
     how = _interface.Open(join=bool(join), series_uid=_bytes(series_uid))
     return _study(lambda told, handle: _library.macula_study_open(_bytes(path), how, told, handle), progress)
 

@@ -15,7 +15,7 @@
 namespace macula {
 
 struct Segment {
-    std::uint16_t number = 0;  // from 1: what its voxels hold
+    std::uint16_t number = 0;  // what its voxels hold; of a label map from 1
     std::string label;         // UTF-8, as all text here
     std::string description;
     std::string algorithm;                                      // MANUAL, SEMIAUTOMATIC or AUTOMATIC

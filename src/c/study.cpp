@@ -200,7 +200,9 @@ macula_status macula_study_open(const char* path, const macula_open* how, const 
         const std::string_view named(path);
         const app::StudySource source = named == "phantom:" ? std::nullopt : app::StudySource(named);
         const std::string series = options.series_uid == nullptr ? "" : options.series_uid;
-        MACULA_TRY(app::OpenedStudy opened, app::openStudy(source, to, options.join != 0, {}, series));
+        MACULA_TRY(app::OpenedStudy opened,
+                   app::openStudy(source, to,
+                                  {.join = options.join != 0, .series = series, .asksWhichPatient = true}));
         const std::string choice = series.empty() ? choiceOf(opened) : std::string();
         MACULA_TRY(std::unique_ptr<macula_study> made, studyOf(std::move(opened)));
         if (!choice.empty()) made->notes.insert(made->notes.begin(), choice);

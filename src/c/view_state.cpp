@@ -26,6 +26,7 @@ Result<std::string> stateText(const macula_view& view) {
         state.lights = std::make_shared<const trace::LightRig>(std::move(rig));
     }
     state.seriesDigest = view.study.seriesDigest;
+    state.grid = app::savedGridOf(*view.study.volume);
     return app::toJson(state);
 }
 
@@ -49,7 +50,8 @@ macula_status macula_view_set_state(macula_view* view, const char* json) {
         if (json == nullptr) return nullHandle();
         MACULA_TRY(const Held<macula_view> of, changing(view));
         MACULA_TRY(app::StudyState state, app::studyStateFromJson(json, "the state that was given"));
-        MACULA_TRY_VOID(app::checkSeries(state, of->study.seriesDigest, "the state that was given"));
+        MACULA_TRY_VOID(
+            app::checkSeries(state, of->study.seriesDigest, *of->study.volume, "the state that was given"));
         of->chosen = std::move(state);
         of->wish = {};
         of->lights.clear();

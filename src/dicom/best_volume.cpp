@@ -86,7 +86,7 @@ Choice bestVolume(const Scan& scan) {
                 return {.series = nullptr, .stack = nullptr, .why = message.sentence + " " + message.action};
         }
     }
-    return candidates.choose(scan.patients > 1 ? fmt::format(" of {} patients in this folder", scan.patients)
+    return candidates.choose(scan.patients > 1 ? fmt::format(" of {} in this folder", patientsText(scan))
                                                : std::string());
 }
 

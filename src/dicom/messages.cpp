@@ -307,6 +307,11 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kSegmentsOutside, kWarning, 0,
      "{count} voxels of the segmentation lie outside of the volume, and are not shown.",
      "Check that no slices of the series are missing."},
+    {key::kSegmentIsPadding, kWarning, 0,
+     "Segment {number} has the number of the background (Pixel Padding Value): nothing of it is shown.",
+     "Look at it in the program that made it."},
+    {key::kSegmentZero, kInfo, 0,
+     "Segment 0 has the number {number} in the label map, in which 0 is none of the segments.", ""},
     // Presentation states.
     {key::kPresentationState, kInfo, 0,
      "Presentation states: {count}; they are no images, and say how a series is shown.",

@@ -141,6 +141,8 @@ inline constexpr std::string_view kInvalidWindow = "invalid-window";
 // Segmentations.
 inline constexpr std::string_view kSegmentsOverlap = "segments-overlap";
 inline constexpr std::string_view kSegmentsOutside = "segments-outside";
+inline constexpr std::string_view kSegmentIsPadding = "segment-is-padding";
+inline constexpr std::string_view kSegmentZero = "segment-zero";
 // Presentation states.
 inline constexpr std::string_view kPresentationState = "presentation-state";
 inline constexpr std::string_view kPresentationLeftOut = "presentation-left-out";

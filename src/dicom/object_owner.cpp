@@ -6,7 +6,10 @@
 
 #include <array>
 #include <ctime>
+#include <utility>
 
+#include "dicom/pseudonyms.h"
+#include "dicom/read/patient.h"
 #include "dicom/uid.h"
 
 namespace macula::dicom {
@@ -39,6 +42,46 @@ bool copy(DcmDataset& to, DcmDataset& from, const Taken& taken) {
     return !taken.isWrittenEmpty || to.insertEmptyElement(taken.tag).good();
 }
 
+std::string textOf(DcmDataset& from, const DcmTagKey& tag) {
+    OFString value;
+    return from.findAndGetOFString(tag, value).good() ? value.c_str() : "";
+}
+
+// Whether it is there, is that instance, and says which study it is of.
+bool isRead(DcmFileFormat& format, const SecondaryCapture::Source& source) {
+    const bool isThere = format
+                             .loadFileUntilTag(source.file.c_str(), EXS_Unknown, EGL_noChange,
+                                               DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData)
+                             .good();
+    if (!isThere) return false;
+    DcmDataset& from = *format.getDataset();
+    return !textOf(from, DCM_StudyInstanceUID).empty() &&
+           textOf(from, DCM_SOPInstanceUID) == source.sopInstanceUid;
+}
+
+Origin kindOf(DcmDataset& from) {
+    Origin origin;
+    if (std::string modality = textOf(from, DCM_Modality); !modality.empty())
+        origin.modality = std::move(modality);
+    origin.bodyPart = textOf(from, DCM_BodyPartExamined);
+    return origin;
+}
+
+bool writeWithoutPatient(DcmDataset& to, const char* name, const Pseudonym& pseudonym) {
+    bool ok = true;
+    const auto text = [&](const DcmTagKey& tag, const std::string& value) {
+        ok = ok && to.putAndInsertString(tag, value.c_str()).good();
+    };
+    text(DCM_SpecificCharacterSet, "ISO_IR 192");
+    text(DCM_PatientName, name);
+    text(DCM_PatientID, pseudonym.patientId);
+    for (const DcmTagKey& tag : {DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate, DCM_StudyTime,
+                                 DCM_ReferringPhysicianName, DCM_StudyID, DCM_AccessionNumber})
+        text(tag, "");
+    text(DCM_StudyInstanceUID, pseudonym.studyInstanceUid);
+    return ok;
+}
+
 }  // namespace
 
 Now::Now() {
@@ -53,46 +96,45 @@ Result<Origin> copyOwner(DcmDataset& to, const SecondaryCapture::Source& source)
     const Error unreadable{ErrorCode::inputNotUsable, "The study that it belongs to cannot be read any more.",
                            source.file.string(), "Open the study again, or write it without the patient."};
     DcmFileFormat format;
-    if (format
-            .loadFileUntilTag(source.file.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength,
-                              ERM_autoDetect, DCM_PixelData)
-            .bad())
-        return unreadable;
+    if (!isRead(format, source)) return unreadable;
     DcmDataset& from = *format.getDataset();
-    Origin origin;
-    OFString value;
-    if (from.findAndGetOFString(DCM_StudyInstanceUID, value).bad() || value.empty()) return unreadable;
-    OFString uid;
-    if (from.findAndGetOFString(DCM_SOPInstanceUID, uid).bad() || uid != source.sopInstanceUid.c_str())
-        return unreadable;
     for (const Taken& taken : kTaken) {
         if (!copy(to, from, taken))
             return Error{
                 ErrorCode::outputNotWritable, "The DICOM file could not be made.", {}, "Check memory."};
     }
-    if (from.findAndGetOFString(DCM_Modality, value).good() && !value.empty())
-        origin.modality = value.c_str();
-    if (from.findAndGetOFString(DCM_SOPClassUID, value).good()) origin.sopClassUid = value.c_str();
-    origin.sopInstanceUid = uid.c_str();
+    Origin origin = kindOf(from);
+    origin.sopClassUid = textOf(from, DCM_SOPClassUID);
+    origin.sopInstanceUid = source.sopInstanceUid;
     return origin;
 }
 
-bool writeNobody(DcmDataset& to, bool isDeidentified) {
-    bool ok = true;
-    const auto text = [&](const DcmTagKey& tag, const std::string& value) {
-        ok = ok && to.putAndInsertString(tag, value.c_str()).good();
-    };
-    text(DCM_SpecificCharacterSet, "ISO_IR 192");
-    text(DCM_PatientName, isDeidentified ? "ANONYMOUS" : "PHANTOM^MACULA");
-    text(DCM_PatientID, isDeidentified ? "ANONYMOUS" : "MACULA-PHANTOM");
-    for (const DcmTagKey& tag : {DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate, DCM_StudyTime,
-                                 DCM_ReferringPhysicianName, DCM_StudyID, DCM_AccessionNumber})
-        text(tag, "");
-    text(DCM_StudyInstanceUID, newUid());
-    if (!isDeidentified) return ok;
-    text(DCM_PatientIdentityRemoved, "YES");
-    text(DCM_DeidentificationMethod, "Macula: patient, study and all UIDs replaced");
-    return ok;
+bool writeNobody(DcmDataset& to) {
+    return writeWithoutPatient(to, "PHANTOM^MACULA",
+                               {.patientId = "MACULA-PHANTOM", .studyInstanceUid = newUid()});
+}
+
+std::optional<Origin> writePseudonym(DcmDataset& to, const std::optional<SecondaryCapture::Source>& source) {
+    Origin origin;
+    Pseudonym pseudonym;
+    DcmFileFormat format;
+    if (source && isRead(format, *source)) {
+        DcmDataset& from = *format.getDataset();
+        origin.bodyPart = textOf(from, DCM_BodyPartExamined);
+        const PatientIdentity patient{.id = textOf(from, DCM_PatientID),
+                                      .name = normalisedName(textOf(from, DCM_PatientName)),
+                                      .birthDate = textOf(from, DCM_PatientBirthDate),
+                                      .sex = textOf(from, DCM_PatientSex)};
+        pseudonym = pseudonymOf(patient, textOf(from, DCM_StudyInstanceUID));
+    } else {
+        pseudonym = newPseudonym();
+    }
+    if (!writeWithoutPatient(to, "ANONYMOUS", pseudonym) ||
+        to.putAndInsertString(DCM_PatientIdentityRemoved, "YES").bad() ||
+        to.putAndInsertString(DCM_DeidentificationMethod, "Macula: patient, study and all UIDs replaced")
+            .bad())
+        return std::nullopt;
+    return origin;
 }
 
 }  // namespace macula::dicom

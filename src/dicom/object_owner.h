@@ -2,6 +2,7 @@
 // room alone.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "base/result.h"
@@ -24,13 +25,20 @@ struct Origin {
     std::string modality = "OT";  // other
     std::string sopClassUid;
     std::string sopInstanceUid;
+    std::string bodyPart;  // Body Part Examined
 };
 
 // Patient and study of that image, character sets and all. What the source is told by never goes into the
 // error: it may name a patient. inputNotUsable when it cannot be read, is another instance, or has no study.
 Result<Origin> copyOwner(DcmDataset& to, const SecondaryCapture::Source& source);
 
-// Nobody, in a study of its own: a patient left out, or one that a program made up. Whether it could be done.
-bool writeNobody(DcmDataset& to, bool isDeidentified);
+// Nobody, in a study of its own, that a program made up. Whether it could be done.
+bool writeNobody(DcmDataset& to);
+
+// A patient left out: under a new ID, and in a new study, of which are all objects of that patient and that
+// study that the program writes while it runs (pseudonymOf). Where nothing is told of the image, or it can no
+// longer be read, under ones that nothing else has. The origin tells what kind of image it is, and no UIDs;
+// nothing where it could not be written.
+std::optional<Origin> writePseudonym(DcmDataset& to, const std::optional<SecondaryCapture::Source>& source);
 
 }  // namespace macula::dicom

@@ -13,6 +13,7 @@
 #include "dicom/read/examination.h"
 #include "dicom/read/folder.h"
 #include "dicom/read/media_directory.h"
+#include "dicom/read/placeholder.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/scan_glimpse.h"
 #include "dicom/split/copies.h"
@@ -290,15 +291,16 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
     reportSplitSeries(studies);
     std::vector<SeriesInProgress*> places;
     std::vector<std::vector<Frame>*> frames;
-    std::map<PatientIdentity, int> patients;
+    PatientNumbers patients;
     for (auto& [studyKey, entry] : studies) {
-        entry.study.patient = patients.emplace(studyKey.second, patients.size()).first->second;
+        entry.study.patient = patients.of(studyKey.second, studyKey.first);
         for (auto& [seriesKey, place] : entry.series) {
             places.push_back(&place);
             frames.push_back(&place.frames);
         }
     }
-    scan.patients = static_cast<int>(patients.size());
+    scan.patients = patients.count();
+    scan.namelessPatients = patients.nameless();
     const std::vector<std::size_t> copies = dropCopies(frames, progress);
     const std::vector<std::size_t> repeats = dropRepeats(frames, progress.token());
     const auto unreadable = static_cast<std::size_t>(
@@ -459,6 +461,21 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
 } catch (const std::exception&) {
     return Error{ErrorCode::inputNotUsable, "The folder cannot be read.", path.string(),
                  "Check its permissions."};
+}
+
+std::string patientsText(const Scan& scan) {
+    if (scan.patients == 1) return "1 patient";
+    return fmt::format("{}{} patients", scan.namelessPatients > 1 ? "up to " : "", scan.patients);
+}
+
+bool mayBeOnePatient(const Scan& scan, int patient, int other) {
+    if (patient == other) return true;
+    const auto isNameless = [&](int number) {
+        const auto study = std::ranges::find(scan.studies, number, &Study::patient);
+        return study != scan.studies.end() && isPlaceholder(study->patientId) &&
+               isPlaceholder(study->patientName);
+    };
+    return isNameless(patient) && isNameless(other);
 }
 
 std::vector<const Series*> findAllSeries(const Scan& scan, std::string_view seriesInstanceUid) {

@@ -23,7 +23,7 @@ struct Study {
     std::vector<Series> series;    // by number, then UID
     std::string patientBirthDate;  // YYYYMMDD as in the file, or empty
     std::string patientSex;        // M, F, O, or empty
-    int patient = 0;               // from 0; studies of one patient share it
+    int patient = 0;               // from 0; studies of one patient share it, as PatientNumbers has it
 };
 
 // A DICOM file that was left out, or a folder that could not be read (key::kUnreadableFolder).
@@ -43,6 +43,7 @@ struct Scan {
     std::size_t archives = 0;          // of those: zips, which are not opened
     std::size_t mediaDirectories = 0;  // DICOMDIR
     int patients = 0;                  // see patient.h for what tells them apart
+    int namelessPatients = 0;          // of those: studies that do not say whose they are
 
     std::size_t imageCount() const;   // files that hold images
     std::size_t objectCount() const;  // DICOM objects that are no images
@@ -67,6 +68,13 @@ struct ScanOptions {
 // DICOM and readable; with cancelled within 200 ms of a cancellation.
 Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress,
                         const ScanOptions& options = {});
+
+// "2 patients"; "up to 2 patients" where two studies do not say whose they are, and may be of one.
+std::string patientsText(const Scan& scan);
+
+// Whether what names one series by its UID may be of both patients (Study::patient): they are one, or both
+// are studies that do not say whose they are.
+bool mayBeOnePatient(const Scan& scan, int patient, int other);
 
 // The series with that UID. Null when there is none, or more than one: findAllSeries tells which.
 const Series* findSeries(const Scan& scan, std::string_view seriesInstanceUid);

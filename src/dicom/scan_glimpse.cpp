@@ -25,7 +25,7 @@ void ScanGlimpses::add(const Examination& found) {
                        .series = {},
                        .patientBirthDate = found.patient.birthDate,
                        .patientSex = found.patient.sex,
-                       .patient = patients_.emplace(found.patient, int(patients_.size())).first->second};
+                       .patient = patients_.of(found.patient, found.studyInstanceUid)};
     }
     const auto [series, isNew] = place.series.try_emplace(found.seriesInstanceUid);
     if (isNew) {
@@ -45,7 +45,8 @@ void ScanGlimpses::add(const Examination& found) {
 
 Scan ScanGlimpses::seen() const {
     Scan scan;
-    scan.patients = static_cast<int>(patients_.size());
+    scan.patients = patients_.count();
+    scan.namelessPatients = patients_.nameless();
     for (const auto& [key, place] : studies_) {
         Study& study = scan.studies.emplace_back(place.study);
         for (const auto& [uid, series] : place.series) study.series.push_back(series);

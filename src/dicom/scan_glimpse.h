@@ -35,7 +35,7 @@ class ScanGlimpses {
     const GlimpseListener listener_;
     std::mutex mutex_;
     std::map<std::pair<std::string, PatientIdentity>, StudySeen> studies_;  // as the scan groups them
-    std::map<PatientIdentity, int> patients_;                               // in the order they were met
+    PatientNumbers patients_;                                               // in the order they were met
     Clock::time_point due_{};
 };
 

@@ -13,6 +13,7 @@
 #include "dicom/read/examination.h"
 #include "dicom/read/quiet_toolkit.h"
 #include "dicom/uid.h"
+#include "dicom/visible_face.h"
 
 namespace macula::dicom {
 
@@ -87,7 +88,7 @@ void fillSeriesAndEquipment(Writer& write, const SecondaryCapture& capture, cons
     write.text(DCM_SecondaryCaptureDeviceSoftwareVersions, capture.softwareVersion);
 }
 
-void fillImage(Writer& write, const SecondaryCapture& capture, const Now& now) {
+void fillImage(Writer& write, const SecondaryCapture& capture, const Origin& origin, const Now& now) {
     write.text(DCM_SOPClassUID, UID_SecondaryCaptureImageStorage);
     write.text(DCM_SOPInstanceUID, newUid());
     write.text(DCM_InstanceNumber, "1");
@@ -101,6 +102,9 @@ void fillImage(Writer& write, const SecondaryCapture& capture, const Now& now) {
     write.text(DCM_InstanceCreationTime, now.time);
     write.text(DCM_DerivationDescription, capture.derivation);
     write.text(DCM_BurnedInAnnotation, capture.hasBurnedInNames ? "YES" : "NO");
+    if (!capture.isOfNobody)
+        write.text(DCM_RecognizableVisualFeatures,
+                   mayShowFace(origin.bodyPart, capture.heightMm) ? "YES" : "NO");
     write.text(DCM_LossyImageCompression, "00");
     write.word(DCM_SamplesPerPixel, 3);
     write.text(DCM_PhotometricInterpretation, "RGB");
@@ -134,13 +138,17 @@ Result<void> writeSecondaryCapture(const fs::path& path, const SecondaryCapture&
     DcmDataset& dataset = *format.getDataset();
     Writer write(dataset);
     Origin origin;
-    if (capture.source && !capture.isDeidentified) {
+    if (capture.isDeidentified) {
+        const std::optional<Origin> kind = writePseudonym(dataset, capture.source);
+        if (!kind) return failed;
+        origin = *kind;
+    } else if (capture.source) {
         MACULA_TRY(origin, copyOwner(dataset, *capture.source));
-    } else if (!writeNobody(dataset, capture.isDeidentified)) {
+    } else if (!writeNobody(dataset)) {
         return failed;
     }
     fillSeriesAndEquipment(write, capture, origin);
-    fillImage(write, capture, Now());
+    fillImage(write, capture, origin, Now());
     if (!write.ok() || !refer(dataset, origin)) return failed;
     return writeAtomically(path, [&](const fs::path& draft) -> Result<void> {
         if (format.saveFile(draft.c_str(), EXS_LittleEndianExplicit).bad()) return failed;

@@ -27,9 +27,13 @@ struct SecondaryCapture {
     std::string derivation;         // how it was made, in words, at most 1024
     std::string softwareVersion;
     int seriesNumber = 9000;  // after those of scanners
-    // Nothing of the patient and of the study is taken over, and all UIDs are new. What can be seen, a face
-    // for one, stays.
+    // Nothing of the patient and of the study is taken over, and all UIDs are new. The source, where there is
+    // one, tells only which objects are of one patient and one study: they share an ID that is made by chance
+    // (pseudonyms.h). What can be seen, a face for one, stays.
     bool isDeidentified = false;
+    // How much of the patient is shown along the body, where that is known: whether a face may be seen
+    // (visible_face.h) is written.
+    std::optional<double> heightMm;
     bool hasBurnedInNames = false;  // who is shown is written in the picture
 };
 

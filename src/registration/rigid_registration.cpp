@@ -4,15 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <new>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "registration/comparison.h"
 #include "registration/intensity_bins.h"
-#include "registration/joint_histogram.h"
 #include "registration/pattern_search.h"
+#include "registration/rival.h"
 #include "registration/sample_points.h"
 #include "registration/scalar_grid.h"
 
@@ -32,14 +33,15 @@ constexpr std::size_t kFinePoints = 40000;
 constexpr std::size_t kLeastPoints = 200;  // and cells of a volume
 constexpr double kLeastPointsMet = 100.0;  // fewer are alike by chance
 
-constexpr double kLeverMm = 100.0;     // a turn is told by how far it moves what lies so far from its middle
-constexpr double kLeastOverlap = 0.3;  // of the smaller volume
-constexpr double kSweepStepMm = 24.0;  // along the patient, for starts: scans differ in where they begin
+constexpr double kLeastOverlap = 0.3;    // of the smaller volume
+constexpr double kSweepStepMm = 24.0;    // along the patient, for starts: scans differ in where they begin
 constexpr double kSweepReachMm = 480.0;  // to each side
 constexpr std::size_t kStartsFollowed = 4;
-constexpr double kApartMm = 3.0;  // of the two starts of the second and third level
+constexpr double kSamePlaceMm = 10.0;  // nearer to each other, ends of the coarse level are one
+constexpr double kApartMm = 3.0;       // of the two starts of the second and third level
 constexpr SearchRange kCoarseRange{.firstStep = 8.0, .lastStep = 1.0};
 constexpr SearchRange kMiddleRange{.firstStep = 3.0, .lastStep = 0.3};
+constexpr SearchRange kRivalRange{.firstStep = 3.0, .lastStep = 0.6, .mostCalls = 200};
 constexpr SearchRange kFineRange{.firstStep = 1.0, .lastStep = 0.06};
 
 constexpr std::uint64_t kSeed = 20031;
@@ -47,8 +49,11 @@ constexpr std::uint64_t kSeed = 20031;
 constexpr double kDoubtfulMm = 3.0;
 constexpr double kDoubtfulInformation = 0.05;  // nats: what is left between volumes of two bodies, about
 constexpr double kDoubtfulOverlap = 0.1;
+// Spines that repeat themselves have 0.7 and more one vertebra off or farther, anatomy that does not 0.36 and
+// less.
+constexpr double kDoubtfulRival = 0.5;
 
-constexpr std::size_t kProgressSteps = 10;
+constexpr std::size_t kProgressSteps = 12;
 
 Error cancelled() {
     return {ErrorCode::cancelled, "Registration was cancelled.", {}, {}};
@@ -109,43 +114,9 @@ std::array<glm::dvec3, 8> cornersOf(const Box& box) {
     return corners;
 }
 
-// The first three numbers turn, about the middle of the fixed volume, the others move; all in mm.
-glm::dmat4 transformOf(const Parameters& p, const glm::dvec3& middleMm) {
-    const glm::dvec3 turn = glm::dvec3(p[0], p[1], p[2]) / kLeverMm;
-    const double angle = glm::length(turn);
-    glm::dmat4 movingFromFixed = glm::translate(glm::dmat4(1.0), middleMm + glm::dvec3(p[3], p[4], p[5]));
-    if (angle > 0.0) movingFromFixed = glm::rotate(movingFromFixed, angle, turn / angle);
-    return glm::translate(movingFromFixed, -middleMm);
+glm::dvec3 shiftOf(const Parameters& p) {
+    return {p[3], p[4], p[5]};
 }
-
-// How alike the volumes are on one level, by one set of points.
-class Comparison {
-  public:
-    Comparison(std::vector<SamplePoint> points, const ScalarGrid& moving, const IntensityBins& bins,
-               const glm::dvec3& middleMm, double leastOverlap)
-        : points_(std::move(points)),
-          moving_(moving),
-          bins_(bins),
-          middleMm_(middleMm),
-          leastOverlap_(leastOverlap) {}
-
-    Likeness at(const Parameters& p) const {
-        return likenessOf(points_, moving_, bins_, transformOf(p, middleMm_));
-    }
-    double score(const Parameters& p) const {
-        const Likeness likeness = at(p);
-        return likeness.overlap < leastOverlap_ ? -std::numeric_limits<double>::infinity()
-                                                : likeness.normalised;
-    }
-    std::size_t pointCount() const { return points_.size(); }
-
-  private:
-    std::vector<SamplePoint> points_;
-    const ScalarGrid& moving_;
-    const IntensityBins& bins_;
-    glm::dvec3 middleMm_;
-    double leastOverlap_;
-};
 
 class RigidSearch {
   public:
@@ -166,21 +137,40 @@ class RigidSearch {
         const Comparison coarse = comparison(kCoarse, kCoarsePoints, 0);
         if (coarse.pointCount() < kLeastPoints || movingExtent_.cells < kLeastPoints)
             return notUsable("One of the volumes has too few voxels to be registered.");
-        const Highest start = startOf(coarse);
+        const std::vector<Highest> places = placesOf(coarse);
         if (progress_.cancelled()) return cancelled();
-        if (!std::isfinite(start.value))
+        if (places.empty())
             return notUsable("The volumes do not show enough of the same part of the body to be registered.");
         progress_.advance(2);
-        std::array<Highest, 2> ends{};
-        for (std::size_t run = 0; run < ends.size(); ++run) {
-            ends[run] = refined(start.at, run);
-            if (progress_.cancelled()) return cancelled();
-            progress_.advance(3);
+        std::vector<Parameters> others;
+        for (std::size_t n = 1; n < places.size(); ++n) others.push_back(places[n].at);
+        const Comparison judge = comparison(kFine, kFinePoints, 2);
+        Answer answer = refined(places.front().at, judge);
+        if (progress_.cancelled()) return cancelled();
+        progress_.advance(6);
+        const Comparison middle = comparison(kMiddle, kMiddlePoints, 2);
+        std::optional<Rival> rival = rivalOf(answer, others, middle);
+        if (rival && rival->share >= 1.0 && !progress_.cancelled()) {  // on coarser cells it fits even better
+            const Answer second = refined(rival->place.at, judge);
+            if (second.score > answer.score && !progress_.cancelled()) {
+                others.insert(others.begin(), answer.at);
+                answer = second;
+                rival = rivalOf(answer, others, middle);
+            }
         }
-        return told(ends);
+        if (progress_.cancelled()) return cancelled();
+        progress_.advance(2);
+        return told(answer, rival, judge);
     }
 
   private:
+    // The better of what two searches ended with that began on both sides of a place.
+    struct Answer {
+        std::array<Highest, 2> ends{};
+        Parameters at{};
+        double score = 0.0;  // by the judge
+    };
+
     Comparison comparison(std::size_t level, std::size_t points, std::uint64_t run) const {
         const double smaller = std::min(1.0, movingExtent_.volumeMl / fixedExtent_.volumeMl);
         std::vector<SamplePoint> drawn =
@@ -222,21 +212,36 @@ class RigidSearch {
         return all;
     }
 
-    // The best that the best starts lead to.
-    Highest startOf(const Comparison& coarse) const {
+    // Where the best starts lead to, the best place first; none twice.
+    std::vector<Highest> placesOf(const Comparison& coarse) const {
         std::vector<Highest> all;
         for (const Parameters& start : starts()) {
             if (progress_.cancelled()) return {};
             all.push_back({start, coarse.score(start)});
         }
         std::ranges::stable_sort(all, std::ranges::greater(), &Highest::value);
-        Highest best = all.front();
-        for (std::size_t n = 0; n < std::min(all.size(), kStartsFollowed); ++n) {
-            if (!std::isfinite(all[n].value)) break;
-            const Highest end = highest(coarse, all[n].at, kCoarseRange);
-            if (end.value > best.value) best = end;
+        all.resize(kStartsFollowed);
+        std::erase_if(all, [](const Highest& start) { return !std::isfinite(start.value); });
+        for (Highest& place : all) place = highest(coarse, place.at, kCoarseRange);
+        std::ranges::stable_sort(all, std::ranges::greater(), &Highest::value);
+        std::vector<Highest> places;
+        for (const Highest& place : all) {
+            const bool isKnown = std::ranges::any_of(places, [&](const Highest& known) {
+                return glm::length(shiftOf(known.at) - shiftOf(place.at)) < kSamePlaceMm;
+            });
+            if (!isKnown) places.push_back(place);
         }
-        return best;
+        return places;
+    }
+
+    Answer refined(const Parameters& from, const Comparison& judge) const {
+        Answer answer;
+        for (std::size_t run = 0; run < answer.ends.size(); ++run) answer.ends[run] = refined(from, run);
+        const std::array<double, 2> scores{judge.score(answer.ends[0].at), judge.score(answer.ends[1].at)};
+        const std::size_t better = scores[1] > scores[0] ? 1 : 0;
+        answer.at = answer.ends[better].at;
+        answer.score = scores[better];
+        return answer;
     }
 
     // From one of two starts that lie on both sides of the answer of the coarse level.
@@ -248,16 +253,24 @@ class RigidSearch {
         return highest(comparison(kFine, kFinePoints, run), middle.at, kFineRange);
     }
 
-    RigidRegistration told(const std::array<Highest, 2>& ends) const {
-        const Comparison judge = comparison(kFine, kFinePoints, ends.size());
-        const bool isSecond = judge.score(ends[1].at) > judge.score(ends[0].at);
-        const Parameters& chosen = ends[isSecond ? 1 : 0].at;
-        const Likeness after = judge.at(chosen);
-        RigidRegistration registration{.movingFromFixed = transformOf(chosen, fixedExtent_.middleMm),
+    std::optional<Rival> rivalOf(const Answer& answer, const std::vector<Parameters>& others,
+                                 const Comparison& middle) const {
+        return strongestRival(middle, answer.at, others,
+                              [&](const Parameters& start) { return highest(middle, start, kRivalRange); });
+    }
+
+    RigidRegistration told(const Answer& answer, const std::optional<Rival>& rival,
+                           const Comparison& judge) const {
+        const Likeness after = judge.at(answer.at);
+        RigidRegistration registration{.movingFromFixed = transformOf(answer.at, fixedExtent_.middleMm),
                                        .informationBefore = informationBefore(judge),
                                        .informationAfter = after.information,
                                        .overlap = after.overlap};
-        registration.boundMm = kFineRange.lastStep + farthestApartMm(ends);
+        registration.boundMm = kFineRange.lastStep + farthestApartMm(answer.ends);
+        if (rival) {
+            registration.rivalShare = rival->share;
+            registration.rivalMm = rival->shiftMm;
+        }
         return registration;
     }
 
@@ -299,9 +312,13 @@ class RigidSearch {
 
 }  // namespace
 
+bool RigidRegistration::hasRival() const {
+    return rivalShare >= kDoubtfulRival;
+}
+
 bool RigidRegistration::isDoubtful() const {
     return !(boundMm <= kDoubtfulMm) || informationAfter < kDoubtfulInformation ||
-           informationAfter < informationBefore || overlap < kDoubtfulOverlap;
+           informationAfter < informationBefore || overlap < kDoubtfulOverlap || hasRival();
 }
 
 Result<RigidRegistration> registerRigid(const Volume& fixed, const Volume& moving, Progress& progress) try {

@@ -15,7 +15,13 @@ struct RigidRegistration {
     // How far two searches from two starts, by other samples, are apart at the corner of what overlaps that
     // is farthest, with the last step of either. It says how sharp the answer is, and not that it is right.
     double boundMm = 0.0;
+    // Of another place along the patient, one vertebra off for one, how much of the likeness that is lost on
+    // the way there comes back (Rival), and how far away it is. 0: there is none.
+    double rivalShare = 0.0;
+    double rivalMm = 0.0;
 
+    // Whether that place fits nearly as well, so that nothing but a person can say which of both is right.
+    bool hasRival() const;
     // What a person has to look at closely before anything is compared.
     bool isDoubtful() const;
     bool operator==(const RigidRegistration&) const = default;

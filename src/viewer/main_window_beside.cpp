@@ -92,6 +92,10 @@ QStringList MainWindow::besideNotes() const {
                 "both as they were.");
         return notes;
     }
+    if (beside_->isPlacedAnew())
+        notes << tr(
+            "Where the second volume lay when this study was left is not taken over: the images had other "
+            "values or positions then, or an older Macula kept it. It is placed anew.");
     const app::OpenedStudy& second = beside_->second()->study;
     for (const std::string& assumption : second.volume->provenance().assumptions)
         notes << tr("Second volume: %1").arg(inWindowsLanguage(assumption));

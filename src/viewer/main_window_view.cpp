@@ -63,7 +63,9 @@ void MainWindow::askWhereToSaveView() {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("json"));
     dialog->selectFile(QStringLiteral("view.json"));
-    ask(dialog, [this, json = app::toJson(state())](const QString& path) { saveView(path, json); });
+    app::StudyState view = state();
+    view.grid = app::savedGridOf(*study().volume);
+    ask(dialog, [this, json = app::toJson(view)](const QString& path) { saveView(path, json); });
 }
 
 void MainWindow::openView(const QString& path) {

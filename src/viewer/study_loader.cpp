@@ -13,10 +13,12 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{2000};  // a slow disk keeps nobody from their images
 
-Result<app::OpenedStudy> withState(Result<app::OpenedStudy> study,
-                                   const std::shared_ptr<app::ModelKeeper>& keeper) {
-    if (study && study->volume && keeper)
-        study->stateAsLeft = keeper->stateOf(study->volume, kPatience).value_or("");
+Result<app::OpenedStudy> completed(Result<app::OpenedStudy> study,
+                                   const std::shared_ptr<app::ModelKeeper>& keeper,
+                                   const StudyLoader::Prepare& prepare) {
+    if (!study || !study->volume) return study;
+    if (keeper) study->stateAsLeft = keeper->stateOf(study->volume, kPatience).value_or("");
+    if (prepare) prepare(*study);
     return study;
 }
 
@@ -32,9 +34,10 @@ StudyLoader::StudyLoader(QObject* parent)
 
 void StudyLoader::open(app::StudySource source, bool join) {
     source_ = source;
-    job_.start([source = std::move(source), join, keeper = keeper_,
+    job_.start([source = std::move(source), join, keeper = keeper_, prepare = prepare_,
                 tells = tellsOf(++opening_)](Progress& progress) {
-        return withState(app::openStudy(source, progress, join, tells), keeper);
+        return completed(app::openStudy(source, progress, {.join = join, .foundSoFar = tells}), keeper,
+                         prepare);
     });
     emit began();
 }
@@ -50,8 +53,8 @@ app::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
 void StudyLoader::open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index) {
     ++opening_;
     source_.reset();
-    job_.start([found = std::move(found), index, keeper = keeper_](Progress& progress) {
-        return withState(app::openFoundVolume(found, index, progress), keeper);
+    job_.start([found = std::move(found), index, keeper = keeper_, prepare = prepare_](Progress& progress) {
+        return completed(app::openFoundVolume(found, index, progress), keeper, prepare);
     });
     emit began();
 }

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <QString>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -23,6 +24,9 @@ class StudyLoader : public QObject {
 
     // Who knows how studies were left; null: nobody does.
     void setKeeper(std::shared_ptr<app::ModelKeeper> keeper) { keeper_ = std::move(keeper); }
+    // What else takes long and is done to what was opened, on the thread that opens it; null: nothing.
+    using Prepare = std::function<void(const app::OpenedStudy&)>;
+    void setPrepare(Prepare prepare) { prepare_ = std::move(prepare); }
 
     void open(app::StudySource source, bool join = false);
     void open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index);
@@ -51,6 +55,7 @@ class StudyLoader : public QObject {
     app::StudySource source_;
     std::uint64_t opening_ = 0;  // the number of the last; of others nothing more is told
     std::shared_ptr<app::ModelKeeper> keeper_;
+    Prepare prepare_;
 };
 
 }  // namespace macula::viewer

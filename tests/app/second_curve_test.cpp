@@ -10,6 +10,7 @@
 
 #include "app/state/study_state.h"
 #include "app/study/second_input.h"
+#include "base/fingerprint.h"
 #include "base/phantom.h"
 #include "support.h"
 #include "synthetic.h"
@@ -163,6 +164,7 @@ TEST(SecondInput, IsReadPlacedAndSaid) {
     beside.seriesDigest = "phantom";
     beside.link = BesideLink::registered;
     beside.secondFromStudy[3].x = 12.0;
+    beside.pair = pairDigest(fingerprint(*study.volume), fingerprint(*study.volume));
     const auto placed = secondToDraw(wish, study, &beside, progress);
     ASSERT_TRUE(placed);
     EXPECT_EQ(placed->second.secondFromVolumeMm, beside.secondFromStudy);
@@ -268,6 +270,7 @@ TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
     beside.link = BesideLink::registered;
     beside.secondFromStudy[3].x = 1.0;
     study.volume = in16Bits(own->volume);
+    beside.pair = pairDigest(fingerprint(*study.volume), fingerprint(*in16Bits(second->volume)));
     const auto same = secondToDraw(wish, study, &beside, progress);
     ASSERT_TRUE(same);
     EXPECT_EQ(same->second.secondFromVolumeMm, beside.secondFromStudy);
@@ -279,6 +282,64 @@ TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
     const auto told = secondToDraw(wish, study, &beside, progress);
     ASSERT_TRUE(told);
     EXPECT_EQ(told->notes.size(), unplaced->notes.size() + 1) << "the view had another one in the picture";
+}
+
+// Under the same UIDs the prior was exported anew, with its positions set right.
+TEST(SecondInput, APlaceIsOfTheVoxelsAndPositionsThatItWasFoundWith) {
+    const dicom::test::TemporaryFolder folder;
+    dicom::test::SyntheticSeries series;
+    dicom::test::writeFiles(folder.path() / "study", series);
+    series.seriesUid = "2.25.1003";
+    dicom::test::writeFiles(folder.path() / "prior", series);
+    series.worldFromVoxel[3] += glm::dvec4(0.0, 0.0, 4.0, 0.0);
+    dicom::test::writeFiles(folder.path() / "moved", series);
+    Progress progress;
+    auto study = loadStudy(folder.path() / "study", {}, progress);
+    auto prior = loadStudy(folder.path() / "prior", {}, progress);
+    const auto moved = loadStudy(folder.path() / "moved", {}, progress);
+    ASSERT_TRUE(study && prior && moved);
+    EXPECT_EQ(prior->seriesDigest, moved->seriesDigest);
+    EXPECT_EQ(prior->volumeKey, moved->volumeKey) << "nothing but its voxels and positions tells";
+    bringTo16Bits(*study);
+    bringTo16Bits(*prior);
+    BesideState beside;
+    beside.seriesDigest = prior->seriesDigest;
+    beside.volumeKey = prior->volumeKey;
+    beside.pair = pairDigest(fingerprint(*study->volume), fingerprint(*prior->volume));
+    beside.link = BesideLink::registered;
+    beside.boundMm = 0.4;
+    beside.secondFromStudy[3].x = 1.0;
+    beside.opacity = 0.25;
+    SecondWish wish;
+    const auto isWarned = [](const SecondToDraw& drawn) {
+        return std::ranges::any_of(drawn.warnings, [](const std::string& warning) {
+            return warning.find("is not believed") != std::string::npos;
+        });
+    };
+    wish.path = folder.path() / "prior";
+    const auto same = secondToDraw(wish, *study, &beside, progress);
+    ASSERT_TRUE(same) << same.error().message;
+    EXPECT_EQ(same->second.secondFromVolumeMm, beside.secondFromStudy);
+    EXPECT_FALSE(isWarned(*same));
+    wish.path = folder.path() / "moved";
+    const auto anew = secondToDraw(wish, *study, &beside, progress);
+    ASSERT_TRUE(anew) << anew.error().message;
+    EXPECT_EQ(anew->second.secondFromVolumeMm, glm::dmat4(1.0));
+    EXPECT_TRUE(isWarned(*anew));
+    // A view of before does not say of which voxels it is.
+    beside.pair.clear();
+    wish.path = folder.path() / "prior";
+    const auto old = secondToDraw(wish, *study, &beside, progress);
+    ASSERT_TRUE(old);
+    EXPECT_EQ(old->second.secondFromVolumeMm, glm::dmat4(1.0));
+    EXPECT_TRUE(isWarned(*old));
+    // The study itself under its own UIDs, exported anew, is another volume.
+    const dicom::test::TemporaryFolder again;
+    dicom::test::SyntheticSeries itself;
+    itself.worldFromVoxel[3].z += 4.0;
+    dicom::test::writeFiles(again.path(), itself);
+    wish.path = again.path();
+    EXPECT_TRUE(secondToDraw(wish, *study, nullptr, progress));
 }
 
 }  // namespace

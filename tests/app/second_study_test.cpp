@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "app/found_by_hand.h"
+#include "base/fingerprint.h"
 #include "base/sha256.h"
 
 namespace macula::app {
@@ -60,6 +61,40 @@ TEST(SecondStudy, IsOfTheSamePatientOnlyWhereAllAgrees) {
     EXPECT_NE(samePatient(jane(), {.series = "a", .isOfNobody = true}), SamePatient::yes);
 }
 
+// Two studies that were made anonymous by the same program are not for that of one patient.
+TEST(SecondStudy, PlaceholdersAreOfNobody) {
+    const Identity nobody{
+        .patientName = "ANONYMOUS", .patientId = "0000", .birthDate = "19000101", .sex = "F"};
+    EXPECT_EQ(samePatient(nobody, nobody), SamePatient::unknown);
+    EXPECT_EQ(samePatient(nobody, jane()), SamePatient::unknown) << "and nothing differs";
+    EXPECT_EQ(samePatient(jane(), nobody), SamePatient::unknown);
+    EXPECT_TRUE(whatDiffers(nobody, jane()).empty());
+    for (const char* name : {"", "Patient^Anonymous", "De-Identified", "XXXX^XXXX", "unknown"}) {
+        Identity named = nobody;
+        named.patientName = name;
+        EXPECT_EQ(samePatient(named, nobody), SamePatient::unknown) << name;
+    }
+    Identity man = nobody;
+    man.sex = "M";
+    EXPECT_EQ(samePatient(nobody, man), SamePatient::no) << "that much is known";
+    man.sex = "U";
+    EXPECT_EQ(samePatient(nobody, man), SamePatient::unknown);
+    // Pseudonyms tell.
+    Identity first = nobody;
+    first.patientId = "ANON0017";
+    Identity other = nobody;
+    other.patientId = "ANON0018";
+    EXPECT_EQ(samePatient(first, first), SamePatient::yes);
+    EXPECT_EQ(samePatient(first, other), SamePatient::no);
+    // A study is of one patient: a PET and its CT.
+    Identity pet = nobody;
+    pet.studyInstanceUid = "1.2.3";
+    Identity ct = pet;
+    EXPECT_EQ(samePatient(pet, ct), SamePatient::yes);
+    ct.studyInstanceUid = "1.2.4";
+    EXPECT_EQ(samePatient(pet, ct), SamePatient::unknown);
+}
+
 TEST(SecondStudy, OneThingThatDiffersIsAnotherPatient) {
     using Names = std::vector<std::string>;
     const auto differs = [](auto change) {
@@ -101,21 +136,21 @@ TEST(SecondStudy, IsLinkedByItsFrameOfReferenceOrByHand) {
     OpenedStudy study = studyOf(jane());
     OpenedStudy second = studyOf(jane(), {100.0, -20.0, 7.0});
     second.seriesDigest = "other";
-    BesideState link = firstLink(study, second);
+    BesideState link = firstLink(study, second, "pair");
     EXPECT_EQ(link.link, BesideLink::byHand) << "nothing is known of where it lies";
     EXPECT_FALSE(link.isLinked());
     EXPECT_EQ(transformPoint(link.secondFromStudy, study.volume->worldBox().centre()),
               second.volume->worldBox().centre());
     EXPECT_EQ(link.seriesDigest, "other");
     study.frameOfReferenceUid = second.frameOfReferenceUid = "1.2.3";
-    link = firstLink(study, second);
+    link = firstLink(study, second, "pair");
     EXPECT_EQ(link.link, BesideLink::sameFrame);
     EXPECT_EQ(link.secondFromStudy, glm::dmat4(1.0));
     second.identity.patientId = "18";
-    EXPECT_EQ(firstLink(study, second).link, BesideLink::byHand) << "another patient";
+    EXPECT_EQ(firstLink(study, second, "pair").link, BesideLink::byHand) << "another patient";
     second.identity = jane();
     second.frameOfReferenceUid = "1.2.4";
-    EXPECT_EQ(firstLink(study, second).link, BesideLink::byHand);
+    EXPECT_EQ(firstLink(study, second, "pair").link, BesideLink::byHand);
 }
 
 TEST(SecondStudy, ActivityIsSeenFromNothingToTheBrightest) {
@@ -187,7 +222,7 @@ TEST(SecondStudy, IsFoundWhereverItsSeriesHasItNow) {
         second.seriesDigest = sha256Hex("1.2");
         second.found = found;
         second.volumeIndex = index;
-        return firstLink(studyOf(jane()), second);
+        return firstLink(studyOf(jane()), second, "pair");
     };
     const BesideState ofTwo = stored(foundWith({phaseAt("1001"), phaseAt("1002")}), 2);
     EXPECT_EQ(ofTwo.volume, 1U);
@@ -229,6 +264,34 @@ TEST(VolumeKey, IsOfFrameOrientationAndTime) {
     EXPECT_FALSE(key(none).empty());
 }
 
+TEST(SecondStudy, APairIsOfVoxelsAndPositionsOfBoth) {
+    const auto of = [](const glm::dvec3& firstMm) { return fingerprint(*studyOf(jane(), firstMm).volume); };
+    const std::string usual = pairDigest(of(glm::dvec3(0.0)), of({100.0, 0.0, 0.0}));
+    EXPECT_EQ(usual, pairDigest(of(glm::dvec3(0.0)), of({100.0, 0.0, 0.0})));
+    EXPECT_NE(usual, pairDigest(of(glm::dvec3(0.0)), of({100.0, 0.0, 0.5})));
+    EXPECT_NE(usual, pairDigest(of({0.0, 0.0, 0.5}), of({100.0, 0.0, 0.0})));
+    EXPECT_NE(usual, pairDigest(of({100.0, 0.0, 0.0}), of(glm::dvec3(0.0))));
+}
+
+TEST(SecondStudy, ALookIsKeptWhereThePlaceIsNot) {
+    BesideState before;
+    before.link = BesideLink::registered;
+    before.secondFromStudy[3].x = 3.0;
+    before.boundMm = 0.4;
+    before.view = BesideView::over;
+    before.opacity = 0.25;
+    BesideState place;
+    place.pair = "pair";
+    const BesideState byHand = withLookOf(place, before);
+    EXPECT_EQ(byHand.opacity, 0.25);
+    EXPECT_EQ(byHand.view, BesideView::beside) << "nothing lies over it by hand";
+    EXPECT_EQ(byHand.secondFromStudy, glm::dmat4(1.0));
+    EXPECT_EQ(byHand.boundMm, 0.0);
+    EXPECT_EQ(byHand.pair, "pair");
+    place.link = BesideLink::sameFrame;
+    EXPECT_EQ(withLookOf(place, before).view, BesideView::over);
+}
+
 // Two phases of a heart are one series, and are told apart.
 TEST(SecondStudy, VolumesOfOneSeriesAreToldApart) {
     dicom::Series series = test::seriesOf(2, "b", {test::volumeOf(3), test::volumeOf(4)});
@@ -242,18 +305,20 @@ TEST(SecondStudy, VolumesOfOneSeriesAreToldApart) {
     second.volumeIndex = 1;
     EXPECT_EQ(plainTag(first), "CT, 2024-03-01, series 2, volume 1 of 2");
     EXPECT_EQ(plainTag(second), "CT, 2024-03-01, series 2, volume 2 of 2");
-    BesideState link = firstLink(first, second);
+    BesideState link = firstLink(first, second, "pair");
     EXPECT_EQ(link.volume, 1U);
-    EXPECT_TRUE(isOf(link, second));
-    EXPECT_FALSE(isOf(link, first)) << "the registration is of the other";
+    EXPECT_TRUE(isOf(link, second, "pair"));
+    EXPECT_FALSE(isOf(link, second, "other")) << "of these UIDs, and of other voxels or positions";
+    EXPECT_FALSE(isOf(link, second, {}));
+    EXPECT_FALSE(isOf(link, first, "pair")) << "the registration is of the other";
     EXPECT_FALSE(link.volumeKey.empty());
     link.volumeKey.clear();  // of a view of before
-    EXPECT_TRUE(isOf(link, second));
-    EXPECT_FALSE(isOf(link, first));
+    EXPECT_TRUE(isOf(link, second, "pair"));
+    EXPECT_FALSE(isOf(link, first, "pair"));
     link.volume.reset();  // of one still older
-    EXPECT_FALSE(isOf(link, second));
-    EXPECT_TRUE(isOf(firstLink(first, studyOf(jane())), studyOf(jane())));
-    EXPECT_FALSE(firstLink(first, studyOf(jane())).volume);
+    EXPECT_FALSE(isOf(link, second, "pair"));
+    EXPECT_TRUE(isOf(firstLink(first, studyOf(jane()), "pair"), studyOf(jane()), "pair"));
+    EXPECT_FALSE(firstLink(first, studyOf(jane()), "pair").volume);
 }
 
 }  // namespace

@@ -441,7 +441,7 @@ TEST(SegmentationState, WhatCannotBeReadIsAnErrorWithItsPlace) {
     for (const std::string& wrong :
          {std::string("{}"), std::string("[{}]"), std::string("[{\"object\": \"abc\"}]"),
           "[{\"object\": \"" + good + "\", \"names\": 1}]",
-          "[{\"object\": \"" + good + "\", \"segments\": [{\"number\": 0}]}]",
+          "[{\"object\": \"" + good + "\", \"segments\": [{\"number\": -1}]}]",
           "[{\"object\": \"" + good + "\", \"segments\": [{\"number\": 1.5}]}]",
           "[{\"object\": \"" + good + "\", \"segments\": [{\"number\": 70000}]}]",
           "[{\"object\": \"" + good + "\", \"segments\": [{\"number\": 1, \"opacity\": 2}]}]",

@@ -171,6 +171,22 @@ TEST_F(AWish, ofAnotherSeriesIsRefused) {
     EXPECT_TRUE(completeState(state, wish, input)) << "a view of no series is of any";
 }
 
+// Of the same series, exported anew: camera, clips and measurements would lie elsewhere.
+TEST_F(AWish, ofOtherPlacesUnderTheSameUidIsRefused) {
+    const StateWish wish = saved();
+    StudyState state = stateFor(wish);
+    StudyInput input = study();
+    state.grid = savedGridOf(*input.volume);
+    EXPECT_TRUE(completeState(state, wish, input));
+    state.grid->worldFromVoxel[3].z += 4.0;
+    const auto refused = completeState(state, wish, input);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code, ErrorCode::inputNotUsable);
+    EXPECT_NE(refused.error().message.find("in other places"), std::string::npos);
+    state.grid.reset();
+    EXPECT_TRUE(completeState(state, wish, input)) << "a view of before has none";
+}
+
 TEST_F(AWish, namesTheFileThatCannotBeRead) {
     const std::filesystem::path path = folder_ / "broken.json";
     std::ofstream(path) << "{";

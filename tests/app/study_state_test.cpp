@@ -77,11 +77,17 @@ StudyState everything() {
     state.segmentations = {
         {.digest = std::string(64, 'd'),
          .isShown = true,
-         .segments = {{.number = 7, .isVisible = false, .opacity = 0.25, .in3d = In3d::alone}}}};
+         .segments = {{.number = 0, .in3d = In3d::hidden},  // of a label map
+                      {.number = 7, .isVisible = false, .opacity = 0.25, .in3d = In3d::alone}}}};
+    state.grid =
+        SavedGrid{.size = {512, 511, 95},
+                  .worldFromVoxel = affine({0.7, 0, 0}, {0, 0.7, 0}, {0, 1.0 / 3.0, 2}, {-179, -171, 4})};
     BesideState beside;
     beside.seriesDigest = "fedcba";
     beside.volume = 2;
     beside.volumeKey = "abcdef-2";
+    beside.pair = "abc123";
+    beside.rivalMm = 30.0;
     beside.link = BesideLink::registered;
     beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {1.0 / 3.0, 7, -80});
     beside.boundMm = 0.7;
@@ -115,6 +121,22 @@ TEST(StudyState, ComesBackFromItsTextAsItWas) {
     const StudyState state = everything();
     EXPECT_EQ(read(toJson(state)), state);
     EXPECT_EQ(toJson(read(toJson(state))), toJson(state));
+}
+
+TEST(SavedGrid, IsOfVoxelsInTheirPlaces) {
+    const auto volumeAt = [](const glm::dmat4& worldFromVoxel, const glm::ivec3& size = {8, 7, 6}) {
+        return *Volume::create({.size = size, .worldFromVoxel = worldFromVoxel},
+                               std::vector<std::uint16_t>(std::size_t(size.x * size.y * size.z)));
+    };
+    const auto gridAt = [](double x, double z) {
+        return affine({0.7, 0, 0}, {0, 0.7, 0}, {0, 0, z}, {x, 20, 30});
+    };
+    const SavedGrid saved = savedGridOf(volumeAt(gridAt(10.0, 2.0)));
+    EXPECT_TRUE(liesAt(volumeAt(gridAt(10.0, 2.0)), saved));
+    EXPECT_TRUE(liesAt(volumeAt(gridAt(10.0 + 1e-7, 2.0)), saved)) << "other digits";
+    EXPECT_FALSE(liesAt(volumeAt(gridAt(10.5, 2.0)), saved));
+    EXPECT_FALSE(liesAt(volumeAt(gridAt(10.0, 2.1)), saved)) << "the last slice is elsewhere";
+    EXPECT_FALSE(liesAt(volumeAt(gridAt(10.0, 2.0), {8, 7, 5}), saved));
 }
 
 TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {

@@ -16,9 +16,11 @@ namespace {
 
 using Json = nlohmann::json;
 
-Owned<macula_study> open(const std::filesystem::path& path) {
+Owned<macula_study> open(const std::filesystem::path& path, const char* series = nullptr) {
+    auto how = sized<macula_open>();
+    how.series_uid = series;
     macula_study* made = nullptr;
-    EXPECT_EQ(macula_study_open(path.c_str(), nullptr, nullptr, &made), MACULA_DONE) << lastError().message;
+    EXPECT_EQ(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_DONE) << lastError().message;
     return Owned<macula_study>(made);
 }
 
@@ -54,21 +56,53 @@ class CFolder : public ::testing::Test {
     dicom::test::TemporaryFolder folder_;
 };
 
-TEST_F(CFolder, WhoWasTakenWithoutAChoiceIsSaid) {
-    const auto study = open(folder_.path());
-    ASSERT_NE(study, nullptr);
-    ASSERT_EQ(macula_study_volumes(study.get()), 2u);
-    EXPECT_TRUE(isSaid(study, "of 2 patients")) << notesOf(study.get())[0];
-    EXPECT_TRUE(isSaid(study, "patient you mean"));
-    EXPECT_FALSE(isSaid(study, "SYNTHETIC")) << "sentences name nobody";
-    auto volume = sized<macula_volume>();
-    ASSERT_EQ(macula_study_volume(study.get(), &volume), MACULA_DONE);
-    const char* const title = macula_study_title(study.get(), 0);
-    // Who chooses the other one is not asked again.
-    ASSERT_EQ(macula_study_choose(study.get(), 1 - volume.index, nullptr), MACULA_DONE)
+// Which of both is shown is for the host to say, and not for the number of voxels.
+TEST_F(CFolder, OfSeveralPatientsWithoutAChoiceIsAnErrorWithTheChoice) {
+    macula_study* made = nullptr;
+    const std::string path = folder_.path().string();
+    expectError(macula_study_open(path.c_str(), nullptr, nullptr, &made), MACULA_INPUT);
+    EXPECT_EQ(made, nullptr);
+    const std::string message = lastError().message;
+    const std::string advice = lastError().advice;
+    EXPECT_NE(message.find("of 2 patients"), std::string::npos) << message;
+    EXPECT_NE(message.find("patient 1 has series 1 (CT, 12 images); patient 2 has series 2 (CT, 30 images)"),
+              std::string::npos)
+        << message;
+    EXPECT_NE(advice.find("series_uid"), std::string::npos) << advice;
+    EXPECT_EQ((message + advice).find("SYN"), std::string::npos) << "sentences name nobody";
+    // The answer, by that number.
+    auto how = sized<macula_open>();
+    for (const auto& [number, uid] : {std::pair("1", "2.25.1001"), {"2", "2.25.1101"}}) {
+        how.series_uid = number;
+        ASSERT_EQ(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_DONE) << lastError().message;
+        const Owned<macula_study> study(made);
+        auto volume = sized<macula_volume>();
+        ASSERT_EQ(macula_study_volume(made, &volume), MACULA_DONE);
+        EXPECT_STREQ(volume.series_uid, uid);
+    }
+    how.series_uid = "3";
+    expectError(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_INPUT);
+    // An image is a choice, and so is a folder of one patient.
+    made = nullptr;
+    EXPECT_EQ(macula_study_open((folder_ / "other").c_str(), nullptr, nullptr, &made), MACULA_DONE);
+    macula_study_close(made);
+}
+
+// A program has written the same name for both.
+TEST_F(CFolder, TwoStudiesOfNobodyMayBeOfTwoPatients) {
+    const dicom::test::TemporaryFolder own;
+    for (const char* study : {"2.25.1000", "2.25.1100"}) {
+        dicom::test::SyntheticSeries series;
+        series.patientId = "ANON";
+        series.patientName = "ANONYMOUS";
+        series.studyUid = study;
+        series.seriesUid = study + std::string("1");
+        writeFiles(own / study, series);
+    }
+    macula_study* made = nullptr;
+    expectError(macula_study_open(own.path().c_str(), nullptr, nullptr, &made), MACULA_INPUT);
+    EXPECT_NE(std::string(lastError().message).find("of up to 2 patients"), std::string::npos)
         << lastError().message;
-    EXPECT_FALSE(isSaid(study, "patient you mean"));
-    EXPECT_EQ(macula_study_title(study.get(), 0), title) << "titles live as long as the study";
 }
 
 TEST_F(CFolder, TheSeriesThatIsAskedForIsOpened) {
@@ -88,14 +122,13 @@ TEST_F(CFolder, TheSeriesThatIsAskedForIsOpened) {
     expectError(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_INPUT);
     EXPECT_EQ(made, nullptr);
     expectError(macula_study_open("phantom:", &how, nullptr, &made), MACULA_USAGE);
-    // A host of before knows nothing of it.
+    // A host of before knows nothing of it, and is told.
     how.size = 8;
-    EXPECT_EQ(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_DONE) << lastError().message;
-    macula_study_close(made);
+    expectError(macula_study_open(path.c_str(), &how, nullptr, &made), MACULA_INPUT);
 }
 
 TEST_F(CFolder, WhatWasLeftOutIsSaidWithTheReason) {
-    const auto study = open(folder_.path());
+    const auto study = open(folder_.path(), "2.25.1001");
     ASSERT_NE(study, nullptr);
     EXPECT_TRUE(isSaid(study, "Left out, 1 file: "));
     const Json found = foundIn(study);
@@ -105,8 +138,11 @@ TEST_F(CFolder, WhatWasLeftOutIsSaidWithTheReason) {
 }
 
 TEST_F(CFolder, EachVolumeHasItsPlaceAndItsIdentifiers) {
-    const auto study = open(folder_.path());
+    const auto study = open(folder_.path(), "2.25.1001");
     ASSERT_NE(study, nullptr);
+    const char* const title = macula_study_title(study.get(), 0);
+    ASSERT_EQ(macula_study_choose(study.get(), 1, nullptr), MACULA_DONE) << lastError().message;
+    EXPECT_EQ(macula_study_title(study.get(), 0), title) << "titles live as long as the study";
     const Json found = foundIn(study);
     ASSERT_EQ(found.at("volumes").size(), macula_study_volumes(study.get()));
     EXPECT_EQ(found.at("patients"), 2);

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <set>
 
+#include "dicom/read/placeholder.h"
 #include "dicom/scan.h"
 #include "dicom/series_writer.h"
 #include "edit.h"
@@ -116,6 +117,46 @@ TEST_F(SecondaryCaptureTest, ofNobodyNothingIsLeftOfThePatient) {
     for (const DcmTagKey& tag : {DCM_PatientName, DCM_PatientID, DCM_StudyInstanceUID, DCM_SeriesInstanceUID,
                                  DCM_SOPInstanceUID, DCM_AccessionNumber, DCM_FrameOfReferenceUID})
         EXPECT_EQ(bytes.find(textOf(*original.getDataset(), tag)), std::string::npos) << tag.toString();
+}
+
+// An archive must not file all deidentified pictures under one patient.
+TEST_F(SecondaryCaptureTest, ofNobodyThoseOfOnePatientStayTogetherAndApartFromOthers) {
+    capture_.isDeidentified = true;
+    const std::string id = textOf(written(), DCM_PatientID);
+    const std::string study = textOf(written(), DCM_StudyInstanceUID);
+    EXPECT_EQ(textOf(written(), DCM_PatientID), id);
+    EXPECT_EQ(textOf(written(), DCM_StudyInstanceUID), study);
+    EXPECT_FALSE(isPlaceholder(id)) << id;
+    DcmFileFormat other;
+    ASSERT_TRUE(other.loadFile(source_.c_str()).good());
+    other.getDataset()->putAndInsertString(DCM_PatientID, "0043");
+    capture_.source->file = folder_.path() / "other.dcm";
+    ASSERT_TRUE(other.saveFile(capture_.source->file.c_str()).good());
+    EXPECT_NE(textOf(written(), DCM_PatientID), id);
+    EXPECT_NE(textOf(written(), DCM_StudyInstanceUID), study);
+    // Nothing tells whose they are: none is with another.
+    capture_.source.reset();
+    std::set<std::string> ids{id};
+    for (int n = 0; n < 3; ++n) ids.insert(textOf(written(), DCM_PatientID));
+    EXPECT_EQ(ids.size(), 4u);
+}
+
+TEST_F(SecondaryCaptureTest, saysThatAFaceMayBeSeenUnlessItCannot) {
+    capture_.heightMm = 300.0;
+    EXPECT_EQ(textOf(written(), DCM_RecognizableVisualFeatures), "YES") << "no body part is named";
+    DcmFileFormat file;
+    ASSERT_TRUE(file.loadFile(source_.c_str()).good());
+    for (const auto& [part, told] : {std::pair("ABDOMEN", "NO"), {"HEAD", "YES"}}) {
+        file.getDataset()->putAndInsertString(DCM_BodyPartExamined, part);
+        ASSERT_TRUE(file.saveFile(source_.c_str()).good());
+        for (const bool isDeidentified : {true, false}) {
+            capture_.isDeidentified = isDeidentified;
+            EXPECT_EQ(textOf(written(), DCM_RecognizableVisualFeatures), told) << part;
+        }
+    }
+    capture_.source.reset();
+    capture_.isDeidentified = true;
+    EXPECT_EQ(textOf(written(), DCM_RecognizableVisualFeatures), "YES");
 }
 
 TEST_F(SecondaryCaptureTest, eachIsAnInstanceOfItsOwn) {

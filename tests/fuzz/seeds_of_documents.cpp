@@ -71,10 +71,12 @@ app::BesideState beside() {
     beside.seriesDigest = "fedcba";
     beside.volume = 2;
     beside.volumeKey = "abcdef-2";
+    beside.pair = "abc123";
     beside.link = app::BesideLink::registered;
     beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {0.5, 7.0, -80.0});
     beside.boundMm = 0.7;
     beside.isDoubtful = true;
+    beside.rivalMm = 30.0;
     beside.view = app::BesideView::over;
     beside.window = window();
     beside.opacity = 0.3;

@@ -5,6 +5,7 @@ import os
 import pathlib
 import pickle
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -29,6 +30,34 @@ def balls():
     values[(x - 22) ** 2 + y ** 2 + z ** 2 < 18 ** 2] = 1000
     values[(x + 34) ** 2 + y ** 2 + z ** 2 < 7 ** 2] = 1000
     return values
+
+
+def write_series(folder, patient, series, images=4):
+    """CT images of an invented patient: explicit little endian, 4 x 4 pixels."""
+    def element(group, number, vr, value):
+        value += (b"\0" if vr in ("UI", "OW") else b" ") * (len(value) % 2)
+        length = struct.pack("<HI", 0, len(value)) if vr == "OW" else struct.pack("<H", len(value))
+        return struct.pack("<HH", group, number) + vr.encode() + length + value
+
+    def words(*values):
+        return struct.pack(f"<{len(values)}H", *values)
+
+    for k in range(images):
+        uid = f"{series}.{k + 1}".encode()
+        ct = b"1.2.840.10008.5.1.4.1.1.2"
+        meta = (element(2, 2, "UI", ct) + element(2, 3, "UI", uid) + element(2, 16, "UI", b"1.2.840.10008.1.2.1"))
+        body = b"".join(element(*each) for each in [
+            (8, 0x16, "UI", ct), (8, 0x18, "UI", uid), (8, 0x60, "CS", b"CT"),
+            (0x10, 0x10, "PN", patient.encode()), (0x10, 0x20, "LO", patient.encode()),
+            (0x20, 0xD, "UI", f"{series}.100".encode()), (0x20, 0xE, "UI", series.encode()),
+            (0x20, 0x13, "IS", str(k + 1).encode()), (0x20, 0x32, "DS", f"0\\0\\{k}".encode()),
+            (0x20, 0x37, "DS", b"1\\0\\0\\0\\1\\0"), (0x20, 0x52, "UI", f"{series}.200".encode()),
+            (0x28, 2, "US", words(1)), (0x28, 4, "CS", b"MONOCHROME2"), (0x28, 0x10, "US", words(4)),
+            (0x28, 0x11, "US", words(4)), (0x28, 0x30, "DS", b"1\\1"), (0x28, 0x100, "US", words(16)),
+            (0x28, 0x101, "US", words(16)), (0x28, 0x102, "US", words(15)), (0x28, 0x103, "US", words(0)),
+            (0x28, 0x1052, "DS", b"-1024"), (0x28, 0x1053, "DS", b"1"), (0x7FE0, 0x10, "OW", words(*range(16)))])
+        file = pathlib.Path(folder) / f"{uid.decode()}"
+        file.write_bytes(bytes(128) + b"DICM" + element(2, 0, "UL", struct.pack("<I", len(meta))) + meta + body)
 
 
 class Interface(unittest.TestCase):
@@ -105,6 +134,20 @@ class Volumes(unittest.TestCase):
         self.assertEqual((study.study_uid, study.series_uid, study.frame_of_reference_uid), ("", "", ""))
         self.assertEqual((study.found["volumes"], study.found["skipped"]), ([], []))
         self.assertIs(study.is_calibrated, True)
+
+    def test_of_several_patients_a_choice_is_asked_for(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write_series(folder, "DOE^JANE", "2.25.501")
+            write_series(folder, "ROE^JOHN", "2.25.502", images=5)
+            with self.assertRaises(macula.Error) as refused:
+                macula.open(folder)
+            told = refused.exception
+            self.assertIn("patient 1 has series 1 (CT, 4 images); patient 2 has series 2 (CT, 5 images)", told.message)
+            self.assertIn("series_uid", told.advice)
+            self.assertNotIn("DOE", str(told))
+            self.assertNotIn("ROE", str(told))
+            for series in ("2.25.501", "1"):
+                self.assertEqual(macula.open(folder, series_uid=series).series_uid, "2.25.501")
 
     def test_what_is_built_in_has_titles(self):
         self.assertEqual([preset["name"] for preset in macula.built_in()["presets"]], macula.names("presets"))

@@ -147,6 +147,42 @@ TEST_F(BesideTest, AStateThatKnowsTheLinkNeedsNoSecondRegistration) {
     EXPECT_EQ(*beside_->state(), left);
 }
 
+// The same UIDs, and other positions: what was registered then is not shown as if it were of these.
+TEST_F(BesideTest, APriorThatWasExportedAnewIsPlacedAnew) {
+    openLinked();
+    session_->change("Look", [](app::StudyState& next) {
+        next.beside->opacity = 0.25;
+        next.beside->boundMm = 0.4;
+    });
+    const app::BesideState left = *state().beside;
+    app::StudyState next;
+    next.beside = left;
+    session_->show(current_, next);
+    VolumeOptions options = test::sliceVolumeOptions();
+    options.worldFromVoxel =
+        affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 7}) * kMoved * options.worldFromVoxel;
+    beside_->offer(studyOf(test::sliceVolume(std::move(options)), "prior", "20220301"));
+    ASSERT_NE(beside_->state(), nullptr);
+    EXPECT_TRUE(beside_->isPlacedAnew());
+    EXPECT_TRUE(beside_->isRegistering());
+    EXPECT_EQ(beside_->state()->link, BesideLink::byHand);
+    EXPECT_NE(beside_->state()->secondFromStudy, left.secondFromStudy);
+    EXPECT_EQ(beside_->state()->boundMm, 0.0);
+    EXPECT_EQ(beside_->state()->opacity, 0.25) << "its look stays";
+    beside_->cancel();
+    // So is one that was left by a Macula that knew UIDs alone.
+    next.beside->pair.clear();
+    session_->show(current_, next);
+    beside_->offer(prior());
+    EXPECT_TRUE(beside_->isPlacedAnew());
+    EXPECT_EQ(beside_->state()->link, BesideLink::byHand);
+    // And the study's own series, exported anew, is no longer what is open.
+    VolumeOptions own = test::sliceVolumeOptions();
+    own.worldFromVoxel[3].z += 5.0;
+    beside_->offer(studyOf(test::sliceVolume(std::move(own)), "current", "20240301"));
+    EXPECT_FALSE(error_) << error_->message;
+}
+
 TEST_F(BesideTest, ClosingItAndAnotherStudyLeaveNothing) {
     openLinked();
     std::weak_ptr<const Volume> volume = beside_->second()->study.volume;

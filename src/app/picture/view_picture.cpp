@@ -32,6 +32,11 @@ std::string derivationOf(const ViewPicture& picture, const RenderRecord& record)
     return text;
 }
 
+double heightMm(const Volume& volume) {
+    const Box box = volume.worldBox();
+    return box.high.z - box.low.z;
+}
+
 Result<void> writeCapture(const ViewPicture& picture, const DrawnPicture& drawn, const RenderRecord& record) {
     return dicom::writeSecondaryCapture(picture.output,
                                         {.widthPx = picture.sizePx.x,
@@ -42,7 +47,8 @@ Result<void> writeCapture(const ViewPicture& picture, const DrawnPicture& drawn,
                                          .seriesDescription = "Macula 3D, not for primary diagnosis",
                                          .derivation = derivationOf(picture, record),
                                          .softwareVersion = MACULA_VERSION,
-                                         .isDeidentified = picture.isDeidentified});
+                                         .isDeidentified = picture.isDeidentified,
+                                         .heightMm = heightMm(*picture.volume)});
 }
 
 }  // namespace

@@ -52,10 +52,10 @@ Result<std::vector<std::string>> writePresentation(const std::filesystem::path& 
     MACULA_TRY(SaidState said,
                presentationOf(wish.state, *volume, wish.aspectWidthOverHeight, wish.isDeidentified));
     said.presentation.series = wish.images.series;
-    dicom::PresentationOwner owner{.isDeidentified = wish.isDeidentified, .softwareVersion = MACULA_VERSION};
-    if (!wish.isDeidentified)
-        owner.image =
-            dicom::SecondaryCapture::Source{wish.images.middleFile, wish.images.middleSopInstanceUid};
+    const dicom::PresentationOwner owner{
+        .image = dicom::SecondaryCapture::Source{wish.images.middleFile, wish.images.middleSopInstanceUid},
+        .isDeidentified = wish.isDeidentified,
+        .softwareVersion = MACULA_VERSION};
     MACULA_TRY_VOID(dicom::writePresentationState(path, said.presentation, owner));
     return std::move(said.leftOut);
 }

@@ -45,9 +45,10 @@ bool isDrawnOn(const dicom::Segmentation& header, const dicom::Series& series) {
 }
 
 // Empty: it can be.
-std::string whyNotOn(const dicom::Segmentation& header, const dicom::Study& study,
+std::string whyNotOn(const dicom::Segmentation& header, const dicom::Scan& scan, const dicom::Study& study,
                      const FoundVolume& volume) {
-    if (study.patient != volume.study->patient) return "It is of another patient.";
+    if (!dicom::mayBeOnePatient(scan, study.patient, volume.study->patient))
+        return "It is of another patient.";
     if (header.frames.empty()) return "It has no frames.";
     const std::string frameOfReference = frameOfReferenceOf(*volume.stack);
     if (!frameOfReference.empty() && !header.frameOfReferenceUid.empty()) {
@@ -58,7 +59,7 @@ std::string whyNotOn(const dicom::Segmentation& header, const dicom::Study& stud
     return "Nothing says that it lies in the coordinate system of this volume.";
 }
 
-FoundSegmentation read(const Candidate& candidate, const FoundVolume& volume) {
+FoundSegmentation read(const dicom::Scan& scan, const Candidate& candidate, const FoundVolume& volume) {
     FoundSegmentation found;
     found.title = candidate.series->description;
     auto header = dicom::readSegmentation(candidate.object->file);
@@ -72,7 +73,7 @@ FoundSegmentation read(const Candidate& candidate, const FoundVolume& volume) {
         const std::string& label = found.header.contentLabel;
         if (!label.empty() && label != found.title)
             found.title += found.title.empty() ? label : " (" + label + ")";
-        found.whyNot = whyNotOn(found.header, *candidate.study, volume);
+        found.whyNot = whyNotOn(found.header, scan, *candidate.study, volume);
         if (found.canBeShown() && !isDrawnOn(found.header, *volume.series))
             found.note = "It was drawn on another series of this coordinate system.";
     }
@@ -92,7 +93,7 @@ Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& fou
     for (const Candidate& candidate : candidates) {
         if (progress.cancelled())
             return Error{ErrorCode::cancelled, "Reading segmentations was cancelled.", {}, {}};
-        FoundSegmentation each = read(candidate, volume);
+        FoundSegmentation each = read(found.scan(), candidate, volume);
         if (digests.insert(each.digest).second) all.push_back(std::move(each));  // copies are one
         progress.advance();
     }

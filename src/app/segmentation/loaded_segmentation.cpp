@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "dicom/messages.h"
 #include "dicom/segmentation/segment_voxels.h"
 
 namespace macula::app {
@@ -31,6 +32,9 @@ std::vector<std::string> notesOf(const FoundSegmentation& found, const dicom::Se
             "It was drawn on other voxels than those of this volume; the nearest voxel is shown.");
     if (found.header.type == dicom::SegmentationType::fractional)
         notes.emplace_back("It has fractions; what is half or more is shown as the segment.");
+    for (const std::uint16_t number : found.header.paddedSegments)
+        notes.push_back(
+            dicom::message(dicom::key::kSegmentIsPadding, {{"number", std::int64_t(number)}}).sentence);
     if (sets.outside > 0)
         notes.push_back(
             fmt::format("{} of its voxels lie outside of this volume, and are not counted.", sets.outside));
@@ -74,7 +78,7 @@ Result<std::shared_ptr<const LoadedSegmentation>> loadSegments(const FoundSegmen
 
 std::array<std::uint8_t, 3> usualRgb(const Segment& segment) {
     if (segment.recommendedRgb) return *segment.recommendedRgb;
-    return kColours.at(std::size_t(std::max(int(segment.number) - 1, 0)) % kColours.size());
+    return kColours.at((std::size_t(segment.number) + kColours.size() - 1) % kColours.size());
 }
 
 }  // namespace macula::app

@@ -37,6 +37,7 @@ Json toJson(const BesideState& state) {
     Json json{{"series", state.seriesDigest}};
     if (state.volume) json["volume"] = *state.volume + 1;
     if (!state.volumeKey.empty()) json["volumeKey"] = state.volumeKey;
+    if (!state.pair.empty()) json["pair"] = state.pair;
     json["link"] = nameOf(state.link);
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
@@ -44,6 +45,7 @@ Json toJson(const BesideState& state) {
     if (state.link == BesideLink::registered) {
         json["boundMm"] = state.boundMm;
         if (state.isDoubtful) json["doubtful"] = true;
+        if (state.rivalMm > 0.0) json["rivalMm"] = state.rivalMm;
     }
     json["view"] = nameOf(state.view);
     if (state.window) {
@@ -59,8 +61,8 @@ Json toJson(const BesideState& state) {
 }
 
 BesideState besideStateFrom(const JsonNode& node) {
-    node.allowOnly({"series", "volume", "volumeKey", "link", "secondFromStudy", "boundMm", "doubtful", "view",
-                    "window", "opacity", "colours", "in3d", "preset"});
+    node.allowOnly({"series", "volume", "volumeKey", "pair", "link", "secondFromStudy", "boundMm", "doubtful",
+                    "rivalMm", "view", "window", "opacity", "colours", "in3d", "preset"});
     BesideState state;
     state.seriesDigest = node["series"].text();
     if (state.seriesDigest.empty()) node["series"].fail("the digest of a series");
@@ -73,6 +75,10 @@ BesideState besideStateFrom(const JsonNode& node) {
         state.volumeKey = key->text();
         if (state.volumeKey.size() > kLongestVolumeKey) key->fail("the digest of a volume");
     }
+    if (const auto pair = node.find("pair")) {
+        state.pair = pair->text();
+        if (state.pair.size() > kLongestVolumeKey) pair->fail("the digest of two volumes");
+    }
     readName(node, "link", kBesideLinks, state.link);
     if (const auto transform = node.find("secondFromStudy"))
         state.secondFromStudy = transformFrom(*transform);
@@ -80,9 +86,12 @@ BesideState besideStateFrom(const JsonNode& node) {
     const double boundMm = bound ? bound->number(kBoundMm) : 0.0;
     const auto doubtful = node.find("doubtful");
     const bool isDoubtful = doubtful && doubtful->boolean();
+    const auto rival = node.find("rivalMm");
+    const double rivalMm = rival ? rival->number(kBoundMm) : 0.0;
     if (state.link == BesideLink::registered) {  // others are no registration that could be doubtful
         state.boundMm = boundMm;
         state.isDoubtful = isDoubtful;
+        state.rivalMm = rivalMm;
     }
     readName(node, "view", kBesideViews, state.view);
     if (const auto window = node.find("window")) state.window = windowFrom(*window);

@@ -65,10 +65,14 @@ struct BesideState {
     // none. Counts only where there is no key: another file in the folder may move it.
     std::optional<std::size_t> volume = {};
     std::string volumeKey = {};  // FoundVolumes::key; empty in views of before, and where there is no series
+    // Of the voxels and the geometry of both volumes (pairDigest): the place below is of these, and of no
+    // others under the same UIDs. Empty in views of before, whose place is no longer taken for true.
+    std::string pair = {};
     BesideLink link = BesideLink::byHand;
     glm::dmat4 secondFromStudy{1.0};  // mm LPS; rigid
     double boundMm = 0.0;             // of a registration: RigidRegistration::boundMm
     bool isDoubtful = false;          // the same: RigidRegistration::isDoubtful
+    double rivalMm = 0.0;             // the same, where it has a rival: RigidRegistration::rivalMm; else 0
     BesideView view = BesideView::beside;
     std::optional<DisplayWindow> window = {};  // nothing: that of the series, or of activity
     double opacity = kUsualOpacity;            // over the study, 0 to 1

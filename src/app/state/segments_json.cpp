@@ -36,7 +36,7 @@ std::array<std::uint8_t, 3> rgbFrom(const JsonNode& node) {
 SegmentChoice segmentFrom(const JsonNode& node) {
     node.allowOnly({"number", "visible", "rgb", "opacity", "in3d", "colouredIn3d", "opacityIn3d"});
     SegmentChoice segment;
-    segment.number = static_cast<std::uint16_t>(wholeNumber(node["number"], {1.0, double(kMostSegments)}));
+    segment.number = static_cast<std::uint16_t>(wholeNumber(node["number"], {0.0, double(kMostSegments)}));
     if (const auto visible = node.find("visible")) segment.isVisible = visible->boolean();
     if (const auto rgb = node.find("rgb")) segment.rgb = rgbFrom(*rgb);
     if (const auto opacity = node.find("opacity")) segment.opacity = opacity->number({0.0, 1.0});
@@ -70,7 +70,7 @@ Json segmentationsJson(std::span<const SegmentationChoice> choices) {
         Json json{{"object", choice.digest}};
         if (choice.isShown) json["shown"] = true;
         for (const SegmentChoice& segment : choice.segments) {
-            if (segment.number != 0) json["segments"].push_back(toJson(segment));
+            json["segments"].push_back(toJson(segment));
         }
         all.push_back(std::move(json));
     }

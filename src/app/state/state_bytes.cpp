@@ -24,7 +24,8 @@ std::size_t ownBytesOf(const StudyState& state) {
     for (const slices::Measurement& measurement : state.measurements) bytes += measurement.label.size();
     for (const NamedClip& clip : state.namedClips) bytes += clip.name.size() + bytesOf(clip.cuts.scissors);
     for (const SegmentationChoice& choice : state.segmentations) bytes += bytesOf(choice.segments);
-    if (state.beside) bytes += state.beside->seriesDigest.size() + state.beside->volumeKey.size();
+    if (const auto& beside = state.beside)
+        bytes += beside->seriesDigest.size() + beside->volumeKey.size() + beside->pair.size();
     return bytes;
 }
 

@@ -91,7 +91,7 @@ Result<StudyState> stateOf(const StateWish& wish, StudyState usual) {
 
 Result<StudyPreset> completeState(StudyState& state, const StateWish& wish, StudyInput& study) {
     if (!wish.presentation.empty()) MACULA_TRY_VOID(completePresented(state, wish, study));
-    MACULA_TRY_VOID(checkSeries(state, study.seriesDigest, wish.session.string()));
+    MACULA_TRY_VOID(checkSeries(state, study.seriesDigest, *study.volume, wish.session.string()));
     StudyPreset preset;
     if (state.preset) {
         preset = {.publicName = publicPresetName(*state.preset), .function = *state.preset};

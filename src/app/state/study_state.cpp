@@ -61,15 +61,15 @@ Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
 
 bool BesideState::operator==(const BesideState& b) const {
     return seriesDigest == b.seriesDigest && volume == b.volume && volumeKey == b.volumeKey &&
-           link == b.link && secondFromStudy == b.secondFromStudy && boundMm == b.boundMm &&
-           isDoubtful == b.isDoubtful && view == b.view && window == b.window && opacity == b.opacity &&
-           colours == b.colours && in3d == b.in3d &&
+           pair == b.pair && link == b.link && secondFromStudy == b.secondFromStudy && boundMm == b.boundMm &&
+           isDoubtful == b.isDoubtful && rivalMm == b.rivalMm && view == b.view && window == b.window &&
+           opacity == b.opacity && colours == b.colours && in3d == b.in3d &&
            sameValue(preset, b.preset,
                      [](const TransferFunction& x, const TransferFunction& y) { return isSame(x, y); });
 }
 
 bool StudyState::operator==(const StudyState& b) const {
-    return seriesDigest == b.seriesDigest && samePreset(*this, b) && clip == b.clip &&
+    return seriesDigest == b.seriesDigest && grid == b.grid && samePreset(*this, b) && clip == b.clip &&
            leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
            windows == b.windows && camera == b.camera && showsMarks == b.showsMarks && layout == b.layout &&
            slices == b.slices && measurements == b.measurements && cuts == b.cuts &&
@@ -92,10 +92,20 @@ Stale staleAfter(const StudyState& before, const StudyState& after) {
     return stale;
 }
 
-Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const std::string& where) {
-    if (state.seriesDigest.empty() || state.seriesDigest == seriesDigest) return {};
-    return Error{ErrorCode::inputNotUsable, "The view was saved of another series.", where,
-                 "Open that series, or choose another view."};
+Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const Volume& volume,
+                         const std::string& where) {
+    if (state.seriesDigest.empty()) return {};
+    if (state.seriesDigest != seriesDigest)
+        return Error{ErrorCode::inputNotUsable, "The view was saved of another series.", where,
+                     "Open that series, or choose another view."};
+    if (state.grid && !liesAt(volume, *state.grid))
+        return Error{
+            ErrorCode::inputNotUsable,
+            "The view was saved when the images lay in other places, or of another volume of the series.",
+            where,
+            "Make it anew; or choose the volume that it is of. Without \"grid\" in the file it is taken as "
+            "it is."};
+    return {};
 }
 
 }  // namespace macula::app

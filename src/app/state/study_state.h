@@ -14,6 +14,7 @@
 #include "app/clip/cuts.h"
 #include "app/state/beside_state.h"
 #include "app/state/parameters.h"
+#include "app/state/saved_grid.h"
 #include "app/state/segmentation_choice.h"
 #include "base/camera.h"
 #include "base/result.h"
@@ -64,6 +65,7 @@ struct SliceState {
 struct StudyState {
     // Which volume: see StudyInput::seriesDigest. Empty: whichever is open.
     std::string seriesDigest = {};
+    std::optional<SavedGrid> grid = {};  // of a view that was saved; nothing: whatever the series is of
     // Nothing: what the volume is shown with when nobody chose (presets::defaultTransfer). A fit to the
     // volume is part of it, and is made when it is drawn.
     std::shared_ptr<const TransferFunction> preset = {};
@@ -110,8 +112,9 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
 // A view that was saved. Fails as readText and studyStateFromJson.
 Result<StudyState> readStudyState(const std::filesystem::path& path);
 
-// inputNotUsable when the state was saved of another series than that (StudyInput::seriesDigest); `where` is
-// for the error.
-Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const std::string& where);
+// inputNotUsable when the state was saved of another series than that (StudyInput::seriesDigest), or of other
+// places than those of the volume; `where` is for the error.
+Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const Volume& volume,
+                         const std::string& where);
 
 }  // namespace macula::app

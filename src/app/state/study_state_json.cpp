@@ -1,6 +1,8 @@
 // StudyState as JSON:
-//   { "version": 1, "series": "<SHA-256>", "look": "dvr", "shading": true, "filter": "trilinear",
-//     "denoising": "denoised", <a key for each row of parameters()>,
+//   { "version": 1, "series": "<SHA-256>",
+//     "grid": { "size": [512, 512, 95], "worldFromVoxel": [16 numbers, row by row] },
+//     "look": "dvr", "shading": true, "filter": "trilinear", "denoising": "denoised",
+//     <a key for each row of parameters()>,
 //     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
 //     "camera": {as camera_file.h}, "cubeAndScale": false, "layout": "axial", "slices": {as slices_json.h},
@@ -50,6 +52,27 @@ void readParameters(const JsonNode& root, trace::Settings& settings) {
     }
 }
 
+Json toJson(const SavedGrid& grid) {
+    Json json{{"size", {grid.size.x, grid.size.y, grid.size.z}}};
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            json["worldFromVoxel"].push_back(grid.worldFromVoxel[column][row]);
+    return json;
+}
+
+SavedGrid savedGridFrom(const JsonNode& node) {
+    node.allowOnly({"size", "worldFromVoxel"});
+    SavedGrid grid;
+    const std::vector<double> size = node["size"].numbers(3, JsonRange{1.0, 65536.0});
+    for (int axis = 0; axis < 3; ++axis)
+        grid.size[axis] = static_cast<int>(std::lround(size[std::size_t(axis)]));
+    const std::vector<double> rows = node["worldFromVoxel"].numbers(16, JsonRange{-1e6, 1e6});
+    for (int row = 0; row < 4; ++row)
+        for (int column = 0; column < 4; ++column)
+            grid.worldFromVoxel[column][row] = rows[4 * std::size_t(row) + std::size_t(column)];
+    return grid;
+}
+
 void readWindows(const JsonNode& root, StudyState& state) {
     const auto windows = root.find("windows");
     if (!windows) return;
@@ -76,10 +99,10 @@ Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& 
 }  // namespace
 
 std::vector<std::string> stateKeys() {
-    std::vector<std::string> keys{"version",      "series", "look",       "shading",        "filter",
-                                  "denoising",    "preset", "clip",       "leavesTableOut", "lights",
-                                  "windows",      "camera", "layout",     "slices",         "measurements",
-                                  "cubeAndScale", "cuts",   "namedClips", "segmentations",  "beside"};
+    std::vector<std::string> keys{
+        "version", "series",       "grid",           "look",   "shading",    "filter",        "denoising",
+        "preset",  "clip",         "leavesTableOut", "lights", "windows",    "camera",        "layout",
+        "slices",  "measurements", "cubeAndScale",   "cuts",   "namedClips", "segmentations", "beside"};
     for (const Parameter& parameter : parameters()) keys.emplace_back(parameter.id);
     return keys;
 }
@@ -87,6 +110,7 @@ std::vector<std::string> stateKeys() {
 std::string toJson(const StudyState& state) {
     Json json{{"version", kVersion}};
     if (!state.seriesDigest.empty()) json["series"] = state.seriesDigest;
+    if (state.grid) json["grid"] = toJson(*state.grid);
     json["look"] = nameOf(state.settings.look);
     json["shading"] = state.settings.shading == trace::Shading::headlight;
     json["filter"] = nameOf(state.settings.filter);
@@ -127,6 +151,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     if (root["version"].number() != kVersion)
         root["version"].fail("version 1; newer ones need a newer Macula");
     if (const auto node = root.find("series")) state.seriesDigest = node->text();
+    if (const auto node = root.find("grid")) state.grid = savedGridFrom(*node);
     std::array<trace::Look, trace::kLooks.size()> looks{};
     std::ranges::transform(trace::kLooks, looks.begin(), &trace::LookTraits::look);
     readName(root, "look", looks, state.settings.look);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/study/study_input.h"
 #include "app/study/volume_key.h"
 #include "dicom/best_volume.h"
 
@@ -79,15 +80,19 @@ Result<FoundVolumes::Choice> FoundVolumes::best(const std::filesystem::path& fol
     return Choice{*index, choice.why};
 }
 
-Result<FoundVolumes::Choice> FoundVolumes::ofSeries(const std::string& seriesInstanceUid,
+Result<FoundVolumes::Choice> FoundVolumes::ofSeries(const std::string& wanted,
                                                     const std::filesystem::path& folder) const {
-    const auto all = dicom::findAllSeries(scan_, seriesInstanceUid);
-    if (all.size() != 1)
+    const auto all = dicom::findAllSeries(scan_, wanted);
+    const bool isNumber = wanted.find('.') == std::string::npos;  // a UID has points
+    const dicom::Series* series = all.size() == 1 ? all.front()
+                                  : isNumber      ? seriesMeant(scan_, wanted)
+                                                  : nullptr;
+    if (series == nullptr)
         return Error{ErrorCode::inputNotUsable,
                      all.empty() ? "The series that was asked for is not in this folder."
                                  : "Several studies of this folder have the series that was asked for.",
-                     folder.string(), "Check its Series Instance UID, or choose another folder."};
-    const dicom::Choice choice = dicom::bestVolume(*all.front());
+                     folder.string(), "Check its Series Instance UID or number, or choose another folder."};
+    const dicom::Choice choice = dicom::bestVolume(*series);
     const auto index = indexOf(choice.stack);
     if (!index) return notUsable(choice.why, folder);
     return Choice{*index, choice.why};
@@ -156,7 +161,8 @@ Identity identityOf(const dicom::Study& study) {
             .sex = study.patientSex,
             .studyDate = study.date,
             .studyDescription = study.description,
-            .series = {}};
+            .series = {},
+            .studyInstanceUid = study.studyInstanceUid};
 }
 
 }  // namespace macula::app

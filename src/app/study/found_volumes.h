@@ -43,9 +43,9 @@ class FoundVolumes {
     };
     // The best volume. inputNotUsable when there is none; the error's place is `folder`.
     Result<Choice> best(const std::filesystem::path& folder) const;
-    // The best volume of the series with that UID; inputNotUsable when there is none, or when several studies
-    // have one.
-    Result<Choice> ofSeries(const std::string& seriesInstanceUid, const std::filesystem::path& folder) const;
+    // The best volume of the series with that UID, or of that number in the list of `macula info`;
+    // inputNotUsable when there is none, or when several studies have one.
+    Result<Choice> ofSeries(const std::string& wanted, const std::filesystem::path& folder) const;
     // The volume that `file` belongs to, and no other: beside it may lie those of another patient.
     Result<Choice> holding(const std::filesystem::path& file) const;
 

@@ -15,8 +15,9 @@ struct Identity {
     std::string sex;
     std::string studyDate;
     std::string studyDescription;
-    std::string series;       // "Series 3: Thorax 1.0", or what else it is
-    bool isOfNobody = false;  // nobody's images: made up by a program
+    std::string series;                 // "Series 3: Thorax 1.0", or what else it is
+    bool isOfNobody = false;            // nobody's images: made up by a program
+    std::string studyInstanceUid = {};  // a study is of one patient; never shown
 
     bool operator==(const Identity&) const = default;
 };

@@ -7,6 +7,7 @@
 
 #include "app/study/found_volumes.h"
 #include "app/study/image_numbers.h"
+#include "app/study/patient_choice.h"
 #include "base/fingerprint.h"
 #include "base/phantom.h"
 #include "base/sha256.h"
@@ -97,30 +98,33 @@ Error hasNoSeries(const std::filesystem::path& path) {
             "Ask for none, or give a folder."};
 }
 
-Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, bool join,
-                             const FoundSoFar& foundSoFar, const std::string& series) {
+Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, const OpenOptions& how) {
     // The path is made absolute, because a name without a folder has no parent.
     const std::filesystem::path path = std::filesystem::absolute(given).lexically_normal();
     std::error_code notThere;
     const bool isFile = std::filesystem::is_regular_file(path, notThere);
     if (isFile && formats::isVolumeFileName(path)) {
-        if (!series.empty()) return hasNoSeries(path);
+        if (!how.series.empty()) return hasNoSeries(path);
         return openVolumeFile(path, progress);
     }
     const bool isOneImage = isFile && !isMediaDirectory(path);
-    dicom::ScanOptions how{.join = join};
-    if (foundSoFar)
-        how.glimpsed = [&](dicom::Scan seen) {
-            foundSoFar(std::make_shared<const FoundVolumes>(std::move(seen), FoundVolumes::Extent::soFar));
+    dicom::ScanOptions scanning{.join = how.join};
+    if (how.foundSoFar)
+        scanning.glimpsed = [&](dicom::Scan seen) {
+            how.foundSoFar(
+                std::make_shared<const FoundVolumes>(std::move(seen), FoundVolumes::Extent::soFar));
         };
-    MACULA_TRY(dicom::Scan scan, dicom::scanFolder(isFile ? path.parent_path() : path, progress, how));
+    MACULA_TRY(dicom::Scan scan, dicom::scanFolder(isFile ? path.parent_path() : path, progress, scanning));
     const auto found = std::make_shared<const FoundVolumes>(std::move(scan));
     if (auto question = joinQuestionOf(*found); !question.empty())
         return OpenedStudy{.volume = nullptr, .joinQuestion = std::move(question)};
-    if (foundSoFar) foundSoFar(found);
-    MACULA_TRY(const FoundVolumes::Choice choice, !series.empty() ? found->ofSeries(series, path)
-                                                  : isOneImage    ? found->holding(path)
-                                                                  : found->best(path));
+    if (how.foundSoFar) how.foundSoFar(found);
+    if (how.asksWhichPatient && how.series.empty() && !isOneImage) {
+        if (auto question = whichPatient(*found, path)) return *std::move(question);
+    }
+    MACULA_TRY(const FoundVolumes::Choice choice, !how.series.empty() ? found->ofSeries(how.series, path)
+                                                  : isOneImage        ? found->holding(path)
+                                                                      : found->best(path));
     MACULA_TRY(OpenedStudy study, loadFound(found, choice.index, progress));
     study.whyThisSeries = choice.why;
     return study;
@@ -145,11 +149,10 @@ Result<OpenedStudy> withoutExceptions(const StudySource& source, Load load) {
 
 }  // namespace
 
-Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join,
-                              const FoundSoFar& foundSoFar, const std::string& seriesInstanceUid) {
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenOptions& how) {
     return withoutExceptions(source, [&]() -> Result<OpenedStudy> {
-        if (source) return openPath(*source, progress, join, foundSoFar, seriesInstanceUid);
-        if (!seriesInstanceUid.empty()) return hasNoSeries({});
+        if (source) return openPath(*source, progress, how);
+        if (!how.series.empty()) return hasNoSeries({});
         return openPhantom(progress);
     });
 }

@@ -45,10 +45,18 @@ using StudySource = std::optional<std::filesystem::path>;
 // is decoded. Called on threads that read, one at a time.
 using FoundSoFar = std::function<void(std::shared_ptr<const FoundVolumes>)>;
 
+struct OpenOptions {
+    bool join = false;  // see dicom::ScanOptions
+    FoundSoFar foundSoFar = {};
+    // Of a folder that series, wherever `source` leads to: as FoundVolumes::ofSeries. Empty: not given.
+    std::string series = {};
+    // A folder whose volumes are of several patients is an error that lists them (whichPatient), where no
+    // series is given: for who has nobody to look at the name of who is shown.
+    bool asksWhichPatient = false;
+};
+
 // Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation. Throws nothing.
-// With a Series Instance UID it is that series, wherever `source` leads to.
-Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join = false,
-                              const FoundSoFar& foundSoFar = {}, const std::string& seriesInstanceUid = {});
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenOptions& how = {});
 // Decodes another volume of the folder.
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                                     Progress& progress);

@@ -50,7 +50,7 @@ std::string whyNone(const dicom::OtherObject& object, int patient, const FoundVo
         for (const dicom::Series& series : study.series) {
             const Referred referred = refersTo(object, series);
             if (referred == Referred::no) continue;
-            if (referred == Referred::anew || study.patient == patient)
+            if (referred == Referred::anew || dicom::mayBeOnePatient(found.scan(), study.patient, patient))
                 return "The images that it is of are no volume.";
             isOfAnother = true;
         }
@@ -70,7 +70,8 @@ PresentedVolume presentedVolume(const dicom::OtherObject& object, int patient, c
     for (std::size_t i = 0; i < found.volumes().size(); ++i) {
         const FoundVolume& volume = found.volumes()[i];
         const Referred referred = refersTo(object, *volume.series);
-        if (referred == Referred::anew || (referred == Referred::byName && volume.study->patient == patient))
+        const bool isOfOne = dicom::mayBeOnePatient(found.scan(), volume.study->patient, patient);
+        if (referred == Referred::anew || (referred == Referred::byName && isOfOne))
             candidates.emplace_back(i, referred);
     }
     if (candidates.empty()) return {.whyNot = whyNone(object, patient, found)};

@@ -44,6 +44,7 @@ BesideState partIn3d(BesideState state) {
     const BesideState usual;
     state.view = usual.view;
     state.boundMm = usual.boundMm;
+    state.rivalMm = usual.rivalMm;
     if (!state.preset) return state;
     state.window = usual.window;
     state.opacity = usual.opacity;

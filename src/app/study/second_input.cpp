@@ -8,6 +8,7 @@
 
 #include "app/study/second_curve.h"
 #include "app/study/study_preset.h"
+#include "base/fingerprint.h"
 #include "base/sha256.h"
 #include "registration/rigid_registration.h"
 
@@ -50,7 +51,13 @@ Result<void> place(const SecondWish& wish, const StudyInput& studyInput, const S
         state.secondFromStudy = found.movingFromFixed;
         state.boundMm = found.boundMm;
         state.isDoubtful = found.isDoubtful();
+        if (found.hasRival()) state.rivalMm = found.rivalMm;
         drawn.notes.push_back(fmt::format("The second volume was registered, to {:.1f} mm.", found.boundMm));
+        if (found.hasRival())
+            warn(drawn,
+                 fmt::format("The second volume fits the study nearly as well {:.0f} mm from where it was "
+                             "registered, as a spine does one vertebra off.",
+                             found.rivalMm));
         if (found.isDoubtful())
             warn(drawn,
                  "The registration of the second volume is doubtful: look at both on slices before you rely "
@@ -66,17 +73,42 @@ Result<void> place(const SecondWish& wish, const StudyInput& studyInput, const S
 }
 
 // What was registered of one phase says nothing of another.
-bool isOf(const BesideState& beside, const StudyInput& second) {
+bool names(const BesideState& beside, const StudyInput& second) {
     const bool isOtherVolume =
         !beside.volumeKey.empty() && !second.volumeKey.empty() && beside.volumeKey != second.volumeKey;
     return beside.isLinked() && beside.seriesDigest == second.seriesDigest && !isOtherVolume;
+}
+
+// What the view says of the second volume; its place only where that is of these voxels and positions.
+// Nothing where it is of another volume.
+struct Known {
+    std::optional<BesideState> state;
+    bool isPlaced = false;
+};
+Known known(const BesideState* beside, const StudyInput& study, const StudyInput& second,
+            SecondToDraw& drawn) {
+    if (beside == nullptr) return {};
+    if (!names(*beside, second)) {
+        if (isIn3d(*beside))
+            drawn.notes.emplace_back(
+                "The view was saved with another second volume: its place and look are not those of this "
+                "one.");
+        return {};
+    }
+    if (beside->pair == pairDigest(fingerprint(*study.volume), fingerprint(*second.volume)))
+        return {.state = *beside, .isPlaced = true};
+    warn(drawn,
+         "The view was saved when the images of the study or of the second volume had other values or "
+         "positions, or by an older Macula: where it lies there is not believed.");
+    return {.state = withLookOf({}, *beside)};
 }
 
 // Files tell by their place alone (see additionChoice), and the phantom may stand in for a second one.
 bool isTheStudy(const StudyInput& study, const StudyInput& second) {
     static const std::string kOfNoUid = sha256Hex("");
     return !second.volumeKey.empty() && study.volumeKey == second.volumeKey &&
-           study.seriesDigest == second.seriesDigest && second.seriesDigest != kOfNoUid;
+           study.seriesDigest == second.seriesDigest && second.seriesDigest != kOfNoUid &&
+           fingerprint(*study.volume) == fingerprint(*second.volume);  // and was not exported anew
 }
 
 Result<SamePatient> patientOf(const StudyInput& study, const StudyInput& second, SecondToDraw& drawn) {
@@ -114,17 +146,13 @@ Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& stud
     MACULA_TRY(StudyInput input, loadStudy(wish.path, wish.series, progress, 0, wish.how));
     SecondToDraw drawn;
     MACULA_TRY(const SamePatient patient, patientOf(study, input, drawn));
-    if (isTheStudy(study, input)) return secondIsTheStudy();
     bringTo16Bits(input);
+    if (isTheStudy(study, input)) return secondIsTheStudy();
     for (const std::string& note : input.notes) drawn.notes.push_back("Second volume: " + note);
     for (const std::string& warning : input.warnings) drawn.warnings.push_back("Second volume: " + warning);
-    BesideState state;
-    const bool isKnown = beside != nullptr && isOf(*beside, input);
-    if (isKnown) state = *beside;
-    if (!isKnown && beside != nullptr && isIn3d(*beside))
-        drawn.notes.emplace_back(
-            "The view was saved with another second volume: its place and look are not those of this one.");
-    MACULA_TRY_VOID(place(wish, study, input, isKnown, state, drawn, progress));
+    const Known view = known(beside, study, input, drawn);
+    BesideState state = view.state.value_or(BesideState());
+    MACULA_TRY_VOID(place(wish, study, input, view.isPlaced, state, drawn, progress));
     if (!wish.preset.empty()) {
         MACULA_TRY(presets::ImportedPreset preset, presetToDraw(wish.preset, false));
         const PresetNotes told = notesToDraw(preset, *input.volume);

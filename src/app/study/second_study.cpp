@@ -11,6 +11,7 @@
 #include "base/parsing.h"
 #include "base/sha256.h"
 #include "dicom/read/patient.h"
+#include "dicom/read/placeholder.h"
 #include "pipeline/volume/window.h"
 
 namespace macula::app {
@@ -39,15 +40,28 @@ std::string sex(const std::string& text) {
     std::string letter = plain(text);
     std::ranges::transform(letter, letter.begin(),
                            [](char c) { return c >= 'a' && c <= 'z' ? char(c - 'a' + 'A') : c; });
-    return letter;
+    // Others are no value of DICOM (PS3.3 C.7.1.1): "U" and "N" are written where nobody knows.
+    return letter == "M" || letter == "F" || letter == "O" ? letter : std::string();
+}
+
+// Empty where it names nobody.
+std::string known(std::string text) {
+    return dicom::isPlaceholder(text) ? std::string() : text;
+}
+
+std::string birthDate(const std::string& text) {
+    return dicom::isPlaceholderDate(text) ? std::string() : date(text);
+}
+
+std::string name(const std::string& text) {
+    return known(dicom::normalisedName(plain(text)));
 }
 
 std::array<Attribute, 4> attributesOf(const Identity& a, const Identity& b) {
-    return {
-        {{"ID", plain(a.patientId), plain(b.patientId)},
-         {"name", dicom::normalisedName(plain(a.patientName)), dicom::normalisedName(plain(b.patientName))},
-         {"date of birth", date(a.birthDate), date(b.birthDate)},
-         {"sex", sex(a.sex), sex(b.sex)}}};
+    return {{{"ID", known(plain(a.patientId)), known(plain(b.patientId))},
+             {"name", name(a.patientName), name(b.patientName)},
+             {"date of birth", birthDate(a.birthDate), birthDate(b.birthDate)},
+             {"sex", sex(a.sex), sex(b.sex)}}};
 }
 
 bool isDate(const std::string& text) {
@@ -88,6 +102,7 @@ std::string keyOf(const OpenedStudy& study) {
 SamePatient samePatient(const Identity& a, const Identity& b) {
     if (a.isOfNobody && b.isOfNobody) return SamePatient::yes;
     if (!whatDiffers(a, b).empty()) return SamePatient::no;
+    if (!a.studyInstanceUid.empty() && a.studyInstanceUid == b.studyInstanceUid) return SamePatient::yes;
     const auto attributes = attributesOf(a, b);
     const bool agree = std::ranges::all_of(
         attributes, [](const Attribute& attribute) { return attribute.a == attribute.b; });
@@ -141,8 +156,9 @@ bool shareFrameOfReference(const OpenedStudy& study, const OpenedStudy& second) 
            samePatient(study.identity, second.identity) != SamePatient::no;
 }
 
-BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second) {
+BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second, const std::string& pair) {
     BesideState state;
+    state.pair = pair;
     state.seriesDigest = second.seriesDigest;
     if (const PlaceInSeries at = placeInSeries(second); at.count > 1) state.volume = at.place;
     state.volumeKey = keyOf(second);
@@ -166,7 +182,26 @@ DisplayWindow secondWindow(const Volume& second) {
     return windowOver({0.0, *place});
 }
 
-bool isOf(const BesideState& state, const OpenedStudy& second) {
+std::string pairDigest(const std::string& studyFingerprint, const std::string& secondFingerprint) {
+    return sha256Hex(studyFingerprint + " " + secondFingerprint);
+}
+
+BesideState withLookOf(BesideState place, const BesideState& before) {
+    const bool mayLieOver = place.isLinked() || before.view != BesideView::over;
+    place.view = mayLieOver ? before.view : BesideView::beside;
+    place.window = before.window;
+    place.opacity = before.opacity;
+    place.colours = before.colours;
+    place.in3d = before.in3d;
+    place.preset = before.preset;
+    return place;
+}
+
+bool isOf(const BesideState& state, const OpenedStudy& second, const std::string& pair) {
+    return !pair.empty() && state.pair == pair && names(state, second);
+}
+
+bool names(const BesideState& state, const OpenedStudy& second) {
     if (state.seriesDigest != second.seriesDigest) return false;
     if (!state.volumeKey.empty() && second.found) return keyOf(second) == state.volumeKey;
     const PlaceInSeries at = placeInSeries(second);

@@ -14,8 +14,9 @@
 
 namespace macula::app {
 
-// As far as the images tell. One only when ID, name, date of birth and sex all agree and there is an ID or a
-// name; different when one of them is in both and differs. Else nobody can know, as with files without names.
+// As far as the images tell. Different when ID, name, date of birth or sex is in both and differs. One when
+// both are of one study, or all four agree and there is an ID or a name. Else nobody can know, as with files
+// without names; what is written where nobody is named (dicom::isPlaceholder) is as if it were empty.
 enum class SamePatient { yes, no, unknown };
 SamePatient samePatient(const Identity& a, const Identity& b);
 // What differs, in words and without values: {"ID", "date of birth"}.
@@ -42,14 +43,24 @@ bool shareFrameOfReference(const OpenedStudy& study, const OpenedStudy& second);
 
 // How they are linked before anybody registers: by their frame of reference, or by hand with the middle of
 // one on the middle of the other.
-BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second);
+// `pair` is pairDigest of both.
+BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second, const std::string& pair);
 
 // What a second volume is seen through when nobody has set a window: that of the series; of activity (PET)
 // from nothing to the uptake of what is brightest but for one voxel in a thousand.
 DisplayWindow secondWindow(const Volume& second);
 
-// Whether the state is of this volume: what is registered of one phase says nothing of another.
-bool isOf(const BesideState& state, const OpenedStudy& second);
+// A digest of the fingerprints of both: their voxels and their geometry. Images that were exported anew have
+// the UIDs of before, and may have other positions.
+std::string pairDigest(const std::string& studyFingerprint, const std::string& secondFingerprint);
+
+// Whether the state names this volume: what is registered of one phase says nothing of another. By UIDs and
+// attributes, and so a reason to open it, and none to believe where it lies.
+bool names(const BesideState& state, const OpenedStudy& second);
+// And whether the place in it is of these two volumes (pairDigest).
+bool isOf(const BesideState& state, const OpenedStudy& second, const std::string& pair);
+// `place` with the look of `before`: window, colours, opacity, preset, and where it is seen.
+BesideState withLookOf(BesideState place, const BesideState& before);
 // The volume of the folder that the state is of; nothing where there is none, or several and it names none of
 // them.
 std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState& state);

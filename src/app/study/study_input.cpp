@@ -131,8 +131,9 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
         return error;
     }
     if (series.empty() && scan.patients > 1) {  // who is shown was nobody's choice
-        const std::string why =
-            chosen->why.empty() ? fmt::format("This folder is of {} patients.", scan.patients) : chosen->why;
+        const std::string why = chosen->why.empty()
+                                    ? fmt::format("This folder is of {}.", dicom::patientsText(scan))
+                                    : chosen->why;
         input.notes.push_back(why +
                               " Check that it is of the patient you mean; macula info lists all series.");
         input.warnings.push_back(input.notes.back());

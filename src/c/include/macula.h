@@ -141,12 +141,12 @@ typedef struct macula_open {
     uint32_t size;
     int32_t join; /* not 0: take images for one series that agree in all but identifiers made anew for each of
                      them */
-    const char* series_uid; /* the series of a folder that is meant; null: that of the best volume */
+    const char* series_uid; /* the series of a folder that is meant, or its number in `macula info`, "3" */
 } macula_open;
 
-/* A folder with DICOM files, of which the best volume is loaded; one of its images, and its own series is; a
- * DICOMDIR; a NIfTI, NRRD or MetaImage file; or "phantom:", the built-in phantom. `how` and `progress` may be
- * null. */
+/* A folder of DICOM files, of which the best volume is loaded: of several patients it is an error that lists
+ * their series by number, unless series_uid is given. One of its images, and its own series is; a DICOMDIR; a
+ * NIfTI, NRRD or MetaImage file; "phantom:", the built-in one. `how` and `progress` may be null. */
 MACULA_API macula_status macula_study_open(const char* path, const macula_open* how,
                                            const macula_progress* progress, macula_study** study);
 

@@ -17,7 +17,8 @@ namespace macula::dicom {
 
 struct PresentationOwner {
     // An image of the series that is shown: patient and study are taken from it. It must still be that
-    // instance. Not needed where deidentified.
+    // instance. Where deidentified it may be left out, and tells only which objects are of one patient
+    // (pseudonyms.h).
     std::optional<SecondaryCapture::Source> image;
     // Nothing of patient and study is taken over. UIDs of series, frame of reference and images are those
     // that uidFrom makes of them: only who has the series can tell that it is meant (isSeries).

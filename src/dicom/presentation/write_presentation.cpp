@@ -391,7 +391,7 @@ Result<void> writePresentationState(const fs::path& path, const VolumePresentati
     written.palette.values = asWritten(presentation.palette.values);
     bool ok = true;
     if (owner.isDeidentified) {
-        ok = writeNobody(dataset, true);
+        ok = writePseudonym(dataset, owner.image).has_value();
         written.series = withoutUids(std::move(written.series));
     } else {
         if (const Result<Origin> origin = copyOwner(dataset, *owner.image); !origin) return origin.error();

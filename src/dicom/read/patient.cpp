@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "dicom/read/placeholder.h"
+
 namespace macula::dicom {
 
 std::string normalisedName(std::string_view name) {
@@ -19,6 +21,18 @@ std::string normalisedName(std::string_view name) {
     }
     while (result.ends_with('^') || result.ends_with(' ')) result.pop_back();
     return result;
+}
+
+bool PatientIdentity::isOfNobody() const {
+    return isPlaceholder(id) && isPlaceholder(name);
+}
+
+int PatientNumbers::of(const PatientIdentity& patient, const std::string& studyInstanceUid) {
+    const bool isOfNobody = patient.isOfNobody();
+    const auto [place, isNew] =
+        numbers_.try_emplace({patient, isOfNobody ? studyInstanceUid : std::string()}, count());
+    if (isNew && isOfNobody) ++nameless_;
+    return place->second;
 }
 
 PatientIdentity patientIdentity(const Dataset& header) {

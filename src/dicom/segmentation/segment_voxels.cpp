@@ -88,8 +88,7 @@ Result<void> Reader::forEachCell(PixelReader& reader, const Visit& visit) {
         for (int row = 0; row < segmentation_.rows; ++row) {
             glm::ivec3 voxel = place.origin + row * place.rowStep;
             for (int column = 0; column < segmentation_.columns; ++column, voxel += place.columnStep) {
-                const std::uint16_t segment = cells_.segmentOf(frame, cells[at++]);
-                if (segment != 0) visit(segment, voxel);
+                if (const auto segment = cells_.segmentOf(frame, cells[at++])) visit(*segment, voxel);
             }
         }
     }
@@ -129,13 +128,16 @@ Result<void> Reader::read() {
                                  "Copy the file again from its source.");
         }
         VoxelBox* box = nullptr;
-        std::uint16_t last = 0;
+        int last = -1;  // none
         MACULA_TRY_VOID(forEachCell(reader, [&](std::uint16_t segment, const glm::ivec3& voxel) {
             if (!isInGrid(voxel)) {
                 ++outside_;
                 return;
             }
-            if (segment != last) box = &boxes_[last = segment];
+            if (segment != last) {
+                box = &boxes_[segment];
+                last = segment;
+            }
             box->add(voxel);
         }));
     }
@@ -143,7 +145,7 @@ Result<void> Reader::read() {
     // Opened again: frames of a deflated file are fastest in ascending order.
     MACULA_TRY(PixelReader reader, PixelReader::open(segmentation_.file, layout, progress_.token()));
     VoxelSet* set = nullptr;
-    std::uint16_t last = 0;
+    int last = -1;
     bool hasChanged = false;
     MACULA_TRY_VOID(forEachCell(reader, [&](std::uint16_t segment, const glm::ivec3& voxel) {
         if (!isInGrid(voxel)) return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "dicom/read/dataset.h"
 #include "dicom/read/sop_class.h"
@@ -23,6 +24,9 @@ constexpr Tag kSegmentAlgorithmName{0x0062, 0x0009};
 constexpr Tag kReferencedSegmentNumber{0x0062, 0x000B};
 constexpr Tag kRecommendedCieLab{0x0062, 0x000D};
 constexpr Tag kMaximumFractionalValue{0x0062, 0x000E};
+constexpr Tag kSegmentedPropertyType{0x0062, 0x000F};
+constexpr Tag kCodeValue{0x0008, 0x0100};
+constexpr Tag kCodingScheme{0x0008, 0x0102};
 constexpr Tag kContentLabel{0x0070, 0x0080};
 constexpr int kMostRows = 65535;
 
@@ -39,15 +43,65 @@ std::optional<SegmentationType> typeOf(const Dataset& header) {
     return {};
 }
 
-std::optional<std::uint16_t> segmentNumber(std::optional<int> number) {
-    if (!number || *number < 1 || *number > 65535) return {};
+// From 1, of a label map from 0 (PS3.3 C.8.20.4).
+std::optional<std::uint16_t> segmentNumber(std::optional<int> number, SegmentationType type) {
+    const int least = type == SegmentationType::labelMap ? 0 : 1;
+    if (!number || *number < least || *number > 65535) return {};
     return static_cast<std::uint16_t>(*number);
 }
 
-std::vector<Segment> readSegments(const Dataset& header) {
+// What an item calls its segment in words counts for a number that is none anyway.
+bool isCodedBackground(const Dataset& segment) {
+    return std::ranges::any_of(segment.items(kSegmentedPropertyType), [](const Dataset& code) {
+        return code.text(kCodeValue) == "125040" && code.text(kCodingScheme) == "DCM";
+    });
+}
+
+bool isCalledBackground(const Segment& segment) {
+    std::string label;
+    for (const char c : segment.label) label += c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+    return label == "background";
+}
+
+// The values of cells of the padding, one or a range (PS3.3 C.7.5.1.1.2).
+std::optional<CellRange> paddingOf(const Dataset& header, const CellFormat& format) {
+    const auto value = header.integer(tag::kPixelPaddingValue);
+    if (!value) return {};
+    const auto cell = [&](int number) {  // -1 is written for the highest
+        return number < 0 ? number & ((1 << format.bitsStored) - 1) : number;
+    };
+    const int one = cell(*value);
+    const int other = cell(header.integer(tag::kPixelPaddingRangeLimit).value_or(*value));
+    return CellRange{std::min(one, other), std::max(one, other)};
+}
+
+// Takes from the segments of a label map what is background.
+void findBackground(const Dataset& header, Segmentation& segmentation) {
+    std::set<int> coded;
+    for (const Dataset& item : header.items(kSegmentSequence)) {
+        if (const auto number = item.integer(kSegmentNumber); number && isCodedBackground(item))
+            coded.insert(*number);
+    }
+    const std::optional<CellRange> padding = paddingOf(header, segmentation.format);
+    const auto isPadding = [&](const Segment& segment) {
+        return padding && padding->contains(segment.number);
+    };
+    std::erase_if(segmentation.segments, [&](const Segment& segment) {
+        return coded.contains(segment.number) ||
+               ((isPadding(segment) || segment.number == 0) && isCalledBackground(segment));
+    });
+    const bool isZeroDescribed = !segmentation.segments.empty() && segmentation.segments.front().number == 0;
+    if (!isZeroDescribed) coded.insert(0);
+    if (padding) segmentation.background.push_back(*padding);
+    for (const int number : coded) segmentation.background.push_back({number, number});
+    for (const Segment& segment : segmentation.segments)
+        if (isPadding(segment)) segmentation.paddedSegments.push_back(segment.number);
+}
+
+std::vector<Segment> readSegments(const Dataset& header, SegmentationType type) {
     std::map<std::uint16_t, Segment> segments;
     for (const Dataset& item : header.items(kSegmentSequence)) {
-        const auto number = segmentNumber(item.integer(kSegmentNumber));
+        const auto number = segmentNumber(item.integer(kSegmentNumber), type);
         if (!number) continue;
         Segment segment{.number = *number,
                         .label = item.text(kSegmentLabel).value_or(""),
@@ -101,7 +155,7 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
                               .transferSyntaxUid = header.transferSyntaxUid(),
                               .columns = header.integer(tag::kColumns).value_or(0),
                               .rows = header.integer(tag::kRows).value_or(0),
-                              .segments = readSegments(header)};
+                              .segments = readSegments(header, *type)};
     for (const Dataset& series : header.items(tag::kReferencedSeries)) {
         if (auto uid = series.text(tag::kSeriesInstanceUid))
             segmentation.referencedSeriesUids.push_back(std::move(*uid));
@@ -117,6 +171,7 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
     if (!hasSize || !isFormatOf(*type, segmentation.format) ||
         header.integer(tag::kSamplesPerPixel).value_or(1) != 1)
         return notUsable(file, "The frames of the segmentation are of no kind that this version knows.");
+    if (*type == SegmentationType::labelMap) findBackground(header, segmentation);
     if (*type == SegmentationType::fractional) {
         segmentation.fractionalMaximum =
             header.integer(kMaximumFractionalValue).value_or(segmentation.fractionalMaximum);
@@ -135,7 +190,7 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
         const Dataset frame = header.frame(i);
         const auto plane = planeOf(frame);
         if (!plane) return notUsable(file, "The segmentation does not say where its frames lie.");
-        auto number = segmentNumber(frame.integer(kReferencedSegmentNumber));
+        auto number = segmentNumber(frame.integer(kReferencedSegmentNumber), *type);
         if (!number && segmentation.segments.size() == 1) number = segmentation.segments.front().number;
         if (*type == SegmentationType::labelMap) {
             number = std::uint16_t{0};

@@ -20,6 +20,15 @@ enum class SegmentationType {
     labelMap,    // a frame holds segment numbers
 };
 
+// From the first to the last, both included.
+struct CellRange {
+    int first = 0;
+    int last = 0;
+
+    bool contains(int value) const { return value >= first && value <= last; }
+    bool operator==(const CellRange&) const = default;
+};
+
 // What the header says. Paths, UIDs and labels may name a patient: never logged.
 struct Segmentation {
     std::filesystem::path file;
@@ -38,6 +47,11 @@ struct Segmentation {
         std::uint16_t segment = 0;  // 0 for a label map
     };
     std::vector<Frame> frames;
+    // Of a label map: the numbers that stand for no segment. Those of Pixel Padding Value, those of segments
+    // that are said to be background, and 0 where no segment of that number is described.
+    std::vector<CellRange> background = {};
+    // Segments that are described under a number of the padding: nothing in the frames is of them.
+    std::vector<std::uint16_t> paddedSegments = {};
     double spacingMm = 0.0;  // between frames as the header says; 0 when it does not
     std::string sopInstanceUid = {};
     std::string contentLabel = {};  // of the whole of it, for a person; may be empty
@@ -51,9 +65,9 @@ Result<Segmentation> readSegmentation(const std::filesystem::path& file);
 // does not lie on that grid to a hundredth of a voxel, wherever it begins. The frame's axes may be any of the
 // grid's, in either direction. Where segments overlap, the one in the later frame wins; messages of the label
 // map tell how many voxels that concerns, and how many lie outside of the grid. Half of fractionalMaximum and
-// more is the segment.
-// `slicePositionsMm` are where the slices of the grid really lie, one each, when they are not quite even
-// (stack.h: slicePositionsMm): a frame in one of these planes is of that slice.
+// more is the segment. In a label map 0 is none of the segments: a segment of number 0 gets another one
+// there, and a message says which. `slicePositionsMm` are where the slices of the grid really lie, one each,
+// when they are not quite even (stack.h: slicePositionsMm): a frame in one of these planes is of that slice.
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
                                   glm::ivec3 size, Progress& progress,
                                   std::span<const glm::dvec3> slicePositionsMm = {});

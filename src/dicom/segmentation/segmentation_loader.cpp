@@ -27,6 +27,7 @@ class Painter {
         : segmentation_(segmentation),
           size_(size),
           cells_(segmentation),
+          labelOfZero_(freeLabel(segmentation)),
           labels_(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                   static_cast<std::size_t>(size.z)) {}
 
@@ -36,8 +37,7 @@ class Painter {
         for (int row = 0; row < segmentation_.rows; ++row) {
             glm::ivec3 voxel = placement.origin + row * placement.rowStep;
             for (int column = 0; column < segmentation_.columns; ++column, voxel += placement.columnStep) {
-                const std::uint16_t label = cells_.segmentOf(frame, cells[at++]);
-                if (label != 0) set(voxel, label);
+                if (const auto segment = cells_.segmentOf(frame, cells[at++])) set(voxel, *segment);
             }
         }
     }
@@ -45,7 +45,10 @@ class Painter {
     std::vector<Segment> segments() const {
         std::vector<Segment> all = segmentation_.segments;
         std::set<std::uint16_t> described;
-        for (const Segment& segment : all) described.insert(segment.number);
+        for (Segment& segment : all) {
+            if (segment.number == 0) segment.number = labelOfZero_;
+            described.insert(segment.number);
+        }
         for (const std::uint16_t number : seen_) {
             if (described.insert(number).second)
                 all.push_back({.number = number, .label = fmt::format("Segment {}", number)});
@@ -60,13 +63,34 @@ class Painter {
         };
         tell(key::kSegmentsOverlap, overlaps_);
         tell(key::kSegmentsOutside, outside_);
+        for (const std::uint16_t number : segmentation_.paddedSegments)
+            all.push_back(message(key::kSegmentIsPadding, {{"number", std::int64_t(number)}}));
+        if (hasZero()) all.push_back(message(key::kSegmentZero, {{"number", std::int64_t(labelOfZero_)}}));
         return all;
     }
+
+    // Nothing of a segment 0 can be told from another one in the map.
+    bool isAmbiguous() const { return hasZero() && isLabelOfZeroTaken_; }
 
     std::vector<std::uint16_t> take() { return std::move(labels_); }
 
   private:
-    void set(const glm::ivec3& voxel, std::uint16_t label) {
+    // Above all numbers that cells can hold, where there is one; else the highest that is not described.
+    static std::uint16_t freeLabel(const Segmentation& segmentation) {
+        if (segmentation.format.bitsStored < 16) return std::uint16_t(1 << segmentation.format.bitsStored);
+        std::uint16_t label = 65535;
+        for (auto segment = segmentation.segments.rbegin();
+             segment != segmentation.segments.rend() && segment->number == label && label > 1; ++segment)
+            --label;
+        return label;
+    }
+    bool hasZero() const {
+        return !segmentation_.segments.empty() && segmentation_.segments.front().number == 0;
+    }
+
+    void set(const glm::ivec3& voxel, std::uint16_t segment) {
+        const std::uint16_t label = segment == 0 ? labelOfZero_ : segment;
+        if (segment == labelOfZero_) isLabelOfZeroTaken_ = true;
         if (label != lastSeen_) {
             seen_.insert(label);
             lastSeen_ = label;
@@ -88,6 +112,8 @@ class Painter {
     const Segmentation& segmentation_;
     glm::ivec3 size_;
     SegmentCells cells_;
+    std::uint16_t labelOfZero_;
+    bool isLabelOfZeroTaken_ = false;
     std::vector<std::uint16_t> labels_;
     std::set<std::uint16_t> seen_;
     std::uint16_t lastSeen_ = 0;
@@ -136,6 +162,9 @@ Result<LabelMap> load(const Segmentation& segmentation, const Placements& placem
         const auto at = static_cast<std::size_t>(i);
         painter.paint(segmentation.frames[at], placements[at], cells);
     }
+    if (painter.isAmbiguous())
+        return notUsable(segmentation, "The segmentation has more segments than a label map can hold.",
+                         "Choose another segmentation.");
     return LabelMap::create(size, worldFromVoxel, painter.segments(), painter.take(), painter.messages());
 }
 

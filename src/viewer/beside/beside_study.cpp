@@ -35,7 +35,8 @@ BesideStudy::BesideStudy(ViewerSession& session, QObject* parent)
     connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
         const auto& now = session_.state().beside;
         if (now && (!before.beside || before.beside->seriesDigest != now->seriesDigest ||
-                    before.beside->volume != now->volume || before.beside->volumeKey != now->volumeKey))
+                    before.beside->volume != now->volume || before.beside->volumeKey != now->volumeKey ||
+                    before.beside->pair != now->pair))
             openWhatStateNames();
     });
     connect(&loader_, &StudyLoader::began, this, [this] { emit began(tr("Opening the second volume")); });
@@ -63,6 +64,7 @@ void BesideStudy::open(app::StudySource source, bool join) {
                             tr("Open a study first.").toStdString()});
     asked_.reset();
     registration_.cancel();
+    prepareWithStudy();
     loader_.open(std::move(source), join);
 }
 
@@ -70,7 +72,21 @@ void BesideStudy::open(std::shared_ptr<const app::FoundVolumes> found, std::size
     if (!session_.hasStudy() || !found || index >= found->volumes().size()) return;
     asked_.reset();
     registration_.cancel();
+    prepareWithStudy();
     loader_.open(std::move(found), index);
+}
+
+// Digests of both volumes are made where the second one is read: later they are known.
+void BesideStudy::prepareWithStudy() {
+    const std::weak_ptr<const Volume> ofStudy = session_.study().volume;  // it may be closed meanwhile
+    loader_.setPrepare([digests = digests_, ofStudy](const app::OpenedStudy& second) {
+        if (const auto study = ofStudy.lock()) digests->of(study);
+        digests->of(second.volume);
+    });
+}
+
+std::string BesideStudy::pairWith(const app::OpenedStudy& second) const {
+    return app::pairDigest(digests_->of(session_.study().volume), digests_->of(second.volume));
 }
 
 void BesideStudy::onStudyShown() {
@@ -90,6 +106,7 @@ void BesideStudy::openWhatStateNames() {
 void BesideStudy::drop() {
     asked_.reset();
     before_ = app::BesideView::beside;
+    isPlacedAnew_ = false;
     if (!std::exchange(second_, nullptr)) return;
     emit secondChanged();
 }
@@ -107,7 +124,7 @@ void BesideStudy::cancel() {
 
 const app::BesideState* BesideStudy::state() const {
     const auto& state = session_.state().beside;
-    return second_ && state && app::isOf(*state, second_->study) ? &*state : nullptr;
+    return second_ && state && app::isOf(*state, second_->study, second_->pair) ? &*state : nullptr;
 }
 
 bool BesideStudy::canShareFrame() const {
@@ -118,7 +135,8 @@ void BesideStudy::offer(const app::OpenedStudy& second) {
     if (!session_.hasStudy() || !second.volume) return;
     const app::OpenedStudy& study = session_.study();
     if (second.volume->size() == study.volume->size() && second.seriesDigest == study.seriesDigest &&
-        second.volumeIndex == study.volumeIndex)
+        second.volumeIndex == study.volumeIndex &&
+        digests_->of(second.volume) == digests_->of(study.volume))  // and was not exported anew
         return emit failed({ErrorCode::usage,
                             tr("This is the volume that is open already.").toStdString(),
                             {},
@@ -139,14 +157,19 @@ void BesideStudy::refusePatient() {
     asked_.reset();
 }
 
-// As it was left, when the state is about it: nobody has to register it again.
+// As it was left, when the state is of these voxels and positions: nobody has to register it again.
 void BesideStudy::show(app::OpenedStudy second) {
     if (registration_.cancel()) emit ended();
-    second_ = std::make_shared<const SecondSeries>(secondSeries(session_.study(), std::move(second)));
+    std::string pair = pairWith(second);
+    second_ = std::make_shared<const SecondSeries>(
+        secondSeries(session_.study(), std::move(second), std::move(pair)));
     const bool wasLeft = state() != nullptr;
+    const std::optional<app::BesideState> before = session_.state().beside;
+    isPlacedAnew_ = !wasLeft && before && app::names(*before, second_->study);
     if (!wasLeft) {
         session_.change(tr("Second volume"), [&](app::StudyState& next) {
-            next.beside = app::firstLink(session_.study(), second_->study);
+            next.beside = app::firstLink(session_.study(), second_->study, second_->pair);
+            if (isPlacedAnew_) next.beside = app::withLookOf(*next.beside, *before);
             // Two columns in a quarter of the window are too small to compare anything.
             if (next.layout == app::Layout::fourPanes || next.layout == app::Layout::volume)
                 next.layout = layoutOf(slices::acquiredOrientation(*session_.study().volume));
@@ -176,6 +199,7 @@ void BesideStudy::onRegistered(const Result<registration::RigidRegistration>& fo
         next.secondFromStudy = found->movingFromFixed;
         next.boundMm = found->boundMm;
         next.isDoubtful = found->isDoubtful();
+        next.rivalMm = found->hasRival() ? found->rivalMm : 0.0;
     });
 }
 

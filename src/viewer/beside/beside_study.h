@@ -7,7 +7,9 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 
+#include "app/model/part_digests.h"
 #include "app/state/beside_state.h"
 #include "registration/rigid_registration.h"
 #include "viewer/background_job.h"
@@ -43,6 +45,8 @@ class BesideStudy : public QObject {
     // Null unless the second volume is the one that the state is about.
     const app::BesideState* state() const;
     bool canShareFrame() const;  // both name one frame of reference
+    // How it was left was of other voxels or positions under the same UIDs: it was placed anew.
+    bool isPlacedAnew() const { return isPlacedAnew_; }
 
     void registerNow();
     void linkByFrame();  // nothing where they do not share one
@@ -70,11 +74,15 @@ class BesideStudy : public QObject {
     void drop();
     void onRegistered(const Result<registration::RigidRegistration>& found);
     void change(const QString& what, const std::function<void(app::BesideState&)>& edit);
+    void prepareWithStudy();
+    std::string pairWith(const app::OpenedStudy& second) const;
 
     ViewerSession& session_;
     StudyLoader loader_;
     BackgroundJob<registration::RigidRegistration> registration_;
     std::shared_ptr<const SecondSeries> second_;
+    bool isPlacedAnew_ = false;
+    std::shared_ptr<app::PartDigests> digests_ = std::make_shared<app::PartDigests>();  // of both volumes
     std::optional<app::OpenedStudy> asked_;             // of another patient: nobody has answered yet
     app::BesideView before_ = app::BesideView::beside;  // the last flip
 };

@@ -190,8 +190,9 @@ void SegmentationPanel::showNames(bool shown) {
 }
 
 SegmentationPanel::Row SegmentationPanel::rowOf(const QTreeWidgetItem& item) {
+    const QVariant number = item.data(kName, kNumberRole);
     return {item.data(kName, kDigestRole).toString().toStdString(),
-            std::uint16_t(item.data(kName, kNumberRole).toInt())};
+            number.isValid() ? std::optional(std::uint16_t(number.toInt())) : std::nullopt};
 }
 
 void SegmentationPanel::fill() {
@@ -213,7 +214,6 @@ void SegmentationPanel::fill() {
 void SegmentationPanel::addSegmentation(const app::FoundSegmentation& found, std::size_t place) {
     auto* item = new QTreeWidgetItem(tree_);
     item->setData(kName, kDigestRole, QString::fromStdString(found.digest));
-    item->setData(kName, kNumberRole, 0);
     const QString title = namesShown_ ? shown(found.title) : tr("Segmentation %1").arg(place);
     item->setText(kName, title);
     item->setToolTip(kName, title.toHtmlEscaped());
@@ -271,7 +271,7 @@ void SegmentationPanel::showChoices() {
 void SegmentationPanel::showChoice(QTreeWidgetItem& item) {
     if (!item.flags().testFlag(Qt::ItemIsUserCheckable)) return;
     const Row row = rowOf(item);
-    if (row.number == 0) {
+    if (!row.number) {
         const bool isShown = app::choiceOf(session_.state().segmentations, row.digest).isShown;
         item.setCheckState(kName, isShown ? Qt::Checked : Qt::Unchecked);
         return;
@@ -287,12 +287,12 @@ void SegmentationPanel::onItemChanged(QTreeWidgetItem* item, int column) {
     const Row row = rowOf(*item);
     const bool isChecked = item->checkState(kName) == Qt::Checked;
     session_.change(tr("Segmentations"), [&](app::StudyState& next) {
-        if (row.number == 0) {
+        if (!row.number) {
             app::SegmentationChoice whole = app::choiceOf(next.segmentations, row.digest);
             whole.isShown = isChecked;
             return app::choose(next.segmentations, std::move(whole));
         }
-        app::SegmentChoice one = app::choiceOf(app::choiceOf(next.segmentations, row.digest), row.number);
+        app::SegmentChoice one = app::choiceOf(app::choiceOf(next.segmentations, row.digest), *row.number);
         one.isVisible = isChecked;
         app::choose(next.segmentations, row.digest, one);
     });
@@ -303,16 +303,16 @@ std::optional<SegmentationPanel::Row> SegmentationPanel::selected() const {
     if (item == nullptr || !item->flags().testFlag(Qt::ItemIsUserCheckable) || !session_.hasStudy())
         return std::nullopt;
     const Row row = rowOf(*item);
-    return row.number == 0 ? std::nullopt : std::optional(row);
+    return row.number ? std::optional(row) : std::nullopt;
 }
 
 app::SegmentChoice SegmentationPanel::choice(const Row& row) const {
-    return app::choiceOf(app::choiceOf(session_.state().segmentations, row.digest), row.number);
+    return app::choiceOf(app::choiceOf(session_.state().segmentations, row.digest), *row.number);
 }
 
 const app::LoadedSegment* SegmentationPanel::loaded(const Row& row) const {
     const app::LoadedSegmentation* there = keeper_.loaded(row.digest);
-    return there != nullptr ? there->segment(row.number) : nullptr;
+    return there != nullptr ? there->segment(*row.number) : nullptr;
 }
 
 std::optional<Segment> SegmentationPanel::segment(const Row& row) const {
@@ -377,7 +377,7 @@ void SegmentationPanel::edit(const QString& what, const std::function<void(app::
     const auto row = selected();
     if (!row) return;
     const auto change = [&](app::StudyState& next) {
-        app::SegmentChoice one = app::choiceOf(app::choiceOf(next.segmentations, row->digest), row->number);
+        app::SegmentChoice one = app::choiceOf(app::choiceOf(next.segmentations, row->digest), *row->number);
         edit(one);
         app::choose(next.segmentations, row->digest, one);
     };
@@ -400,7 +400,7 @@ void SegmentationPanel::editIn3d(const QString& what, bool needsShown,
     if (!row) return;
     session_.change(what, [&](app::StudyState& next) {
         app::SegmentationChoice whole = app::choiceOf(next.segmentations, row->digest);
-        app::SegmentChoice one = app::choiceOf(whole, row->number);
+        app::SegmentChoice one = app::choiceOf(whole, *row->number);
         edit(one);
         app::choose(next.segmentations, row->digest, one);
         if (!needsShown) return;

@@ -29,10 +29,10 @@ class SegmentationPanel : public QWidget {
     void setColour(const QColor& rgb);  // of the segment that is selected; nothing without one
 
   private:
-    // A row of the tree; number 0 is the segmentation itself.
+    // A row of the tree; without a number the segmentation itself. 0 is a segment.
     struct Row {
         std::string digest;
-        std::uint16_t number = 0;
+        std::optional<std::uint16_t> number = {};
         bool operator==(const Row&) const = default;
     };
 

@@ -65,8 +65,9 @@ bool isActivity(const Volume& volume) {
 
 }  // namespace
 
-SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second) {
+SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second, std::string pair) {
     SecondSeries made;
+    made.pair = std::move(pair);
     made.usualWindow = app::secondWindow(*second.volume);
     made.tag = tagOf(app::ageOf(study.identity, second.identity), shownTag(second));
     made.studyTag = Words::tr("Current: %1").arg(shownTag(study));
@@ -87,6 +88,9 @@ QString linkText(const app::BesideState& state) {
         case app::BesideLink::sameFrame:
             return Words::tr("Same frame, not registered: the patient may have moved");
         case app::BesideLink::registered:
+            if (state.isDoubtful && state.rivalMm > 0.0)
+                return Words::tr("Registration is doubtful: nearly as good %1 mm away; check landmarks")
+                    .arg(withLocalNumbers(QString::number(state.rivalMm, 'f', 0)));
             return state.isDoubtful ? Words::tr("Registration is doubtful (%1 mm): check landmarks")
                                           .arg(withLocalNumbers(QString::number(state.boundMm, 'f', 1)))
                                     : Words::tr("Registered, rigid; searches agree to %1 mm")

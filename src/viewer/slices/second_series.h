@@ -3,6 +3,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <string>
 
 #include "app/state/beside_state.h"
 #include "app/study/opened_study.h"
@@ -18,9 +19,10 @@ struct SecondSeries {
     QString studyTag;           // "Current: …", of the study that is open
     QStringList lines;          // as app::linesOf; may name a patient
     QString patientNote;        // empty: both are of one patient
+    std::string pair;           // app::pairDigest of the study and the second
 };
 
-SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second);
+SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second, std::string pair);
 
 // How it is linked, in a sentence that is written over pictures of it.
 QString linkText(const app::BesideState& state);

@@ -42,7 +42,7 @@ void SliceView::showArea(const app::SliceArea& area) {
 // Null unless the second volume that is there is the one of the state.
 const app::BesideState* SliceView::beside() const {
     const auto& state = session_.state().beside;
-    return second_ && state && app::isOf(*state, second_->study) ? &*state : nullptr;
+    return second_ && state && app::isOf(*state, second_->study, second_->pair) ? &*state : nullptr;
 }
 
 bool SliceView::wantsSecond() const {

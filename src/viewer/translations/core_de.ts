@@ -1259,6 +1259,18 @@
         <translation>Prüfen Sie, ob Schichten der Serie fehlen.</translation>
     </message>
     <message>
+        <source>Segment %1 has the number of the background (Pixel Padding Value): nothing of it is shown.</source>
+        <translation>Segment %1 hat die Nummer des Hintergrunds (Pixel Padding Value): nichts davon wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Look at it in the program that made it.</source>
+        <translation>Sehen Sie es in dem Programm an, das es erstellt hat.</translation>
+    </message>
+    <message>
+        <source>Segment 0 has the number %1 in the label map, in which 0 is none of the segments.</source>
+        <translation>Segment 0 hat in der Label-Map die Nummer %1, denn dort ist 0 keines der Segmente.</translation>
+    </message>
+    <message>
         <source>The only volume%1.</source>
         <translation>Das einzige Volumen%1.</translation>
     </message>
@@ -1269,6 +1281,10 @@
     <message>
         <source>it is no volume.</source>
         <translation>es ist kein Volumen.</translation>
+    </message>
+    <message>
+        <source>of up to %1 patients in this folder</source>
+        <translation>von bis zu %1 Patienten in diesem Ordner</translation>
     </message>
     <message>
         <source>of %1 patients in this folder</source>
@@ -2725,6 +2741,14 @@
     <message>
         <source>All values</source>
         <translation>Alle Werte</translation>
+    </message>
+    <message>
+        <source>The view was saved when the images lay in other places, or of another volume of the series.</source>
+        <translation>Die Ansicht wurde gespeichert, als die Bilder an anderen Orten lagen, oder von einem anderen Volumen der Serie.</translation>
+    </message>
+    <message>
+        <source>Make it anew; or choose the volume that it is of. Without "grid" in the file it is taken as it is.</source>
+        <translation>Machen Sie sie neu, oder wählen Sie das Volumen, von dem sie ist. Ohne „grid“ in der Datei wird sie genommen, wie sie ist.</translation>
     </message>
     <message>
         <source>The view was saved of another series.</source>

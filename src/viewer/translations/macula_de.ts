@@ -450,6 +450,10 @@
         <translation>Aktuell: %1</translation>
     </message>
     <message>
+        <source>Registration is doubtful: nearly as good %1 mm away; check landmarks</source>
+        <translation>Registrierung unsicher: %1 mm daneben fast ebenso gut; Landmarken prüfen</translation>
+    </message>
+    <message>
         <source>Registration is doubtful (%1 mm): check landmarks</source>
         <translation>Registrierung unsicher (%1 mm): Landmarken prüfen</translation>
     </message>
@@ -1786,6 +1790,10 @@
     <message>
         <source>Second volume: %1</source>
         <translation>Zweites Volumen: %1</translation>
+    </message>
+    <message>
+        <source>Where the second volume lay when this study was left is not taken over: the images had other values or positions then, or an older Macula kept it. It is placed anew.</source>
+        <translation>Wo das zweite Volumen lag, als diese Studie verlassen wurde, wird nicht übernommen: Die Bilder hatten damals andere Werte oder Positionen, oder ein älteres Macula hat es aufgehoben. Es wird neu eingepasst.</translation>
     </message>
     <message>
         <source>The second volume shows another part of the body: nothing of it lies in the study.</source>

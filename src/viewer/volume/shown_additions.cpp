@@ -62,7 +62,7 @@ void ShownAdditions::update() {
 void ShownAdditions::updateSecond() {
     const std::optional<app::BesideState>& beside = session_.state().beside;
     std::optional<app::BesideState> wanted;
-    if (beside && second_ && app::isIn3d(*beside) && app::isOf(*beside, second_->study) &&
+    if (beside && second_ && app::isIn3d(*beside) && app::isOf(*beside, second_->study, second_->pair) &&
         app::mayBeIn3d(session_.study().identity, second_->study.identity))
         wanted = app::partIn3d(*beside);
     if (!wanted) {

@@ -67,13 +67,14 @@ Result<void> ShownVolume::take(const app::StudyState& state) {
     if (!session_.hasStudy())
         return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
     const app::OpenedStudy& study = session_.study();
-    MACULA_TRY_VOID(app::checkSeries(state, study.seriesDigest, {}));
+    MACULA_TRY_VOID(app::checkSeries(state, study.seriesDigest, *study.volume, {}));
     // What cannot be read again would be lost with all else of the study the next time it is opened.
     MACULA_TRY_VOID(app::studyStateFromJson(app::toJson(state), {}));
     session_.change(tr("Open view"), [&](app::StudyState& next) {
         const bool leavesTableOut = next.leavesTableOut;
         next = state;
         next.seriesDigest = study.seriesDigest;
+        next.grid.reset();  // it is of this one
         next.camera.reset();
         next.leavesTableOut = leavesTableOut;  // until it is found
         if (!next.preset) next.preset = app::presetFor(session_.catalogue(), *study.volume);

@@ -215,6 +215,7 @@ TEST_F(PresentationStateTest, ofNobodyOnlyWhoHasTheSeriesKnowsIt) {
                                    said_.series.images[0].sopInstanceUid, std::string("ller^Anna")})
         EXPECT_EQ(bytes.find(uid), std::string::npos) << uid;
     EXPECT_NE(bytes.find("ANONYMOUS"), std::string::npos);
+    EXPECT_NE(bytes.find("MACULA-"), std::string::npos) << "an ID of its own";
 }
 
 // Types 1 and 2 of the modules of A.80.2-1, as PS3.3 lists them.

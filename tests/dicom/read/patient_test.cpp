@@ -9,6 +9,7 @@
 
 #include "edit.h"
 #include "support.h"
+#include "synthetic.h"
 
 namespace macula::dicom::test {
 namespace {
@@ -62,6 +63,46 @@ TEST(Patient, eachDifferenceSeparates) {
             ASSERT_TRUE(best);
             EXPECT_NE(best.why.find("of 2 patients in this folder"), std::string::npos) << best.why;
         }
+    }
+}
+
+// A program has written the same words for both.
+TEST(Patient, twoStudiesOfNobodyAreOfTwo) {
+    const auto studiesOf = [](const char* name, const char* id, bool isOneStudy) {
+        const TemporaryFolder folder;
+        for (int n = 0; n < 2; ++n) {
+            SyntheticSeries series;
+            series.patientName = name;
+            series.patientId = id;
+            series.studyUid = isOneStudy ? "2.25.7000" : fmt::format("2.25.700{}", n);
+            series.seriesUid = fmt::format("2.25.800{}", n);
+            writeFiles(folder / std::to_string(n), series);
+        }
+        auto found = scan(folder.path());
+        EXPECT_TRUE(found);
+        return *std::move(found);
+    };
+    for (const auto& [name, id] :
+         {std::pair("ANONYMOUS", "ANONYMOUS"), {"Patient^Anonymous", "0000"}, {"", ""}}) {
+        SCOPED_TRACE(name);
+        const Scan two = studiesOf(name, id, false);
+        ASSERT_EQ(two.studies.size(), 2u);
+        EXPECT_EQ(two.patients, 2);
+        EXPECT_NE(two.studies[0].patient, two.studies[1].patient);
+        EXPECT_EQ(patientsText(two), "up to 2 patients");
+        EXPECT_TRUE(mayBeOnePatient(two, 0, 1));
+        EXPECT_NE(bestVolume(two).why.find("of up to 2 patients in this folder"), std::string::npos);
+        const Scan one = studiesOf(name, id, true);
+        ASSERT_EQ(one.studies.size(), 1u) << "a study is of one patient";
+        EXPECT_EQ(one.patients, 1);
+        EXPECT_EQ(one.studies[0].series.size(), 2u);
+    }
+    // Either of both names somebody.
+    for (const auto& [name, id] : {std::pair("ANONYMOUS", "LIDC-IDRI-0001"), {"DOE^JANE", "0000"}}) {
+        const Scan one = studiesOf(name, id, false);
+        ASSERT_EQ(one.studies.size(), 2u);
+        EXPECT_EQ(one.patients, 1) << name;
+        EXPECT_EQ(patientsText(one), "1 patient");
     }
 }
 

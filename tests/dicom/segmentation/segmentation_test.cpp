@@ -12,73 +12,13 @@
 #include "dicom/messages.h"
 #include "dicom/read/dataset.h"
 #include "dicom/segmentation/grid_placement.h"
+#include "segmentation/drawing.h"
 #include "support.h"
 
 namespace macula::dicom::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A segmentation object of which everything can be wrong.
-struct Drawing {
-    struct Frame {
-        glm::dvec3 positionMm{0.0};
-        int segment = 1;
-    };
-    std::string type = "BINARY";
-    std::string sopClass = "1.2.840.10008.5.1.4.1.1.66.4";
-    std::string transferSyntax = kExplicit;
-    int columns = 5;
-    int rows = 3;
-    int bits = 1;
-    std::string orientation = "1\\0\\0\\0\\1\\0";
-    std::string pixelSpacing = "0.5\\0.25";  // between rows, between columns
-    std::string sliceSpacing = "2";
-    std::vector<Frame> frames;
-    std::string claimedFrames;  // when not as many as there are
-    std::vector<int> segments{1, 2};
-    std::string more;    // elements of the top level, from group 62 on
-    std::string pixels;  // packed
-};
-
-std::string word(int value) {
-    return bytesOf(static_cast<std::uint64_t>(value), 2);
-}
-
-std::string bytesOfDrawing(const Drawing& d) {
-    const auto us = [](Tag tag, int value) { return shortElement(tag, "US", word(value)); };
-    std::vector<std::string> segments, frames;
-    for (const int number : d.segments) {
-        segments.push_back(us({0x0062, 0x0004}, number) +
-                           shortElement({0x0062, 0x0005}, "LO", fmt::format("label {}", number)) +
-                           shortElement({0x0062, 0x0008}, "CS", "MANUAL"));
-    }
-    for (const Drawing::Frame& f : d.frames) {
-        const std::string position =
-            fmt::format("{}\\{}\\{}", f.positionMm.x, f.positionMm.y, f.positionMm.z);
-        std::string frame =
-            sequence({0x0020, 0x9113}, {shortElement(tag::kImagePositionPatient, "DS", position)});
-        if (f.segment != 0) frame += sequence({0x0062, 0x000A}, {us({0x0062, 0x000B}, f.segment)});
-        frames.push_back(frame);
-    }
-    const std::string shared =
-        sequence({0x0020, 0x9116}, {shortElement(tag::kImageOrientationPatient, "DS", d.orientation)}) +
-        sequence({0x0028, 0x9110}, {shortElement({0x0018, 0x0088}, "DS", d.sliceSpacing) +
-                                    shortElement(tag::kPixelSpacing, "DS", d.pixelSpacing)});
-    const std::string count = d.claimedFrames.empty() ? std::to_string(d.frames.size()) : d.claimedFrames;
-    const std::string dataset =
-        shortElement(tag::kSopClassUid, "UI", d.sopClass) + shortElement(tag::kModality, "CS", "SEG") +
-        sequence({0x0008, 0x1115}, {shortElement(tag::kSeriesInstanceUid, "UI", "1.2.3.4")}) +
-        shortElement(tag::kSeriesInstanceUid, "UI", "1.2.9") + us(tag::kSamplesPerPixel, 1) +
-        shortElement(tag::kNumberOfFrames, "IS", count) + us(tag::kRows, d.rows) +
-        us(tag::kColumns, d.columns) + us(tag::kBitsAllocated, d.bits) + us(tag::kBitsStored, d.bits) +
-        us(tag::kHighBit, d.bits - 1) + us(tag::kPixelRepresentation, 0) +
-        shortElement({0x0062, 0x0001}, "CS", d.type) + sequence({0x0062, 0x0002}, segments) + d.more +
-        sequence(tag::kSharedFunctionalGroups, {shared}) + sequence(tag::kPerFrameFunctionalGroups, frames) +
-        longElement(tag::kPixelData, d.bits > 8 ? "OW" : "OB", static_cast<std::uint32_t>(d.pixels.size())) +
-        d.pixels;
-    return preamble(d.transferSyntax) + (d.transferSyntax == kDeflated ? deflated(dataset) : dataset);
-}
 
 // Pixels of 1 bit, one after the other, least significant first; no frame begins at a byte of its own.
 std::string packed(const std::vector<int>& bits) {
