@@ -70,7 +70,8 @@ struct BesideState {
     double boundMm = 0.0;             // of a registration: RigidRegistration::boundMm
     bool isDoubtful = false;          // the same: RigidRegistration::isDoubtful
     BesideView view = BesideView::beside;
-    std::optional<DisplayWindow> window = {};  // nothing: that of the series, or of activity
+    std::optional<DisplayWindow> window = {};  // nothing: that of the series (seriesWindow)
+    bool linksWindow = false;                  // on slices the study's, whatever `window` is
     double opacity = kUsualOpacity;            // over the study, 0 to 1
     slices::ColourTable colours = slices::ColourTable::hotIron;
     bool in3d = false;  // and in the 3D picture, in one with the study

@@ -62,8 +62,8 @@ Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
 bool BesideState::operator==(const BesideState& b) const {
     return seriesDigest == b.seriesDigest && volume == b.volume && volumeKey == b.volumeKey &&
            link == b.link && secondFromStudy == b.secondFromStudy && boundMm == b.boundMm &&
-           isDoubtful == b.isDoubtful && view == b.view && window == b.window && opacity == b.opacity &&
-           colours == b.colours && in3d == b.in3d &&
+           isDoubtful == b.isDoubtful && view == b.view && window == b.window &&
+           linksWindow == b.linksWindow && opacity == b.opacity && colours == b.colours && in3d == b.in3d &&
            sameValue(preset, b.preset,
                      [](const TransferFunction& x, const TransferFunction& y) { return isSame(x, y); });
 }

@@ -41,12 +41,8 @@ std::string plainTag(const OpenedStudy& study);
 bool shareFrameOfReference(const OpenedStudy& study, const OpenedStudy& second);
 
 // How they are linked before anybody registers: by their frame of reference, or by hand with the middle of
-// one on the middle of the other.
+// one on the middle of the other. Phases of one series share a window.
 BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second);
-
-// What a second volume is seen through when nobody has set a window: that of the series; of activity (PET)
-// from nothing to the uptake of what is brightest but for one voxel in a thousand.
-DisplayWindow secondWindow(const Volume& second);
 
 // Whether the state is of this volume: what is registered of one phase says nothing of another.
 bool isOf(const BesideState& state, const OpenedStudy& second);
