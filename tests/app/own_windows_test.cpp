@@ -62,7 +62,7 @@ TEST(OwnWindows, OfSuvAreFoundByEitherName) {
         options.unitName = name;
         return Volume::create(std::move(options), std::vector<std::uint16_t>(8, 1000)).value();
     };
-    const std::vector<OwnWindow> all{window("old", 5.0, "g/mL"), window("new", 5.0, "SUV"), window("CT")};
+    const std::vector<OwnWindow> all{window("old", 5.0, "g/mL"), window("new", 5.0, "SUV bw"), window("CT")};
     EXPECT_EQ(ownWindowsFor(all, volumeIn(Unit::suvBodyWeight, "")),
               (std::vector<OwnWindow>{all[0], all[1]}));
     EXPECT_EQ(ownWindowsFor(all, volumeIn(Unit::other, "g/mL")), (std::vector<OwnWindow>{all[0]}));
