@@ -41,7 +41,7 @@ TEST(Interpolated, PlanesAcrossMeetAllAndAxialOnesTheirOwn) {
         const Ranges met = interpolatedIn(volume, frameOf(Orientation::axial, {10, 10, 2.0 * k}), {});
         EXPECT_EQ(met, k == 3 || k == 4 ? Ranges{all[0]} : k == 8 ? Ranges{all[1]} : Ranges{}) << k;
     }
-    // Zoomed in to where none is: 12 pixels are 6 mm, that is slices 4.5 to 7.5.
+    // Zoomed in to where none is: 10 pixels are 5 mm, that is slices 4.75 to 7.25.
     EXPECT_EQ(interpolatedIn(volume, frameOf(Orientation::coronal, {10, 10, 12}, {60, 10}), {}), Ranges{});
 }
 

@@ -172,6 +172,7 @@ void OverlayPainter::crosshair() const {
 // Dashed, so that nobody takes them for the cross-hair.
 void OverlayPainter::interpolatedEdges() const {
     painter_.save();
+    painter_.setRenderHint(QPainter::Antialiasing, false);  // most lie along rows
     painter_.setPen(QPen(kNoteInk, 1.0, Qt::DashLine));
     for (const slices::PictureLine& edge : overlay_.interpolatedEdges) {
         const glm::dvec2 from = edge.from / overlay_.pixelRatio;
