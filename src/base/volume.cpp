@@ -1,7 +1,6 @@
 #include "base/volume.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -14,7 +13,6 @@ namespace {
 
 constexpr double kAirHu = -1000.0;
 constexpr std::int64_t kMaxVoxelsPerAxis = 65536;
-constexpr double kLargestStored = 65535.0;
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 
 // Calls body(first, count) for chunks of `size` elements, on all cores.
@@ -42,20 +40,6 @@ std::pair<T, T> rangeWithoutPadding(std::span<const T> voxels, const IsPadding& 
         range.second = std::max(range.second, local.second);
     });
     return range;
-}
-
-bool areWholeNumbers(std::span<const float> values, std::optional<float> padding) {
-    std::atomic<bool> whole{true};
-    inChunks(values.size(), [&](std::size_t first, std::size_t count) {
-        if (!whole) return;
-        for (const float value : values.subspan(first, count)) {
-            if (!std::isnan(value) && value != padding && value != std::trunc(value)) {
-                whole = false;
-                return;
-            }
-        }
-    });
-    return whole;
 }
 
 Result<void> checkOptions(const VolumeOptions& options, std::size_t voxels) {
@@ -91,7 +75,7 @@ std::string_view unitSymbol(Unit unit) {
         case Unit::becquerelsPerMillilitre:
             return "Bq/mL";
         case Unit::suvBodyWeight:
-            return "SUV";
+            return "SUV bw";
         case Unit::raw:
         case Unit::other:
             break;
@@ -200,55 +184,6 @@ Box Volume::worldBox() const {
         box.high = glm::max(box.high, world);
     }
     return box;
-}
-
-std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume) {
-    if (volume->format() == VoxelFormat::stored16) return volume;
-    const std::span<const float> values = volume->floatVoxels();
-    const std::optional<float> padding = volume->floatPadding();
-    const auto [low, high] = volume->valueRange().value_or(ValueRange{});
-
-    // Stored 0 is padding, 1 the smallest value. Whole numbers stay exact where there is room for them; where
-    // all values are the same one, a step of its own size keeps it so.
-    UnitsFromStored map;
-    map.slope = (high - low) / (kLargestStored - 1.0);
-    if (map.slope > 0.0 && map.slope <= 1.0 && areWholeNumbers(values, padding)) map.slope = 1.0;
-    if (!(map.slope > 0.0)) map.slope = low != 0.0 ? std::abs(low) : 1.0;
-    map.intercept = low - map.slope;
-
-    std::vector<std::uint16_t> stored(values.size());
-    std::mutex mutex;
-    double largestError = 0.0;
-    inChunks(values.size(), [&](std::size_t first, std::size_t count) {
-        double error = 0.0;
-        for (std::size_t i = first; i < first + count; ++i) {
-            const double value = values[i];
-            if (std::isnan(value) || value == padding) continue;
-            const double steps = std::round((value - map.intercept) / map.slope);
-            stored[i] = static_cast<std::uint16_t>(std::clamp(steps, 1.0, kLargestStored));
-            error = std::max(error, std::abs(map(stored[i]) - value));
-        }
-        const std::lock_guard lock(mutex);
-        largestError = std::max(largestError, error);
-    });
-
-    VolumeOptions options{.size = volume->size(),
-                          .worldFromVoxel = volume->worldFromVoxel(),
-                          .unitsFromStored = map,
-                          .unit = volume->unit(),
-                          .modality = volume->modality(),
-                          .padding = StoredRange{0, 0},
-                          .provenance = volume->provenance(),
-                          .floatPadding = {},
-                          .unitName = volume->unitName(),
-                          .windows = volume->windows()};
-    if (largestError > 0.0) {
-        options.provenance.assumptions.push_back(fmt::format(
-            "The values were brought to 16 bits for the picture, with an error of at most {:.3g}{}{}.",
-            largestError, options.unitName.empty() ? "" : " ", options.unitName));
-    }
-    auto made = Volume::create(std::move(options), std::move(stored));
-    return std::make_shared<const Volume>(std::move(made).value());
 }
 
 }  // namespace macula

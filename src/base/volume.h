@@ -163,9 +163,9 @@ class Volume {
     std::optional<ValueRange> valueRange_;
 };
 
-// For what needs 16 bits: the volume itself when it has them, else a copy, quantised over the range of its
-// values, padding apart as stored 0; the largest error, if there is any, is among the copy's assumptions. May
-// throw std::bad_alloc.
+// For what draws, and needs 16 bits: the volume itself when it has them, else a copy, quantised, in which a few
+// values may be brought to the ends of the range of the others; what that cost is among its assumptions
+// (base/quantised.h). Nobody measures on it. May throw std::bad_alloc.
 std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume);
 
 }  // namespace macula

@@ -97,7 +97,8 @@ Result<void> exportSeries(const Options& options) {
     const auto start = std::chrono::steady_clock::now();
     if (options.series.empty() || formats::isVolumeFileName(options.path) || options.path == "phantom:") {
         MACULA_TRY(app::StudyInput study,
-                   app::loadStudy(options.path, options.series, progress, options.volume, options.how));
+                   app::loadStudy(options.path, options.series, progress, options.volume, options.how,
+                                  app::PetUnit::asInImages));
         return exportVolume(options, std::move(study), app::secondsSince(start), progress);
     }
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
@@ -111,7 +112,8 @@ Result<void> exportSeries(const Options& options) {
         return exportSegmentation(options, scan, *series, progress);
     }
     MACULA_TRY(app::StudyInput study,
-               app::loadStudy(scan, options.path, options.series, progress, options.volume));
+               app::loadStudy(scan, options.path, options.series, progress, options.volume,
+                              app::PetUnit::asInImages));
     return exportVolume(options, std::move(study), app::secondsSince(start), progress);
 }
 

@@ -55,10 +55,28 @@ std::vector<double> placesOf(const Stack& stack) {
     return places;
 }
 
+// Of values that are Bq/mL, or SUV already.
+std::optional<double> suvFactorOf(const Stack& stack) {
+    const ValueUnit unit = valueUnit(stack.modality, stack.frames);
+    const bool isSuv = unit.unit == Unit::other && unit.name == kGramsPerMillilitre;
+    return isSuv || unit.unit == Unit::becquerelsPerMillilitre ? stack.suvFactor : std::nullopt;
+}
+
+// LINEAR counts in steps of one (PS3.3 C.11.2.1.2.1), which other units do not have.
+DisplayWindow timesSuv(const DisplayWindow& window, double factor) {
+    DisplayWindow scaled = window;
+    const bool isLinear = window.function.empty() || window.function == "LINEAR";
+    scaled.center = factor * (isLinear ? window.center - 0.5 : window.center);
+    scaled.width = factor * (isLinear ? std::max(window.width - 1.0, 0.0) : window.width);
+    if (isLinear) scaled.function = "LINEAR_EXACT";
+    return scaled;
+}
+
 // The state of loading one stack.
 class Loading {
   public:
-    Loading(const Series& series, const Stack& stack) : series_(series), stack_(stack) {
+    Loading(const Series& series, const Stack& stack, const LoadOptions& options)
+        : series_(series), stack_(stack), suv_(options.inSuv ? suvFactorOf(stack) : std::nullopt) {
         for (const Frame& frame : stack.frames) intensities_.push_back(sliceIntensity(frame));
         if (auto said = completePadding(intensities_)) assumptions_.push_back(*said);
         plan_ = planFromFormats(intensities_);
@@ -92,6 +110,14 @@ class Loading {
     // The first slices of the stack are lost, so that the volume's are numbered otherwise.
     bool isRenumbered() const { return usable_.first > 0; }
     bool isFloat() const { return plan_.format == VoxelFormat::float32; }
+    UnitsFromStored inShownUnits(const UnitsFromStored& map) const {
+        const double factor = suv_.value_or(1.0);
+        return {.slope = factor * map.slope, .intercept = factor * map.intercept};
+    }
+    void toShownUnits(std::vector<float>& values) const {
+        if (!suv_) return;
+        for (float& value : values) value = static_cast<float>(*suv_ * double{value});
+    }
     std::size_t sliceVoxels() const {
         return static_cast<std::size_t>(stack_.columns) * static_cast<std::size_t>(stack_.rows);
     }
@@ -118,6 +144,7 @@ class Loading {
 
     const Series& series_;
     const Stack& stack_;
+    const std::optional<double> suv_;  // of a value; nothing: values stay as they are
     std::vector<SliceIntensity> intensities_;
     IntensityPlan plan_;
     std::vector<double> places_;
@@ -223,8 +250,13 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
         });
     assumptions.insert(assumptions.end(), assumptions_.begin(), assumptions_.end());
     if (!isFloat()) {
-        options.unitsFromStored = plan_.unitsFromStored;
+        options.unitsFromStored = inShownUnits(plan_.unitsFromStored);
         options.padding = plan_.padding;
+    }
+    if (suv_) {
+        options.unit = Unit::suvBodyWeight;
+        options.unitName.clear();
+        for (DisplayWindow& window : options.windows) window = timesSuv(window, *suv_);
     }
     return options;
 }
@@ -250,8 +282,13 @@ std::shared_ptr<const Volume> Loading::coarse(std::span<const std::size_t> frame
         return voxels;
     };
     VolumeOptions options = describe(first, kCoarseStep, slices);
-    auto volume = isFloat() ? Volume::createFloat(std::move(options), filled(valueFrames_))
-                            : Volume::create(std::move(options), filled(storedFrames_));
+    const auto made = [&] {
+        if (!isFloat()) return Volume::create(std::move(options), filled(storedFrames_));
+        std::vector<float> values = filled(valueFrames_);
+        toShownUnits(values);
+        return Volume::createFloat(std::move(options), std::move(values));
+    };
+    auto volume = made();
     if (!volume) return nullptr;
     return std::make_shared<const Volume>(std::move(*volume));
 }
@@ -381,11 +418,12 @@ Result<Volume> Loading::make(Progress& progress) {
     if (!isFloat()) return Volume::create(std::move(options), std::move(stored_));
     if (plan_.steps) {
         if (auto narrow = narrowed(values_, *plan_.steps, progress.token())) {
-            options.unitsFromStored = narrow->unitsFromStored;
+            options.unitsFromStored = inShownUnits(narrow->unitsFromStored);
             options.padding = narrow->padding;
             return Volume::create(std::move(options), std::move(narrow->voxels));
         }
     }
+    toShownUnits(values_);
     return Volume::createFloat(std::move(options), std::move(values_));
 }
 
@@ -440,7 +478,7 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Sta
     std::uint64_t bytes = 0;
     try {
         MACULA_TRY_VOID(check(stack));
-        Loading loading(series, stack);
+        Loading loading(series, stack, options);
         bytes = loading.bytesNeeded(options);
         if (const auto available = availableMemory(); available && bytes > *available)
             return notEnoughMemory(bytes, *available);

@@ -16,6 +16,9 @@ struct LoadOptions {
     // are there; not for fewer than 16 slices. Must not throw, and must return soon: the other threads go on
     // meanwhile.
     std::function<void(std::shared_ptr<const Volume>)> onCoarse;
+    // PET in SUV by body weight, with its windows, where Stack::suvFactor is known; else as the images have
+    // it.
+    bool inSuv = false;
 };
 
 // Decodes all frames on all cores, every fourth slice first, straight into the volume's only copy of the

@@ -2,6 +2,11 @@
 
 #include <algorithm>
 
+#include "pipeline/volume/transfer_function.h"
+#include "pipeline/volume/window.h"
+#include "presets/catalogue.h"
+#include "presets/seen_values.h"
+
 namespace macula::presets {
 
 namespace {
@@ -32,11 +37,31 @@ bool hasLungs(const Volume& volume) {
     return fraction > kLeastFraction && volumeMm3 > kLeastLungMm3;
 }
 
+std::string usualTransfer(const Volume& volume) {
+    if (volume.unit() == Unit::hounsfield) return hasLungs(volume) ? "cinematic-chest" : "cinematic-bone";
+    const bool isEmission = isActivity(volume) || volume.modality() == "NM";
+    return isEmission ? "cinematic-pet" : "cinematic-mr";
+}
+
+bool isMadeFor(const TransferFunction& preset, const Volume& volume) {
+    const auto& made = preset.modalities;
+    return suits(preset, volume.unit()) && (made.empty() || volume.modality().empty() ||
+                                            std::ranges::find(made, volume.modality()) != made.end());
+}
+
 }  // namespace
 
 std::string defaultTransfer(const Volume& volume) {
-    if (volume.unit() != Unit::hounsfield) return "cinematic-mr";
-    return hasLungs(volume) ? "cinematic-chest" : "cinematic-bone";
+    std::string usual = usualTransfer(volume);
+    const auto presets = builtInPresets();
+    if (!presets) return usual;
+    const SeenValues values(volume);
+    const auto named = std::ranges::find(*presets, usual, &TransferFunction::name);
+    if (named == presets->end() || values.areSeenWith(*named)) return usual;
+    const auto next = std::ranges::find_if(*presets, [&](const TransferFunction& preset) {
+        return isMadeFor(preset, volume) && validate(preset).ok() && values.areSeenWith(preset);
+    });
+    return next == presets->end() ? usual : next->name;
 }
 
 }  // namespace macula::presets

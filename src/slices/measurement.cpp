@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "slices/cut_voxels.h"
+#include "slices/interpolated.h"
 
 namespace macula::slices {
 
@@ -32,8 +33,9 @@ double lengthOf(const glm::dvec3& vector) {
 // Welford's sums: the mean of large values with a small deviation keeps its digits.
 class Sums {
   public:
-    void add(double value) {
+    void add(double value, bool isInterpolated) {
         ++values_.voxels;
+        if (isInterpolated) ++values_.interpolated;
         const double before = value - values_.mean;
         values_.mean += before / double(values_.voxels);
         squares_ += before * (value - values_.mean);
@@ -137,7 +139,7 @@ std::optional<EllipseValues> valuesIn(const Ellipse& ellipse, const Volume& volu
     forEachCutVoxel(ellipse, volume, [&](const glm::ivec3& voxel) {
         if (volume.isPadding(voxel.x, voxel.y, voxel.z)) return;
         const double value = volume.value(voxel.x, voxel.y, voxel.z);
-        if (std::isfinite(value)) sums.add(value);
+        if (std::isfinite(value)) sums.add(value, isInterpolated(volume, voxel.z));
     });
     EllipseValues values = sums.result();
     if (values.voxels == 0) return std::nullopt;
@@ -162,6 +164,23 @@ bool liesIn(const Measurement& measurement, const SlicePlane& plane, double tole
     }
     return std::ranges::all_of(pointsOf(measurement),
                                [&](const glm::dvec3& mm) { return distanceMm(mm) <= toleranceMm; });
+}
+
+std::optional<int> sliceOf(const Measurement& measurement, const Volume& volume) {
+    const glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel());
+    std::vector<glm::dvec3> points = pointsOf(measurement);
+    if (std::holds_alternative<Ellipse>(measurement.shape)) {  // its other side, too
+        points.push_back(2.0 * points[0] - points[1]);
+        points.push_back(2.0 * points[0] - points[2]);
+    }
+    std::optional<int> slice;
+    for (const glm::dvec3& mm : points) {
+        constexpr double kRounding = 1e-6;
+        const double at = std::round(transformPoint(voxelFromWorld, mm).z - kRounding);
+        if (!(at >= 0.0 && at < volume.size().z) || (slice && *slice != int(at))) return std::nullopt;
+        slice = int(at);
+    }
+    return slice;
 }
 
 bool hasSize(const Measurement& measurement) {

@@ -54,10 +54,11 @@ double angleDeg(const Angle& angle);
 double areaMm2(const Ellipse& ellipse);  // as it was drawn, also where there is no voxel
 
 struct EllipseValues {
-    double areaMm2 = 0.0;    // as above
-    std::size_t voxels = 0;  // that the rest is over
-    double mean = 0.0;       // in units, as the three below
-    double deviation = 0.0;  // of a sample: n - 1. NaN of one voxel
+    double areaMm2 = 0.0;          // as above
+    std::size_t voxels = 0;        // that the rest is over
+    std::size_t interpolated = 0;  // of these, in slices in which no image was taken
+    double mean = 0.0;             // in units, as the three below
+    double deviation = 0.0;        // of a sample: n - 1. NaN of one voxel
     double low = 0.0;
     double high = 0.0;
 };
@@ -70,6 +71,10 @@ std::optional<EllipseValues> valuesIn(const Ellipse& ellipse, const Volume& volu
 
 // All of it within `toleranceMm` of the plane of the frame, and drawn on one parallel to it, to a degree.
 bool liesIn(const Measurement& measurement, const SlicePlane& plane, double toleranceMm);
+
+// The slice of the volume in whose thickness all of it lies; nothing where it goes through several, or lies
+// outside of the volume.
+std::optional<int> sliceOf(const Measurement& measurement, const Volume& volume);
 
 // Whether it says a length or an area: all but angles do.
 bool hasSize(const Measurement& measurement);

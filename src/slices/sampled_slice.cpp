@@ -6,6 +6,7 @@
 #include <span>
 
 #include "base/parallel.h"
+#include "slices/interpolated.h"
 #include "slices/slab_steps.h"
 #include "slices/voxel_grid.h"
 #include "slices/voxel_places.h"
@@ -196,7 +197,8 @@ std::optional<Probe> probe(const Volume& volume, const glm::dvec3& mm) {
     const glm::ivec3 voxel = nearestVoxel(at, volume.size());
     return Probe{.voxel = voxel,
                  .value = volume.value(voxel.x, voxel.y, voxel.z),
-                 .isPadding = volume.isPadding(voxel.x, voxel.y, voxel.z)};
+                 .isPadding = volume.isPadding(voxel.x, voxel.y, voxel.z),
+                 .isInterpolated = isInterpolated(volume, voxel.z)};
 }
 
 }  // namespace macula::slices

@@ -45,6 +45,7 @@ struct Probe {
     glm::ivec3 voxel{0};
     double value = 0.0;  // in units
     bool isPadding = false;
+    bool isInterpolated = false;  // no image was taken in its slice
 };
 std::optional<Probe> probe(const Volume& volume, const glm::dvec3& mm);
 

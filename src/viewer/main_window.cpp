@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/study/carried_view.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
@@ -315,6 +316,9 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
         sessionNote_ = tr("This study is shown as it was left. The View menu shows it as when first opened.");
     }
     if (options_.restores == Restores::work) left.reset();
+    now.slices = app::carriedSlices(this->study(), before.slices, study, now.slices);
+    const bool keepsCamera = app::staysInPlace(this->study(), study) && !viewport_->framedFrom();
+    const Camera camera = toCamera(viewport_->camera());
     presetNote_ = presetWarning(*now.preset, volume);
     pick_->cancel();
     session_.show(study, std::move(now));
@@ -324,7 +328,9 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     app::Drawing first = shown_->drawing();
     visibilityNote_ = visibilityNote(first, volume, catalogue());
     viewport_->setStudy(study.volume, linesToShow(study.identity), std::move(first), options_.firstView);
-    if (left && left->camera) {
+    if (keepsCamera) {
+        viewport_->showFrom(camera);
+    } else if (left && left->camera) {
         viewport_->showFrom(*left->camera);
     } else if (left) {
         viewport_->setParallel(false);

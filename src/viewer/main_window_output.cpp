@@ -129,11 +129,11 @@ void MainWindow::askWhereToSaveMeasurements() {
         dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).chopped(1));
     });
     // Those of now: while a person looks for a folder another study may come.
-    ask(dialog,
-        [this, measurements = session_.state().measurements, volume = study().volume](const QString& path) {
-            tellOfFile(app::writeMeasurements(path.toStdString(), measurements, *volume),
-                       tr("The measurements are written to %1.").arg(path));
-        });
+    ask(dialog, [this, measurements = session_.state().measurements, volume = study().measured(),
+                 numbers = study().imageNumbers](const QString& path) {
+        tellOfFile(app::writeMeasurements(path.toStdString(), measurements, {*volume, numbers}),
+                   tr("The measurements are written to %1.").arg(path));
+    });
 }
 
 }  // namespace macula::viewer

@@ -26,10 +26,18 @@ dicom::Stack numbered(const Numbers& numbers) {
 TEST(ImageNumbers, ThoseOfASeriesThatIsNumberedFromTheHead) {
     EXPECT_EQ(imageNumbersOf(numbered({3, 2, 1}), 3), (Numbers{3, 2, 1}));
     EXPECT_EQ(imageNumbersOf(numbered({101, 102, 103}), 3), (Numbers{101, 102, 103}));
+    EXPECT_EQ(imageNumbersOf(numbered({1, 2, 3}), 3), (Numbers{1, 2, 3}));
+}
+
+TEST(ImageNumbers, SayNothingBesideThoseOfSlicesWhereTheyCountTheSame) {
+    EXPECT_TRUE(countAsSlices(Numbers{1, 2, 3}));
+    EXPECT_TRUE(countAsSlices(Numbers{1, 0, 3})) << "one is interpolated";
+    EXPECT_TRUE(countAsSlices(Numbers{}));
+    EXPECT_FALSE(countAsSlices(Numbers{3, 2, 1}));
+    EXPECT_FALSE(countAsSlices(Numbers{11, 12, 13}));
 }
 
 TEST(ImageNumbers, NoneWhereTheySayNothingOrMayBeWrong) {
-    EXPECT_EQ(imageNumbersOf(numbered({1, 2, 3}), 3), Numbers{}) << "as the slices are counted";
     EXPECT_EQ(imageNumbersOf(numbered({3, 0, 1}), 3), Numbers{}) << "one is missing";
     EXPECT_EQ(imageNumbersOf(numbered({3, 3, 1}), 3), Numbers{}) << "one stands twice";
     EXPECT_EQ(imageNumbersOf(numbered({3, -2, 1}), 3), Numbers{});

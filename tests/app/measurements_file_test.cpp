@@ -97,7 +97,7 @@ TEST(MeasurementsCsv, HasALineForEachWithAllNumbers) {
     EXPECT_TRUE(
         csv.starts_with("kind,label,length_mm,angle_deg,area_mm2,voxels,mean,deviation,low,high,unit,"
                         "x1_mm,y1_mm,z1_mm,x2_mm,y2_mm,z2_mm,x3_mm,y3_mm,z3_mm,"
-                        "normal_x,normal_y,normal_z,calibrated\r\n"));
+                        "normal_x,normal_y,normal_z,calibrated,slice,image,interpolated_voxels\r\n"));
     std::vector<Row> rows = rowsOf(csv);
     ASSERT_EQ(rows.size(), 3u);
     Row& distance = rows[0];
@@ -178,6 +178,34 @@ TEST(MeasurementsCsv, WhatIsNotDefinedIsEmpty) {
     EXPECT_EQ(rows[2]["area_mm2"], "12.566");
     for (const char* empty : {"voxels", "mean", "deviation", "low", "high", "unit"})
         EXPECT_EQ(rows[2][empty], "") << empty;
+}
+
+// By which a report finds it again: the InstanceNumber, not the place in the volume.
+TEST(Measurements, SayTheSliceItsImageAndWhatIsInterpolated) {
+    std::vector<std::uint16_t> voxels(9 * 9 * 3, 7);
+    VolumeOptions options{.size = {9, 9, 3}};
+    options.provenance.interpolatedSlices = {{2, 2}};
+    const auto volume = Volume::create(std::move(options), std::move(voxels));
+    const std::vector<int> numbers{153, 152, 0};
+    std::vector<Measurement> measurements = oneOfEachKind();  // through slices, in the first, in the second
+    measurements.push_back(measurements[2]);
+    std::get<Ellipse>(measurements[3].shape).plane.centreMm.z = 2.0;
+    std::vector<Row> rows = rowsOf(measurementsCsv(measurements, {*volume, numbers}));
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0]["slice"] + rows[0]["image"], "") << "it goes through several";
+    EXPECT_EQ(rows[1]["slice"], "1");
+    EXPECT_EQ(rows[1]["image"], "153");
+    EXPECT_EQ(rows[1]["interpolated_voxels"], "") << "it has no voxels";
+    EXPECT_EQ(rows[2]["slice"], "2");
+    EXPECT_EQ(rows[2]["image"], "152");
+    EXPECT_EQ(rows[2]["interpolated_voxels"], "0");
+    EXPECT_EQ(rows[3]["slice"], "3");
+    EXPECT_EQ(rows[3]["image"], "") << "there is none";
+    EXPECT_EQ(rows[3]["interpolated_voxels"], "5");
+    const json all = json::parse(measurementsJsonText(measurements, {*volume, numbers}));
+    EXPECT_FALSE(all.at("measurements")[0].contains("slice"));
+    EXPECT_EQ(all.at("measurements")[2].at("image"), 152);
+    EXPECT_EQ(all.at("measurements")[3].at("interpolatedVoxels"), 5);
 }
 
 struct Commas : std::numpunct<char> {

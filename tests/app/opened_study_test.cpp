@@ -8,10 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "app/measure/measurements_file.h"
 #include "app/study/found_volumes.h"
+#include "app/study/study_input.h"
 #include "base/paths.h"
 #include "base/phantom.h"
 #include "dicom/support.h"
+#include "dicom/synthetic_pet.h"
+#include "formats/volume_file.h"
+#include "pipeline/volume/window.h"
+#include "slices/measurement.h"
+#include "slices/sampled_slice.h"
 
 namespace macula::app {
 namespace {
@@ -148,6 +155,87 @@ TEST_F(FileInAFolderOfTwo, EachVolumeIsListedWithItsPatient) {
         EXPECT_NE(study->volumeTitles[i].find(lines[3]), std::string::npos) << study->volumeTitles[i];
         EXPECT_EQ(other->volume->modality(), lines[3].substr(0, 2));
     }
+}
+
+// An ADC map, of whole and half numbers, in which one division went wrong. In 16 bits over all of its range
+// it would have steps of 15.
+TEST(OpenStudy, MeasuresWhatTheFileHas) {
+    constexpr int kSide = 40;
+    std::vector<float> voxels(std::size_t{kSide} * kSide * kSide);
+    for (std::size_t n = 0; n < voxels.size(); ++n)
+        voxels[n] = n % kSide < 20 ? 800.5F : 1400.0F + 0.25F * float(n % 3);
+    voxels.back() = 1e6F;
+    const auto made = Volume::createFloat({.size = glm::ivec3(kSide)}, std::move(voxels));
+    const dicom::test::TemporaryFolder folder;
+    Progress progress;
+    ASSERT_TRUE(formats::writeVolumeFile(*made, folder / "adc.nii", progress).ok());
+    const auto study = openStudy(folder / "adc.nii", progress);
+    ASSERT_TRUE(study.ok()) << study.error().message;
+    ASSERT_NE(study->inFloats, nullptr);
+    EXPECT_EQ(study->volume->format(), VoxelFormat::stored16);
+
+    slices::Ellipse ellipse{.radiiMm = {6.0, 6.0}};
+    ellipse.plane.centreMm = transformPoint(study->measured()->worldFromVoxel(), {10.0, 20.0, 20.0});
+    const auto values = slices::valuesIn(ellipse, *study->measured());
+    ASSERT_TRUE(values);
+    EXPECT_DOUBLE_EQ(values->mean, 800.5);
+    EXPECT_DOUBLE_EQ(values->deviation, 0.0);
+    const std::string csv =
+        measurementsCsv(std::vector<slices::Measurement>{{.shape = ellipse}}, *study->measured());
+    EXPECT_NE(csv.find(",800.5,0,800.5,800.5,"), std::string::npos) << csv;
+    const slices::SampledSlice slice =
+        slices::sampleSlice(*study->measured(), {.plane = ellipse.plane, .mmPerPixel = 1.0, .sizePx = {3, 3}},
+                            {}, slices::Filter::linear);
+    for (const float value : slice.values) EXPECT_EQ(value, 800.5F);
+    // Even what is drawn keeps its steps.
+    EXPECT_NEAR(study->volume->value(10, 20, 20), 800.5, 0.05);
+}
+
+TEST(OpenStudy, KeepsOneCopyOfVoxelsThat16BitsHold) {
+    const auto made = Volume::createFloat({.size = glm::ivec3(2)}, {-7, 0, 5, 600, 1, 2, 3, 4});
+    const dicom::test::TemporaryFolder folder;
+    Progress progress;
+    ASSERT_TRUE(formats::writeVolumeFile(*made, folder / "whole.nii", progress).ok());
+    const auto study = openStudy(folder / "whole.nii", progress);
+    ASSERT_TRUE(study.ok());
+    EXPECT_EQ(study->inFloats, nullptr);
+    EXPECT_EQ(study->measured(), study->volume);
+}
+
+TEST(OpenStudy, PetIsInSuvWithLowValuesWhiteAndAWindowUpToTen) {
+    for (const bool hasDose : {true, false}) {
+        const dicom::test::TemporaryFolder folder;
+        writeFiles(folder.path(), dicom::test::petSeries(hasDose));
+        Progress progress;
+        const auto study = openStudy(folder.path(), progress);
+        ASSERT_TRUE(study.ok()) << study.error().message;
+        EXPECT_TRUE(study->isLowBright);
+        const Volume& volume = *study->measured();
+        EXPECT_EQ(volume.unitName(), hasDose ? "SUV bw" : "Bq/mL");
+        const DisplayWindow window = seriesWindow(volume);
+        const double high = window.center + 0.5 * window.width;
+        EXPECT_DOUBLE_EQ(window.center, 0.5 * window.width) << "from 0";
+        if (hasDose) {
+            EXPECT_DOUBLE_EQ(high, std::min(10.0, volume.valueRange()->high));
+        } else {
+            EXPECT_GT(high, 0.5 * volume.valueRange()->high);
+            EXPECT_LE(high, volume.valueRange()->high);
+        }
+    }
+}
+
+// What others read has to be what the images say; what is drawn is as in the window.
+TEST(LoadStudy, ExportsHaveTheUnitOfTheImages) {
+    const dicom::test::TemporaryFolder folder;
+    writeFiles(folder.path(), dicom::test::petSeries());
+    Progress progress;
+    const auto drawn = loadStudy(folder.path(), {}, progress);
+    const auto exported = loadStudy(folder.path(), {}, progress, 0, {}, PetUnit::asInImages);
+    ASSERT_TRUE(drawn.ok() && exported.ok());
+    EXPECT_EQ(drawn->volume->unit(), Unit::suvBodyWeight);
+    EXPECT_EQ(exported->volume->unit(), Unit::becquerelsPerMillilitre);
+    EXPECT_NEAR(drawn->volume->valueRange()->high,
+                exported->volume->valueRange()->high * dicom::test::kSuvPerBqPerMl, 1e-6);
 }
 
 }  // namespace

@@ -412,8 +412,9 @@ TEST(PresetKinds, EachVolumeHasItsOwn) {
     EXPECT_FALSE(mr.contains("ct-bone") || mr.contains("uct-skull"));
     EXPECT_TRUE(fitting(Unit::raw, "US").contains("us-fetal"));
     EXPECT_TRUE(fitting(Unit::raw, "CT").contains("uct-skull"));
+    EXPECT_EQ(fitting(Unit::suvBodyWeight, "PT"), std::set<std::string>{"cinematic-pet"});
     // Nothing is made for it: what it is shown with is there.
-    EXPECT_EQ(fitting(Unit::suvBodyWeight, "PT"), std::set<std::string>{"cinematic-mr"});
+    EXPECT_EQ(fitting(Unit::raw, "OT"), std::set<std::string>{"cinematic-mr"});
     EXPECT_EQ(kindOf(**findPreset(catalogue, "uct-skull")), "µCT");
     EXPECT_EQ(kindOf(**findPreset(catalogue, "dti-fa-brain")), "DTI");
     EXPECT_EQ(kindOf(**findPreset(catalogue, "ct-bone")), "CT");

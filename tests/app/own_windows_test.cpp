@@ -55,16 +55,18 @@ TEST(OwnWindows, OneTakesThePlaceOfItsName) {
     EXPECT_TRUE(withOwnWindow(full, window("3", 5.0)).ok());
 }
 
-// SUV was called by its unit of mass and volume once: those windows are still there, and for nothing else.
+// SUV was called by its unit of mass and volume once, and without saying of what: those windows are still
+// there, and for nothing else.
 TEST(OwnWindows, OfSuvAreFoundByEitherName) {
     const auto volumeIn = [](Unit unit, const std::string& name) {
         VolumeOptions options{.size = glm::ivec3(2), .unit = unit, .modality = "PT"};
         options.unitName = name;
         return Volume::create(std::move(options), std::vector<std::uint16_t>(8, 1000)).value();
     };
-    const std::vector<OwnWindow> all{window("old", 5.0, "g/mL"), window("new", 5.0, "SUV"), window("CT")};
+    const std::vector<OwnWindow> all{window("old", 5.0, "g/mL"), window("new", 5.0, "SUV bw"),
+                                     window("later", 5.0, "SUV"), window("CT")};
     EXPECT_EQ(ownWindowsFor(all, volumeIn(Unit::suvBodyWeight, "")),
-              (std::vector<OwnWindow>{all[0], all[1]}));
+              (std::vector<OwnWindow>{all[0], all[1], all[2]}));
     EXPECT_EQ(ownWindowsFor(all, volumeIn(Unit::other, "g/mL")), (std::vector<OwnWindow>{all[0]}));
     EXPECT_TRUE(ownWindowsFor(all, volumeIn(Unit::becquerelsPerMillilitre, "")).empty());
 }

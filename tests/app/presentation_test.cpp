@@ -14,9 +14,12 @@
 #include "app/presentation/state_of_presentation.h"
 #include "app/state/state_wish.h"
 #include "app/study/found_volumes.h"
+#include "app/study/study_input.h"
 #include "base/sha256.h"
+#include "pipeline/volume/window.h"
 #include "support.h"
 #include "synthetic.h"
+#include "synthetic_pet.h"
 
 namespace macula::app {
 namespace {
@@ -501,6 +504,41 @@ TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
 }
 
 // Two phases in one file: a view of one is not taken for one of the other.
+// What is shown in SUV is written as the Bq/mL that the images have; of others such values are refused,
+// because nobody has said what they are in SUV.
+TEST_F(APresentation, ofPetHasTheValuesOfTheImages) {
+    const dicom::test::TemporaryFolder folder;
+    writeFiles(folder.path(), dicom::test::petSeries());
+    const auto scan = dicom::test::scan(folder.path());
+    ASSERT_TRUE(scan);
+    const dicom::Series& series = scan->studies.at(0).series.at(0);
+    Progress progress;
+    const auto pet = loadStudy(*scan, folder.path(), {}, progress);
+    ASSERT_TRUE(pet.ok());
+    ASSERT_EQ(pet->volume->unit(), Unit::suvBodyWeight);
+    PresentationWish wish;
+    wish.state = state_;
+    wish.state.preset = preset("cinematic-pet");
+    wish.state.settings.look = trace::Look::mip;
+    wish.state.windows.at(std::size_t(trace::Look::mip)) = windowOver({0.0, 8.0});
+    wish.state.camera = frameBox(pet->volume->worldBox(), ViewDirection::anterior, 25.0, 1.5);
+    wish.volume = pet->volume;
+    wish.images = *presentedImages(series, series.stacks.at(0));
+    const std::filesystem::path path = folder / "state.dcm";
+    ASSERT_TRUE(writePresentation(path, wish).ok());
+    const auto read = dicom::readPresentationState(path);
+    ASSERT_TRUE(read.ok());
+    const double becquerels = 8.0 / dicom::test::kSuvPerBqPerMl;
+    EXPECT_NEAR(read->presentation.palette.values.high, becquerels, 1e-3 * becquerels);
+    auto foreign = *read;
+    foreign.presentation.ownState.clear();
+    auto presented = stateOf(foreign, StudyState{}, "a.dcm");
+    ASSERT_TRUE(presented.ok());
+    const auto done = completeFor(*presented, foreign, *pet->volume, pet->seriesDigest, {}, "a.dcm");
+    ASSERT_FALSE(done.ok());
+    EXPECT_EQ(done.error().code, ErrorCode::inputNotUsable);
+}
+
 TEST_F(APresentation, ofSomeFramesOfAFileNamesThem) {
     const dicom::test::SyntheticSeries described;
     dicom::test::writeMultiFrame(folder_ / "study" / "all.dcm", described, dicom::test::slicesOf(described));

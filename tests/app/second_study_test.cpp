@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -151,24 +150,6 @@ TEST(SecondStudy, IsLinkedByItsFrameOfReferenceOrByHand) {
     second.identity = jane();
     second.frameOfReferenceUid = "1.2.4";
     EXPECT_EQ(firstLink(study, second, "pair").link, BesideLink::byHand);
-}
-
-TEST(SecondStudy, ActivityIsSeenFromNothingToTheBrightest) {
-    std::vector<float> voxels(10'000, 0.5F);
-    for (std::size_t n = 0; n < 100; ++n) voxels[n * 97] = 8.0F;
-    voxels[5] = 4000.0F;  // one hot pixel
-    const auto pet = Volume::createFloat(
-        {.size = {100, 100, 1}, .unit = Unit::suvBodyWeight, .modality = "PT"}, std::move(voxels));
-    const DisplayWindow window = secondWindow(*pet);
-    EXPECT_NEAR(window.center - 0.5 * window.width, 0.0, 0.6);
-    EXPECT_NEAR(window.center + 0.5 * window.width, 8.0, 0.6);
-    // Nothing is taken up anywhere, and nothing is a number.
-    for (const float value : {0.0F, std::numeric_limits<float>::quiet_NaN()}) {
-        const auto empty = Volume::createFloat(
-            {.size = glm::ivec3(3), .unit = Unit::becquerelsPerMillilitre, .modality = "PT"},
-            std::vector<float>(27, value));
-        EXPECT_TRUE(std::isfinite(secondWindow(*empty).center));
-    }
 }
 
 TEST(SecondStudy, IsFoundByItsDigestWhereThatIsOfOneVolume) {

@@ -93,6 +93,7 @@ StudyState everything() {
     beside.boundMm = 0.7;
     beside.isDoubtful = true;
     beside.view = BesideView::over;
+    beside.linksWindow = true;
     beside.window = DisplayWindow{.center = 4.0, .width = 8.0, .explanation = {}, .function = "LINEAR_EXACT"};
     beside.opacity = 0.3;
     beside.colours = slices::ColourTable::green;

@@ -33,6 +33,27 @@ TEST(WindowPresets, OfCtAreTheCustomaryOnes) {
     for (const int none : {0, -1, 10}) EXPECT_FALSE(windowPreset(volume, none));
 }
 
+// The usual window of PET is none of the file's, so that all of those are to be had.
+TEST(WindowPresets, OfPet) {
+    const auto pet = [](Unit unit) {
+        auto volume = Volume::create({.size = glm::ivec3(2),
+                                      .unit = unit,
+                                      .modality = "PT",
+                                      .windows = {named("OWN", 7.0), named("", 8.0)}},
+                                     {0, 1, 2, 3, 4, 5, 6, 8});
+        return *std::move(volume);
+    };
+    const Volume suv = pet(Unit::suvBodyWeight);
+    EXPECT_EQ(windowPreset(suv, 1)->name, "Usual for PET");
+    EXPECT_FALSE(windowPreset(suv, 1)->window);
+    EXPECT_EQ(windowPreset(suv, 2)->window, windowOver({0.0, 5.0}));
+    EXPECT_EQ(windowPreset(suv, 4)->window, windowOver({0.0, 15.0}));
+    EXPECT_EQ(windowPreset(suv, 9)->window, windowOver({0.0, 8.0}));
+    const Volume becquerels = pet(Unit::becquerelsPerMillilitre);
+    EXPECT_EQ(windowPreset(becquerels, 2)->name, "OWN");
+    EXPECT_EQ(windowPreset(becquerels, 3)->name, "Window 2");
+}
+
 TEST(WindowPresets, OfAnythingElseAreThoseOfTheSeries) {
     const Volume volume = volumeOf(Unit::raw, {named("OWN", 7.0), named("", 8.0), named("BONE", 9.0)});
     EXPECT_FALSE(windowPreset(volume, 1)->window);

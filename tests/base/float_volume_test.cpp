@@ -168,7 +168,7 @@ TEST(In16Bits, ErrorIsToldInTheUnitOfTheValues) {
         options.unitName = name;
         return in16Bits(floatVolume(voxels, options))->provenance().assumptions.at(0);
     };
-    EXPECT_TRUE(noteOf(Unit::suvBodyWeight, "").ends_with(" SUV."));
+    EXPECT_TRUE(noteOf(Unit::suvBodyWeight, "").ends_with(" SUV bw."));
     EXPECT_TRUE(noteOf(Unit::becquerelsPerMillilitre, "").ends_with(" Bq/mL."));
     EXPECT_TRUE(noteOf(Unit::other, "mSv").ends_with(" mSv."));
     EXPECT_TRUE(std::isdigit(static_cast<unsigned char>(noteOf(Unit::raw, "").rbegin()[1])));

@@ -115,13 +115,14 @@ TEST_F(Words, APictureTellsAllThatMadeIt) {
     const Ran ran = render(
         {"--look", "mip", "--window", "40,400", "--exposure", "2", "--view", "left", "--json", at("a.json")});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    const std::vector<std::string> keys{"macula:window",           "macula:exposure",
-                                        "macula:lightRotationDeg", "macula:cameraPositionMm",
-                                        "macula:verticalFovDeg",   "macula:notes"};
+    const std::vector<std::string> keys{
+        "macula:window",           "macula:unit",           "macula:exposure", "macula:lightRotationDeg",
+        "macula:cameraPositionMm", "macula:verticalFovDeg", "macula:notes"};
     const auto found = image::readMetadata(at("a.png"), keys);
     ASSERT_TRUE(found.ok());
     const std::map<std::string, std::string> metadata(found->begin(), found->end());
     EXPECT_EQ(metadata.at("macula:window"), "40,400");
+    EXPECT_EQ(metadata.at("macula:unit"), "HU");
     EXPECT_EQ(metadata.at("macula:exposure"), "2");
     EXPECT_EQ(metadata.at("macula:lightRotationDeg"), "0");
     EXPECT_EQ(metadata.at("macula:verticalFovDeg"), "30");

@@ -428,7 +428,7 @@ TEST(TextOf, HasTheUnitOfTheVolumeAndDigitsForSmallValues) {
     };
     EXPECT_EQ(text(Unit::raw, "", {}), "106 ± 62, min 35, max 160, 78.6 mm²");
     EXPECT_EQ(text(Unit::suvBodyWeight, "", {.slope = 0.01}),
-              "1.06 ± 0.62 SUV, min 0.35, max 1.60, 78.6 mm²");
+              "1.06 ± 0.62 SUV bw, min 0.35, max 1.60, 78.6 mm²");
     EXPECT_EQ(text(Unit::other, "mm²/s", {.slope = 1e-5}),
               "0.00106 ± 0.00062 mm²/s, min 0.00035, max 0.00160, 78.6 mm²");
     EXPECT_EQ(text(Unit::hounsfield, "", {.intercept = -106.0}), "0 ± 62 HU, min -71, max 54, 78.6 mm²")

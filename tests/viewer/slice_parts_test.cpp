@@ -76,6 +76,22 @@ TEST(MeasurementTexts, SayThatSizesAreNotCalibratedAndLeaveAnglesAlone) {
     EXPECT_EQ(texts.of({.shape = distance}, *test::sliceVolume()), QStringLiteral("5.0 mm"));
 }
 
+TEST(MeasurementTexts, SayHowMuchOfThemIsInterpolated) {
+    VolumeOptions options = test::sliceVolumeOptions();
+    options.provenance.interpolatedSlices = {{.first = 10, .last = 12}};
+    const auto volume = test::sliceVolume(std::move(options));
+    MeasurementTexts texts;
+    // A column of one voxel through slices 7 to 13: three of seven.
+    const slices::Ellipse column{.plane = slices::planeOf(Orientation::coronal, {0.0, 0.0, 0.0}),
+                                 .radiiMm = {0.4, 6.9}};
+    EXPECT_TRUE(texts.of({.shape = column}, *volume).endsWith(", 43 % interpolated"))
+        << texts.of({.shape = column}, *volume).toStdString();
+    const slices::Distance up{{glm::dvec3(0.0, 0.0, -10.0), {0.0, 0.0, 2.0}}};
+    EXPECT_EQ(texts.of({.shape = up}, *volume), "12.0 mm, ends in interpolated slices");
+    const slices::Distance below{{glm::dvec3(0.0, 0.0, -10.0), {0.0, 0.0, -4.0}}};
+    EXPECT_EQ(texts.of({.shape = below}, *volume), "6.0 mm");
+}
+
 TEST(SliceSteps, GoThroughTheVoxelsOfAStraightVolume) {
     const auto volume = test::sliceVolume();
     const SliceSteps axial(*volume, Orientation::axial, false);

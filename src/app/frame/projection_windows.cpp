@@ -19,7 +19,10 @@ constexpr double kNarrowestLinear = 2.0;
 }  // namespace
 
 DisplayWindow SeriesWindows::of(trace::Look look, const Volume& volume) const {
-    if (look != trace::Look::mip) return seriesWindow(volume);
+    if (look != trace::Look::mip) {
+        if (!series_) series_ = seriesWindow(volume);
+        return *series_;
+    }
     if (!maximum_) maximum_ = maximumWindow(volume);
     return *maximum_;
 }

@@ -18,10 +18,11 @@ class SeriesWindows {
   public:
     DisplayWindow of(trace::Look look, const Volume& volume) const;
     // Must be called before another volume is asked for.
-    void forget() { maximum_.reset(); }
+    void forget() { series_ = maximum_ = std::nullopt; }
 
   private:
-    mutable std::optional<DisplayWindow> maximum_;  // of the volume; takes a while to find
+    mutable std::optional<DisplayWindow> series_;  // of the volume; both take a while to find
+    mutable std::optional<DisplayWindow> maximum_;
 };
 
 // `from`, changed by a hand that moved by so much of the picture's height: wider to the right, brighter up.

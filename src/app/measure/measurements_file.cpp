@@ -25,25 +25,37 @@ using slices::Measurement;
 struct Said {
     std::optional<double> lengthMm, angleDeg, areaMm2;
     std::optional<slices::EllipseValues> values;
+    std::optional<int> slice;  // from 0
+    std::optional<int> imageNumber;
 };
 
-Said saidBy(const Measurement& measurement, const Volume& volume) {
+Said saidBy(const Measurement& measurement, const Measured& of) {
     Said said;
+    said.slice = slices::sliceOf(measurement, of.volume);
+    if (said.slice && std::size_t(*said.slice) < of.imageNumbers.size()) {
+        const int number = of.imageNumbers[std::size_t(*said.slice)];
+        if (number > 0) said.imageNumber = number;
+    }
     if (const auto* distance = std::get_if<slices::Distance>(&measurement.shape))
         said.lengthMm = slices::lengthMm(*distance);
     if (const auto* angle = std::get_if<slices::Angle>(&measurement.shape))
         said.angleDeg = slices::angleDeg(*angle);
     if (const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape)) {
         said.areaMm2 = slices::areaMm2(*ellipse);
-        said.values = slices::valuesIn(*ellipse, volume);
+        said.values = slices::valuesIn(*ellipse, of.volume);
     }
     return said;
 }
 
-constexpr std::array kColumns{"kind",  "label",     "length_mm", "angle_deg", "area_mm2", "voxels",
-                              "mean",  "deviation", "low",       "high",      "unit",     "x1_mm",
-                              "y1_mm", "z1_mm",     "x2_mm",     "y2_mm",     "z2_mm",    "x3_mm",
-                              "y3_mm", "z3_mm",     "normal_x",  "normal_y",  "normal_z", "calibrated"};
+constexpr std::array kColumns{"kind",      "label",     "length_mm",
+                              "angle_deg", "area_mm2",  "voxels",
+                              "mean",      "deviation", "low",
+                              "high",      "unit",      "x1_mm",
+                              "y1_mm",     "z1_mm",     "x2_mm",
+                              "y2_mm",     "z2_mm",     "x3_mm",
+                              "y3_mm",     "z3_mm",     "normal_x",
+                              "normal_y",  "normal_z",  "calibrated",
+                              "slice",     "image",     "interpolated_voxels"};
 constexpr std::size_t kMostPoints = 3;
 
 std::string field(std::string_view text) {
@@ -79,8 +91,9 @@ std::string line(std::span<const std::string> fields) {
     return fmt::format("{}\r\n", fmt::join(fields, ","));
 }
 
-std::string lineOf(const Measurement& measurement, const Volume& volume) {
-    const Said said = saidBy(measurement, volume);
+std::string lineOf(const Measurement& measurement, const Measured& of) {
+    const Volume& volume = of.volume;
+    const Said said = saidBy(measurement, of);
     std::vector<std::string> fields{std::string(slices::kindOf(measurement)),
                                     field(harmless(measurement.label)), number(said.lengthMm),
                                     number(said.angleDeg), number(said.areaMm2)};
@@ -99,6 +112,9 @@ std::string lineOf(const Measurement& measurement, const Volume& volume) {
     }
     for (int axis = 0; axis < 3; ++axis) fields.push_back(number(measurement.normal[axis]));
     fields.emplace_back(volume.provenance().isCalibrated ? "yes" : "no");
+    fields.push_back(said.slice ? std::to_string(*said.slice + 1) : std::string());
+    fields.push_back(said.imageNumber ? std::to_string(*said.imageNumber) : std::string());
+    fields.push_back(said.values ? std::to_string(said.values->interpolated) : std::string());
     MACULA_CHECK_EQ(fields.size(), kColumns.size());
     return line(fields);
 }
@@ -110,8 +126,9 @@ void nullWhatIsNotFinite(Json& json) {
         for (Json& part : json) nullWhatIsNotFinite(part);
 }
 
-Json jsonOf(const Measurement& measurement, const Volume& volume) {
-    const Said said = saidBy(measurement, volume);
+Json jsonOf(const Measurement& measurement, const Measured& of) {
+    const Volume& volume = of.volume;
+    const Said said = saidBy(measurement, of);
     Json json = toJson(measurement);
     if (said.lengthMm) json["lengthMm"] = *said.lengthMm;
     if (said.angleDeg) json["angleDeg"] = *said.angleDeg;
@@ -123,7 +140,10 @@ Json jsonOf(const Measurement& measurement, const Volume& volume) {
         json["low"] = values->low;
         json["high"] = values->high;
         json["unit"] = volume.unitName();
+        json["interpolatedVoxels"] = values->interpolated;
     }
+    if (said.slice) json["slice"] = *said.slice + 1;
+    if (said.imageNumber) json["image"] = *said.imageNumber;
     nullWhatIsNotFinite(json);
     return json;
 }
@@ -138,26 +158,26 @@ std::string loweredExtension(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string measurementsCsv(std::span<const Measurement> measurements, const Volume& volume) {
+std::string measurementsCsv(std::span<const Measurement> measurements, const Measured& of) {
     std::string text = line(std::vector<std::string>(kColumns.begin(), kColumns.end()));
-    for (const Measurement& measurement : measurements) text += lineOf(measurement, volume);
+    for (const Measurement& measurement : measurements) text += lineOf(measurement, of);
     return text;
 }
 
-std::string measurementsJsonText(std::span<const Measurement> measurements, const Volume& volume) {
+std::string measurementsJsonText(std::span<const Measurement> measurements, const Measured& of) {
     Json all = Json::array();
-    for (const Measurement& measurement : measurements) all.push_back(jsonOf(measurement, volume));
+    for (const Measurement& measurement : measurements) all.push_back(jsonOf(measurement, of));
     return prettyJson({{"version", 1},
                        {"frame", "patient LPS, mm"},
-                       {"calibrated", volume.provenance().isCalibrated},
+                       {"calibrated", of.volume.provenance().isCalibrated},
                        {"measurements", std::move(all)}});
 }
 
 Result<void> writeMeasurements(const std::filesystem::path& path, std::span<const Measurement> measurements,
-                               const Volume& volume) {
+                               const Measured& of) {
     const std::string extension = loweredExtension(path);
-    if (extension == ".csv") return writeTextAtomically(path, measurementsCsv(measurements, volume));
-    if (extension == ".json") return writeTextAtomically(path, measurementsJsonText(measurements, volume));
+    if (extension == ".csv") return writeTextAtomically(path, measurementsCsv(measurements, of));
+    if (extension == ".json") return writeTextAtomically(path, measurementsJsonText(measurements, of));
     return Error{ErrorCode::usage, "Measurements are written to a .csv or .json file.", path.string(),
                  "Choose a name with one of these endings."};
 }

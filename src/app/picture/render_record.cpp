@@ -31,6 +31,7 @@ void RenderRecord::add(const PictureRequest& request, const DrawnPicture& pictur
     width = request.sizePx.x;
     height = request.sizePx.y;
     settings = request.settings;
+    unit = unitSymbol(request.scene.volume->unit());
     statistics = picture.statistics;
     traceSeconds = picture.seconds;
     for (PictureNote& note : notesOf(picture, request)) notes.push_back(std::move(note.sentence));
@@ -55,6 +56,7 @@ image::Metadata metadata(const RenderRecord& record) {
             {"macula:fitted", record.presetFitted ? "yes" : "no"},
             {"macula:shading", settings.shading == trace::Shading::headlight ? "headlight" : "none"},
             {"macula:window", windowText(record.window)},
+            {"macula:unit", record.unit.empty() ? "none" : record.unit},
             {"macula:exposure", fmt::format("{:.6g}", settings.exposure)},
             {"macula:lightRotationDeg", fmt::format("{:.6g}", settings.lightRotationDeg)},
             {"macula:lightStrength", fmt::format("{:.6g}", settings.lightStrength)},
@@ -82,6 +84,7 @@ Json toJson(const RenderRecord& record) {
             {"presetFitted", record.presetFitted},
             {"shading", record.settings.shading == trace::Shading::headlight ? "headlight" : "none"},
             {"window", windowJson(record.window)},
+            {"unit", record.unit},
             {"clip", record.clip},
             {"tableRemoved", record.tableRemoved},
             {"masked", record.masked.empty() ? "none" : record.masked},

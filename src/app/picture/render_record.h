@@ -29,6 +29,7 @@ struct RenderRecord {
     trace::Settings settings;
     bool presetFitted = false;            // its curves were stretched to the volume
     std::optional<DisplayWindow> window;  // that it is seen through; of projections alone
+    std::string unit = {};                // of the values: unitSymbol, no word of a file
     trace::Statistics statistics;
     double loadSeconds = 0.0;
     double traceSeconds = 0.0;

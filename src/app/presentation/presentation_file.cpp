@@ -43,6 +43,7 @@ Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom
     const dicom::Instance& middle = *stack.frames[stack.frames.size() / 2].instance;
     images.middleFile = middle.file;
     images.middleSopInstanceUid = middle.sopInstanceUid;
+    images.suvFactor = stack.suvFactor;
     return images;
 }
 
@@ -51,6 +52,10 @@ Result<std::vector<std::string>> writePresentation(const std::filesystem::path& 
     const std::shared_ptr<const Volume> volume = in16Bits(wish.volume);
     MACULA_TRY(SaidState said,
                presentationOf(wish.state, *volume, wish.aspectWidthOverHeight, wish.isDeidentified));
+    if (volume->unit() == Unit::suvBodyWeight && wish.images.suvFactor) {
+        ValueRange& values = said.presentation.palette.values;
+        values = {values.low / *wish.images.suvFactor, values.high / *wish.images.suvFactor};
+    }
     said.presentation.series = wish.images.series;
     const dicom::PresentationOwner owner{
         .image = dicom::SecondaryCapture::Source{wish.images.middleFile, wish.images.middleSopInstanceUid},

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct PresentedImages {
     dicom::PresentedSeries series;
     std::filesystem::path middleFile;  // patient and study are taken from it
     std::string middleSopInstanceUid;
+    std::optional<double> suvFactor = {};  // dicom::Stack::suvFactor: the object has values of the images
 };
 
 // Of the stack that is shown. usage when it has no images, no frame of reference or no UID.

@@ -204,6 +204,10 @@ Result<void> completeFor(PresentedState& presented, const dicom::PresentationSta
     StudyState& state = presented.state;
     state.seriesDigest = std::string(seriesDigest);
     if (presented.isOwn) return {};
+    if (volume.unit() == Unit::suvBodyWeight)
+        return Error{ErrorCode::inputNotUsable,
+                     "The presentation state is of the values of the images, and this PET is shown in SUV.",
+                     where, "Choose a preset or a window in SUV."};
     if (said.method == dicom::RenderingMethod::volumeRendered) {
         TransferFunction function = *state.preset;
         function.unit = volume.unit();

@@ -21,7 +21,8 @@ using Json = nlohmann::ordered_json;
 constexpr JsonRange kCenter{-1e9, 1e9};
 constexpr JsonRange kWidth{1e-9, 1e9};
 constexpr std::size_t kLongestUnit = 100;
-constexpr std::string_view kUnitOfSuvBefore = "g/mL";  // as it was called when older windows were kept
+// As SUV was called when older windows were kept.
+constexpr std::array<std::string_view, 2> kUnitsOfSuvBefore{"g/mL", "SUV"};
 constexpr std::array<std::string_view, 3> kFunctions{"LINEAR", "LINEAR_EXACT", "SIGMOID"};
 
 bool isFunction(std::string_view name) {
@@ -94,7 +95,8 @@ std::vector<OwnWindow> ownWindowsFor(const std::vector<OwnWindow>& all, const Vo
     std::vector<OwnWindow> fitting;
     const bool isSuv = volume.unit() == Unit::suvBodyWeight;
     std::ranges::copy_if(all, std::back_inserter(fitting), [&](const OwnWindow& own) {
-        return own.unit == volume.unitName() || (isSuv && own.unit == kUnitOfSuvBefore);
+        return own.unit == volume.unitName() ||
+               (isSuv && std::ranges::find(kUnitsOfSuvBefore, own.unit) != kUnitsOfSuvBefore.end());
     });
     return fitting;
 }

@@ -1,6 +1,5 @@
 #include "app/slices/window_presets.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -25,10 +24,32 @@ constexpr CtPreset kCtPresets[] = {{2, "Soft tissue", 400.0, 40.0}, {3, "Lung", 
                                    {6, "Liver", 150.0, 30.0},       {7, "Mediastinum", 350.0, 50.0},
                                    {8, "Angiography", 600.0, 300.0}};
 
+// From 0 up to. Tumours against the liver, which has 2 to 3, and against what takes up most.
+struct SuvPreset {
+    int digit;
+    const char* name;
+    double highSuv;
+};
+constexpr SuvPreset kSuvPresets[] = {
+    {2, "SUV 0 to 5", 5.0}, {3, "SUV 0 to 7", 7.0}, {4, "SUV 0 to 15", 15.0}, {5, "SUV 0 to 20", 20.0}};
+
+void addThoseOfSeries(std::vector<WindowPreset>& presets, const Volume& volume) {
+    const std::vector<DisplayWindow>& windows = volume.windows();
+    // The usual window of activity is none of these, else it is the first.
+    std::size_t next = isActivity(volume) ? 0 : 1;
+    for (int digit = 2; digit < kAllValues && next < windows.size(); ++digit, ++next) {
+        const std::string& named = windows[next].explanation;
+        presets.push_back({.digit = digit,
+                           .name = named.empty() ? "Window " + std::to_string(next + 1) : named,
+                           .window = windows[next]});
+    }
+}
+
 }  // namespace
 
 std::vector<WindowPreset> windowPresets(const Volume& volume) {
-    std::vector<WindowPreset> presets{{.digit = 1, .name = "Of the series"}};
+    std::vector<WindowPreset> presets{
+        {.digit = 1, .name = isActivity(volume) ? "Usual for PET" : "Of the series"}};
     if (volume.unit() == Unit::hounsfield) {
         for (const CtPreset& ct : kCtPresets)
             presets.push_back(
@@ -36,15 +57,12 @@ std::vector<WindowPreset> windowPresets(const Volume& volume) {
                  .name = ct.name,
                  .window = DisplayWindow{
                      .center = ct.levelHu, .width = ct.widthHu, .explanation = {}, .function = {}}});
+    } else if (volume.unit() == Unit::suvBodyWeight) {
+        for (const SuvPreset& suv : kSuvPresets)
+            presets.push_back(
+                {.digit = suv.digit, .name = suv.name, .window = windowOver({0.0, suv.highSuv})});
     } else {
-        const std::vector<DisplayWindow>& windows = volume.windows();
-        const std::size_t most = std::min<std::size_t>(windows.size(), kAllValues - 1);
-        for (std::size_t i = 1; i < most; ++i) {
-            const std::string& named = windows[i].explanation;
-            presets.push_back({.digit = int(i) + 1,
-                               .name = named.empty() ? "Window " + std::to_string(i + 1) : named,
-                               .window = windows[i]});
-        }
+        addThoseOfSeries(presets, volume);
     }
     if (volume.valueRange())
         presets.push_back(

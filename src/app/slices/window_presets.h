@@ -15,8 +15,9 @@ struct WindowPreset {
     std::optional<DisplayWindow> window = {};  // nothing: that of the series, as in SliceState
 };
 
-// By ascending digits; 1 is the window of the series, 9 all values. Of CT in HU the customary ones stand
-// between them, of anything else further windows of the series.
+// By ascending digits; 1 is the window of the series (seriesWindow), 9 all values. Of CT in HU and of PET in
+// SUV the customary ones stand between them, of anything else further windows of the series; of other PET all
+// of these.
 std::vector<WindowPreset> windowPresets(const Volume& volume);
 
 // Nothing where the volume has none with that digit.

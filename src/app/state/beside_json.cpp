@@ -51,6 +51,7 @@ Json toJson(const BesideState& state) {
     if (state.window) {
         if (Json window = windowJson(*state.window); !window.is_null()) json["window"] = std::move(window);
     }
+    if (state.linksWindow) json["linksWindow"] = true;
     json["opacity"] = state.opacity;
     json["colours"] = slices::nameOf(state.colours);
     if (state.in3d) json["in3d"] = true;
@@ -62,7 +63,7 @@ Json toJson(const BesideState& state) {
 
 BesideState besideStateFrom(const JsonNode& node) {
     node.allowOnly({"series", "volume", "volumeKey", "pair", "link", "secondFromStudy", "boundMm", "doubtful",
-                    "rivalMm", "view", "window", "opacity", "colours", "in3d", "preset"});
+                    "rivalMm", "view", "window", "linksWindow", "opacity", "colours", "in3d", "preset"});
     BesideState state;
     state.seriesDigest = node["series"].text();
     if (state.seriesDigest.empty()) node["series"].fail("the digest of a series");
@@ -95,6 +96,7 @@ BesideState besideStateFrom(const JsonNode& node) {
     }
     readName(node, "view", kBesideViews, state.view);
     if (const auto window = node.find("window")) state.window = windowFrom(*window);
+    if (const auto links = node.find("linksWindow")) state.linksWindow = links->boolean();
     if (const auto opacity = node.find("opacity")) state.opacity = opacity->number({0.0, 1.0});
     readName(node, "colours", slices::kColourTables, state.colours);
     if (const auto in3d = node.find("in3d")) state.in3d = in3d->boolean();

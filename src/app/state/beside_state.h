@@ -74,7 +74,8 @@ struct BesideState {
     bool isDoubtful = false;          // the same: RigidRegistration::isDoubtful
     double rivalMm = 0.0;             // the same, where it has a rival: RigidRegistration::rivalMm; else 0
     BesideView view = BesideView::beside;
-    std::optional<DisplayWindow> window = {};  // nothing: that of the series, or of activity
+    std::optional<DisplayWindow> window = {};  // nothing: that of the series (seriesWindow)
+    bool linksWindow = false;                  // on slices the study's, whatever `window` is
     double opacity = kUsualOpacity;            // over the study, 0 to 1
     slices::ColourTable colours = slices::ColourTable::hotIron;
     bool in3d = false;  // and in the 3D picture, in one with the study

@@ -63,7 +63,7 @@ bool BesideState::operator==(const BesideState& b) const {
     return seriesDigest == b.seriesDigest && volume == b.volume && volumeKey == b.volumeKey &&
            pair == b.pair && link == b.link && secondFromStudy == b.secondFromStudy && boundMm == b.boundMm &&
            isDoubtful == b.isDoubtful && rivalMm == b.rivalMm && view == b.view && window == b.window &&
-           opacity == b.opacity && colours == b.colours && in3d == b.in3d &&
+           linksWindow == b.linksWindow && opacity == b.opacity && colours == b.colours && in3d == b.in3d &&
            sameValue(preset, b.preset,
                      [](const TransferFunction& x, const TransferFunction& y) { return isSame(x, y); });
 }

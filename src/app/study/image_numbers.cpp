@@ -8,7 +8,6 @@ std::vector<int> imageNumbersOf(const dicom::Stack& stack, int slices) {
     if (slices < 1 || stack.slices.size() != std::size_t(slices)) return {};
     std::vector<int> numbers;
     std::set<int> seen;
-    bool areAsSlices = true;
     for (const dicom::SliceSource& slice : stack.slices) {
         if (slice.interpolated()) {
             numbers.push_back(0);
@@ -19,10 +18,15 @@ std::vector<int> imageNumbersOf(const dicom::Stack& stack, int slices) {
         const int number = instance ? instance->instanceNumber.value_or(0) : 0;
         if (number < 1 || !seen.insert(number).second) return {};
         numbers.push_back(number);
-        areAsSlices = areAsSlices && std::size_t(number) == numbers.size();
     }
-    if (areAsSlices) return {};
     return numbers;
+}
+
+bool countAsSlices(std::span<const int> imageNumbers) {
+    for (std::size_t slice = 0; slice < imageNumbers.size(); ++slice) {
+        if (imageNumbers[slice] != 0 && std::size_t(imageNumbers[slice]) != slice + 1) return false;
+    }
+    return true;
 }
 
 }  // namespace macula::app

@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <vector>
 
 #include "app/frame/projection_windows.h"
 #include "pipeline/volume/transfer_function.h"
-#include "pipeline/volume/volume_fit.h"
 #include "presets/catalogue.h"
+#include "presets/seen_values.h"
 
 namespace macula::app {
 
@@ -24,35 +23,6 @@ std::string nothingOf(const Volume& volume, const ValueRange& range) {
 
 constexpr const char* kAllIsPadding = "Nothing is visible: every voxel of the series is padding.";
 
-// Counts of stored values over a share of the voxels: evenly taken, and enough for a thousandth of them to be
-// found.
-std::map<std::uint16_t, std::size_t> countsOf(const Volume& volume) {
-    const auto voxels = volume.voxels();
-    const auto& padding = volume.padding();
-    const std::size_t step = std::max<std::size_t>(voxels.size() / 1'000'000, 1) | 1u;
-    std::map<std::uint16_t, std::size_t> counts;
-    for (std::size_t i = 0; i < voxels.size(); i += step) {
-        const std::uint16_t stored = voxels[i];
-        if (!padding || stored < padding->low || stored > padding->high) ++counts[stored];
-    }
-    return counts;
-}
-
-// Whether a thousandth of the voxels holds matter of which a hand's breadth would be visible.
-bool shows(const TransferFunction& preset, const Volume& volume,
-           const std::map<std::uint16_t, std::size_t>& counts) {
-    constexpr double kLeastOpacity = 0.01;
-    const TransferFunction function = fitted(preset, volume);
-    const UnitsFromStored& map = volume.unitsFromStored();
-    std::size_t all = 0;
-    std::size_t seen = 0;
-    for (const auto& [stored, count] : counts) {
-        all += count;
-        if (opacityAt(function, map.slope * stored + map.intercept) >= kLeastOpacity) seen += count;
-    }
-    return seen * 1000 > all;
-}
-
 }  // namespace
 
 std::string whyNothingIsVisible(const Volume& volume) {
@@ -61,10 +31,10 @@ std::string whyNothingIsVisible(const Volume& volume) {
     std::string sentence = nothingOf(volume, *range);
     const auto presets = presets::builtInPresets();
     if (!presets) return sentence;
-    const auto counts = countsOf(volume);
+    const presets::SeenValues values(volume);
     std::vector<std::string> names;
     for (const TransferFunction& preset : *presets) {
-        if (suits(preset, volume.unit()) && shows(preset, volume, counts)) names.push_back(preset.name);
+        if (suits(preset, volume.unit()) && values.areSeenWith(preset)) names.push_back(preset.name);
     }
     constexpr std::size_t kMostNames = 6;
     if (names.size() > kMostNames) names.resize(kMostNames);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <string_view>
 #include <utility>
 
 #include "app/study/found_volumes.h"
@@ -10,6 +11,7 @@
 #include "app/study/patient_choice.h"
 #include "base/fingerprint.h"
 #include "base/phantom.h"
+#include "base/quantised.h"
 #include "base/sha256.h"
 #include "dicom/loader.h"
 #include "dicom/messages.h"
@@ -19,6 +21,8 @@
 namespace macula::app {
 
 namespace {
+
+constexpr std::string_view kPet = "PT";
 
 Result<OpenedStudy> openPhantom(Progress& progress) {
     progress.beginStage("Making the phantom", 1);
@@ -36,7 +40,9 @@ Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& 
     MACULA_TRY(std::shared_ptr<const Volume> volume, formats::readVolumeFile(path, progress));
     const std::string name = path.filename().string();
     std::string digest = fingerprint(*volume);
-    return OpenedStudy{.volume = in16Bits(std::move(volume)),
+    Quantised drawn = quantised(volume);
+    return OpenedStudy{.volume = std::move(drawn.volume),
+                       .inFloats = drawn.isExact ? nullptr : std::move(volume),
                        .seriesDigest = std::move(digest),
                        .identity = {.series = "File " + name},
                        .description = name};
@@ -58,16 +64,20 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
                               Progress& progress) {
     const FoundVolume& chosen = found->volumes().at(index);
     MACULA_TRY(std::shared_ptr<const Volume> volume,
-               dicom::loadVolume(*chosen.series, *chosen.stack, progress));
-    OpenedStudy study{.volume = in16Bits(std::move(volume)),
+               dicom::loadVolume(*chosen.series, *chosen.stack, progress, {.onCoarse = {}, .inSuv = true}));
+    Quantised drawn = quantised(volume);
+    OpenedStudy study{.volume = std::move(drawn.volume),
+                      .inFloats = drawn.isExact ? nullptr : std::move(volume),
                       .seriesDigest = sha256Hex(chosen.series->seriesInstanceUid),
                       .identity = identityOf(chosen),
                       .description = chosen.series->description,
                       .whyThisSeries = "The volume that was chosen.",
                       .volumeTitles = found->titles(),
                       .volumeIndex = index};
-    study.isLowBright = std::ranges::any_of(
-        chosen.stack->messages, [](const Message& m) { return m.key == dicom::key::kInvertedDisplay; });
+    study.isLowBright =
+        study.volume->modality() == kPet || std::ranges::any_of(chosen.stack->messages, [](const Message& m) {
+            return m.key == dicom::key::kInvertedDisplay;
+        });
     study.frameOfReferenceUid = frameOfReferenceOf(*chosen.stack);
     study.imageNumbers = imageNumbersOf(*chosen.stack, study.volume->size().z);
     // Nothing twice: what is said of a series may be said of its volume too.

@@ -19,8 +19,10 @@ class FoundVolumes;
 
 // What came out of a folder. All strings are for the screen; they may name a patient.
 struct OpenedStudy {
-    std::shared_ptr<const Volume> volume;  // null when there is only a question
-    std::string seriesDigest = {};         // see StudyInput
+    std::shared_ptr<const Volume> volume;  // stored16, to be drawn; null when there is only a question
+    // The same in floats, as the file has it, where 16 bits do not hold all of its values; else null.
+    std::shared_ptr<const Volume> inFloats = {};
+    std::string seriesDigest = {};  // see StudyInput
     Identity identity = {};
     std::string description = {};
     std::string whyThisSeries = {};          // empty for the phantom
@@ -30,10 +32,13 @@ struct OpenedStudy {
     std::vector<std::string> volumeTitles = {};
     std::size_t volumeIndex = 0;
     std::vector<int> imageNumbers = {};    // of its slices: see imageNumbersOf()
-    bool isLowBright = false;              // its own display shows low values white (MONOCHROME1)
+    bool isLowBright = false;              // low values are shown white: MONOCHROME1, and PET by custom
     std::string joinQuestion = {};         // see dicom::ScanOptions
     std::string frameOfReferenceUid = {};  // PS3.3 C.7.4.1; empty: not known
     std::string stateAsLeft = {};          // ModelKeeper::stateOf; empty: nobody knows how it was left
+
+    // What slices show and what is measured: no value is another than in the file.
+    const std::shared_ptr<const Volume>& measured() const { return inFloats ? inFloats : volume; }
 };
 
 // A folder, or the DICOMDIR in it, of which the best series is meant; an image, of which its own series in

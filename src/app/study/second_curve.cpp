@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pipeline/volume/volume_fit.h"
+#include "pipeline/volume/window.h"
 
 namespace macula::app {
 
@@ -59,7 +60,7 @@ bool mayBeIn3d(const Identity& study, const Identity& second) {
 SecondVolume secondIn3d(const BesideState& state, std::shared_ptr<const Volume> second) {
     TransferFunction function = state.preset
                                     ? fitted(*state.preset, *second)
-                                    : secondCurve(*second, state.window.value_or(secondWindow(*second)),
+                                    : secondCurve(*second, state.window.value_or(seriesWindow(*second)),
                                                   state.colours, state.opacity);
     SecondVolume made;
     made.function = std::make_shared<const TransferFunction>(std::move(function));

@@ -8,11 +8,11 @@
 #include <cmath>
 #include <vector>
 
+#include "app/study/carried_view.h"
 #include "base/parsing.h"
 #include "base/sha256.h"
 #include "dicom/read/patient.h"
 #include "dicom/read/placeholder.h"
-#include "pipeline/volume/window.h"
 
 namespace macula::app {
 
@@ -67,28 +67,6 @@ std::array<Attribute, 4> attributesOf(const Identity& a, const Identity& b) {
 bool isDate(const std::string& text) {
     return text.size() == 8 &&
            std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c) != 0; });
-}
-
-bool isActivity(const Volume& volume) {
-    return volume.unit() == Unit::becquerelsPerMillilitre || volume.unit() == Unit::suvBodyWeight;
-}
-
-// Values of the volume that are no padding, some hundred thousand at most, evenly.
-std::vector<double> someValues(const Volume& volume) {
-    constexpr std::size_t kMost = 200'000;
-    const glm::ivec3 size = volume.size();
-    const std::size_t all = volume.voxelCount();
-    const std::size_t stride = all / kMost + 1;
-    std::vector<double> values;
-    const auto width = std::size_t(size.x);
-    const auto height = std::size_t(size.y);
-    for (std::size_t at = 0; at < all; at += stride) {
-        const auto i = int(at % width);
-        const auto j = int(at / width % height);
-        const auto k = int(at / width / height);
-        if (!volume.isPadding(i, j, k)) values.push_back(volume.value(i, j, k));
-    }
-    return values;
 }
 
 // Empty where no folder was read.
@@ -162,6 +140,7 @@ BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second, const
     state.seriesDigest = second.seriesDigest;
     if (const PlaceInSeries at = placeInSeries(second); at.count > 1) state.volume = at.place;
     state.volumeKey = keyOf(second);
+    state.linksWindow = arePhases(study, second);
     if (shareFrameOfReference(study, second)) {
         state.link = BesideLink::sameFrame;
         return state;
@@ -169,17 +148,6 @@ BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second, const
     const glm::dvec3 shift = second.volume->worldBox().centre() - study.volume->worldBox().centre();
     state.secondFromStudy[3] = glm::dvec4(shift, 1.0);
     return state;
-}
-
-DisplayWindow secondWindow(const Volume& second) {
-    if (!isActivity(second)) return seriesWindow(second);
-    std::vector<double> values = someValues(second);
-    if (values.empty()) return seriesWindow(second);
-    constexpr double kAllBut = 0.999;
-    const auto place = values.begin() + std::ptrdiff_t(kAllBut * double(values.size() - 1));
-    std::ranges::nth_element(values, place);
-    if (!(*place > 0.0)) return seriesWindow(second);
-    return windowOver({0.0, *place});
 }
 
 std::string pairDigest(const std::string& studyFingerprint, const std::string& secondFingerprint) {
@@ -190,6 +158,7 @@ BesideState withLookOf(BesideState place, const BesideState& before) {
     const bool mayLieOver = place.isLinked() || before.view != BesideView::over;
     place.view = mayLieOver ? before.view : BesideView::beside;
     place.window = before.window;
+    place.linksWindow = before.linksWindow;
     place.opacity = before.opacity;
     place.colours = before.colours;
     place.in3d = before.in3d;

@@ -42,13 +42,9 @@ std::string plainTag(const OpenedStudy& study);
 bool shareFrameOfReference(const OpenedStudy& study, const OpenedStudy& second);
 
 // How they are linked before anybody registers: by their frame of reference, or by hand with the middle of
-// one on the middle of the other.
+// one on the middle of the other. Phases of one series share a window.
 // `pair` is pairDigest of both.
 BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second, const std::string& pair);
-
-// What a second volume is seen through when nobody has set a window: that of the series; of activity (PET)
-// from nothing to the uptake of what is brightest but for one voxel in a thousand.
-DisplayWindow secondWindow(const Volume& second);
 
 // A digest of the fingerprints of both: their voxels and their geometry. Images that were exported anew have
 // the UIDs of before, and may have other positions.

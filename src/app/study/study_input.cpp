@@ -91,7 +91,7 @@ Result<dicom::Choice> chooseVolume(const dicom::Scan& scan, const std::string& w
 }
 
 Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series, Progress& progress,
-                             std::size_t volume, const dicom::ScanOptions& how) {
+                             std::size_t volume, const dicom::ScanOptions& how, PetUnit petUnit) {
     StudyInput input;
     if (formats::isVolumeFileName(path)) {
         if (!series.empty() || volume > 1) {
@@ -118,11 +118,12 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
     }
 
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(path, progress, how));
-    return loadStudy(scan, path, series, progress, volume);
+    return loadStudy(scan, path, series, progress, volume, petUnit);
 }
 
 Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::path& path,
-                             const std::string& series, Progress& progress, std::size_t volume) {
+                             const std::string& series, Progress& progress, std::size_t volume,
+                             PetUnit petUnit) {
     StudyInput input;
     auto chosen = chooseVolume(scan, series, volume);
     if (!chosen) {
@@ -156,7 +157,8 @@ Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::pat
     note(scan.messages);
     note(chosen->series->messages);
     note(chosen->stack->messages);
-    MACULA_TRY(input.volume, dicom::loadVolume(*chosen->series, *chosen->stack, progress));
+    MACULA_TRY(input.volume, dicom::loadVolume(*chosen->series, *chosen->stack, progress,
+                                               {.onCoarse = {}, .inSuv = petUnit == PetUnit::suv}));
     note(input.volume->provenance().messages);
     for (const std::string& assumption : input.volume->provenance().assumptions) {
         // Most assumptions repeat the sentence of a warning that is a note already, with what to do.

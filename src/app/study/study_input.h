@@ -26,16 +26,22 @@ struct StudyInput {
     Identity identity = {};                // to compare with that of another study, and for nothing else
 };
 
+// What values of PET are in: SUV by body weight where all it needs is there (dicom::Suv), as the window shows
+// them and its saved views say them, or what the images have.
+enum class PetUnit { suv, asInImages };
+
 // No path, or "phantom:", is the built-in phantom. `series` chooses by its place in the list of `macula info`
 // ("2", or "2.3" for its third stack of images) or by its UID; when empty, or when the series has several
 // volumes, the best is taken; `volume` (from 1) chooses among those of the series. A NIfTI, NRRD or MetaImage
 // file is one volume.
 Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series, Progress& progress,
-                             std::size_t volume = 0, const dicom::ScanOptions& how = {});
+                             std::size_t volume = 0, const dicom::ScanOptions& how = {},
+                             PetUnit petUnit = PetUnit::suv);
 
 // The same for a folder that was scanned.
 Result<StudyInput> loadStudy(const dicom::Scan& scan, const std::filesystem::path& path,
-                             const std::string& series, Progress& progress, std::size_t volume = 0);
+                             const std::string& series, Progress& progress, std::size_t volume = 0,
+                             PetUnit petUnit = PetUnit::suv);
 
 // The series of that place or UID; null when there is none, or several patients have it.
 const dicom::Series* seriesMeant(const dicom::Scan& scan, const std::string& wanted);

@@ -57,7 +57,7 @@ ValueUnit valueUnit(std::string_view modality, std::span<const Frame> frames) {
     if (isOneOf(name, {"g/ml{SUVbw}", "{SUVbw}g/ml"})) return {Unit::suvBodyWeight, {}};
     if (modality == "RTDOSE" && name == "GY") return {Unit::other, "Gy"};  // PS3.3 C.8.8.3
     if (modality == "RTDOSE" && name == "RELATIVE") return {Unit::other, "of the reference dose"};
-    if (name == "GML") return {Unit::other, "g/mL"};  // of body weight, or of what SUVType says
+    if (name == "GML") return {Unit::other, std::string(kGramsPerMillilitre)};  // of body weight, or of what SUVType says
     // US is "unspecified", CNTS counts of the scanner.
     if (isOneOf(name, {"", "US", "CNTS", "1", "[arb'U]"})) return {};
     return {Unit::other, name};

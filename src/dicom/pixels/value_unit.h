@@ -15,6 +15,9 @@ struct ValueUnit {
     std::string name;  // when unitSymbol(unit) is not it
 };
 
+// Of SUV, by what SUVType says (PS3.3 C.8.9.1.1.3).
+inline constexpr std::string_view kGramsPerMillilitre = "g/mL";
+
 // Raw when the frames name no unit, or different ones.
 ValueUnit valueUnit(std::string_view modality, std::span<const Frame> frames);
 

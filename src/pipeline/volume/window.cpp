@@ -7,7 +7,51 @@
 
 namespace macula {
 
+namespace {
+
+constexpr double kUsualHighSuv = 10.0;
+
+// Values of the volume that are no padding, some hundred thousand at most, evenly.
+std::vector<double> someValues(const Volume& volume) {
+    constexpr std::size_t kMost = 200'000;
+    const glm::ivec3 size = volume.size();
+    const std::size_t all = volume.voxelCount();
+    const std::size_t stride = all / kMost + 1;
+    std::vector<double> values;
+    const auto width = std::size_t(size.x);
+    const auto height = std::size_t(size.y);
+    for (std::size_t at = 0; at < all; at += stride) {
+        const auto i = int(at % width);
+        const auto j = int(at / width % height);
+        const auto k = int(at / width / height);
+        if (!volume.isPadding(i, j, k)) values.push_back(volume.value(i, j, k));
+    }
+    return values;
+}
+
+}  // namespace
+
+bool isActivity(const Volume& volume) {
+    return volume.unit() == Unit::becquerelsPerMillilitre || volume.unit() == Unit::suvBodyWeight ||
+           volume.modality() == "PT";
+}
+
+std::optional<DisplayWindow> activityWindow(const Volume& volume) {
+    if (!volume.valueRange() || !(volume.valueRange()->high > 0.0)) return std::nullopt;
+    const double highest = volume.valueRange()->high;
+    if (volume.unit() == Unit::suvBodyWeight) return windowOver({0.0, std::min(kUsualHighSuv, highest)});
+    std::vector<double> values = someValues(volume);
+    if (values.empty()) return std::nullopt;
+    constexpr double kAllBut = 0.999;
+    const auto place = values.begin() + std::ptrdiff_t(kAllBut * double(values.size() - 1));
+    std::ranges::nth_element(values, place);
+    return windowOver({0.0, *place > 0.0 ? *place : highest});
+}
+
 DisplayWindow seriesWindow(const Volume& volume) {
+    if (isActivity(volume)) {
+        if (const auto window = activityWindow(volume)) return *window;
+    }
     if (!volume.windows().empty()) return volume.windows().front();
     return windowOver(volume.valueRange().value_or(ValueRange{0.0, 1.0}));
 }
@@ -48,6 +92,7 @@ std::vector<std::uint16_t> largestAlongAxes(const Volume& volume) {
 }  // namespace
 
 DisplayWindow maximumWindow(const Volume& volume) {
+    if (isActivity(volume)) return seriesWindow(volume);
     const std::vector<std::uint16_t> largest = largestAlongAxes(volume);
     if (largest.empty()) return seriesWindow(volume);
     const auto valueAt = [&](double share) {

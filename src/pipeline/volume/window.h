@@ -8,8 +8,16 @@
 
 namespace macula {
 
-// The first window of the series; when it names none, all of its values.
+// The first window of the series; when it names none, all of its values. Of activity activityWindow.
 DisplayWindow seriesWindow(const Volume& volume);
+
+// Whether values are those of emission tomography: Bq/mL, SUV, or any numbers of PET.
+bool isActivity(const Volume& volume);
+
+// From 0 to 10 SUV, or to the highest value below that. Of other activity up to what all but a thousandth of
+// the values stay below, because the bladder would leave everything else black; PET scanners name windows
+// over all of a slice. Nothing where no value is above 0. Looks at some hundred thousand values, but for SUV.
+std::optional<DisplayWindow> activityWindow(const Volume& volume);
 
 // For a projection of largest values: the first window of the series, unless that makes a third of the
 // picture plain white, as one for soft tissue does in a chest; then, or when there is none, from the tenth to

@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/study/carried_view.h"
 #include "app/study/second_curve.h"
 #include "viewer/beside/beside_study.h"
 #include "viewer/harmless_text.h"
@@ -70,6 +71,7 @@ BesideBar::BesideBar(ViewerSession& session, BesideStudy& beside, QWidget* paren
     addLinks();
     addColours();
     addWindow();
+    addLinkedWindow();
     addIn3d();
     addWidget(tag_);
     QAction* close = addAction(tr("Close"), &beside_, &BesideStudy::close);
@@ -173,6 +175,31 @@ void BesideBar::addWindow() {
     white_ = add("beside-white", tr("Window of the second volume up to"));
 }
 
+void BesideBar::addLinkedWindow() {
+    oneWindow_ = new QCheckBox(tr("One window"), this);
+    oneWindow_->setObjectName(QStringLiteral("beside-one-window"));
+    oneWindow_->setAccessibleName(tr("One window for the study and the second volume"));
+    oneWindow_->setToolTip(
+        tr("Slices of both through one window, as phases are compared. Both have to have one unit"));
+    connect(oneWindow_, &QCheckBox::clicked, this, [this](bool on) {
+        if (beside_.state() == nullptr) return;
+        session_.change(tr("Window of the second volume"), [&](app::StudyState& next) {
+            // Nothing jumps when it goes its own way.
+            if (!on) next.beside->window = secondWindow();
+            next.beside->linksWindow = on;
+        });
+        showState();
+    });
+    addWidget(oneWindow_);
+}
+
+// As slices of it are shown.
+DisplayWindow BesideBar::secondWindow() const {
+    const app::BesideState& state = *beside_.state();
+    if (state.linksWindow) return app::shownWindow(session_.study(), session_.state().slices);
+    return state.window.value_or(beside_.second()->usualWindow);
+}
+
 void BesideBar::addIn3d() {
     in3d_ = new QCheckBox(tr("In 3D too"), this);
     in3d_->setObjectName(QStringLiteral("beside-in3d"));
@@ -229,7 +256,7 @@ void BesideBar::proposeWindow() {
     const double high = white_->value();
     if (!(high > low)) return showState();  // no window: the one before stays
     session_.drag(tr("Window of the second volume"), [&](app::StudyState& next) {
-        next.beside->window = DisplayWindow{
+        (next.beside->linksWindow ? next.slices.window : next.beside->window) = DisplayWindow{
             .center = 0.5 * (low + high), .width = high - low, .explanation = {}, .function = "LINEAR_EXACT"};
     });
 }
@@ -240,7 +267,7 @@ void BesideBar::showState() {
     if (state == nullptr) return;
     const QScopedValueRollback shows(isShowing_, true);
     const SecondSeries& second = *beside_.second();
-    const Volume& volume = *second.study.volume;
+    const Volume& volume = *second.study.measured();
     const auto view = std::ranges::find(kViews, state->view, &ViewRow::view);
     views_->setCurrentIndex(int(view - kViews.begin()));
     setItemEnabled(*views_, int(app::BesideView::over), state->isLinked());
@@ -258,7 +285,11 @@ void BesideBar::showState() {
     const auto colours = std::ranges::find(kColours, state->colours, &ColourRow::colours);
     colours_->setCurrentIndex(int(colours - kColours.begin()));
     opacity_->setValue(int(std::lround(state->opacity * kPercent)));
-    const DisplayWindow window = state->window.value_or(second.usualWindow);
+    const Volume& study = *session_.study().volume;
+    oneWindow_->setEnabled(state->linksWindow ||
+                           (study.unit() == volume.unit() && study.unitName() == volume.unitName()));
+    oneWindow_->setChecked(state->linksWindow);
+    const DisplayWindow window = secondWindow();
     const QString unit = harmless(QString::fromStdString(volume.unitName()));
     for (QDoubleSpinBox* box : {black_, white_}) {
         const double step = stepOf(window.width);

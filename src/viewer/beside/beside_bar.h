@@ -39,9 +39,11 @@ class BesideBar : public QToolBar {
     void addLinks();
     void addColours();
     void addWindow();
+    void addLinkedWindow();
     void addIn3d();
     void fillPresets(const app::BesideState& state);
     void proposeWindow();
+    DisplayWindow secondWindow() const;
 
     ViewerSession& session_;
     BesideStudy& beside_;
@@ -50,6 +52,7 @@ class BesideBar : public QToolBar {
     QComboBox* links_ = nullptr;
     QComboBox* colours_ = nullptr;
     QSlider* opacity_ = nullptr;
+    QCheckBox* oneWindow_ = nullptr;
     QCheckBox* in3d_ = nullptr;
     QComboBox* presets_ = nullptr;  // of the second volume in 3D; the first item: its colours over slices
     std::vector<std::shared_ptr<const TransferFunction>> listed_;  // from the second item on

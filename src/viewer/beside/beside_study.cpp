@@ -182,7 +182,7 @@ void BesideStudy::show(app::OpenedStudy second) {
 void BesideStudy::registerNow() {
     if (state() == nullptr) return;
     registration_.start(
-        [fixed = session_.study().volume, moving = second_->study.volume](Progress& progress) {
+        [fixed = session_.study().measured(), moving = second_->study.measured()](Progress& progress) {
             return registration::registerRigid(*fixed, *moving, progress);
         });
     emit began(tr("Registering the second volume"));

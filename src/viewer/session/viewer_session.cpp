@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "app/study/carried_view.h"
+
 namespace macula::viewer {
 
 ViewerSession::ViewerSession(app::Catalogue catalogue, QObject* parent)
@@ -18,6 +20,7 @@ std::span<const std::shared_ptr<const TransferFunction>> ViewerSession::builtInP
 }
 
 void ViewerSession::show(app::OpenedStudy study, app::StudyState state) {
+    keepsPlace_ = app::staysInPlace(study_, study);
     study_ = std::move(study);
     history_.begin(std::move(state));
     emit studyShown();

@@ -36,6 +36,10 @@ class ViewerSession : public QObject {
     const app::OpenedStudy& study() const { return study_; }  // its volume is null before the first
     const app::StudyState& state() const { return history_.now(); }
 
+    // Whether the study that is shown came after another volume of the same place (app::staysInPlace), which
+    // panes go on looking at.
+    bool keepsPlace() const { return keepsPlace_; }
+
     // A study takes the place of the one before, in this state; there is nothing to undo.
     void show(app::OpenedStudy study, app::StudyState state);
     // The same as when nobody has seen it: with the preset of its modality.
@@ -74,6 +78,7 @@ class ViewerSession : public QObject {
     app::Catalogue catalogue_;
     std::size_t builtInPresets_ = 0;  // the first so many of the catalogue
     app::OpenedStudy study_;
+    bool keepsPlace_ = false;
     StateHistory history_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "app/frame/projection_windows.h"
 #include "app/study/second_study.h"
+#include "pipeline/volume/window.h"
 #include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
 
@@ -59,16 +60,12 @@ QString patientNote(const app::Identity& study, const app::Identity& second) {
     return {};
 }
 
-bool isActivity(const Volume& volume) {
-    return volume.unit() == Unit::becquerelsPerMillilitre || volume.unit() == Unit::suvBodyWeight;
-}
-
 }  // namespace
 
 SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second, std::string pair) {
     SecondSeries made;
     made.pair = std::move(pair);
-    made.usualWindow = app::secondWindow(*second.volume);
+    made.usualWindow = seriesWindow(*second.measured());
     made.tag = tagOf(app::ageOf(study.identity, second.identity), shownTag(second));
     made.studyTag = Words::tr("Current: %1").arg(shownTag(study));
     const std::vector<std::string> lines = app::linesOf(second.identity);
@@ -102,7 +99,8 @@ QString linkText(const app::BesideState& state) {
 }
 
 QString secondWindowText(const Volume& second, const DisplayWindow& window) {
-    if (!isActivity(second) || !second.valueRange() || !(second.valueRange()->high > 0.0))
+    if (!isActivity(second) || second.unitName().empty() || !second.valueRange() ||
+        !(second.valueRange()->high > 0.0))
         return harmless(withLocalNumbers(QString::fromStdString(app::windowText(window, second.unitName()))));
     const double low = window.center - 0.5 * window.width;
     const double high = window.center + 0.5 * window.width;

@@ -14,7 +14,7 @@ namespace macula::viewer {
 // Made once for a study and a second volume, and never changed.
 struct SecondSeries {
     app::OpenedStudy study;     // the second
-    DisplayWindow usualWindow;  // app::secondWindow
+    DisplayWindow usualWindow;  // seriesWindow
     QString tag;                // "Prior: CT, 2020-03-04, series 3"; names nobody
     QString studyTag;           // "Current: …", of the study that is open
     QStringList lines;          // as app::linesOf; may name a patient

@@ -33,7 +33,7 @@ void setWindow(ViewerSession& session, const std::optional<DisplayWindow>& windo
 }
 
 void addWindows(QMenu& menu, const SliceMenuOf& of) {
-    const Volume& volume = *of.session->study().volume;
+    const Volume& volume = *of.session->study().measured();
     for (const app::WindowPreset& preset : app::windowPresets(volume)) {
         const DisplayWindow window = preset.window.value_or(seriesWindow(volume));
         QAction* action =
@@ -46,7 +46,7 @@ void addWindows(QMenu& menu, const SliceMenuOf& of) {
 }
 
 void addOwnWindows(QMenu& menu, const SliceMenuOf& of, QWidget* parent) {
-    const Volume& volume = *of.session->study().volume;
+    const Volume& volume = *of.session->study().measured();
     const auto own = of.own->fitting(volume);
     menu.addSeparator();
     for (std::size_t i = 0; i < own.size(); ++i) {
@@ -93,7 +93,7 @@ void askToKeepWindow(const SliceMenuOf& of, QWidget* parent) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setInputMode(QInputDialog::TextInput);
     dialog->setWindowTitle(SliceMenuWords::tr("Keep This Window"));
-    const std::string unit = of.session->study().volume->unitName();
+    const std::string unit = of.session->study().measured()->unitName();
     dialog->setLabelText(SliceMenuWords::tr("Name of the window %1")
                              .arg(harmless(QString::fromStdString(app::windowText(of.window, unit)))));
     QObject::connect(

@@ -63,6 +63,7 @@ class OverlayPainter {
     }
 
     void placeTexts();
+    void interpolatedEdges() const;
     void crosshair() const;
     void measurements() const;
     void texts() const;
@@ -164,6 +165,19 @@ void OverlayPainter::crosshair() const {
             line({0.0, at.y()}, {std::min(at.x() - kCrosshairGapPx, width), at.y()}, horizontal);
         if (at.x() < width - kCrosshairGapPx)
             line({std::max(at.x() + kCrosshairGapPx, 0.0), at.y()}, {width, at.y()}, horizontal);
+    }
+    painter_.restore();
+}
+
+// Dashed, so that nobody takes them for the cross-hair.
+void OverlayPainter::interpolatedEdges() const {
+    painter_.save();
+    painter_.setRenderHint(QPainter::Antialiasing, false);  // most lie along rows
+    painter_.setPen(QPen(kNoteInk, 1.0, Qt::DashLine));
+    for (const slices::PictureLine& edge : overlay_.interpolatedEdges) {
+        const glm::dvec2 from = edge.from / overlay_.pixelRatio;
+        const glm::dvec2 to = edge.to / overlay_.pixelRatio;
+        painter_.drawLine(QPointF(from.x, from.y), QPointF(to.x, to.y));
     }
     painter_.restore();
 }
@@ -326,6 +340,7 @@ void paintOverlay(QPainter& painter, const QSize& size, const SliceOverlay& over
     painter.setRenderHint(QPainter::Antialiasing);
     OverlayPainter paint(painter, size, overlay);
     paint.placeTexts();
+    paint.interpolatedEdges();
     paint.crosshair();
     paint.measurements();
     paint.scale();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "slices/interpolated.h"
 #include "slices/measurement.h"
 #include "slices/slice_plane.h"
 
@@ -28,7 +29,8 @@ struct SliceOverlay {
     QStringList notes = {};  // upper right
     QStringList facts = {};  // lower left
     std::vector<ShownMeasurement> measurements = {};
-    bool isCalibrated = true;  // as in Provenance, all that is in the picture
+    std::vector<slices::PictureLine> interpolatedEdges = {};  // of slices in which no image was taken
+    bool isCalibrated = true;                                 // as in Provenance, all that is in the picture
 };
 
 // `size` of the pane in logical pixels, which the painter must have. What is too long for the pane goes on in

@@ -1,10 +1,11 @@
 #include "viewer/slices/slice_texts.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 #include <cmath>
 #include <string>
 
+#include "app/study/image_numbers.h"
+#include "slices/interpolated.h"
 #include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
 
@@ -64,22 +65,39 @@ app::EdgeLetters edgeLetters(const slices::SlicePlane& plane) {
             .bottom = orientationLetters(plane.down)};
 }
 
-QString positionText(Orientation orientation, const SliceSteps& steps, int slice,
-                     std::optional<int> imageNumber) {
+QString planeText(Orientation orientation, const SliceSteps& steps, int slice) {
     const slices::SlicePlane plane = steps.plane(slice, glm::dvec3(0.0));
     const double position = glm::dot(plane.centreMm, plane.normal());
     QString text = nameOf(orientation);
     if (!steps.areStraight()) text = QCoreApplication::translate("Slices", "%1, oblique").arg(text);
-    text = QCoreApplication::translate("Slices", "%1 %2 %3 mm")
-               .arg(text, letters(position < 0.0 ? -plane.normal() : plane.normal()),
-                    withLocalNumbers(QString::number(std::abs(position), 'f', 1)));
-    if (!steps.areAcquired()) return text;
-    text = QCoreApplication::translate("Slices", "%1, slice %2 of %3")
-               .arg(text)
-               .arg(slice + 1)
-               .arg(steps.count());
-    if (!imageNumber) return text;
-    return QCoreApplication::translate("Slices", "%1, image %2").arg(text).arg(*imageNumber);
+    return QCoreApplication::translate("Slices", "%1 %2 %3 mm")
+        .arg(text, letters(position < 0.0 ? -plane.normal() : plane.normal()),
+             withLocalNumbers(QString::number(std::abs(position), 'f', 1)));
+}
+
+QString withNumbers(const QString& text, int slice, int count, std::optional<int> imageNumber) {
+    const QString numbered =
+        QCoreApplication::translate("Slices", "%1, slice %2 of %3").arg(text).arg(slice + 1).arg(count);
+    if (!imageNumber) return numbered;
+    return QCoreApplication::translate("Slices", "%1, image %2").arg(numbered).arg(*imageNumber);
+}
+
+QString positionText(Orientation orientation, const SliceSteps& steps, int slice,
+                     std::optional<int> imageNumber) {
+    const QString text = planeText(orientation, steps, slice);
+    return steps.areAcquired() ? withNumbers(text, slice, steps.count(), imageNumber) : text;
+}
+
+std::optional<int> imageNumber(const app::OpenedStudy& study, const SliceSteps& steps, int slice) {
+    return steps.areAcquired() ? imageNumber(study, slice) : std::nullopt;
+}
+
+std::optional<int> imageNumber(const app::OpenedStudy& study, int slice) {
+    const std::vector<int>& numbers = study.imageNumbers;
+    if (slice < 0 || std::size_t(slice) >= numbers.size() || app::countAsSlices(numbers) ||
+        numbers[std::size_t(slice)] < 1)
+        return {};
+    return numbers[std::size_t(slice)];
 }
 
 QString slabText(const slices::Slab& slab) {
@@ -114,6 +132,7 @@ QString probeText(const Volume& volume, const glm::dvec3& mm) {
         if (!volume.unitName().empty())
             value += QLatin1Char(' ') + harmless(QString::fromStdString(volume.unitName()));
     }
+    if (probe->isInterpolated) value = QCoreApplication::translate("Slices", "%1, interpolated,").arg(value);
     return QCoreApplication::translate("Slices", "%1 at (%2, %3, %4), %5")
         .arg(value, QString::number(probe->voxel.x), QString::number(probe->voxel.y),
              QString::number(probe->voxel.z), pointText(mm));
@@ -128,10 +147,7 @@ QString sizeText(const QString& size, bool isCalibrated) {
 }
 
 bool isInterpolated(const Volume& volume, const SliceSteps& steps, int slice) {
-    if (!steps.areAcquired()) return false;
-    return std::ranges::any_of(volume.provenance().interpolatedSlices, [slice](const SliceRange& range) {
-        return range.first <= slice && slice <= range.last;
-    });
+    return steps.areAcquired() && slices::isInterpolated(volume, slice);
 }
 
 }  // namespace macula::viewer

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/camera/orbit_camera.h"
+#include "app/study/opened_study.h"
 #include "slices/sampled_slice.h"
 #include "slices/slice_plane.h"
 #include "viewer/slices/slice_steps.h"
@@ -27,9 +28,18 @@ app::EdgeLetters edgeLetters(const slices::SlicePlane& plane);
 // With the number of an image: "…, slice 45 of 95, image 51".
 QString positionText(slices::Orientation orientation, const SliceSteps& steps, int slice,
                      std::optional<int> imageNumber = {});
+// The same without numbers.
+QString planeText(slices::Orientation orientation, const SliceSteps& steps, int slice);
+// `text` with the numbers behind it.
+QString withNumbers(const QString& text, int slice, int count, std::optional<int> imageNumber);
 QString slabText(const slices::Slab& slab);  // "MIP 10 mm"; empty for the plane alone
-QString pointText(const glm::dvec3& mm);     // "L 12.3 P 45.6 S 78.9 mm"
-// "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, and what lies outside, in words.
+// By which a report names the slice, and which is often counted from the other end; nothing where no image
+// was taken, or the numbers are those of the slices.
+std::optional<int> imageNumber(const app::OpenedStudy& study, int slice);
+std::optional<int> imageNumber(const app::OpenedStudy& study, const SliceSteps& steps, int slice);
+QString pointText(const glm::dvec3& mm);  // "L 12.3 P 45.6 S 78.9 mm"
+// "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, what is interpolated, and what lies outside,
+// in words.
 QString probeText(const Volume& volume, const glm::dvec3& mm);
 
 // "12.3 mm, not calibrated": behind a size that is an estimate.

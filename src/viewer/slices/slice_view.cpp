@@ -3,11 +3,13 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "app/frame/projection_windows.h"
 #include "app/slices/window_presets.h"
 #include "pipeline/volume/window.h"
+#include "slices/interpolated.h"
 #include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
 #include "viewer/post.h"
@@ -26,6 +28,7 @@ constexpr int kFocusPx = 2;
 constexpr int kSecondPx = 2;
 const QColor kSecondInk(255, 190, 90);  // of notes over slices
 const QColor kQuietInk(150, 150, 150);
+constexpr std::size_t kMostRangesMarked = 8;  // lines of more would hide the picture
 
 // Whether both have the same pixels: the cross-hair is drawn over them.
 bool samePixels(const SliceWish& a, SliceWish b) {
@@ -134,8 +137,9 @@ void SliceView::onStudyShown() {
     texts_.forget();
     segments_.reset();  // they are of the voxels of the study before
     steps_.reset();
-    isFitted_ = role_ == PaneRole::study;  // the other follows it
-    SliceWish nothing;                     // a pane that is hidden keeps no volume
+    // Another phase is seen where the one before was. The second volume's pane follows the study's.
+    if (!session_.keepsPlace()) isFitted_ = role_ == PaneRole::study;
+    SliceWish nothing;  // a pane that is hidden keeps no volume
     nothing.study = study_;
     sampler_->publish(std::move(nothing));
     QStringList lines;
@@ -143,6 +147,7 @@ void SliceView::onStudyShown() {
         if (session_.hasStudy()) lines << QString::fromStdString(line);
     setLines(lines);
     if (session_.hasStudy()) {
+        usualWindow_ = seriesWindow(volume());
         steps_.emplace(volume(), orientation_, session_.state().slices.asAcquired);
         request();
     }
@@ -189,13 +194,14 @@ void SliceView::request() {
     const double ratio = devicePixelRatioF();
     const int slice = this->slice();
     SliceWish wish{.study = study_,
-                   .volume = session_.study().volume,
+                   .volume = session_.study().measured(),
                    .frame = frameOf(view_, *steps_, slice, sizePx, ratio),
                    .slab = session_.state().slices.slab,
                    .window = studyWindow(),
                    .isInverted = session_.state().slices.isInverted != session_.study().isLowBright,
                    .segments = segments_,
-                   .positionText = viewer::positionText(orientation_, *steps_, slice, imageNumberOf(slice)),
+                   .positionText = viewer::positionText(orientation_, *steps_, slice,
+                                                        imageNumber(session_.study(), *steps_, slice)),
                    .isInterpolated = isInterpolated(volume(), *steps_, slice),
                    .isLowBright = session_.study().isLowBright,
                    .pixelRatio = ratio,
@@ -221,15 +227,6 @@ void SliceView::onPicture(SlicePicture picture) {
     emit pictureShown();
 }
 
-// That by which a report names it, which is often counted from the other end.
-std::optional<int> SliceView::imageNumberOf(int slice) const {
-    const std::vector<int>& numbers = session_.study().imageNumbers;
-    if (!steps_->areAcquired() || slice < 0 || std::size_t(slice) >= numbers.size() ||
-        isInterpolated(volume(), *steps_, slice) || numbers[std::size_t(slice)] < 1)
-        return {};
-    return numbers[std::size_t(slice)];
-}
-
 glm::dvec3 SliceView::crosshairMm() const {
     const auto& set = session_.state().slices.crosshairMm;
     return set && isFinite(*set) ? *set : middleMm(volume());
@@ -241,7 +238,7 @@ DisplayWindow SliceView::window() const {
 
 DisplayWindow SliceView::studyWindow() const {
     const auto& set = session_.state().slices.window;
-    return set ? *set : seriesWindow(volume());
+    return set ? *set : usualWindow_;
 }
 
 glm::dvec3 SliceView::worldAt(const QPointF& place) const {
@@ -271,11 +268,29 @@ QStringList SliceView::notes() const {
     }
     notes += segmentNotes();
     if (shown_->of.isInverted)
-        notes.push_back(shown_->of.isLowBright ? tr("Low values are white, as in the images")
-                                               : tr("Inverted"));
-    if (shown_->of.isInterpolated) notes.push_back(tr("Interpolated: no image was taken here"));
+        notes.push_back(!shown_->of.isLowBright ? tr("Inverted")
+                        : shown_->of.volume->modality() == "PT"
+                            ? tr("Low values are white, as is custom for PET")
+                            : tr("Low values are white, as in the images"));
+    if (const QString interpolated = interpolatedNote(); !interpolated.isEmpty())
+        notes.push_back(interpolated);
     if (!showsStudy() && isMeasuring()) notes.push_back(tr("Measurements are of the study alone"));
     return shown_->of.secondNotes + notes;
+}
+
+// Of the study; of a second volume it is said in words only.
+std::vector<SliceRange> SliceView::shownInterpolated() const {
+    if (!shown_ || !showsStudy()) return {};
+    return slices::interpolatedIn(*shown_->of.volume, shown_->of.frame, shown_->of.slab);
+}
+
+QString SliceView::interpolatedNote() const {
+    if (shown_->of.isInterpolated) return tr("Interpolated: no image was taken here");
+    const std::vector<SliceRange> ranges = shownInterpolated();
+    if (ranges.empty()) return {};
+    if (steps_ && steps_->areAcquired()) return tr("Some slices of the slab are interpolated");
+    if (ranges.size() > kMostRangesMarked) return tr("Some of these slices are interpolated");
+    return tr("Interpolated between dashed lines: no image was taken there");
 }
 
 // Their lines are not where somebody drew them.
@@ -364,6 +379,11 @@ SliceOverlay SliceView::overlay() {
                                          (!of.over || of.over->volume->provenance().isCalibrated)};
     if (namesShown_) overlay.names = showsStudy() ? lines_ : of.names;
     if (of.shows == SliceShows::secondByHand) overlay.crosshairMm.reset();
+    if (const auto ranges = shownInterpolated(); ranges.size() <= kMostRangesMarked) {
+        for (const SliceRange& range : ranges)
+            std::ranges::copy(slices::edgesOf(range, *of.volume, of.frame),
+                              std::back_inserter(overlay.interpolatedEdges));
+    }
     for (const QString& probed : {overProbedText(), probedText()})
         if (!probed.isEmpty()) overlay.facts.push_back(probed);
     overlay.facts.push_back(of.positionText);

@@ -117,7 +117,7 @@ class SliceView : public QWidget {
     void request();
     void followSelection(const app::StudyState& before);
 
-    const Volume& volume() const { return *session_.study().volume; }
+    const Volume& volume() const { return *session_.study().measured(); }
     glm::dvec3 crosshairMm() const;
     DisplayWindow window() const;  // of what the pane is to show
     DisplayWindow studyWindow() const;
@@ -151,7 +151,9 @@ class SliceView : public QWidget {
     void showCursorAt(const QPointF& place);
     void moveHandle(const QPointF& place);
     void setCrosshair(const glm::dvec3& mm);
-    std::optional<int> imageNumberOf(int slice) const;
+    std::vector<SliceRange> shownInterpolated() const;
+    QString interpolatedNote() const;
+    QString secondPositionText(const app::BesideState& state, SliceWish& wish) const;
     void finishDrawing();
     void removeSelected();
     void showMenu(const QPointF& place);
@@ -173,6 +175,7 @@ class SliceView : public QWidget {
     std::unique_ptr<SliceSampler> sampler_;
 
     std::uint64_t study_ = 0;          // counts those that were shown
+    DisplayWindow usualWindow_;        // of the study: seriesWindow
     std::optional<SliceSteps> steps_;  // nothing: no study
     PaneView view_;
     std::optional<PaneView> told_;  // by viewChanged

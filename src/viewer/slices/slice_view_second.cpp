@@ -4,10 +4,27 @@
 #include <utility>
 
 #include "app/study/second_study.h"
+#include "pipeline/volume/window.h"
+#include "slices/interpolated.h"
 #include "viewer/slices/slice_texts.h"
 #include "viewer/slices/slice_view.h"
 
 namespace macula::viewer {
+
+namespace {
+
+// The slice of another volume that a plane of the study lies in; nothing where they are not parallel.
+std::optional<int> sliceIn(const Volume& volume, const slices::SlicePlane& plane,
+                           const glm::dmat4& volumeFromStudy) {
+    constexpr double kSameDirection = 1e-4;  // as of SliceSteps
+    const glm::dmat4 voxelFromStudy = glm::inverse(volume.worldFromVoxel()) * volumeFromStudy;
+    const glm::dvec3 gradient{voxelFromStudy[0][2], voxelFromStudy[1][2], voxelFromStudy[2][2]};
+    if (glm::length(glm::cross(glm::normalize(gradient), plane.normal())) > kSameDirection) return {};
+    const double at = std::round(transformPoint(voxelFromStudy, plane.centreMm).z);
+    return at >= 0.0 && at < volume.size().z ? std::optional(int(at)) : std::nullopt;
+}
+
+}  // namespace
 
 void SliceView::setSecond(std::shared_ptr<const SecondSeries> second) {
     second_ = std::move(second);
@@ -52,10 +69,11 @@ bool SliceView::wantsSecond() const {
 }
 
 const Volume& SliceView::wantedVolume() const {
-    return wantsSecond() ? *second_->study.volume : volume();
+    return wantsSecond() ? *second_->study.measured() : volume();
 }
 
 DisplayWindow SliceView::secondWindow() const {
+    if (beside()->linksWindow) return studyWindow();
     return beside()->window.value_or(second_->usualWindow);
 }
 
@@ -67,19 +85,17 @@ bool SliceView::secondIsInverted() const {
 void SliceView::addSecond(SliceWish& wish) const {
     const app::BesideState* state = beside();
     if (state == nullptr) return;
-    const bool isCalibrated = second_->study.volume->provenance().isCalibrated;
+    const bool isCalibrated = second_->study.measured()->provenance().isCalibrated;
     wish.tags = {second_->studyTag};
     if (wantsSecond()) {
-        wish.volume = second_->study.volume;
+        wish.volume = second_->study.measured();
         wish.volumeFromPane = state->secondFromStudy;
         wish.shows = state->isLinked() ? SliceShows::second : SliceShows::secondByHand;
         wish.window = secondWindow();
         wish.isInverted = secondIsInverted();
         wish.isLowBright = second_->study.isLowBright;
-        wish.isInterpolated = false;
         wish.segments.reset();  // they are of the study's voxels
-        wish.positionText = state->isLinked() ? tr("In the plane of the study: %1").arg(wish.positionText)
-                                              : tr("Not in a plane of the study");
+        wish.positionText = secondPositionText(*state, wish);
         wish.tags = {second_->tag};
         wish.names = second_->lines;
         wish.secondNotes = {linkText(*state)};
@@ -87,15 +103,16 @@ void SliceView::addSecond(SliceWish& wish) const {
             wish.secondNotes.push_back(tr("Some of its slices are interpolated"));
         if (!isCalibrated) wish.secondNotes.push_back(tr("The size of its pixels is not calibrated"));
     } else if (role_ == PaneRole::study && state->view == app::BesideView::over && state->isLinked()) {
-        wish.over = SliceOver{.volume = second_->study.volume,
+        wish.over = SliceOver{.volume = second_->study.measured(),
                               .volumeFromPane = state->secondFromStudy,
                               .window = secondWindow(),
-                              .isInverted = second_->study.isLowBright,
+                              // Colours are no custom of films.
+                              .isInverted = second_->study.isLowBright && !isActivity(*second_->study.volume),
                               .colours = state->colours,
                               .opacity = state->opacity};
         wish.tags.push_back(tr("In colours: %1").arg(second_->tag));
         wish.secondNotes = {linkText(*state)};
-        if (!second_->study.volume->provenance().interpolatedSlices.empty())
+        if (!second_->study.measured()->provenance().interpolatedSlices.empty())
             wish.secondNotes.push_back(tr("In colours: some slices are interpolated"));
         if (!isCalibrated) wish.secondNotes.push_back(tr("In colours: the size of pixels is not calibrated"));
     } else {
@@ -104,10 +121,24 @@ void SliceView::addSecond(SliceWish& wish) const {
     if (!second_->patientNote.isEmpty()) wish.secondNotes.prepend(second_->patientNote);
 }
 
+// With the numbers of its own slice where the pane is one of these: those of the study are of other images.
+QString SliceView::secondPositionText(const app::BesideState& state, SliceWish& wish) const {
+    wish.isInterpolated = false;
+    if (!state.isLinked()) return tr("Not in a plane of the study");
+    QString text = planeText(orientation_, *steps_, slice());
+    const std::optional<int> own = sliceIn(*wish.volume, wish.frame.plane, state.secondFromStudy);
+    if (own) {
+        text = withNumbers(text, *own, wish.volume->size().z, imageNumber(second_->study, *own));
+        wish.isInterpolated = slices::isInterpolated(*wish.volume, *own);
+    }
+    return tr("In the plane of the study: %1").arg(text);
+}
+
 void SliceView::proposeWindow(const std::optional<DisplayWindow>& window, bool isDrag) {
     const bool ofSecond = wantsSecond();
     const auto edit = [&](app::StudyState& next) {
-        (ofSecond ? next.beside->window : next.slices.window) = window;
+        const bool isOwn = ofSecond && !next.beside->linksWindow;
+        (isOwn ? next.beside->window : next.slices.window) = window;
     };
     const QString what = ofSecond ? tr("Window of the second volume") : tr("Window");
     if (isDrag) {
@@ -124,8 +155,8 @@ void SliceView::moveSecond(int slices) {
     const slices::SlicePlane there{.centreMm = transformPoint(from, shown.centreMm),
                                    .right = transformVector(from, shown.right),
                                    .down = transformVector(from, shown.down)};
-    const double byMm = slices * slices::stepMm(*second_->study.volume, there);
-    const slices::DepthRange depths = slices::depthsMm(*second_->study.volume, there);
+    const double byMm = slices * slices::stepMm(*second_->study.measured(), there);
+    const slices::DepthRange depths = slices::depthsMm(*second_->study.measured(), there);
     if (byMm > depths.highMm || byMm < depths.lowMm) return;  // nothing of it would be seen
     const glm::dvec3 by = byMm * there.normal();
     session_.drag(tr("Second volume moved"),

@@ -404,6 +404,10 @@
         <translation>Cinematic MR</translation>
     </message>
     <message>
+        <source>Cinematic PET</source>
+        <translation>Cinematic PET</translation>
+    </message>
+    <message>
         <source>Cinematic bone</source>
         <translation>Cinematic Knochen</translation>
     </message>
@@ -566,6 +570,26 @@
     <message>
         <source>Of the series</source>
         <translation>Der Serie</translation>
+    </message>
+    <message>
+        <source>Usual for PET</source>
+        <translation>Üblich für PET</translation>
+    </message>
+    <message>
+        <source>SUV 0 to 5</source>
+        <translation>SUV 0 bis 5</translation>
+    </message>
+    <message>
+        <source>SUV 0 to 7</source>
+        <translation>SUV 0 bis 7</translation>
+    </message>
+    <message>
+        <source>SUV 0 to 15</source>
+        <translation>SUV 0 bis 15</translation>
+    </message>
+    <message>
+        <source>SUV 0 to 20</source>
+        <translation>SUV 0 bis 20</translation>
     </message>
     <message>
         <source>Soft tissue</source>
@@ -2380,12 +2404,24 @@
         <translation>Die Lage der Voxel im Patienten ist nicht brauchbar: die Achsen spannen kein Volumen auf.</translation>
     </message>
     <message>
-        <source>The values were brought to 16 bits for the picture, with an error of at most %1.</source>
-        <translation>Die Werte wurden für das Bild auf 16 Bit gebracht, mit einem Fehler von höchstens %1.</translation>
+        <source>The 3D picture has values of 16 bits, with an error of at most %1.</source>
+        <translation>Das 3D-Bild hat Werte von 16 Bit, mit einem Fehler von höchstens %1.</translation>
     </message>
     <message>
-        <source>The values were brought to 16 bits for the picture, with an error of at most %1 %2.</source>
-        <translation>Die Werte wurden für das Bild auf 16 Bit gebracht, mit einem Fehler von höchstens %1 %2.</translation>
+        <source>The 3D picture has values of 16 bits, with an error of at most %1 %2.</source>
+        <translation>Das 3D-Bild hat Werte von 16 Bit, mit einem Fehler von höchstens %1 %2.</translation>
+    </message>
+    <message>
+        <source>The 3D picture shows values below %1 or above %2 as these.</source>
+        <translation>Das 3D-Bild zeigt Werte unter %1 oder über %2 wie diese.</translation>
+    </message>
+    <message>
+        <source>The presentation state is of the values of the images, and this PET is shown in SUV.</source>
+        <translation>Der Presentation State gilt für die Werte der Bilder, und dieses PET wird in SUV gezeigt.</translation>
+    </message>
+    <message>
+        <source>Choose a preset or a window in SUV.</source>
+        <translation>Wählen Sie eine Voreinstellung oder ein Fenster in SUV.</translation>
     </message>
     <message>
         <source>Correct the camera.</source>

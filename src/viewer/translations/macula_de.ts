@@ -642,6 +642,18 @@
         <source>%1, not calibrated</source>
         <translation>%1, nicht kalibriert</translation>
     </message>
+    <message>
+        <source>%1, ends in interpolated slices</source>
+        <translation>%1, endet in interpolierten Schichten</translation>
+    </message>
+    <message>
+        <source>%1, %2 % interpolated</source>
+        <translation>%1, %2 % interpoliert</translation>
+    </message>
+    <message>
+        <source>%1, interpolated,</source>
+        <translation>%1, interpoliert,</translation>
+    </message>
 </context>
 <context>
     <name>Visibility</name>
@@ -823,6 +835,18 @@
     <message>
         <source>As over slices</source>
         <translation>Wie über Schichten</translation>
+    </message>
+    <message>
+        <source>One window</source>
+        <translation>Ein Fenster</translation>
+    </message>
+    <message>
+        <source>One window for the study and the second volume</source>
+        <translation>Ein Fenster für die Untersuchung und das zweite Volumen</translation>
+    </message>
+    <message>
+        <source>Slices of both through one window, as phases are compared. Both have to have one unit</source>
+        <translation>Schichten von beiden durch ein Fenster, wie Phasen verglichen werden. Beide müssen eine Einheit haben</translation>
     </message>
 </context>
 <context>
@@ -3652,6 +3676,22 @@
     <message>
         <source>In colours: the size of pixels is not calibrated</source>
         <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
+    </message>
+    <message>
+        <source>Low values are white, as is custom for PET</source>
+        <translation>Niedrige Werte sind weiß, wie bei PET üblich</translation>
+    </message>
+    <message>
+        <source>Some slices of the slab are interpolated</source>
+        <translation>Einige Schichten des Slabs sind interpoliert</translation>
+    </message>
+    <message>
+        <source>Some of these slices are interpolated</source>
+        <translation>Einige dieser Schichten sind interpoliert</translation>
+    </message>
+    <message>
+        <source>Interpolated between dashed lines: no image was taken there</source>
+        <translation>Zwischen gestrichelten Linien interpoliert: dort wurde kein Bild aufgenommen</translation>
     </message>
 </context>
 <context>

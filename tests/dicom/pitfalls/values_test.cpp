@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../synthetic_pet.h"
+#include "dicom/loader.h"
 #include "opened.h"
 
 namespace macula::dicom::test {
@@ -205,6 +207,62 @@ TEST_F(D09Rescale, imagesThatSayTheirModalityAreNotToldOf) {
     writeFiles(folder.path(), series);
     const Opened opened = open();
     EXPECT_FALSE(opened.says(key::kMissingModality)) << opened.keys();
+}
+
+// Only who asks for it gets SUV; values and windows then have one factor.
+TEST_F(D09Rescale, petInSuvHasOneFactorForAll) {
+    series = petSeries();
+    writeFiles(folder.path(), series);
+    const Opened opened = open();
+    ASSERT_EQ(opened.volumes().size(), 1u);
+    const Stack& stack = *opened.volumes().front();
+    EXPECT_NEAR(stack.suvFactor.value_or(0.0), kSuvPerBqPerMl, 1e-12);
+    Progress progress;
+    const auto inFile = loadVolume(*opened.series().front(), stack, progress);
+    const auto inSuv = loadVolume(*opened.series().front(), stack, progress, {.onCoarse = {}, .inSuv = true});
+    ASSERT_TRUE(inFile.ok() && inSuv.ok());
+    EXPECT_EQ((*inFile)->unit(), Unit::becquerelsPerMillilitre);
+    EXPECT_EQ((*inSuv)->unit(), Unit::suvBodyWeight);
+    EXPECT_EQ((*inSuv)->unitName(), "SUV bw");
+    for (const Slice& slice : slicesOf(series)) {
+        const double becquerels = rawAt(series, slice, 3, 2) * 10.0;
+        EXPECT_NEAR((*inFile)->value(3, 2, slice.place), becquerels, 1e-6);
+        EXPECT_NEAR((*inSuv)->value(3, 2, slice.place), becquerels * kSuvPerBqPerMl, 1e-9 * becquerels);
+    }
+    ASSERT_EQ((*inSuv)->windows().size(), 1u);
+    const DisplayWindow& window = (*inSuv)->windows().front();
+    EXPECT_NEAR(window.center + 0.5 * window.width, 65535.0 * kSuvPerBqPerMl, 1e-9);
+    EXPECT_NEAR(window.center - 0.5 * window.width, 0.0, 1e-9);
+}
+
+// In floats too, where slopes differ, and as every fourth slice; without a dose it stays what it is.
+TEST_F(D09Rescale, petOfFloatsInSuv) {
+    for (const bool hasDose : {true, false}) {
+        const TemporaryFolder there;
+        SyntheticSeries pet = petSeries(hasDose);
+        pet.size.z = 20;
+        auto slices = slicesOf(pet);
+        for (Slice& slice : slices) slice.slope = 7.0 + 0.0371 * slice.place;
+        writeFiles(there.path(), pet, slices);
+        const Opened opened(there.path());
+        ASSERT_EQ(opened.volumes().size(), 1u);
+        std::shared_ptr<const Volume> coarse;
+        Progress progress;
+        const auto volume = loadVolume(*opened.series().front(), *opened.volumes().front(), progress,
+                                       {.onCoarse = [&](auto made) { coarse = made; }, .inSuv = true});
+        ASSERT_TRUE(volume.ok());
+        ASSERT_NE(coarse, nullptr);
+        const double factor = hasDose ? kSuvPerBqPerMl : 1.0;
+        EXPECT_EQ((*volume)->unit(), hasDose ? Unit::suvBodyWeight : Unit::becquerelsPerMillilitre);
+        EXPECT_EQ((*volume)->format(), VoxelFormat::float32);
+        for (const Slice& slice : slices) {
+            const double exact = rawAt(pet, slice, 4, 3) * slice.slope * factor;
+            EXPECT_NEAR((*volume)->value(4, 3, slice.place), exact, 1e-6 * exact);
+            if (slice.place % 4 == 0) {
+                EXPECT_NEAR(coarse->value(4, 3, slice.place / 4), exact, 1e-6 * exact);
+            }
+        }
+    }
 }
 
 // SUVbw by the file's own word: the mapping takes stored values, not rescaled ones.

@@ -1,0 +1,28 @@
+// Whether anything of a volume can be seen with a preset.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/volume.h"
+#include "pipeline/volume/transfer_function.h"
+
+namespace macula::presets {
+
+// Counts of the stored values of a volume, over a share of its voxels: evenly taken, and enough for a
+// thousandth of them to be found. The volume must be stored16, and outlive it.
+class SeenValues {
+  public:
+    explicit SeenValues(const Volume& volume);
+
+    // Whether more than a thousandth of the voxels holds matter of which a hand's breadth would be visible.
+    // Never of a volume that is all padding.
+    bool areSeenWith(const TransferFunction& preset) const;
+
+  private:
+    const Volume& volume_;
+    std::vector<std::uint32_t> counts_;  // by stored value
+    std::uint64_t all_ = 0;
+};
+
+}  // namespace macula::presets
