@@ -20,6 +20,7 @@
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
 #include "viewer/language/core_words.h"
+#include "viewer/panes/focus_order.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/presets/preset_box.h"
@@ -112,6 +113,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
         badge_->hide();  // what is on screen is what was wanted before
         fidelity_->setFullText(preparing_);
     });
+    new FocusOfGreyed(*this, [this] { focusPicture(); });
     connect(viewport_, &Viewport::keyNotHandled, this, &MainWindow::triggerShortcut);
     loader_.setKeeper(keeper_);
     connect(&keeps_, &QTimer::timeout, this, &MainWindow::keepState);

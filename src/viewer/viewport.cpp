@@ -167,7 +167,7 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::flyTurned, this, &Viewport::fly);
     connect(window_, &VulkanWindow::clicked, this, &Viewport::turnToSide);
     connect(window_, &VulkanWindow::keyPressed, this, [this](QKeyEvent* event) {
-        if (!handleKey(*event)) emit keyNotHandled(event);
+        if (!moveFocus(*event) && !handleKey(*event)) emit keyNotHandled(event);
     });
     connect(window_, &VulkanWindow::dropped, this, &Viewport::dropped);
 }

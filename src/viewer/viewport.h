@@ -117,6 +117,7 @@ class Viewport : public QWidget {
     void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
     PicturePlace placeAt(QPointF place, bool withShift) const;
     bool grab(QPointF place, bool withShift);
+    bool moveFocus(const QKeyEvent& event);  // whether it was Tab
     void onPointed(QPointF place);
     void endHold();  // of a tool
     void onWheel(double notches, bool withShift);
