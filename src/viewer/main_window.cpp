@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/slices/opening_planes.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
@@ -25,6 +26,7 @@
 #include "viewer/panes/tool_box.h"
 #include "viewer/presets/preset_box.h"
 #include "viewer/segmentation/segmentation_keeper.h"
+#include "viewer/settings/window_place.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status_texts.h"
 #include "viewer/visibility_note.h"
@@ -130,6 +132,12 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
         viewport_->setPictureSizeHint(options_.pictureSize);
         resize(sizeHint());
     }
+    if (!options_.choosesSize) placeWindow(*this, options_.settings.windowPlace);
+    new WindowPlace(*this, [this](const QString& place) {
+        Settings settings = options_.settings;
+        settings.windowPlace = place;
+        takeSettings(settings);
+    });
     focusPicture();
 }
 
@@ -208,6 +216,7 @@ void MainWindow::redraw() {
 
 void MainWindow::open(app::StudySource source) {
     keepState();  // it may be the same study that is opened
+    if (source) sawStudy(QString::fromStdString(source->string()));
     loader_.open(std::move(source));
 }
 
@@ -218,24 +227,26 @@ void MainWindow::openFound(std::size_t index) {
 }
 
 void MainWindow::askForFolder() {
-    auto* dialog = new QFileDialog(this, tr("Open a folder of DICOM files"), lastFolder_);
+    auto* dialog =
+        new QFileDialog(this, tr("Open a folder of DICOM files"), folders_.of(FolderKind::studies));
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    ask(dialog, [this](const QString& path) { open(path.toStdString()); });
+    ask(dialog, FolderKind::studies, [this](const QString& path) { open(path.toStdString()); });
 }
 
 void MainWindow::askForFile() {
-    auto* dialog = new QFileDialog(this, tr("Open an image or a volume"), lastFolder_);
+    auto* dialog = new QFileDialog(this, tr("Open an image or a volume"), folders_.of(FolderKind::studies));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    ask(dialog, [this](const QString& path) { open(path.toStdString()); });
+    ask(dialog, FolderKind::studies, [this](const QString& path) { open(path.toStdString()); });
 }
 
-void MainWindow::ask(QFileDialog* dialog, std::function<void(const QString&)> then) {
+void MainWindow::ask(QFileDialog* dialog, FolderKind kind, std::function<void(const QString&)> then) {
     viewport_->window().endDrag();  // the dialog will see the button go up
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this,
-            [this, dialog, then = std::move(then)](const QString& path) {
-                lastFolder_ = dialog->directory().absolutePath();
+            [this, dialog, kind, then = std::move(then)](const QString& path) {
+                folders_.use(kind, dialog->directory().absolutePath());
+                keepFolders();
                 then(path);
             });
     dialog->open();  // exec() would run a second event loop
@@ -293,12 +304,14 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     // What was hidden of the study before may be what matters in this one, and its windows mean nothing here.
     // Of the rest stays what menus and lists show: a number of a view that was opened would go on unseen.
     const app::StudyState& before = session_.state();
+    const app::OpeningPlanes planes = app::openingPlanes(volume);
     app::StudyState now{.seriesDigest = study.seriesDigest,
                         .preset = preset,
                         .lights = before.lights,
                         .settings = {.look = before.settings.look, .shading = before.settings.shading},
                         .showsMarks = before.showsMarks,
-                        .layout = before.layout};
+                        .layout = before.layout,
+                        .slices = {.asAcquired = planes.asAcquired}};
     std::optional<app::StudyState> left = stateAsLeft(study);
     if (left && options_.restores == Restores::work) {
         now.slices = left->slices;
@@ -320,6 +333,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     presetNote_ = presetWarning(*now.preset, volume);
     pick_->cancel();
     session_.show(study, std::move(now));
+    favourPane(planes.largest);
     showChosen();
     showPanes();
     clearStudyTexts();
