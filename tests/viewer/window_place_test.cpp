@@ -27,8 +27,7 @@ TEST_F(WindowPlaceTest, ComesBackAsItWasLeft) {
     const QRect left(60, 80, 500, 400);
     QWidget again;
     ASSERT_TRUE(placeWindow(again, placeOf(left)));
-    EXPECT_EQ(again.geometry().size(), left.size());
-    EXPECT_EQ(again.pos(), left.topLeft());
+    EXPECT_EQ(again.geometry(), left);
 }
 
 TEST_F(WindowPlaceTest, OfAScreenThatIsGoneItIsOnOneThatIsThere) {
@@ -37,7 +36,7 @@ TEST_F(WindowPlaceTest, OfAScreenThatIsGoneItIsOnOneThatIsThere) {
                               QRect(100, 100, 20000, 9000), QRect(screen.right() - 20, 50, 500, 400)}) {
         QWidget again;
         ASSERT_TRUE(placeWindow(again, placeOf(left)));
-        EXPECT_TRUE(screen.contains(QRect(again.pos(), again.size())))
+        EXPECT_TRUE(screen.contains(again.geometry()))
             << again.x() << " " << again.y() << " " << again.width() << " " << again.height();
         EXPECT_GE(again.width(), 100);
     }

@@ -9,6 +9,12 @@
 
 namespace macula::viewer {
 
+namespace {
+
+constexpr qsizetype kShortestPlace = 40;  // bytes, as of QWidget::saveGeometry
+
+}  // namespace
+
 WindowPlace::WindowPlace(QWidget& window, std::function<void(const QString&)> keep)
     : QObject(&window), window_(window), keep_(std::move(keep)) {
     window.installEventFilter(this);
@@ -23,16 +29,20 @@ bool WindowPlace::eventFilter(QObject* watched, QEvent* event) {
 bool placeWindow(QWidget& window, const QString& place) {
     const auto bytes =
         QByteArray::fromBase64Encoding(place.toLatin1(), QByteArray::AbortOnBase64DecodingErrors);
-    if (place.isEmpty() || !bytes || !window.restoreGeometry(*bytes)) return false;
+    // Qt reads what is cut off as zeros.
+    if (!bytes || bytes.decoded.size() < kShortestPlace || !window.restoreGeometry(bytes.decoded))
+        return false;
     if (window.isMaximized() || window.isFullScreen()) return true;  // the desktop knows how large that is
     const QScreen* screen = QGuiApplication::screenAt(window.geometry().center());
     if (screen == nullptr) screen = QGuiApplication::primaryScreen();
     if (screen == nullptr) return true;
     const QRect room = screen->availableGeometry();
-    window.resize(window.size().boundedTo(room.size()));
-    const QRect now(window.pos(), window.size());
-    window.move(std::clamp(now.x(), room.x(), room.x() + room.width() - now.width()),
-                std::clamp(now.y(), room.y(), room.y() + room.height() - now.height()));
+    const QRect left = window.geometry();
+    const QSize size = left.size().boundedTo(room.size());
+    const QRect fitting(std::clamp(left.x(), room.x(), room.x() + room.width() - size.width()),
+                        std::clamp(left.y(), room.y(), room.y() + room.height() - size.height()),
+                        size.width(), size.height());
+    if (fitting != left) window.setGeometry(fitting);
     return true;
 }
 
