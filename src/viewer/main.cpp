@@ -60,6 +60,7 @@ Result<MainWindowOptions> windowOptions(const CommandLine& line) {
     }
     options.firstView = line.view;
     options.layout = line.layout;
+    options.choosesSize = line.size.has_value() || line.script != CommandLine::Script::none;
     if (line.size) {
         options.pictureSize = *line.size;
     } else if (line.layout == app::Layout::fourPanes) {

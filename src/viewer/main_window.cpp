@@ -14,6 +14,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/slices/opening_planes.h"
 #include "app/study/carried_view.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/scissor_tool.h"
@@ -21,10 +22,12 @@
 #include "viewer/join_question.h"
 #include "viewer/keys.h"
 #include "viewer/language/core_words.h"
+#include "viewer/panes/focus_order.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/presets/preset_box.h"
 #include "viewer/segmentation/segmentation_keeper.h"
+#include "viewer/settings/window_place.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status_texts.h"
 #include "viewer/visibility_note.h"
@@ -113,6 +116,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
         badge_->hide();  // what is on screen is what was wanted before
         fidelity_->setFullText(preparing_);
     });
+    new FocusOfGreyed(*this, [this] { focusPicture(); });
     connect(viewport_, &Viewport::keyNotHandled, this, &MainWindow::triggerShortcut);
     loader_.setKeeper(keeper_);
     connect(&keeps_, &QTimer::timeout, this, &MainWindow::keepState);
@@ -129,6 +133,12 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
         viewport_->setPictureSizeHint(options_.pictureSize);
         resize(sizeHint());
     }
+    if (!options_.choosesSize) placeWindow(*this, options_.settings.windowPlace);
+    new WindowPlace(*this, [this](const QString& place) {
+        Settings settings = options_.settings;
+        settings.windowPlace = place;
+        takeSettings(settings);
+    });
     focusPicture();
 }
 
@@ -207,6 +217,7 @@ void MainWindow::redraw() {
 
 void MainWindow::open(app::StudySource source) {
     keepState();  // it may be the same study that is opened
+    if (source) sawStudy(QString::fromStdString(source->string()));
     loader_.open(std::move(source));
 }
 
@@ -217,24 +228,26 @@ void MainWindow::openFound(std::size_t index) {
 }
 
 void MainWindow::askForFolder() {
-    auto* dialog = new QFileDialog(this, tr("Open a folder of DICOM files"), lastFolder_);
+    auto* dialog =
+        new QFileDialog(this, tr("Open a folder of DICOM files"), folders_.of(FolderKind::studies));
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    ask(dialog, [this](const QString& path) { open(path.toStdString()); });
+    ask(dialog, FolderKind::studies, [this](const QString& path) { open(path.toStdString()); });
 }
 
 void MainWindow::askForFile() {
-    auto* dialog = new QFileDialog(this, tr("Open an image or a volume"), lastFolder_);
+    auto* dialog = new QFileDialog(this, tr("Open an image or a volume"), folders_.of(FolderKind::studies));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    ask(dialog, [this](const QString& path) { open(path.toStdString()); });
+    ask(dialog, FolderKind::studies, [this](const QString& path) { open(path.toStdString()); });
 }
 
-void MainWindow::ask(QFileDialog* dialog, std::function<void(const QString&)> then) {
+void MainWindow::ask(QFileDialog* dialog, FolderKind kind, std::function<void(const QString&)> then) {
     viewport_->window().endDrag();  // the dialog will see the button go up
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this,
-            [this, dialog, then = std::move(then)](const QString& path) {
-                lastFolder_ = dialog->directory().absolutePath();
+            [this, dialog, kind, then = std::move(then)](const QString& path) {
+                folders_.use(kind, dialog->directory().absolutePath());
+                keepFolders();
                 then(path);
             });
     dialog->open();  // exec() would run a second event loop
@@ -292,12 +305,14 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     // What was hidden of the study before may be what matters in this one, and its windows mean nothing here.
     // Of the rest stays what menus and lists show: a number of a view that was opened would go on unseen.
     const app::StudyState& before = session_.state();
+    const app::OpeningPlanes planes = app::openingPlanes(volume);
     app::StudyState now{.seriesDigest = study.seriesDigest,
                         .preset = preset,
                         .lights = before.lights,
                         .settings = {.look = before.settings.look, .shading = before.settings.shading},
                         .showsMarks = before.showsMarks,
-                        .layout = before.layout};
+                        .layout = before.layout,
+                        .slices = {.asAcquired = planes.asAcquired}};
     std::optional<app::StudyState> left = stateAsLeft(study);
     if (left && options_.restores == Restores::work) {
         now.slices = left->slices;
@@ -322,6 +337,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     presetNote_ = presetWarning(*now.preset, volume);
     pick_->cancel();
     session_.show(study, std::move(now));
+    favourPane(planes.largest);
     showChosen();
     showPanes();
     clearStudyTexts();

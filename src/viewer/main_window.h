@@ -26,6 +26,7 @@
 #include "viewer/output/picture_export.h"
 #include "viewer/pick/anatomy_pick.h"
 #include "viewer/session/viewer_session.h"
+#include "viewer/settings/last_folders.h"
 #include "viewer/settings/settings.h"
 #include "viewer/status_widgets.h"
 #include "viewer/study_loader.h"
@@ -102,6 +103,7 @@ struct MainWindowOptions {
     std::optional<int> keepDays = {};  // what was not opened for so long is deleted there; nothing: never
     bool calibrates = false;           // measures in the background how fast this machine is, once
     Restores restores = Restores::all;
+    bool choosesSize = false;  // pictureSize counts more than where the window was left
     bool keepsLayout = false;  // as above, whatever a study was left with
     Settings settings = {};
     std::optional<std::filesystem::path> settingsFile = {};  // where they are kept; nothing: nowhere
@@ -249,7 +251,9 @@ class MainWindow : public QMainWindow {
     void openFound(std::size_t index);  // another volume of the folder
     void askForFolder();
     void askForFile();
-    void ask(QFileDialog* dialog, std::function<void(const QString&)> then);
+    void ask(QFileDialog* dialog, FolderKind kind, std::function<void(const QString&)> then);
+    void keepFolders();
+    void sawStudy(const QString& path);  // its folder: see LastFolders
     void openDropped(const Dropped& what);
     void usePreset(const LibraryPreset& preset);
     void askForPresetFile();
@@ -261,7 +265,8 @@ class MainWindow : public QMainWindow {
     void onModel(const hybrid::ModelNews& model);
     void setStudyTexts(const app::OpenedStudy& study);
     void explainTabs();
-    void showPanes();     // of the state
+    void showPanes();  // of the state
+    void favourPane(std::optional<slices::Orientation> orientation);
     void focusPicture();  // the pane that had the keyboard last, or one that is shown
     void showNames(bool shown);
     void setCine(bool plays);  // of the slices that are looked at
@@ -294,9 +299,9 @@ class MainWindow : public QMainWindow {
     QString storeNote_;            // and what went wrong with the store
     bool storeNoteIsNew_ = false;  // it came with the study that is being opened
     QTimer keeps_;
-    QTimer prepares_;    // for so long that it is worth a word
-    QString preparing_;  // which
-    QString lastFolder_;
+    QTimer prepares_;                                 // for so long that it is worth a word
+    QString preparing_;                               // which
+    LastFolders folders_{options_.settings.folders};  // of file dialogs
 
     ShownVolume* shown_ = nullptr;
     Viewport* viewport_ = nullptr;

@@ -136,10 +136,14 @@ void MainWindow::addBesideToView(QMenu& view) {
 
 void MainWindow::askForBeside(int mode) {
     const auto fileMode = QFileDialog::FileMode(mode);
-    auto* dialog = new QFileDialog(this, tr("Open a second volume beside the study"), lastFolder_);
+    auto* dialog =
+        new QFileDialog(this, tr("Open a second volume beside the study"), folders_.of(FolderKind::studies));
     dialog->setFileMode(fileMode);
     dialog->setOption(QFileDialog::ShowDirsOnly, fileMode == QFileDialog::Directory);
-    ask(dialog, [this](const QString& path) { beside_->open(path.toStdString()); });
+    ask(dialog, FolderKind::studies, [this](const QString& path) {
+        sawStudy(path);
+        beside_->open(path.toStdString());
+    });
 }
 
 }  // namespace macula::viewer

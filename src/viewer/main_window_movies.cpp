@@ -129,10 +129,11 @@ void MainWindow::askWhereToDrawMovie() {
             return stampsOf(lines, letters, sizePx);
         };
     }
-    auto* dialog = new QFileDialog(this, tr("Choose a folder for the pictures"), lastFolder_);
+    auto* dialog =
+        new QFileDialog(this, tr("Choose a folder for the pictures"), folders_.of(FolderKind::movies));
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    ask(dialog, [this, wish = std::move(wish)](const QString& folder) {
+    ask(dialog, FolderKind::movies, [this, wish = std::move(wish)](const QString& folder) {
         MovieWish now = wish;
         now.sequence.folder = folder.toStdString();
         movieExport_->start(std::move(now));
@@ -140,9 +141,10 @@ void MainWindow::askWhereToDrawMovie() {
 }
 
 void MainWindow::askForPath() {
-    auto* dialog = new QFileDialog(this, tr("Open a way of the camera"), lastFolder_, tr("Ways (*.json)"));
+    auto* dialog = new QFileDialog(this, tr("Open a way of the camera"), folders_.of(FolderKind::movies),
+                                   tr("Ways (*.json)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    ask(dialog, [this](const QString& file) {
+    ask(dialog, FolderKind::movies, [this](const QString& file) {
         auto path = app::readCameraPath(file.toStdString());
         if (!path) return messages_->showError(path.error());
         messages_->hide();
@@ -152,11 +154,12 @@ void MainWindow::askForPath() {
 
 void MainWindow::askWhereToSavePath() {
     if (movie_->views().stops.empty()) return;
-    auto* dialog = new QFileDialog(this, tr("Save the way of the camera"), lastFolder_, tr("Ways (*.json)"));
+    auto* dialog = new QFileDialog(this, tr("Save the way of the camera"), folders_.of(FolderKind::movies),
+                                   tr("Ways (*.json)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("json"));
     dialog->selectFile(QStringLiteral("path.json"));
-    ask(dialog, [this, json = toJson(movie_->views())](const QString& file) {
+    ask(dialog, FolderKind::movies, [this, json = toJson(movie_->views())](const QString& file) {
         tellOfFile(writeTextAtomically(file.toStdString(), json),
                    tr("The way is written to %1. macula hybrid draws it with --path %1.").arg(file));
     });
@@ -166,7 +169,7 @@ void MainWindow::askWhereToSaveModel() {
     if (!hasPictureFor(tr("There is no model to save yet."))) return;
     QStringList filters;
     for (const ModelFilter& filter : kModelFilters) filters << tr(filter.title);
-    auto* dialog = new QFileDialog(this, tr("Save the model"), lastFolder_);
+    auto* dialog = new QFileDialog(this, tr("Save the model"), folders_.of(FolderKind::models));
     dialog->setNameFilters(filters);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QLatin1String(kModelFilters.front().suffix));
@@ -177,7 +180,7 @@ void MainWindow::askWhereToSaveModel() {
     };
     connect(dialog, &QFileDialog::filterSelected, dialog,
             [dialog, chosen] { dialog->setDefaultSuffix(QLatin1String(chosen().suffix)); });
-    ask(dialog, [this, chosen](const QString& file) {
+    ask(dialog, FolderKind::models, [this, chosen](const QString& file) {
         const bool holdsTraining = file.endsWith(QLatin1String(".macula"), Qt::CaseInsensitive);
         // Of what is drawn now: the model is that of now too.
         modelExport_->expect({.path = file.toStdString(),

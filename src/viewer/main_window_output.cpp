@@ -59,7 +59,7 @@ void MainWindow::askForPicture() {
 
 void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
     auto* dialog = new QFileDialog(
-        this, tr("Save the picture"), lastFolder_,
+        this, tr("Save the picture"), folders_.of(FolderKind::pictures),
         tr("Pictures (*.png);;Linear light and depth (*.exr);;DICOM Secondary Capture (*.dcm)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("png"));
@@ -83,7 +83,7 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
                              isCalibrated = picture.volume->provenance().isCalibrated](const Camera& camera) {
             return overlaysOf(camera, sizePx, isCalibrated);
         };
-    ask(dialog, [this, picture = std::move(picture)](const QString& path) {
+    ask(dialog, FolderKind::pictures, [this, picture = std::move(picture)](const QString& path) {
         app::ViewPicture wanted = picture;
         wanted.output = path.toStdString();
         export_->start(std::move(wanted));
@@ -104,11 +104,12 @@ void MainWindow::askWhereToSavePreset() {
                                      tr("There is no preset to save yet.").toStdString(),
                                      {},
                                      tr("Open a study first.").toStdString()});
-    auto* dialog = new QFileDialog(this, tr("Save the preset"), lastFolder_, tr("Presets (*.json)"));
+    auto* dialog = new QFileDialog(this, tr("Save the preset"), folders_.of(FolderKind::presets),
+                                   tr("Presets (*.json)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("json"));
     dialog->selectFile(QString::fromStdString(session_.state().preset->name) + QStringLiteral(".json"));
-    ask(dialog, [this, json = toJson(*session_.state().preset)](const QString& path) {
+    ask(dialog, FolderKind::presets, [this, json = toJson(*session_.state().preset)](const QString& path) {
         tellOfFile(writeTextAtomically(path.toStdString(), json),
                    tr("The preset is written to %1. Open it with --preset %1.").arg(path));
     });
@@ -120,8 +121,8 @@ void MainWindow::askWhereToSaveMeasurements() {
                                      tr("There are no measurements to save.").toStdString(),
                                      {},
                                      tr("Measure something on a slice first.").toStdString()});
-    auto* dialog =
-        new QFileDialog(this, tr("Save the measurements"), lastFolder_, tr("Table (*.csv);;JSON (*.json)"));
+    auto* dialog = new QFileDialog(this, tr("Save the measurements"), folders_.of(FolderKind::measurements),
+                                   tr("Table (*.csv);;JSON (*.json)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));
     dialog->selectFile(QStringLiteral("measurements"));
@@ -129,11 +130,12 @@ void MainWindow::askWhereToSaveMeasurements() {
         dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).chopped(1));
     });
     // Those of now: while a person looks for a folder another study may come.
-    ask(dialog, [this, measurements = session_.state().measurements, volume = study().measured(),
-                 numbers = study().imageNumbers](const QString& path) {
-        tellOfFile(app::writeMeasurements(path.toStdString(), measurements, {*volume, numbers}),
-                   tr("The measurements are written to %1.").arg(path));
-    });
+    ask(dialog, FolderKind::measurements,
+        [this, measurements = session_.state().measurements, volume = study().measured(),
+         numbers = study().imageNumbers](const QString& path) {
+            tellOfFile(app::writeMeasurements(path.toStdString(), measurements, {*volume, numbers}),
+                       tr("The measurements are written to %1.").arg(path));
+        });
 }
 
 }  // namespace macula::viewer

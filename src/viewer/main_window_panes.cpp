@@ -143,6 +143,10 @@ void MainWindow::showPanes() {
     tools_->setVisible(layout != app::Layout::volume);  // they are of slices
 }
 
+void MainWindow::favourPane(std::optional<slices::Orientation> orientation) {
+    panes_->favour(orientation ? std::optional(paneOf(*orientation)) : std::nullopt);
+}
+
 void MainWindow::focusPicture() {
     Pane pane = lastPane_.value_or(Pane::volume);
     if (!panes_->isShown(pane))

@@ -53,10 +53,12 @@ void MainWindow::askForPresentation() {
                                      tr("No study is open.").toStdString(),
                                      {},
                                      tr("Open the series of the presentation state first.").toStdString()});
-    auto* dialog = new QFileDialog(this, tr("Open a presentation state"), lastFolder_,
-                                   tr("DICOM files (*.dcm);;All files (*)"));
+    auto* dialog =
+        new QFileDialog(this, tr("Open a presentation state"), folders_.of(FolderKind::presentations),
+                        tr("DICOM files (*.dcm);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    ask(dialog, [this](const QString& path) { openPresentation(path.toStdString()); });
+    ask(dialog, FolderKind::presentations,
+        [this](const QString& path) { openPresentation(path.toStdString()); });
 }
 
 void MainWindow::openPresentation(const std::filesystem::path& path) {
@@ -156,12 +158,12 @@ void MainWindow::askHowToSavePresentation() {
 }
 
 void MainWindow::askWhereToSavePresentation(app::PresentationWish wish) {
-    auto* dialog =
-        new QFileDialog(this, tr("Save the presentation state"), lastFolder_, tr("DICOM files (*.dcm)"));
+    auto* dialog = new QFileDialog(this, tr("Save the presentation state"),
+                                   folders_.of(FolderKind::presentations), tr("DICOM files (*.dcm)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("dcm"));
     dialog->selectFile(QStringLiteral("presentation.dcm"));
-    ask(dialog, [this, wish = std::move(wish)](const QString& path) {
+    ask(dialog, FolderKind::presentations, [this, wish = std::move(wish)](const QString& path) {
         presentations_->save(path.toStdString(), wish);
     });
 }

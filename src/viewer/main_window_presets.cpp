@@ -117,18 +117,20 @@ void MainWindow::usePreset(const LibraryPreset& preset) {
 }
 
 void MainWindow::askForPresetFile() {
-    auto* dialog = new QFileDialog(this, tr("Import presets"), lastFolder_,
+    auto* dialog = new QFileDialog(this, tr("Import presets"), folders_.of(FolderKind::presets),
                                    tr("Presets (*.json *.vp *.xml *.mrml *.plist);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    ask(dialog, [this](const QString& path) { presetLibrary_->importFile(path.toStdString()); });
+    ask(dialog, FolderKind::presets,
+        [this](const QString& path) { presetLibrary_->importFile(path.toStdString()); });
 }
 
 void MainWindow::askWhereToExportPreset(const LibraryPreset& preset) {
-    auto* dialog = new QFileDialog(this, tr("Export the preset"), lastFolder_, tr("Presets (*.json)"));
+    auto* dialog = new QFileDialog(this, tr("Export the preset"), folders_.of(FolderKind::presets),
+                                   tr("Presets (*.json)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("json"));
     dialog->selectFile(QString::fromStdString(preset.function->name) + QStringLiteral(".json"));
-    ask(dialog, [this, ref = preset.ref](const QString& path) {
+    ask(dialog, FolderKind::presets, [this, ref = preset.ref](const QString& path) {
         tellOfFile(presetLibrary_->exportTo(path.toStdString(), ref),
                    tr("The preset is written to %1. Open it with --preset %1.").arg(path));
     });

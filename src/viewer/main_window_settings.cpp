@@ -24,6 +24,17 @@ void MainWindow::askForSettings() {
     dialog->open();  // exec() would run a second event loop
 }
 
+void MainWindow::keepFolders() {
+    Settings settings = options_.settings;
+    settings.folders = folders_.toKeep();
+    takeSettings(settings);
+}
+
+void MainWindow::sawStudy(const QString& path) {
+    folders_.sawStudy(path);
+    keepFolders();
+}
+
 void MainWindow::takeSettings(const Settings& settings) {
     const Settings before = std::exchange(options_.settings, settings);
     if (settings == before) return;

@@ -48,9 +48,10 @@ void MainWindow::showChosen() {
 }
 
 void MainWindow::askForView() {
-    auto* dialog = new QFileDialog(this, tr("Open a view"), lastFolder_, tr("Views (*.json)"));
+    auto* dialog =
+        new QFileDialog(this, tr("Open a view"), folders_.of(FolderKind::views), tr("Views (*.json)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
-    ask(dialog, [this](const QString& path) { openView(path); });
+    ask(dialog, FolderKind::views, [this](const QString& path) { openView(path); });
 }
 
 void MainWindow::askWhereToSaveView() {
@@ -59,13 +60,15 @@ void MainWindow::askWhereToSaveView() {
                                      tr("There is no view to save yet.").toStdString(),
                                      {},
                                      tr("Open a study first.").toStdString()});
-    auto* dialog = new QFileDialog(this, tr("Save the view"), lastFolder_, tr("Views (*.json)"));
+    auto* dialog =
+        new QFileDialog(this, tr("Save the view"), folders_.of(FolderKind::views), tr("Views (*.json)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("json"));
     dialog->selectFile(QStringLiteral("view.json"));
     app::StudyState view = state();
     view.grid = app::savedGridOf(*study().volume);
-    ask(dialog, [this, json = app::toJson(view)](const QString& path) { saveView(path, json); });
+    ask(dialog, FolderKind::views,
+        [this, json = app::toJson(view)](const QString& path) { saveView(path, json); });
 }
 
 void MainWindow::openView(const QString& path) {

@@ -1,69 +1,85 @@
 #include "viewer/painted_text.h"
 
-#include <QFontDatabase>
-#include <QFontMetrics>
+#include <QFontMetricsF>
 #include <QGuiApplication>
 #include <QImage>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "viewer/harmless_text.h"
+#include "viewer/marks/mark_atlas.h"
+#include "viewer/slices/haloed_drawing.h"
+#include "viewer/slices/overlay_layout.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {
 
 namespace {
 
-constexpr int kMarginPx = 8;   // logical, as all below
-constexpr int kPaddingPx = 4;  // left and right of a line
-constexpr int kFontPx = 14;
+constexpr double kMarginPx = 8.0;  // logical, as all below
+constexpr double kLeastRoomPx = 20.0;
+constexpr double kHaloPx = 3.0;
+constexpr int kClosePx = 3;
 const QColor kInk(235, 235, 235);
-const QColor kPaper(12, 12, 12);
+const QColor kNoteInk(255, 190, 90);
+
+QStringList harmlessOf(const std::vector<std::string>& lines) {
+    QStringList shown;
+    for (const std::string& line : lines)
+        if (const QString text = harmless(QString::fromStdString(line)); !text.isEmpty()) shown << text;
+    return shown;
+}
+
+// From the upper left corner on; below the letter in the middle where a line in its height would reach it.
+std::vector<PlacedText> place(const LinesOver& lines, const QSize& size) {
+    const QFont font = overlayFont(QGuiApplication::font(), size, fontScaleOverPictures());
+    const QFontMetricsF metrics(font);
+    const double roomPx = size.width() - 2.0 * kMarginPx;
+    if (roomPx < kLeastRoomPx) return {};
+    // As wide as letters get: three of them.
+    const auto letter = placeSides({.left = "R", .right = "L", .top = "SAR", .bottom = "I"}, size, font,
+                                   fontScaleOverPictures())
+                            .top;
+    double top = kMarginPx;
+    std::vector<PlacedText> placed;
+    const auto put = [&](const QString& text, const QColor& ink) {
+        const bool meets = letter && letter->box().bottom() > top &&
+                           kMarginPx + metrics.horizontalAdvance(text) > letter->box().left();
+        if (meets) top = letter->box().bottom();
+        placed.push_back({.at = {kMarginPx, top + metrics.ascent()}, .text = text, .ink = ink, .font = font});
+        top += metrics.height();
+    };
+    const QStringList names = harmlessOf(lines.names);
+    for (const QString& name : names.first(namesIn(size, font, names.size())))
+        put(metrics.elidedText(name, Qt::ElideMiddle, roomPx), kInk);
+    for (const QString& note : wrapped(harmlessOf(lines.notes), font, roomPx)) put(note, kNoteInk);
+    return placed;
+}
 
 }  // namespace
 
-std::shared_ptr<const app::PictureText> paintText(const std::vector<std::string>& lines, int widthPx,
-                                                  double pixelRatio) {
-    const auto px = [&](int logical) { return std::max(1, int(std::lround(logical * pixelRatio))); };
-    QFont font = QGuiApplication::font();
-    font.setPixelSize(px(int(std::lround(kFontPx * fontScaleOverPictures()))));
-    const QFontMetrics metrics(font);
-    const int room = widthPx - 2 * px(kMarginPx) - 2 * px(kPaddingPx);
-    if (room <= 0) return nullptr;
-
-    auto text = std::make_shared<app::PictureText>();
-    std::vector<QString> shown;
-    for (const std::string& line : lines) {
-        const QString words =
-            metrics.elidedText(harmless(QString::fromStdString(line)), Qt::ElideRight, room);
-        if (words.isEmpty()) continue;
-        const int height = metrics.height();
-        const int top = px(kMarginPx) + int(shown.size()) * height;
-        const int width = std::min(room, metrics.horizontalAdvance(words)) + 2 * px(kPaddingPx);
-        text->boxes.push_back({{px(kMarginPx), top}, {std::uint32_t(width), std::uint32_t(height)}});
-        text->size.width = std::max(text->size.width, std::uint32_t(px(kMarginPx) + width));
-        text->size.height = std::uint32_t(top + height);
-        shown.push_back(words);
-    }
-    if (shown.empty()) return nullptr;
-
-    QImage image(int(text->size.width), int(text->size.height), QImage::Format_RGBA8888);
-    image.fill(kPaper);
+std::shared_ptr<const app::PictureText> paintText(const LinesOver& lines, QSize pixels, double pixelRatio) {
+    if (pixels.isEmpty() || !(pixelRatio > 0.0) || !std::isfinite(pixelRatio)) return nullptr;
+    const std::vector<PlacedText> placed = place(lines, (QSizeF(pixels) / pixelRatio).toSize());
+    if (placed.empty()) return nullptr;
+    QRectF all;
+    for (const PlacedText& text : placed) all |= text.box();
+    const QSize needed = (QSizeF(all.right() + kHaloPx, all.bottom() + kHaloPx) * pixelRatio).toSize();
+    QImage image(needed.boundedTo(pixels), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(pixelRatio);
+    image.fill(Qt::transparent);
     QPainter painter(&image);
-    painter.setFont(font);
-    painter.setPen(kInk);
-    for (std::size_t i = 0; i < shown.size(); ++i) {
-        const VkRect2D& box = text->boxes[i];
-        painter.drawText(QPoint(box.offset.x + px(kPaddingPx), box.offset.y + metrics.ascent()), shown[i]);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const PlacedText& text : placed) {
+        painter.setFont(text.font);
+        drawHaloedText(painter, text.at, text.text, text.ink);
     }
     painter.end();
-    const std::size_t rowBytes = std::size_t(image.width()) * 4;
-    text->rgba.resize(rowBytes * std::size_t(image.height()));
-    for (int y = 0; y < image.height(); ++y)
-        std::memcpy(text->rgba.data() + rowBytes * std::size_t(y), image.constScanLine(y), rowBytes);
-    return text;
+    MarkAtlas atlas(nullptr, QSize(0, 0));  // over pictures of any size
+    atlas.placeShape(image, {0, 0}, kClosePx);
+    auto text = atlas.take();
+    return text->boxes.empty() ? nullptr : text;
 }
 
 }  // namespace macula::viewer

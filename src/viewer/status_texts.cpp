@@ -46,14 +46,15 @@ std::vector<std::string> linesToShow(const app::Identity& identity) {
     return lines;
 }
 
-std::vector<std::string> linesOver(std::vector<std::string> names, const app::Drawing& drawing) {
+LinesOver linesOver(std::vector<std::string> names, const app::Drawing& drawing) {
+    LinesOver lines{.names = std::move(names)};
     // Projections show the study alone.
-    if (!drawing.additions || trace::isProjection(drawing.settings.look)) return names;
+    if (!drawing.additions || trace::isProjection(drawing.settings.look)) return lines;
     QString remark = listInWindowsLanguage(drawing.additions->remark);
-    if (remark.isEmpty()) return names;
+    if (remark.isEmpty()) return lines;
     remark[0] = remark[0].toUpper();
-    names.push_back(remark.toStdString());
-    return names;
+    lines.notes.push_back(remark.toStdString());
+    return lines;
 }
 
 QString fidelityText(const app::FrameShown& frame) {

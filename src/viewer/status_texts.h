@@ -11,6 +11,7 @@
 #include "base/volume.h"
 #include "pipeline/hybrid/model/model_news.h"
 #include "pipeline/volume/transfer_function.h"
+#include "viewer/painted_text.h"
 
 namespace macula::viewer {
 
@@ -19,9 +20,9 @@ QString titleOr(const std::string& title, const std::string& name);
 
 // Whose picture it is, in the language of the window: a line each, as linesOf has them.
 std::vector<std::string> linesToShow(const app::Identity& identity);
-// Of a 3D picture so drawn: `names`, and that something of another series is in it, also where nobody is
-// named.
-std::vector<std::string> linesOver(std::vector<std::string> names, const app::Drawing& drawing);
+// Of a 3D picture so drawn: `names`, and the remark that something of another series is in it, also where
+// nobody is named.
+LinesOver linesOver(std::vector<std::string> names, const app::Drawing& drawing);
 // What is on screen, how it was made, and how far it has come.
 QString fidelityText(const app::FrameShown& frame);
 

@@ -1,8 +1,8 @@
 #include "viewer/viewport.h"
 
-#include <QGridLayout>
 #include <QGuiApplication>
 #include <QKeyEvent>
+#include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
 #include <iterator>
@@ -12,6 +12,7 @@
 
 #include "app/frame/window_screen.h"
 #include "base/log.h"
+#include "viewer/marks/side_letters.h"
 #include "viewer/painted_text.h"
 #include "viewer/post.h"
 #include "viewer/status_texts.h"
@@ -24,21 +25,6 @@ namespace {
 constexpr double kVerticalFovDeg = 30.0;
 constexpr std::chrono::milliseconds kNudgeLasts{250};
 constexpr QSize kSmallestPicture{160, 120};
-
-QLabel* edgeLabel(QWidget* parent, const QString& edge) {
-    auto* label = new QLabel(parent);
-    label->setAlignment(Qt::AlignCenter);
-    label->setToolTip(QObject::tr("The side of the patient at the %1 of the picture: "
-                                  "Anterior, Posterior, Left, Right, Superior, Inferior")
-                          .arg(edge));
-    QFont font = label->font();
-    font.setBold(true);
-    label->setFont(font);
-    // Fixed, so that the picture does not change its size when the letters do.
-    const QSize text = label->fontMetrics().boundingRect(QStringLiteral("WWW")).size();
-    label->setMinimumSize(text.width(), text.height() + 2);
-    return label;
-}
 
 }  // namespace
 
@@ -98,21 +84,9 @@ void Viewport::layOut() {
     policy.setRetainSizeWhenHidden(true);
     container_->setSizePolicy(policy);
     setFocusProxy(container_);
-    left_ = edgeLabel(this, tr("left"));
-    right_ = edgeLabel(this, tr("right"));
-    top_ = edgeLabel(this, tr("top"));
-    bottom_ = edgeLabel(this, tr("bottom"));
-    // A native window cannot have widgets on top of it, so the letters stand around it.
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setSpacing(0);
-    grid->addWidget(top_, 0, 1);
-    grid->addWidget(left_, 1, 0);
-    grid->addWidget(container_, 1, 1);
-    grid->addWidget(right_, 1, 2);
-    grid->addWidget(bottom_, 2, 1);
-    grid->setRowStretch(1, 1);
-    grid->setColumnStretch(1, 1);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(container_);
 }
 
 void Viewport::connectWindow() {
@@ -167,7 +141,7 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::flyTurned, this, &Viewport::fly);
     connect(window_, &VulkanWindow::clicked, this, &Viewport::turnToSide);
     connect(window_, &VulkanWindow::keyPressed, this, [this](QKeyEvent* event) {
-        if (!handleKey(*event)) emit keyNotHandled(event);
+        if (!moveFocus(*event) && !handleKey(*event)) emit keyNotHandled(event);
     });
     connect(window_, &VulkanWindow::dropped, this, &Viewport::dropped);
 }
@@ -318,18 +292,17 @@ std::uint64_t Viewport::publish() {
 }
 
 void Viewport::updateText() {
-    const std::vector<std::string> names =
-        linesOver(namesShown_ ? names_ : std::vector<std::string>(), input_.drawing);
+    const LinesOver lines = linesOver(namesShown_ ? names_ : std::vector<std::string>(), input_.drawing);
+    const QSize pixels = window_->pixels();
     const double ratio = window_->devicePixelRatio();
     const double fontScale = fontScaleOverPictures();
-    if (names == textNames_ && input_.width == textWidthPx_ && ratio == textPixelRatio_ &&
-        fontScale == textFontScale_)
+    if (lines == textLines_ && pixels == textPx_ && ratio == textPixelRatio_ && fontScale == textFontScale_)
         return;
-    textNames_ = names;
-    textWidthPx_ = input_.width;
+    textLines_ = lines;
+    textPx_ = pixels;
     textPixelRatio_ = ratio;
     textFontScale_ = fontScale;
-    input_.text = paintText(names, input_.width, ratio);
+    input_.text = paintText(lines, pixels, ratio);
 }
 
 // A few tenths of a millisecond: for each step of a drag.
@@ -338,18 +311,25 @@ void Viewport::updateMarks() {
     if (input_.volume) {
         wanted =
             Marked{.picture = {input_.camera, window_->pixels(), window_->devicePixelRatio(), isCalibrated()},
-                   .hasCube = marksShown_};
+                   .hasCube = marksShown_,
+                   .fontScale = fontScaleOverPictures()};
         for (const PictureTool* tool : tools_)
             std::ranges::copy(tool->marks(geometry()), std::back_inserter(wanted->ofTools));
     }
     if (wanted == marked_) return;
-    const bool isSameCube =
-        wanted && marked_ && wanted->picture == marked_->picture && wanted->hasCube == marked_->hasCube;
+    Marked stands = wanted.value_or(Marked{});  // what tools move lies above it
+    stands.ofTools = marked_ ? marked_->ofTools : std::vector<ToolMark>();
+    const bool isSame = wanted && marked_ && stands == *marked_;
     marked_ = std::move(wanted);
-    if (!isSameCube) cube_ = marked_ && marked_->hasCube ? paintCubeAndScale(marked_->picture) : nullptr;
-    input_.marks =
-        marked_ ? withToolMarks(cube_, marked_->ofTools, marked_->picture.pixels, marked_->picture.pixelRatio)
-                : nullptr;
+    if (!isSame) standing_ = marked_ ? paintStanding(*marked_) : nullptr;
+    input_.marks = marked_ ? withToolMarks(standing_, marked_->ofTools, marked_->picture.pixels,
+                                           marked_->picture.pixelRatio)
+                           : nullptr;
+}
+
+std::shared_ptr<const app::PictureText> Viewport::paintStanding(const Marked& marked) const {
+    return withSideLetters(marked.hasCube ? paintCubeAndScale(marked.picture) : nullptr, input_.letters,
+                           marked.picture.pixels, marked.picture.pixelRatio);
 }
 
 bool Viewport::isCalibrated() const {
@@ -403,17 +383,13 @@ void Viewport::onRendered(const app::RenderEvent& event) {
 }
 
 void Viewport::setLetters(const app::EdgeLetters& letters) {
-    left_->setText(QString::fromStdString(letters.left));
-    right_->setText(QString::fromStdString(letters.right));
-    top_->setText(QString::fromStdString(letters.top));
-    bottom_->setText(QString::fromStdString(letters.bottom));
-}
-
-app::EdgeLetters Viewport::letters() const {
-    return {.left = left_->text().toStdString(),
-            .right = right_->text().toStdString(),
-            .top = top_->text().toStdString(),
-            .bottom = bottom_->text().toStdString()};
+    letters_ = letters;
+    const auto side = [](const std::string& text) { return QString::fromStdString(text); };
+    container_->setAccessibleDescription(
+        letters.left.empty()
+            ? QString()
+            : tr("Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4")
+                  .arg(side(letters.left), side(letters.right), side(letters.top), side(letters.bottom)));
 }
 
 }  // namespace macula::viewer

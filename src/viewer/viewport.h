@@ -4,7 +4,6 @@
 #include "app/frame/render_thread.h"  // before Qt, see vulkan_window.h
 #include "viewer/vulkan_window.h"
 
-#include <QLabel>
 #include <QTimer>
 #include <QVulkanInstance>
 #include <QWidget>
@@ -15,6 +14,8 @@
 
 #include "app/camera/orbit_camera.h"
 #include "viewer/marks/cube_and_scale.h"
+#include "viewer/marks/tool_marks.h"
+#include "viewer/painted_text.h"
 #include "viewer/picture_tool.h"
 #include "viewer/quality/converge_now.h"
 
@@ -83,7 +84,8 @@ class Viewport : public QWidget {
         return untouched_ && !camera_.isParallel ? std::optional(framedFrom_) : std::nullopt;
     }
     std::uint64_t study() const { return input_.study; }  // as in FrameShown
-    app::EdgeLetters letters() const;                     // those on screen; empty without a picture
+    // Those on screen, which are painted into each picture; empty without one.
+    const app::EdgeLetters& letters() const { return letters_; }
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
     // The picture on screen and its camera, as its marks were painted for; nothing without a picture.
@@ -117,6 +119,7 @@ class Viewport : public QWidget {
     void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
     PicturePlace placeAt(QPointF place, bool withShift) const;
     bool grab(QPointF place, bool withShift);
+    bool moveFocus(const QKeyEvent& event);  // whether it was Tab
     void onPointed(QPointF place);
     void endHold();  // of a tool
     void onWheel(double notches, bool withShift);
@@ -139,10 +142,7 @@ class Viewport : public QWidget {
     QVulkanInstance vulkan_;  // outlives the window
     VulkanWindow* window_;    // owned by container_
     QWidget* container_ = nullptr;
-    QLabel* left_ = nullptr;
-    QLabel* right_ = nullptr;
-    QLabel* top_ = nullptr;
-    QLabel* bottom_ = nullptr;
+    app::EdgeLetters letters_;  // of the picture on screen
     QTimer nudgeEnds_;
 
     std::vector<std::string> names_;  // of the study
@@ -150,21 +150,23 @@ class Viewport : public QWidget {
     std::vector<PictureTool*> tools_;
     PictureTool* holder_ = nullptr;  // of them, that which holds something
     // What input_.text was made of.
-    std::vector<std::string> textNames_;
-    int textWidthPx_ = 0;
+    LinesOver textLines_;
+    QSize textPx_;
     double textPixelRatio_ = 0.0;
     double textFontScale_ = 0.0;
     bool marksShown_ = true;
     struct Marked {
         MarkedPicture picture;
         bool hasCube = true;
+        double fontScale = 1.0;
         std::vector<ToolMark> ofTools = {};
 
         bool operator==(const Marked&) const = default;
     };
-    std::optional<Marked> marked_;                  // what input_.marks was made of
-    std::shared_ptr<const app::PictureText> cube_;  // and scale: a part of it
-    std::optional<app::FrameShown> shown_;          // the picture on screen
+    std::shared_ptr<const app::PictureText> paintStanding(const Marked& marked) const;
+    std::optional<Marked> marked_;                      // what input_.marks was made of
+    std::shared_ptr<const app::PictureText> standing_;  // letters, cube and scale: a part of it
+    std::optional<app::FrameShown> shown_;              // the picture on screen
 
     app::OrbitCamera camera_;
     app::FrameInput input_;

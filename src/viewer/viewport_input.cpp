@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "viewer/keys.h"
+#include "viewer/panes/focus_order.h"
 
 namespace macula::viewer {
 
@@ -67,6 +68,19 @@ bool Viewport::handleRoll(const QKeyEvent& event) {
     if (!clockwise && !is(Qt::Key_BracketLeft, Qt::Key_Left)) return false;
     nudge();
     setCamera(rolled(camera_, clockwise ? kRollStepDeg : -kRollStepDeg));
+    return true;
+}
+
+// Keys of a native window pass no widget that would know where Tab goes.
+bool Viewport::moveFocus(const QKeyEvent& event) {
+    const bool isBack = event.key() == Qt::Key_Backtab ||
+                        (event.key() == Qt::Key_Tab && event.modifiers().testFlag(Qt::ShiftModifier));
+    if (!isBack && event.key() != Qt::Key_Tab) return false;
+    if ((event.modifiers() & ~Qt::ShiftModifier) != Qt::NoModifier) return false;
+    QWidget* next = nextInTabOrder(*container_, !isBack);
+    if (next == nullptr) return true;
+    window()->activateWindow();  // keys go on to the native window until its parent is the active one
+    next->setFocus(isBack ? Qt::BacktabFocusReason : Qt::TabFocusReason);
     return true;
 }
 

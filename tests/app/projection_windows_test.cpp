@@ -34,6 +34,10 @@ TEST(SeriesWindows, AreThoseOfTheSeriesAndForMipOneThatIsNotMostlyWhite) {
 }
 
 TEST(DraggedWindow, ThereAndBackIsTheSameWindowAndNoneIsEverEmpty) {
+    const Volume volume = volumeWith({});
+    const auto dragged = [&](const DisplayWindow& from, glm::dvec2 by) {
+        return app::dragged(from, by, volume);
+    };
     const DisplayWindow first{.center = 40.0, .width = 400.0, .explanation = {}, .function = {}};
     EXPECT_DOUBLE_EQ(dragged(first, {0.0, -0.1}).center, 0.0);  // up: brighter
     EXPECT_DOUBLE_EQ(dragged(first, {0.0, -0.1}).width, 400.0);
@@ -42,6 +46,19 @@ TEST(DraggedWindow, ThereAndBackIsTheSameWindowAndNoneIsEverEmpty) {
     EXPECT_NEAR(dragged(wide, {-0.5, 0.0}).width, 400.0, 1e-9);
     EXPECT_GT(dragged(first, {-1000.0, 0.0}).width, 0.0);
     EXPECT_TRUE(std::isfinite(dragged(first, {1000.0, 1000.0}).width));
+}
+
+// Of values from -1000 to 1000, as far as a hand may go.
+TEST(DraggedWindow, AsFarAsThereAreValuesAndNoFarther) {
+    const Volume volume = volumeWith({});
+    const DisplayWindow first{.center = 40.0, .width = 400.0, .explanation = {}, .function = {}};
+    EXPECT_DOUBLE_EQ(dragged(first, {1000.0, 0.0}, volume).width, 4000.0);
+    EXPECT_DOUBLE_EQ(dragged(first, {0.0, 1000.0}, volume).center, 1000.0);
+    EXPECT_DOUBLE_EQ(dragged(first, {0.0, -1000.0}, volume).center, -1000.0);
+    const DisplayWindow far{.center = 3000.0, .width = 9000.0, .explanation = {}, .function = {}};
+    EXPECT_DOUBLE_EQ(dragged(far, {1.0, 1.0}, volume).width, 9000.0) << "what is there does not jump";
+    EXPECT_DOUBLE_EQ(dragged(far, {0.0, 1.0}, volume).center, 3000.0);
+    EXPECT_DOUBLE_EQ(dragged(first, {1000.0, 0.0}, volumeWith({far})).width, 9000.0) << "of the series";
 }
 
 TEST(WindowText, NumbersAreAsExactAsTheWindowIsWide) {

@@ -117,7 +117,7 @@ TEST(StudyTree, SeveralVolumesOfASeriesAreRowsOfTheirOwn) {
     const StudyRow& series = tree.rows[rowTitled(tree, "Series 3: T2 two echoes")];
     EXPECT_FALSE(series.volume) << "which of them?";
     EXPECT_EQ(series.details, Texts{"MR · 60 images · 2 volumes"});
-    EXPECT_EQ(titlesOf(tree, series.children), (Texts{"EchoTime 4.6", "EchoTime 9.2, phase 2 of 2"}));
+    EXPECT_EQ(titlesOf(tree, series.children), (Texts{"TE 4.6 ms", "TE 9.2 ms, phase 2 of 2"}));
     EXPECT_EQ(tree.rows[series.children[0]].volume, 1u);
     EXPECT_EQ(tree.rows[series.children[1]].volume, 2u);
     // With one volume among other images it is clear which is meant.
@@ -236,7 +236,7 @@ TEST(StudyTree, SearchKeepsWhatIsAboveAndBelow) {
     EXPECT_EQ(shownFor(tree, "jane lung").size(), 5u) << "patient, study, series, and its two stacks";
     EXPECT_EQ(shownFor(tree, "MULLER jorg").size(), 8u) << "all of him";
     EXPECT_EQ(shownFor(tree, "9.2"), (Texts{"Müller, Jörg", "2020-03-04, Head", "Series 3: T2 two echoes",
-                                            "EchoTime 9.2, phase 2 of 2"}));
+                                            "TE 9.2 ms, phase 2 of 2"}));
 }
 
 TEST(StudyTree, SearchIsByNameIdDateModalityAndDescription) {

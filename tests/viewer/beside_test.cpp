@@ -206,19 +206,19 @@ TEST_F(BesideTest, MeasurementsAreOfTheStudy) {
 
 // Names over the 3D picture are those of the study; what else is in it is said below them.
 TEST_F(BesideTest, A3dPictureSaysWhatElseIsInIt) {
-    using Lines = std::vector<std::string>;
     app::Drawing drawing;
-    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), Lines{"DOE, JANE"});
+    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), LinesOver{.names = {"DOE, JANE"}});
     Additions additions;
     additions.remark = "with PT";
     drawing.additions = std::make_shared<const Additions>(additions);
-    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), (Lines{"DOE, JANE", "With PT"}));
-    EXPECT_EQ(linesOver({}, drawing), Lines{"With PT"}) << "also where nobody is named";
+    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), (LinesOver{.names = {"DOE, JANE"}, .notes = {"With PT"}}));
+    EXPECT_EQ(linesOver({}, drawing), LinesOver{.notes = {"With PT"}}) << "also where nobody is named";
     drawing.settings.look = trace::Look::mip;
-    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), Lines{"DOE, JANE"}) << "projections show the study alone";
+    EXPECT_EQ(linesOver({"DOE, JANE"}, drawing), LinesOver{.names = {"DOE, JANE"}})
+        << "projections show the study alone";
     drawing.settings.look = trace::Look::cinematic;
     drawing.additions = std::make_shared<const Additions>();
-    EXPECT_EQ(linesOver({}, drawing), Lines{});
+    EXPECT_EQ(linesOver({}, drawing), LinesOver{});
 }
 
 TEST_F(BesideTest, ListsOfTheBarAreInTheLanguageOfTheWindow) {

@@ -8,6 +8,7 @@
 
 #include "viewer/keyboard_walk.h"
 #include "viewer/keys.h"
+#include "viewer/panes/pane_grid.h"
 #include "viewer/settings/key_book.h"
 #include "viewer/theme/theme.h"
 
@@ -37,6 +38,32 @@ TEST_F(KeyboardWindowTest, AllControlsAreExplained) {
     for (QWidget* control : controls) {
         test::expectIsExplained(*control);
         EXPECT_TRUE(test::isReachedByTab(*control)) << test::describe(*control);
+    }
+}
+
+// The picture is a native window, whose keys pass no widget: Tab goes on from it all the same.
+TEST_F(KeyboardWindowTest, TabGoesThroughAllPanesAndBack) {
+    window_->resize(1200, 900);
+    window_->showStudy(smallStudy(Unit::hounsfield));
+    const auto isOnPicture = [&] { return QGuiApplication::focusWindow() == &window_->viewport().window(); };
+    window_->panes().focusPane(Pane::volume);
+    ASSERT_TRUE(waitUntil(isOnPicture));
+    for (const bool forward : {true, false}) {
+        const auto key = forward ? Qt::Key_Tab : Qt::Key_Backtab;
+        std::set<Pane> seen;
+        pressKey(key, forward ? Qt::NoModifier : Qt::ShiftModifier);
+        ASSERT_TRUE(waitUntil([&] { return !isOnPicture() && QApplication::focusWidget() != nullptr; }))
+            << "Tab is trapped";
+        for (int pressed = 0; pressed < test::kMostTabs && !seen.contains(Pane::volume); ++pressed) {
+            QWidget* before = QApplication::focusWidget();
+            ASSERT_NE(before, nullptr);
+            QTest::keyClick(before, key);
+            ASSERT_TRUE(waitUntil([&] { return QApplication::focusWidget() != before; }))
+                << test::describe(*before);
+            if (const auto active = window_->panes().activePane()) seen.insert(*active);
+        }
+        EXPECT_EQ(seen.size(), kPanes.size());
+        ASSERT_TRUE(waitUntil(isOnPicture));
     }
 }
 

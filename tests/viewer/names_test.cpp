@@ -9,6 +9,7 @@
 #include <QUrl>
 
 #include "base/paths.h"
+#include "viewer/covered_by.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -84,16 +85,46 @@ TEST_F(NamesTest, AFailedOpenLeavesNoDoubtWhosePictureItIs) {
 }
 
 TEST_F(NamesTest, LongNamesAreCutShortAndDirectionMarksLeftOut) {
+    const QSize picture(320, 240);
+    const auto painted = [&](std::vector<std::string> names) {
+        return paintText({.names = std::move(names)}, picture, 1.0);
+    };
     const std::string longName(300, 'W');
-    const auto text = paintText({longName, "short"}, 320, 1.0);
-    ASSERT_EQ(text->boxes.size(), 2u);
-    EXPECT_LE(text->size.width, 320u);
-    EXPECT_LT(text->boxes[1].extent.width, text->boxes[0].extent.width);
-    const auto plain = paintText({"DOE, JOHN"}, 320, 1.0);
-    EXPECT_EQ(paintText({"DOE,\u202e JO\u2066HN\n"}, 320, 1.0)->rgba, plain->rgba);
-    EXPECT_EQ(paintText({"DOE, JOHN"}, 320, 2.0)->boxes[0].offset.x, 2 * plain->boxes[0].offset.x);
-    EXPECT_EQ(paintText({}, 320, 1.0), nullptr);
-    EXPECT_EQ(paintText({"DOE"}, 4, 1.0), nullptr);
+    EXPECT_TRUE(QRect(QPoint(0, 0), picture).contains(test::coveredBy(*painted({longName, "short"}))));
+    // The end, which tells one number from the next, is there.
+    EXPECT_NE(painted({longName + "1"})->rgba, painted({longName + "2"})->rgba);
+    EXPECT_EQ(painted({"DOE,\u202e JO\u2066HN\n"})->rgba, painted({"DOE, JOHN"})->rgba);
+    EXPECT_EQ(painted({}), nullptr);
+    EXPECT_EQ(painted({"DOE"})->of.width, 0u) << "it stands over a picture of any size";
+    EXPECT_EQ(paintText({.names = {"DOE"}}, QSize(4, 240), 1.0), nullptr);
+}
+
+// A box for each line would hide a forehead: letters and their rim take less than half of it.
+TEST_F(NamesTest, ThePictureIsSeenBetweenTheLetters) {
+    const auto text = paintText({.names = {"DOE, JOHN", "ID 4711"}}, QSize(640, 480), 1.0);
+    const QRect all = test::coveredBy(*text);
+    double covered = 0.0;
+    for (const VkRect2D& box : text->boxes) covered += double(box.extent.width) * box.extent.height;
+    EXPECT_GT(covered, 0.2 * all.width() * all.height());
+    EXPECT_LT(covered, 0.75 * all.width() * all.height());
+    EXPECT_LT(text->boxes.size(), 200u) << "each is copied when a picture is shown";
+}
+
+TEST_F(NamesTest, InALowPictureTheLastLinesGoAndNeverTheNameOrAWarning) {
+    const LinesOver four{.names = {"DOE, JOHN", "ID 4711", "2020-03-04, Chest", "CT, series 3: Lung"}};
+    LinesOver two = four;
+    two.names.resize(2);
+    LinesOver one = four;
+    one.names.resize(1);
+    const auto rgba = [](const LinesOver& lines, int high) {
+        return paintText(lines, QSize(400, high), 1.0)->rgba;
+    };
+    EXPECT_NE(rgba(four, 480), rgba(two, 480));
+    EXPECT_EQ(rgba(four, 170), rgba(two, 170));
+    EXPECT_EQ(rgba(four, 60), rgba(one, 60));
+    LinesOver noted = one;
+    noted.notes = {"With PT of another day"};
+    EXPECT_NE(rgba(noted, 60), rgba(one, 60));
 }
 
 class ThreeStudiesTest : public NamesTest {

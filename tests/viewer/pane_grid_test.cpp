@@ -268,5 +268,22 @@ TEST_F(NativePaneTest, IsTheActivePaneWhileItsWindowHasTheFocus) {
         [&] { return grid_->activePane() == Pane::axial && QGuiApplication::focusWindow() != native_; }));
 }
 
+TEST_F(PaneGridTest, OneIsLargerUntilAPersonDragsTheLines) {
+    grid_->favour(Pane::sagittal);
+    settle();
+    EXPECT_GT(pane(Pane::sagittal).width(), 1.4 * pane(Pane::coronal).width());
+    EXPECT_GT(pane(Pane::sagittal).height(), 1.4 * pane(Pane::axial).height());
+    grid_->favour(Pane::axial);
+    settle();
+    EXPECT_GT(pane(Pane::axial).width(), 1.4 * pane(Pane::volume).width());
+    EXPECT_GT(pane(Pane::axial).height(), 1.4 * pane(Pane::coronal).height());
+    grid_->favour(std::nullopt);
+    EXPECT_EQ(grid_->cross(), QPointF(0.5, 0.5));
+    move(rows(), 300);
+    const QPointF dragged = grid_->cross();
+    grid_->favour(Pane::coronal);
+    EXPECT_EQ(grid_->cross(), dragged);
+}
+
 }  // namespace
 }  // namespace macula::viewer

@@ -3,6 +3,7 @@
 #include <QPixmap>
 #include <QPushButton>
 
+#include "viewer/covered_by.h"
 #include "viewer/offscreen.h"
 #include "viewer/painted_text.h"
 #include "viewer/panes/drawn_icon.h"
@@ -60,13 +61,14 @@ TEST_F(PixelRatioTest, IconsAreDrawnAndNotEnlarged) {
 }
 
 TEST_F(PixelRatioTest, NamesOverThePictureHaveTwiceThePixels) {
-    const auto once = paintText({"A name"}, 1000, 1.0);
-    const auto twice = paintText({"A name"}, 1000, 2.0);
+    const auto once = paintText({.names = {"A name"}}, QSize(500, 300), 1.0);
+    const auto twice = paintText({.names = {"A name"}}, QSize(1000, 600), 2.0);
     ASSERT_TRUE(once && twice);
-    EXPECT_NEAR(twice->boxes.front().extent.height, 2.0 * once->boxes.front().extent.height, 2.0);
-    EXPECT_NEAR(twice->boxes.front().extent.width, 2.0 * once->boxes.front().extent.width,
-                0.2 * twice->boxes.front().extent.width);
-    EXPECT_EQ(twice->boxes.front().offset.x, 2 * once->boxes.front().offset.x);
+    const QRect small = test::coveredBy(*once);
+    const QRect large = test::coveredBy(*twice);
+    EXPECT_NEAR(large.height(), 2.0 * small.height(), 3.0);
+    EXPECT_NEAR(large.width(), 2.0 * small.width(), 0.1 * large.width());
+    EXPECT_NEAR(large.x(), 2.0 * small.x(), 3.0);
 }
 
 TEST_F(PixelRatioTest, TheColourOfAPointIsSharp) {

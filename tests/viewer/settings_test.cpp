@@ -32,6 +32,8 @@ Settings someSettings() {
     settings.deidentifies = true;
     settings.showsNames = false;
     settings.keys = {{QStringLiteral("F3"), QStringLiteral("Ctrl+K")}, {QStringLiteral("F4"), QString()}};
+    settings.folders = {{QStringLiteral("studies"), QStringLiteral("/archive")}};
+    settings.windowPlace = QStringLiteral("AAEC");
     return settings;
 }
 
@@ -52,6 +54,8 @@ TEST_F(SettingsFileTest, ComeBackAsTheyWere) {
     const auto read = readSettings(file());
     ASSERT_TRUE(read.ok());
     EXPECT_EQ(*read, someSettings());
+    using enum fs::perms;
+    EXPECT_EQ(fs::status(file()).permissions() & (group_all | others_all), none) << "it names folders";
 }
 
 TEST_F(SettingsFileTest, WhatALaterVersionWroteStays) {
@@ -117,8 +121,12 @@ TEST(SettingsOfTwoWindows, OnlyWhatIsChangedIsWritten) {
     after.showsNames = !before.showsNames;
     after.keys.remove(QStringLiteral("F2"));
     after.keys[QStringLiteral("F3")] = QStringLiteral("Ctrl+M");
+    after.folders[QStringLiteral("pictures")] = QStringLiteral("/pictures");
+    stored.folders[QStringLiteral("studies")] = QStringLiteral("/other");
     Settings wanted = stored;
     wanted.language = std::nullopt;
+    wanted.folders = {{QStringLiteral("studies"), QStringLiteral("/other")},
+                      {QStringLiteral("pictures"), QStringLiteral("/pictures")}};
     wanted.showsNames = after.showsNames;
     wanted.keys = {{QStringLiteral("F3"), QStringLiteral("Ctrl+M")},
                    {QStringLiteral("F4"), QStringLiteral("Ctrl+L")}};

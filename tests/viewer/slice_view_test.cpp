@@ -168,11 +168,73 @@ TEST_F(SliceViewTest, CtrlAndWheelZoomAboutThePointerAndFitComesBack) {
     EXPECT_EQ(*view->shownFrame(), before);
 }
 
+// A slice that was dragged away is back by a key, a double right click, or the menu.
+TEST_F(SliceViewTest, APictureIsNeverDraggedOutOfItsPaneAndFitsItAgain) {
+    showStudy();
+    for (const auto orientation : {Orientation::axial, Orientation::coronal, Orientation::sagittal}) {
+        const auto view = pane(orientation);
+        const slices::SliceFrame before = *view->shownFrame();
+        for (const QPoint to : {QPoint(2000, 150), QPoint(-1500, 3000), QPoint(210, -2500)}) {
+            turnWheel(*view, 2, Qt::ControlModifier);
+            drag(*view, Qt::MiddleButton, {200, 200}, to);
+            ASSERT_TRUE(settled(*view));
+            const glm::dvec3 middle = view->shownFrame()->plane.centreMm;
+            const Box box = session_->study().volume->worldBox();
+            for (int axis = 0; axis < 3; ++axis) {
+                EXPECT_GE(middle[axis], box.low[axis] - 0.01);
+                EXPECT_LE(middle[axis], box.high[axis] + 0.01);
+            }
+            QTest::keyClick(view.get(), Qt::Key_F);
+            ASSERT_TRUE(settled(*view));
+            EXPECT_EQ(*view->shownFrame(), before);
+        }
+    }
+}
+
+TEST_F(SliceViewTest, ADoubleRightClickAndTheMenuFitToo) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    const slices::SliceFrame before = *view->shownFrame();
+    const auto openMenu = [&]() -> QMenu* {
+        QTest::mouseClick(view.get(), Qt::RightButton, {}, {150, 150});
+        return view->findChild<QMenu*>();
+    };
+    drag(*view, Qt::MiddleButton, {200, 200}, {260, 200});
+    QMenu* menu = openMenu();
+    ASSERT_NE(menu, nullptr);
+    QMouseEvent second(QEvent::MouseButtonDblClick, QPointF(1, 1), menu->mapToGlobal(QPointF(1, 1)),
+                       Qt::RightButton, Qt::RightButton, Qt::NoModifier);
+    QApplication::sendEvent(menu, &second);
+    EXPECT_FALSE(menu->isVisible());
+    ASSERT_TRUE(settled(*view));
+    EXPECT_EQ(*view->shownFrame(), before);
+    EXPECT_FALSE(state().slices.window) << "the first click has changed nothing";
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+
+    drag(*view, Qt::MiddleButton, {200, 200}, {200, 260});
+    menu = openMenu();
+    ASSERT_NE(menu, nullptr);
+    auto* fit = menu->findChild<QAction*>(QStringLiteral("fit-slice"));
+    ASSERT_NE(fit, nullptr);
+    EXPECT_TRUE(fit->text().endsWith(QLatin1String("\tF"))) << fit->text().toStdString();
+    fit->trigger();
+    ASSERT_TRUE(settled(*view));
+    EXPECT_EQ(*view->shownFrame(), before);
+}
+
+TEST_F(SliceViewTest, AWindowIsNotDraggedWiderThanValuesAre) {
+    showStudy();
+    const auto view = pane(Orientation::axial);
+    for (int i = 0; i < 5; ++i) drag(*view, Qt::RightButton, {10, 200}, {390, 200});
+    ASSERT_TRUE(state().slices.window);
+    EXPECT_DOUBLE_EQ(state().slices.window->width, 2000.0) << "twice from 0 to 1000 HU";
+}
+
 TEST_F(SliceViewTest, ARightDragSetsTheWindow) {
     showStudy();
     const auto view = pane(Orientation::coronal);
     const DisplayWindow series = test::sliceVolumeOptions().windows.front();
-    const DisplayWindow expected = app::dragged(series, {0.1, 0.0});
+    const DisplayWindow expected = app::dragged(series, {0.1, 0.0}, *session_->study().volume);
     drag(*view, Qt::RightButton, {200, 200}, {240, 200});
     ASSERT_TRUE(state().slices.window);
     EXPECT_NEAR(state().slices.window->width, expected.width, 1e-6);

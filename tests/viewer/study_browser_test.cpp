@@ -127,7 +127,7 @@ TEST_F(StudyBrowserTest, TheModelKeepsItsWord) {
 
 TEST_F(StudyBrowserTest, WhatIsOpenIsSelectedAndSeen) {
     browser_->setFound(app::test::twoPatients(), 2);
-    const QModelIndex open = rowTitled(QStringLiteral("EchoTime 9.2, phase 2 of 2"));
+    const QModelIndex open = rowTitled(QStringLiteral("TE 9.2 ms, phase 2 of 2"));
     EXPECT_TRUE(isOpen(open));
     EXPECT_EQ(tree_->currentIndex(), open);
     EXPECT_TRUE(tree_->isExpanded(open.parent()));
@@ -146,7 +146,7 @@ TEST_F(StudyBrowserTest, WhatIsSelectedIsOpenedBesideUnlessItIsOpen) {
     beside->trigger();
     EXPECT_TRUE(asked.empty()) << "it is open already";
     browser_->setShown(0);
-    tree_->setCurrentIndex(rowTitled(QStringLiteral("EchoTime 9.2, phase 2 of 2")));
+    tree_->setCurrentIndex(rowTitled(QStringLiteral("TE 9.2 ms, phase 2 of 2")));
     EXPECT_EQ(browser_->selectedOther(), 2U);
     beside->trigger();
     EXPECT_EQ(asked, (std::vector<std::size_t>{2}));
@@ -229,7 +229,7 @@ TEST_F(StudyBrowserTest, SearchLeavesWhatMatches) {
 TEST_F(StudyBrowserTest, SearchUnfoldsWhatItFound) {
     browser_->setFound(app::test::twoPatients(), 3);
     type("9.2");
-    const QModelIndex found = rowTitled(QStringLiteral("EchoTime 9.2, phase 2 of 2"));
+    const QModelIndex found = rowTitled(QStringLiteral("TE 9.2 ms, phase 2 of 2"));
     EXPECT_TRUE(tree_->isExpanded(found.parent()));
     EXPECT_EQ(tree_->currentIndex(), found);
 }

@@ -118,7 +118,9 @@ class ThemeTest : public test::OffscreenTest {
 
 // Who needs large letters needs them for names and measurements above all; none becomes smaller than its own.
 TEST_F(ThemeTest, LettersOverPicturesGrowToo) {
-    const auto heightOfName = [] { return paintText({"A name"}, 1000, 1.0)->size.height; };
+    const auto heightOfName = [] {
+        return paintText({.names = {"A name"}}, QSize(1000, 600), 1.0)->size.height;
+    };
     applyTheme(*application_, {});
     EXPECT_EQ(fontScaleOverPictures(), 1.0);
     const auto height = heightOfName();

@@ -86,7 +86,7 @@ class WindowTest : public testing::Test {
     }
     // Whether exactly this stands over the picture.
     static bool isNamed(const QImage& picture, const app::Identity& identity) {
-        const auto text = paintText(linesOf(identity), picture.width(), 1.0);
+        const auto text = paintText({.names = linesOf(identity)}, picture.size(), 1.0);
         for (const VkRect2D& box : text->boxes) {
             for (int y = box.offset.y; y < box.offset.y + int(box.extent.height); ++y) {
                 for (int x = box.offset.x; x < box.offset.x + int(box.extent.width); ++x) {

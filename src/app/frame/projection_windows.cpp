@@ -13,8 +13,25 @@ namespace {
 
 constexpr double kWidthPerHeight = 20.0;  // times wider for a drag over the height of the picture
 constexpr double kNarrowest = 1e-3;       // of the volume's units
-constexpr double kWidest = 1e9;
 constexpr double kNarrowestLinear = 2.0;
+constexpr double kWidestOfValues = 2.0;  // times their range
+
+// What a hand may drag a window to.
+struct WindowReach {
+    double widest;
+    ValueRange centers;
+};
+WindowReach reachOf(const Volume& volume, const DisplayWindow& from) {
+    const ValueRange values = volume.valueRange().value_or(ValueRange{from.center, from.center});
+    WindowReach reach{std::max({kWidestOfValues * (values.high - values.low), from.width, kNarrowestLinear}),
+                      {std::min(values.low, from.center), std::max(values.high, from.center)}};
+    for (const DisplayWindow& window : volume.windows()) {
+        reach.widest = std::max(reach.widest, window.width);
+        reach.centers.low = std::min(reach.centers.low, window.center);
+        reach.centers.high = std::max(reach.centers.high, window.center);
+    }
+    return reach;
+}
 
 }  // namespace
 
@@ -27,12 +44,13 @@ DisplayWindow SeriesWindows::of(trace::Look look, const Volume& volume) const {
     return *maximum_;
 }
 
-DisplayWindow dragged(const DisplayWindow& from, glm::dvec2 byHeights) {
+DisplayWindow dragged(const DisplayWindow& from, glm::dvec2 byHeights, const Volume& volume) {
+    const WindowReach reach = reachOf(volume, from);
     DisplayWindow window = from;
-    window.width = std::clamp(from.width * std::pow(kWidthPerHeight, byHeights.x), kNarrowest, kWidest);
+    window.width = std::clamp(from.width * std::pow(kWidthPerHeight, byHeights.x), kNarrowest, reach.widest);
     // LINEAR is defined from a width of 1 on, and is nearly a step there (PS3.3 C.11.2.1.2.1).
     if (window.width < kNarrowestLinear && window.function != "SIGMOID") window.function = "LINEAR_EXACT";
-    window.center = std::clamp(from.center + byHeights.y * from.width, -kWidest, kWidest);
+    window.center = std::clamp(from.center + byHeights.y * from.width, reach.centers.low, reach.centers.high);
     return window;
 }
 

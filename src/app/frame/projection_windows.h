@@ -26,7 +26,9 @@ class SeriesWindows {
 };
 
 // `from`, changed by a hand that moved by so much of the picture's height: wider to the right, brighter up.
-DisplayWindow dragged(const DisplayWindow& from, glm::dvec2 byHeights);
+// Never wider than twice the values of the volume, nor centred beside them, unless `from` or a window of its
+// series is: farther on the picture is one grey.
+DisplayWindow dragged(const DisplayWindow& from, glm::dvec2 byHeights, const Volume& volume);
 
 // Width and level, as radiologists have them: "W 400 L 40 HU".
 std::string windowText(const DisplayWindow& window, const std::string& unit);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/study/stack_label_text.h"
 #include "app/study/study_input.h"
 #include "app/study/volume_key.h"
 #include "dicom/best_volume.h"
@@ -24,14 +25,13 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
     return a == b || std::filesystem::equivalent(a, b, notThere);
 }
 
-// "CT, series 3: Thorax, ConvolutionKernel B30f, phase 2 of 20"
+// "CT, series 3: Thorax, kernel B30f, phase 2 of 20"
 std::string seriesLine(const dicom::Series& series, const dicom::Stack& stack) {
     const std::string& modality = stack.modality.empty() ? series.modality : stack.modality;
     std::string line = modality.empty() ? "Modality unknown" : modality;
     line += series.number ? fmt::format(", series {}", *series.number) : ", series without a number";
     line += series.description.empty() ? ", no description" : ": " + series.description;
-    for (const dicom::StackLabel& label : stack.splitBy)
-        line += fmt::format(", {} {}", label.attribute, label.value);
+    for (const dicom::StackLabel& label : stack.splitBy) line += ", " + textOf(label);
     if (stack.phases > 1) line += fmt::format(", phase {} of {}", stack.phase + 1, stack.phases);
     return line;
 }

@@ -9,6 +9,7 @@
 
 #include "app/study/presented_volume.h"
 #include "app/study/search_text.h"
+#include "app/study/stack_label_text.h"
 #include "base/parsing.h"
 #include "dicom/read/sop_class.h"
 
@@ -273,8 +274,7 @@ class Builder {
         if (hides_) {
             labels.push_back(fmt::format("Stack {}", place + 1));
         } else {
-            for (const dicom::StackLabel& label : stack.splitBy)
-                labels.push_back(label.attribute + " " + label.value);
+            for (const dicom::StackLabel& label : stack.splitBy) labels.push_back(textOf(label));
         }
         if (stack.phases > 1) labels.push_back(fmt::format("phase {} of {}", stack.phase + 1, stack.phases));
         if (labels.empty()) labels.push_back(fmt::format("Stack {}", place + 1));

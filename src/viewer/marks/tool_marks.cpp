@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <optional>
-#include <vector>
+
+#include "viewer/marks/mark_atlas.h"
 
 namespace macula::viewer {
 
@@ -58,62 +58,13 @@ std::optional<VkOffset2D> cornerOf(const ToolMark& mark, QSize pixels, int side)
     return VkOffset2D{int(std::lround(x - 0.5 * side)), int(std::lround(y - 0.5 * side))};
 }
 
-// Images one below the other; each is a box of its own.
-class Atlas {
-  public:
-    Atlas(const std::shared_ptr<const app::PictureText>& others, QSize pixels) {
-        if (others) atlas_ = *others;
-        if (atlas_.places.empty()) {
-            for (const VkRect2D& box : atlas_.boxes) atlas_.places.push_back(box.offset);
-        }
-        atlas_.of = {std::uint32_t(pixels.width()), std::uint32_t(pixels.height())};
-    }
-
-    // The box of an image that has been added.
-    VkRect2D add(const QImage& image) {
-        widen(std::uint32_t(image.width()));
-        const VkRect2D box{{0, std::int32_t(atlas_.size.height)},
-                           {std::uint32_t(image.width()), std::uint32_t(image.height())}};
-        const std::size_t rowBytes = std::size_t(atlas_.size.width) * 4;
-        atlas_.rgba.resize(atlas_.rgba.size() + rowBytes * std::size_t(image.height()));
-        for (int y = 0; y < image.height(); ++y)
-            std::memcpy(atlas_.rgba.data() + rowBytes * (atlas_.size.height + std::size_t(y)),
-                        image.constScanLine(y), std::size_t(image.width()) * 4);
-        atlas_.size.height += std::uint32_t(image.height());
-        return box;
-    }
-    void place(const VkRect2D& box, VkOffset2D at) {
-        atlas_.boxes.push_back(box);
-        atlas_.places.push_back(at);
-    }
-
-    std::shared_ptr<const app::PictureText> take() {
-        return std::make_shared<const app::PictureText>(std::move(atlas_));
-    }
-
-  private:
-    void widen(std::uint32_t width) {
-        if (width <= atlas_.size.width) return;
-        const std::size_t before = std::size_t(atlas_.size.width) * 4;
-        const std::size_t after = std::size_t(width) * 4;
-        std::vector<std::byte> wider(after * atlas_.size.height);
-        for (std::size_t y = 0; y < atlas_.size.height; ++y)
-            std::copy_n(atlas_.rgba.begin() + std::ptrdiff_t(before * y), before,
-                        wider.begin() + std::ptrdiff_t(after * y));
-        atlas_.rgba = std::move(wider);
-        atlas_.size.width = width;
-    }
-
-    app::PictureText atlas_;
-};
-
 }  // namespace
 
 std::shared_ptr<const app::PictureText> withToolMarks(const std::shared_ptr<const app::PictureText>& others,
                                                       std::span<const ToolMark> marks, QSize pixels,
                                                       double pixelRatio) {
     if (pixels.isEmpty()) return others;
-    Atlas atlas(others, pixels);
+    MarkAtlas atlas(others, pixels);
     std::array<std::optional<VkRect2D>, kKinds.size()> boxes;
     std::size_t count = 0;
     for (const ToolMark& mark : marks) {

@@ -15,6 +15,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr int kGapPx = 2;
+constexpr double kFavoured = 0.62;  // of width and height
 
 std::optional<Pane> onlyPaneOf(app::Layout layout) {
     for (const Pane pane : kPanes) {
@@ -135,6 +136,13 @@ void PaneGrid::setCross(QPointF shares) {
     applyCross();
 }
 
+void PaneGrid::favour(std::optional<Pane> pane) {
+    if (isDragged_) return;
+    const auto share = [&](bool isFirst) { return !pane ? 0.5 : isFirst ? kFavoured : 1.0 - kFavoured; };
+    setCross({share(pane == Pane::axial || pane == Pane::coronal),
+              share(pane == Pane::axial || pane == Pane::volume)});
+}
+
 void PaneGrid::resizeEvent(QResizeEvent* event) {
     QWidget::resizeEvent(event);
     applyCross();
@@ -147,12 +155,15 @@ void PaneGrid::showEvent(QShowEvent* event) {
 
 void PaneGrid::moveColumns(const QSplitter& moved) {
     if (shown_ != app::Layout::fourPanes) return;
+    isDragged_ = true;
     cross_.setX(shareOf(moved).value_or(cross_.x()));
     alignColumns(moved.sizes());
 }
 
 void PaneGrid::moveRows() {
-    if (shown_ == app::Layout::fourPanes) cross_.setY(shareOf(*rows_).value_or(cross_.y()));
+    if (shown_ != app::Layout::fourPanes) return;
+    isDragged_ = true;
+    cross_.setY(shareOf(*rows_).value_or(cross_.y()));
 }
 
 // A row whose panes cannot be that narrow says so, and the other follows it.

@@ -53,6 +53,10 @@ class PaneGrid : public QWidget {
     QPointF cross() const { return cross_; }
     void setCross(QPointF shares);  // (0.5, 0.5) is the middle; what is no number is taken as that
 
+    // The larger share of four panes for this one; null: equal shares. Not once a person has dragged the
+    // lines.
+    void favour(std::optional<Pane> pane);
+
   signals:
     void layoutAsked(macula::app::Layout layout);
     void activePaneChanged();
@@ -76,6 +80,7 @@ class PaneGrid : public QWidget {
     QSplitter* bottom_ = nullptr;
     app::Layout shown_ = app::Layout::fourPanes;
     QPointF cross_{0.5, 0.5};
+    bool isDragged_ = false;  // the cross, by a person
     std::optional<Pane> active_;
 };
 

@@ -39,7 +39,13 @@ class Members {
         const std::optional<double> value = number(name, least, most);
         return value && *value == std::floor(*value) ? std::optional(int(*value)) : std::nullopt;
     }
-    QJsonObject object(const QString& name) { return object_.take(name).toObject(); }
+    QMap<QString, QString> texts(const QString& name) {
+        QMap<QString, QString> texts;
+        const QJsonObject object = object_.take(name).toObject();
+        for (auto text = object.begin(); text != object.end(); ++text)
+            if (text->isString()) texts.insert(text.key(), text->toString());
+        return texts;
+    }
     QJsonObject rest() const { return object_; }
 
   private:
@@ -77,10 +83,9 @@ Result<Settings> settingsFromJson(const std::string& text) {
     settings.quality = members.text(QStringLiteral("quality"), settings.quality);
     settings.deidentifies = members.flag(QStringLiteral("deidentifies"), settings.deidentifies);
     settings.showsNames = members.flag(QStringLiteral("showsNames"), settings.showsNames);
-    const QJsonObject keys = members.object(QStringLiteral("keys"));
-    for (auto key = keys.begin(); key != keys.end(); ++key) {
-        if (key->isString()) settings.keys.insert(key.key(), key->toString());
-    }
+    settings.keys = members.texts(QStringLiteral("keys"));
+    settings.folders = members.texts(QStringLiteral("folders"));
+    settings.windowPlace = members.text(QStringLiteral("windowPlace"), {});
     settings.others = members.rest();
     return settings;
 }
@@ -97,9 +102,14 @@ std::string toJson(const Settings& settings) {
     object[QStringLiteral("quality")] = settings.quality;
     object[QStringLiteral("deidentifies")] = settings.deidentifies;
     object[QStringLiteral("showsNames")] = settings.showsNames;
-    QJsonObject keys;
-    for (auto key = settings.keys.begin(); key != settings.keys.end(); ++key) keys[key.key()] = key.value();
-    if (!keys.isEmpty()) object[QStringLiteral("keys")] = keys;
+    const auto write = [&](const QString& name, const QMap<QString, QString>& texts) {
+        QJsonObject members;
+        for (auto text = texts.begin(); text != texts.end(); ++text) members[text.key()] = text.value();
+        if (!members.isEmpty()) object[name] = members;
+    };
+    write(QStringLiteral("keys"), settings.keys);
+    write(QStringLiteral("folders"), settings.folders);
+    if (!settings.windowPlace.isEmpty()) object[QStringLiteral("windowPlace")] = settings.windowPlace;
     return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
 
@@ -116,12 +126,15 @@ Settings withChanges(Settings stored, const Settings& before, const Settings& af
     take(&Settings::quality);
     take(&Settings::deidentifies);
     take(&Settings::showsNames);
-    for (auto key = before.keys.begin(); key != before.keys.end(); ++key) {
-        if (!after.keys.contains(key.key())) stored.keys.remove(key.key());
-    }
-    for (auto key = after.keys.begin(); key != after.keys.end(); ++key) {
-        if (!before.keys.contains(key.key()) || before.keys[key.key()] != key.value())
-            stored.keys[key.key()] = key.value();
+    take(&Settings::windowPlace);
+    for (auto field : {&Settings::keys, &Settings::folders}) {
+        const QMap<QString, QString>& old = before.*field;
+        const QMap<QString, QString>& now = after.*field;
+        for (auto text = old.begin(); text != old.end(); ++text)
+            if (!now.contains(text.key())) (stored.*field).remove(text.key());
+        for (auto text = now.begin(); text != now.end(); ++text)
+            if (!old.contains(text.key()) || old[text.key()] != text.value())
+                (stored.*field)[text.key()] = text.value();
     }
     return stored;
 }
@@ -141,7 +154,10 @@ Result<void> writeSettings(const Settings& settings, const fs::path& file) {
                      "The settings could not be saved: their folder cannot be made.",
                      file.parent_path().string(), "Check free space and permissions."};
     if (!readSettings(file)) fs::rename(file, fs::path(file).concat(".damaged"), error);
-    return writeTextAtomically(file, toJson(settings));
+    MACULA_TRY_VOID(writeTextAtomically(file, toJson(settings)));
+    // Folders are nobody else's business.
+    fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write, error);
+    return {};
 }
 
 }  // namespace macula::viewer

@@ -24,11 +24,13 @@ struct Settings {
     std::optional<int> keepDays = {};  // nothing: for ever
     int modelCapMb = 2000;             // all stored models together
     QString quality =
-        QStringLiteral("high");        // of pictures that are saved: a name, see app::builtInQualities
-    bool deidentifies = false;         // DICOM pictures that are saved, unless somebody says otherwise
-    bool showsNames = true;            // over the picture, when the window opens
-    QMap<QString, QString> keys = {};  // that were chosen: see KeyBook
-    QJsonObject others = {};           // of a later version: written again as they are
+        QStringLiteral("high");           // of pictures that are saved: a name, see app::builtInQualities
+    bool deidentifies = false;            // DICOM pictures that are saved, unless somebody says otherwise
+    bool showsNames = true;               // over the picture, when the window opens
+    QMap<QString, QString> keys = {};     // that were chosen: see KeyBook
+    QMap<QString, QString> folders = {};  // see LastFolders
+    QString windowPlace = {};             // see WindowPlace; empty: as the program has it
+    QJsonObject others = {};              // of a later version: written again as they are
 
     bool operator==(const Settings&) const = default;
 };

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "base/frames.h"
 
 namespace macula::viewer {
 
@@ -9,6 +12,27 @@ namespace {
 
 constexpr double kFarthest = 4.0;
 constexpr double kClosest = 1.0 / 64.0;
+constexpr int kMostSteps = 64;
+constexpr double kInsideVoxels = 1e-3;
+
+// The point of the plane in the volume that is near to `from`, found by alternating projections (von Neumann)
+// between both; nothing where they do not meet.
+std::optional<glm::dvec3> placeInVolume(const PlacedGrid& volume, const slices::SlicePlane& plane,
+                                        const glm::dvec3& from) {
+    const glm::dmat4 voxelFromPane = glm::inverse(volume.paneFromVoxel);
+    const glm::dvec3 low(-0.5);
+    const glm::dvec3 high = glm::dvec3(volume.size) - 0.5;
+    const glm::dvec3 normal = plane.normal();
+    glm::dvec3 mm = from;
+    for (int step = 0; step < kMostSteps; ++step) {
+        const glm::dvec3 voxel = transformPoint(voxelFromPane, mm);
+        const glm::dvec3 inside = glm::clamp(voxel, low, high);
+        if (glm::distance(voxel, inside) < kInsideVoxels) return mm;
+        mm = transformPoint(volume.paneFromVoxel, inside);
+        mm += normal * glm::dot(plane.centreMm - mm, normal);
+    }
+    return std::nullopt;
+}
 
 }  // namespace
 
@@ -18,6 +42,22 @@ PaneView fittedView(const Volume& volume, const SliceSteps& steps, const glm::iv
     view.mmPerPx =
         slices::fittedMmPerPixel(volume, steps.plane(steps.nearest(view.centreMm), view.centreMm), sizePx);
     return view;
+}
+
+PaneView withinReach(const PaneView& view, const slices::SlicePlane& plane,
+                     std::span<const PlacedGrid> volumes) {
+    const glm::dvec3 normal = plane.normal();
+    const double offMm = glm::dot(view.centreMm - plane.centreMm, normal);
+    const glm::dvec3 middle = view.centreMm - offMm * normal;
+    std::optional<glm::dvec3> nearest;
+    for (const PlacedGrid& volume : volumes) {
+        const auto place = placeInVolume(volume, plane, middle);
+        if (place && (!nearest || glm::distance(*place, middle) < glm::distance(*nearest, middle)))
+            nearest = place;
+    }
+    PaneView within = view;
+    if (nearest) within.centreMm = *nearest + offMm * normal;
+    return within;
 }
 
 PaneView panned(const PaneView& view, const slices::SlicePlane& plane, const glm::dvec2& byPx) {

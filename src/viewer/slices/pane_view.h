@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 
 #include "slices/slice_plane.h"
 #include "viewer/slices/slice_steps.h"
@@ -17,6 +18,17 @@ struct PaneView {
 
 // The slice through the middle of the volume fits, so that slices do not change their size as they go by.
 PaneView fittedView(const Volume& volume, const SliceSteps& steps, const glm::ivec2& sizePx);
+
+// Where a volume lies in the space of a pane: paneFromVoxel is an affine transform of voxel indices.
+struct PlacedGrid {
+    glm::dmat4 paneFromVoxel{1.0};
+    glm::ivec3 size{1};
+};
+
+// The view, moved in its plane until the middle of the pane lies in one of the volumes: the nearest of those
+// that the plane meets. So no picture is dragged out of its pane.
+PaneView withinReach(const PaneView& view, const slices::SlicePlane& plane,
+                     std::span<const PlacedGrid> volumes);
 
 // The picture follows a hand that went so far.
 PaneView panned(const PaneView& view, const slices::SlicePlane& plane, const glm::dvec2& byPx);

@@ -8,7 +8,9 @@
 #include "app/slices/window_presets.h"
 #include "pipeline/volume/window.h"
 #include "viewer/harmless_text.h"
+#include "viewer/keys.h"
 #include "viewer/language/core_words.h"
+#include "viewer/settings/key_book.h"
 
 namespace macula::viewer {
 
@@ -81,6 +83,15 @@ QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent) {
         label->setObjectName(QStringLiteral("edit-label"));
         label->setToolTip(SliceMenuWords::tr("Words beside this measurement"));
         QObject::connect(label, &QAction::triggered, parent, of.editLabel);
+        menu->addSeparator();
+    }
+    if (of.fit) {
+        const QString key =
+            KeyBook::ofProgram().chosen(keyOf(KeyAction::fit)).toString(QKeySequence::NativeText);
+        QAction* fit = menu->addAction(SliceMenuWords::tr("&Fit the Pane\t%1").arg(key));
+        fit->setObjectName(QStringLiteral("fit-slice"));
+        fit->setToolTip(SliceMenuWords::tr("The whole slice is seen, in the middle of the pane"));
+        QObject::connect(fit, &QAction::triggered, parent, of.fit);
         menu->addSeparator();
     }
     addWindows(*menu, of);

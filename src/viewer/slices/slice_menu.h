@@ -1,4 +1,5 @@
-// What a right click on a slice offers: windows, also of one's own, and the label of a measurement.
+// What a right click on a slice offers: all of it in the pane, windows, also of one's own, and the label of a
+// measurement.
 #pragma once
 
 #include <QMenu>
@@ -14,6 +15,7 @@ struct SliceMenuOf {
     OwnWindowList* own = nullptr;      // null: none are kept
     DisplayWindow window = {};         // that slices are seen through now
     std::function<void()> editLabel;   // of the measurement that is meant; empty: none is
+    std::function<void()> fit = {};    // the pane that was clicked; empty: nothing fits it
 };
 
 // Goes when it is closed.

@@ -25,16 +25,16 @@ struct SliceOverlay {
     double pixelRatio = 1.0;   // device pixels to a logical one
     std::optional<glm::dvec3> crosshairMm = {};
     QStringList tags = {};   // upper left: which study it is, and of which day
-    QStringList names = {};  // below them
+    QStringList names = {};  // below them; what matters least comes last
     QStringList notes = {};  // upper right
-    QStringList facts = {};  // lower left
+    QStringList facts = {};  // lower left; likewise
     std::vector<ShownMeasurement> measurements = {};
     std::vector<slices::PictureLine> interpolatedEdges = {};  // of slices in which no image was taken
     bool isCalibrated = true;                                 // as in Provenance, all that is in the picture
 };
 
-// `size` of the pane in logical pixels, which the painter must have. What is too long for the pane goes on in
-// the next line, up to four in all; names end in an ellipsis. Letters of the sides are always there.
+// `size` of the pane in logical pixels, which the painter must have. What stands where, and what goes in a
+// small pane: overlay_layout.h.
 void paintOverlay(QPainter& painter, const QSize& size, const SliceOverlay& overlay);
 
 }  // namespace macula::viewer

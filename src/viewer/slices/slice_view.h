@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "app/clip/clip_handles.h"
 #include "app/presentation/softcopy_on_slices.h"
@@ -94,6 +95,7 @@ class SliceView : public QWidget {
 
   protected:
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
@@ -140,6 +142,8 @@ class SliceView : public QWidget {
     void goTo(int slice, const QString& what);
     void cineStep();
     void zoomAt(const QPointF& place, double factor);
+    void look(const PaneView& view);  // by a hand: never beside all volumes
+    std::vector<PlacedGrid> placedVolumes() const;
     void press(const QPointF& place);
     void dragTo(const QPointF& place);
     void endGesture();

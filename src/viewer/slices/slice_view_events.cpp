@@ -1,5 +1,6 @@
 // What a hand does on a slice.
 #include <QKeyEvent>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QWheelEvent>
 #include <algorithm>
@@ -10,6 +11,7 @@
 
 #include "app/frame/projection_windows.h"
 #include "base/camera.h"
+#include "viewer/keys.h"
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/label_editor.h"
 #include "viewer/slices/slice_menu.h"
@@ -230,15 +232,14 @@ void SliceView::dragTo(const QPointF& place) {
         case Drag::crosshair:
             return setCrosshair(worldAt(place));
         case Drag::window: {
-            const DisplayWindow next = app::dragged(window(), glm::dvec2(by.x(), by.y()) / heightPx);
+            const DisplayWindow next =
+                app::dragged(window(), glm::dvec2(by.x(), by.y()) / heightPx, wantedVolume());
             return proposeWindow(next, true);
         }
         case Drag::zoom:
             return zoomAt(pressedAt_, std::pow(kDragZoomPerHeight, -by.y() / heightPx));
         case Drag::pan:
-            isFitted_ = false;
-            view_ = panned(view_, plane(), {by.x(), by.y()});
-            return request();
+            return look(panned(view_, plane(), {by.x(), by.y()}));
         case Drag::handle:
             return moveHandle(place);
         case Drag::clip:
@@ -278,10 +279,26 @@ void SliceView::showMenu(const QPointF& place) {
     drag_ = Drag::none;
     std::function<void()> edit;
     if (isMeant) edit = [this, index = *selected_] { editLabel(index); };
-    makeSliceMenu({.session = &session_, .own = own_, .window = studyWindow(), .editLabel = std::move(edit)},
-                  this)
-        ->popup(mapToGlobal(place.toPoint()));
+    QMenu* menu = makeSliceMenu({.session = &session_,
+                                 .own = own_,
+                                 .window = studyWindow(),
+                                 .editLabel = std::move(edit),
+                                 .fit = [this] { fit(); }},
+                                this);
+    menu->installEventFilter(this);
+    menu->popup(mapToGlobal(place.toPoint()));
     update();
+}
+
+// The second click of a double one with the right button meets the menu that the first has opened.
+bool SliceView::eventFilter(QObject* watched, QEvent* event) {
+    auto* menu = qobject_cast<QMenu*>(watched);
+    const bool isDouble = event->type() == QEvent::MouseButtonDblClick &&
+                          static_cast<const QMouseEvent*>(event)->button() == Qt::RightButton;
+    if (menu == nullptr || !isDouble) return QWidget::eventFilter(watched, event);
+    menu->close();
+    fit();
+    return true;
 }
 
 void SliceView::editLabel(std::size_t index) {
@@ -303,6 +320,10 @@ void SliceView::editLabel(std::size_t index) {
 // Its first click has begun a measurement: that was not meant. In the middle of one it is a click like any
 // other.
 void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::RightButton) {  // where the first click opened no menu
+        drag_ = Drag::none;
+        return fit();
+    }
     if (event->button() != Qt::LeftButton || (drawing_ && drawing_->pointsSet() > 1))
         return mousePressEvent(event);
     drawing_.reset();
@@ -332,6 +353,7 @@ void SliceView::keyPressEvent(QKeyEvent* event) {
     const Qt::KeyboardModifiers others = event->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
     if (steps_ && others == Qt::AltModifier && event->key() >= Qt::Key_1 && event->key() <= Qt::Key_9)
         return applyOwnWindow(event->key() - Qt::Key_0);
+    if (steps_ && actionOf(*event) == KeyAction::fit) return fit();
     if (!steps_ || others != Qt::NoModifier ||
         !handleKey(event->key(), event->modifiers().testFlag(Qt::ShiftModifier)))
         QWidget::keyPressEvent(event);
@@ -420,8 +442,12 @@ void SliceView::zoomAt(const QPointF& place, double factor) {
     if (!steps_) return;
     const glm::ivec2 sizePx(width(), height());
     const glm::dvec2 fromMiddle = glm::dvec2(place.x(), place.y()) - 0.5 * glm::dvec2(sizePx);
-    view_ = zoomed(view_, plane(), fromMiddle, factor, fittedView(volume(), *steps_, sizePx).mmPerPx);
+    look(zoomed(view_, plane(), fromMiddle, factor, fittedView(volume(), *steps_, sizePx).mmPerPx));
+}
+
+void SliceView::look(const PaneView& view) {
     isFitted_ = false;
+    view_ = withinReach(view, plane(), placedVolumes());
     request();
 }
 

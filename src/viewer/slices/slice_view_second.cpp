@@ -53,7 +53,16 @@ void SliceView::showArea(const app::SliceArea& area) {
     const glm::dvec2 mmPerPx = area.sizeMm / glm::dvec2(width(), height());
     const double coarser = std::max(mmPerPx.x, mmPerPx.y);
     if (!(coarser > 0.0) || !std::isfinite(coarser)) return;
-    setPaneView({.centreMm = area.centreMm, .mmPerPx = coarser});
+    setPaneView(withinReach({.centreMm = area.centreMm, .mmPerPx = coarser}, plane(), placedVolumes()));
+}
+
+// The second one too: it may reach farther than the study.
+std::vector<PlacedGrid> SliceView::placedVolumes() const {
+    std::vector<PlacedGrid> placed{{volume().worldFromVoxel(), volume().size()}};
+    if (const app::BesideState* state = beside())
+        placed.push_back({glm::inverse(state->secondFromStudy) * second_->study.volume->worldFromVoxel(),
+                          second_->study.volume->size()});
+    return placed;
 }
 
 // Null unless the second volume that is there is the one of the state.

@@ -157,6 +157,22 @@
         <translation>Studie des Ordners suchen</translation>
     </message>
     <message>
+        <source>F, double right click on slices</source>
+        <translation>F, Doppelklick rechts auf Schichten</translation>
+    </message>
+    <message>
+        <source>The whole slice, in the middle of its pane</source>
+        <translation>Die ganze Schicht, in der Mitte ihres Bildfelds</translation>
+    </message>
+    <message>
+        <source>Tab, Shift + Tab</source>
+        <translation>Tab, Umschalt + Tab</translation>
+    </message>
+    <message>
+        <source>To the next pane or control, or back</source>
+        <translation>Zum nächsten Bildfeld oder Bedienelement, oder zurück</translation>
+    </message>
+    <message>
         <source>Wheel, Up, Down on slices</source>
         <translation>Rad, Auf, Ab auf Schichten</translation>
     </message>

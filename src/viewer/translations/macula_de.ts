@@ -394,13 +394,6 @@
     </message>
 </context>
 <context>
-    <name>QObject</name>
-    <message>
-        <source>The side of the patient at the %1 of the picture: Anterior, Posterior, Left, Right, Superior, Inferior</source>
-        <translation>Die Seite des Patienten %1 im Bild: anterior (A), posterior (P), links (L), rechts (R), superior (S), inferior (I)</translation>
-    </message>
-</context>
-<context>
     <name>ScaleBar</name>
     <message>
         <source>%1 at centre</source>
@@ -507,6 +500,14 @@
     <message>
         <source>Name of the window %1</source>
         <translation>Name der Fensterung %1</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the Pane	%1</source>
+        <translation>&amp;Ins Bildfeld einpassen	%1</translation>
+    </message>
+    <message>
+        <source>The whole slice is seen, in the middle of the pane</source>
+        <translation>Die ganze Schicht ist zu sehen, in der Mitte des Bildfelds</translation>
     </message>
 </context>
 <context>
@@ -4045,28 +4046,16 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
 <context>
     <name>macula::viewer::Viewport</name>
     <message>
-        <source>left</source>
-        <translation>links</translation>
-    </message>
-    <message>
-        <source>right</source>
-        <translation>rechts</translation>
-    </message>
-    <message>
-        <source>top</source>
-        <translation>oben</translation>
-    </message>
-    <message>
-        <source>bottom</source>
-        <translation>unten</translation>
-    </message>
-    <message>
         <source>The volume in 3D</source>
         <translation>Das Volumen in 3D</translation>
     </message>
     <message>
         <source>Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm</source>
         <translation>Links ziehen oder Pfeile gehen um den Patienten herum, das Rad geht näher; Größen sind in mm</translation>
+    </message>
+    <message>
+        <source>Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4</source>
+        <translation>Seiten des Patienten links, rechts, oben und unten: %1, %2, %3, %4</translation>
     </message>
 </context>
 <context>

@@ -37,10 +37,10 @@ ViewerWidget::ViewerWidget(ViewerSession& session, gpu::Instance instance, Viewe
     connect(viewport_, &Viewport::namesToggled, viewport_, &Viewport::showNames);
     connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
         const auto from = shown_->drawing().settings.window;
-        if (!from) return;
+        if (!from || !session_.hasStudy()) return;
         session_.drag(tr("Window"), [&](app::StudyState& next) {
             next.windows.at(std::size_t(next.settings.look)) =
-                app::dragged(*from, {byHeights.x(), byHeights.y()});
+                app::dragged(*from, {byHeights.x(), byHeights.y()}, *session_.study().volume);
         });
     });
     connect(&viewport_->window(), &VulkanWindow::dragEnded, &session_, &ViewerSession::endDrag);
