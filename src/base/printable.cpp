@@ -2,7 +2,35 @@
 
 namespace macula {
 
-std::string printable(const std::string& text) {
+namespace {
+
+// How many bytes of a control of direction or of a line's end the text begins with; 0 for anything else.
+std::size_t bytesOfControl(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    if (text.size() >= 2 && byte(0) == 0xd8 && byte(1) == 0x9c) return 2;
+    if (text.size() < 3 || byte(0) != 0xe2) return 0;
+    const unsigned char last = byte(2);
+    const bool isMarkOrLine =
+        byte(1) == 0x80 && (last == 0x8e || last == 0x8f || (last >= 0xa8 && last <= 0xae));
+    const bool isIsolate = byte(1) == 0x81 && last >= 0xa6 && last <= 0xa9;
+    return isMarkOrLine || isIsolate ? 3 : 0;
+}
+
+}  // namespace
+
+std::string unmixed(std::string_view text) {
+    std::string result;
+    result.reserve(text.size());
+    while (!text.empty()) {
+        const std::size_t control = bytesOfControl(text);
+        result += control > 0 ? '?' : text.front();
+        text.remove_prefix(control > 0 ? control : 1);
+    }
+    return result;
+}
+
+std::string printable(const std::string& given) {
+    const std::string text = unmixed(given);
     std::string result;
     int following = 0;  // bytes of a UTF-8 sequence still to come
     for (std::size_t i = 0; i < text.size(); ++i) {

@@ -1,12 +1,19 @@
-// Text from files and stores, for a terminal.
+// Text from files and stores, for a terminal and for labels.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace macula {
 
 // Text from elsewhere must not steer the terminal it is shown in: what could is '?' here. That is C0 and C1
-// controls, the latter also as the UTF-8 pairs C2 80 to C2 9F, and as lone bytes.
+// controls, the latter also as the UTF-8 pairs C2 80 to C2 9F, and as lone bytes; and what unmixed does not
+// leave.
 std::string printable(const std::string& text);
+
+// The text with '?' for each character that turns the direction of what follows or ends its line (Unicode's
+// U+061C, U+200E, U+200F, U+2028 to U+202E, U+2066 to U+2069): with one of them a name, or a number beside
+// it, reads as another. Text that runs from right to left by its letters stays as it is.
+std::string unmixed(std::string_view text);
 
 }  // namespace macula

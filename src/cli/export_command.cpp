@@ -132,7 +132,8 @@ void addExport(CLI::App& app, Action& action) {
                         "Place in the list of macula info (3, or 3.2), or series UID (default: the best)");
     command
         ->add_option("--volume", o.volume,
-                     "Which volume or segmentation of that series, from 1 (default: its best volume)")
+                     "Which volume or segmentation of that series, or point in time of a volume file, from 1 "
+                     "(default: the best volume, the first point)")
         ->check(CLI::Range(1, 1000000));
     addOverwrite(*command, o.overwrite);
     addJoin(*command, o.how);

@@ -4,19 +4,20 @@
 #include <cstdio>
 
 #include "app/elapsed.h"
+#include "base/printable.h"
 #include "base/progress_bar.h"
 
 namespace macula::cli {
 
 namespace {
 
-// A sentence from a library or a file name may hold a line break; one error stays one line. Nobody can be
-// told that stderr takes nothing.
+// A sentence from a library or a file name may hold a line break, and what steers a terminal; one error stays
+// one line. Nobody can be told that stderr takes nothing.
 void printLine(std::string line) {
     std::replace_if(
         line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
     clearProgressBar();
-    std::fputs((line + "\n").c_str(), stderr);
+    std::fputs((printable(line) + "\n").c_str(), stderr);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/available_memory.h"
+#include "base/exceptions.h"
 #include "dicom/pixels/frame_decoder.h"
 
 namespace macula::dicom {
@@ -75,13 +76,8 @@ Result<LoadedFrame> loadFrame(const Stack& stack, std::size_t frame, const Cance
     MACULA_CHECK(frame < stack.frames.size());
     try {
         return decode(stack, frame, cancel);
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::outOfMemory,
-                     "There is not enough memory to decode the image.",
-                     {},
-                     "Close other programs, or choose a smaller series."};
-    } catch (const std::exception&) {
-        return Error{ErrorCode::inputNotUsable, "The image cannot be decoded.", {}, "Choose another series."};
+    } catch (const std::exception& thrown) {
+        return errorOf(thrown, "decode the image");
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/available_memory.h"
 #include "base/check.h"
+#include "base/exceptions.h"
 #include "base/parallel.h"
 #include "dicom/pixels/alternation.h"
 #include "dicom/pixels/frame_decoder.h"
@@ -485,8 +486,8 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Sta
         return loading.run(progress, options);
     } catch (const std::bad_alloc&) {
         return notEnoughMemory(bytes, availableMemory());
-    } catch (const std::exception&) {
-        return notUsable("This series cannot be loaded.");
+    } catch (const std::exception& thrown) {
+        return errorOf(thrown, "load this series");
     }
 }
 

@@ -1,5 +1,8 @@
 #include "dicom/scan.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <atomic>
 #include <map>
@@ -7,17 +10,21 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/exceptions.h"
 #include "base/log.h"
 #include "base/parallel.h"
+#include "dicom/listed_files.h"
 #include "dicom/read/dictionary.h"
 #include "dicom/read/examination.h"
 #include "dicom/read/folder.h"
-#include "dicom/read/media_directory.h"
 #include "dicom/read/placeholder.h"
 #include "dicom/read/sop_class.h"
+#include "dicom/scan_failure.h"
 #include "dicom/scan_glimpse.h"
 #include "dicom/split/copies.h"
+#include "dicom/split/farther_reach.h"
 #include "dicom/split/join.h"
+#include "dicom/split/missing_images.h"
 #include "dicom/split/neighbours.h"
 #include "dicom/split/split.h"
 
@@ -62,6 +69,10 @@ std::optional<std::string_view> reasonToSkip(const Examination& found) {
             return key::kUnreadableFile;
         case FileState::offline:
             return key::kFileOffline;
+        case FileState::mediumError:
+            return key::kUnreadableMedium;
+        case FileState::pathTooLong:
+            return key::kPathTooLong;
         case FileState::damaged:
             return key::kDamagedFile;
         case FileState::truncated:
@@ -102,19 +113,13 @@ SeriesInProgress& placeOf(Studies& studies, const fs::path& file, const Examinat
 }
 
 // A disc's own list of its files serves to see what is missing; what is there is read whether listed or not.
-void reportDirectory(Scan& scan, const fs::path& file) {
-    ++scan.mediaDirectories;
-    const auto directory = readMediaDirectory(file);
-    if (!directory) {
+void report(Scan& scan, const ListedFiles& listed) {
+    for (std::size_t i = 0; i < listed.unreadable; ++i)
         scan.messages.push_back(message(key::kDicomdirUnreadable));
-        return;
-    }
-    if (!directory->missing.empty()) {
-        scan.messages.push_back(message(key::kDicomdirMissingFiles, {count(directory->missing.size())}));
-    }
-    if (directory->outside > 0) {
-        scan.messages.push_back(message(key::kDicomdirOutside, {count(directory->outside)}));
-    }
+    scan.listedFilesMissing = listed.missing;
+    if (listed.missing > 0)
+        scan.messages.push_back(message(key::kDicomdirMissingFiles, {count(listed.missing)}));
+    if (listed.outside > 0) scan.messages.push_back(message(key::kDicomdirOutside, {count(listed.outside)}));
 }
 
 void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& found) {
@@ -130,11 +135,14 @@ void sortIn(Scan& scan, Studies& studies, const fs::path& file, Examination& fou
     }
     if (found.state == FileState::notDicom) {
         ++scan.notDicom;
-        scan.archives += found.isArchive ? 1 : 0;
+        if (!found.archive.empty()) {
+            ++scan.archives;
+            scan.archiveKinds.insert(found.archive);
+        }
         return;
     }
     if (found.kind == Examination::Kind::directory) {
-        reportDirectory(scan, file);
+        ++scan.mediaDirectories;
         return;
     }
     SeriesInProgress& place = placeOf(studies, file, found);
@@ -241,6 +249,7 @@ Series finish(SeriesInProgress& place, const CancelToken& cancel) {
         syntaxes.insert(frame.instance->transferSyntaxUid);
     }
     series.instances = instances.size();
+    for (const auto& [reason, files] : place.leftOut) series.filesLeftOut += files;
     series.transferSyntaxUids.assign(syntaxes.begin(), syntaxes.end());
     Split split = splitSeries(std::move(place.frames), series.modality, splitRules(), cancel);
     series.stacks = std::move(split.stacks);
@@ -272,10 +281,30 @@ void askOrJoin(Scan& scan, std::vector<Examination>& found, const std::vector<Sc
     }
 }
 
+// What the DICOMDIRs among the files list.
+ListedFiles listedFiles(const std::vector<fs::path>& files, const std::vector<Examination>& found) {
+    std::vector<fs::path> directories;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (found[i].state == FileState::complete && found[i].kind == Examination::Kind::directory)
+            directories.push_back(files[i]);
+    }
+    return compareWithDirectories(directories, found);
+}
+
+// Tells the series of a study of each other, and of what is missing of them.
+void compareSeries(Scan& scan, std::vector<Series>& series, const AbsentImages& absent) {
+    reportNeighbours(series);
+    reportMissingImages(series, absent);
+    reportFartherReach(series);
+    if (auto shortfall = studyShortfall(series)) scan.messages.push_back(std::move(*shortfall));
+}
+
 // Groups files into studies and series. Incomplete when cancelled.
 void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examination>& found,
            const ScanOptions& options, Progress& progress) {
     Studies studies;
+    const ListedFiles listed = listedFiles(files, found);
+    report(scan, listed);
     const std::vector<Scattered> scattered = findScattered(found);
     askOrJoin(scan, found, scattered, options);
     for (std::size_t i = 0; i < files.size(); ++i) {
@@ -303,25 +332,14 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
     scan.namelessPatients = patients.nameless();
     const std::vector<std::size_t> copies = dropCopies(frames, progress);
     const std::vector<std::size_t> repeats = dropRepeats(frames, progress.token());
-    const auto unreadable = static_cast<std::size_t>(
-        std::count_if(scan.skipped.begin(), scan.skipped.end(),
-                      [](const SkippedFile& s) { return s.message.key == key::kUnreadableFolder; }));
     std::vector<Series> finished(places.size());
-    std::atomic<bool> outOfMemory{false};
     parallelFor(
         places.size(),
         [&](std::size_t i) {
-            try {
-                reportFiles(*places[i], copies[i], repeats[i], unreadable);
-                finished[i] = finish(*places[i], progress.token());
-            } catch (const CheckFailure&) {
-                throw;  // a mistake of ours, and none of the file
-            } catch (...) {
-                outOfMemory = true;
-            }
+            reportFiles(*places[i], copies[i], repeats[i], scan.unreadableFolders);
+            finished[i] = finish(*places[i], progress.token());
         },
         progress.token());
-    if (outOfMemory) throw std::bad_alloc();
     if (progress.cancelled()) return;
     std::size_t next = 0;
     for (auto& [studyKey, entry] : studies) {
@@ -331,11 +349,22 @@ void group(Scan& scan, const std::vector<fs::path>& files, std::vector<Examinati
         std::stable_sort(
             entry.study.series.begin(), entry.study.series.end(),
             [](const Series& a, const Series& b) { return a.number.value_or(0) < b.number.value_or(0); });
-        reportNeighbours(entry.study.series);
+        compareSeries(scan, entry.study.series, listed.absent);
         scan.studies.push_back(std::move(entry.study));
     }
     std::stable_sort(scan.studies.begin(), scan.studies.end(),
                      [](const Study& a, const Study& b) { return a.date < b.date; });
+}
+
+Message messageOf(const UnreadableFolder& folder) {
+    switch (stateOfFailure(folder.error)) {
+        case FileState::mediumError:
+            return message(key::kUnreadableMedium);
+        case FileState::pathTooLong:
+            return message(key::kPathTooLong);
+        default:
+            return message(key::kUnreadableFolder, {count(1)});
+    }
 }
 
 // Whether the path is a DICOMDIR, which people click on to open a disc.
@@ -344,46 +373,6 @@ bool isMediaDirectoryName(const fs::path& path) {
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::toupper(c); });
     std::error_code error;
     return name.starts_with("DICOMDIR") && fs::is_regular_file(path, error);
-}
-
-// The error that says why a scan found nothing to list.
-Error nothingFound(const Scan& scan, const fs::path& path, const FolderListing& listing) {
-    const auto fail = [&](std::string sentence, std::string action) {
-        return Error{ErrorCode::inputNotUsable, std::move(sentence), path.string(), std::move(action)};
-    };
-    if (scan.skipped.size() == 1 && listing.files.size() == 1) {
-        const Message& why = scan.skipped.front().message;
-        return fail(why.sentence, why.action);
-    }
-    if (scan.skipped.size() > listing.unreadable.size()) {
-        const std::size_t count = scan.skipped.size() - listing.unreadable.size();
-        return fail(count == 1 ? "The only DICOM file in this folder cannot be read."
-                               : fmt::format("None of the {} DICOM files in this folder can be read.", count),
-                    "Copy the study again from its source.");
-    }
-    if (!listing.unreadable.empty()) {
-        return fail("There is no DICOM image in the folder, and some of its sub-folders cannot be read.",
-                    "Check the permissions of the sub-folders.");
-    }
-    if (listing.linksOutside > 0) {
-        return fail(
-            "There is no DICOM image in the folder itself; links that lead out of it are not followed.",
-            "Choose the folder that the links lead to.");
-    }
-    if (scan.archives > 0)
-        return fail("There is no DICOM image here but perhaps in an archive (zip), which is not opened.",
-                    "Unpack it, and open the folder with what was in it.");
-    std::error_code error;
-    if (listing.files.empty())
-        return fail("There is no file in this folder.", "Choose a folder with DICOM images.");
-    if (listing.files.size() == 1)
-        return fail(fs::is_directory(path, error)
-                        ? "There is no DICOM image in this folder: the only file in it is none."
-                        : "The file is not a DICOM image.",
-                    "Choose a folder with DICOM images.");
-    return fail(
-        fmt::format("There is no DICOM image among the {} files of this folder.", listing.files.size()),
-        "Choose a folder with DICOM images.");
 }
 
 }  // namespace
@@ -445,22 +434,21 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
 
     Scan scan;
     scan.filesSeen = files.size();
+    scan.unreadableFolders = listing.unreadable.size();
     if (listing.linksOutside > 0)
         scan.messages.push_back(message(key::kLinksOutside, {count(listing.linksOutside)}));
-    for (const fs::path& folder : listing.unreadable) {
-        scan.skipped.push_back({folder, message(key::kUnreadableFolder, {count(1)}), {}});
-    }
+    for (const UnreadableFolder& folder : listing.unreadable)
+        scan.skipped.push_back({folder.path, messageOf(folder), {}, true});
     group(scan, files, found, options, progress);
     if (progress.cancelled()) return cancelledError();
-    if (scan.archives > 0) scan.messages.push_back(message(key::kArchives, {count(scan.archives)}));
+    if (scan.archives > 0) {
+        const std::string kinds = fmt::format("{}", fmt::join(scan.archiveKinds, ", "));
+        scan.messages.push_back(message(key::kArchives, {count(scan.archives), {"kinds", kinds}}));
+    }
     if (scan.imageCount() == 0 && scan.objectCount() == 0) return nothingFound(scan, path, listing);
     return scan;
-} catch (const std::bad_alloc&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory to read this folder.", path.string(),
-                 "Choose a smaller folder."};
-} catch (const std::exception&) {
-    return Error{ErrorCode::inputNotUsable, "The folder cannot be read.", path.string(),
-                 "Check its permissions."};
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "read this folder", path.string());
 }
 
 std::string patientsText(const Scan& scan) {

@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/progress.h"
@@ -26,12 +28,13 @@ struct Study {
     int patient = 0;               // from 0; studies of one patient share it, as PatientNumbers has it
 };
 
-// A DICOM file that was left out, or a folder that could not be read (key::kUnreadableFolder).
+// A DICOM file that was left out, or a folder that could not be read.
 // `message.sentence` does not name the file; `file` may name a patient.
 struct SkippedFile {
     std::filesystem::path file;
     Message message;
     std::string seriesInstanceUid;  // when the header could be read
+    bool isFolder = false;
 };
 
 struct Scan {
@@ -40,10 +43,13 @@ struct Scan {
     std::vector<Message> messages;  // about the folder as a whole
     std::size_t filesSeen = 0;
     std::size_t notDicom = 0;
-    std::size_t archives = 0;          // of those: zips, which are not opened
-    std::size_t mediaDirectories = 0;  // DICOMDIR
-    int patients = 0;                  // see patient.h for what tells them apart
-    int namelessPatients = 0;          // of those: studies that do not say whose they are
+    std::size_t archives = 0;                 // of those: archives, which are not opened
+    std::set<std::string_view> archiveKinds;  // of these, by archiveKind
+    std::size_t mediaDirectories = 0;         // DICOMDIR
+    std::size_t listedFilesMissing = 0;       // by the media directories
+    std::size_t unreadableFolders = 0;
+    int patients = 0;  // see patient.h for what tells them apart
+    int namelessPatients = 0;  // of those: studies that do not say whose they are
 
     std::size_t imageCount() const;   // files that hold images
     std::size_t objectCount() const;  // DICOM objects that are no images

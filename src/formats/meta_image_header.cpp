@@ -47,10 +47,12 @@ bool isTrue(const std::string& text) {
 
 Result<ScalarType> typeOf(const Fields& fields) {
     static const std::map<std::string, ScalarType> kTypes{
-        {"MET_CHAR", ScalarType::int8},     {"MET_UCHAR", ScalarType::uint8},
-        {"MET_SHORT", ScalarType::int16},   {"MET_USHORT", ScalarType::uint16},
-        {"MET_INT", ScalarType::int32},     {"MET_UINT", ScalarType::uint32},
-        {"MET_FLOAT", ScalarType::float32}, {"MET_DOUBLE", ScalarType::float64}};
+        {"MET_CHAR", ScalarType::int8},       {"MET_UCHAR", ScalarType::uint8},
+        {"MET_SHORT", ScalarType::int16},     {"MET_USHORT", ScalarType::uint16},
+        {"MET_INT", ScalarType::int32},       {"MET_UINT", ScalarType::uint32},
+        {"MET_LONG", ScalarType::int32},      {"MET_ULONG", ScalarType::uint32},
+        {"MET_LONG_LONG", ScalarType::int64}, {"MET_ULONG_LONG", ScalarType::uint64},
+        {"MET_FLOAT", ScalarType::float32},   {"MET_DOUBLE", ScalarType::float64}};
     const std::string name = valueOf(fields, "ElementType");
     const std::string channels = valueOf(fields, "ElementNumberOfChannels");
     if (name.ends_with("_ARRAY") || (!channels.empty() && channels != "1"))
@@ -58,7 +60,19 @@ Result<ScalarType> typeOf(const Fields& fields) {
     const auto type = kTypes.find(name);
     if (type != kTypes.end()) return type->second;
     return headerNotUsable(
-        "The values of the image are neither whole numbers of 8 to 32 bits nor floating-point ones.");
+        "The values of the image are neither whole numbers of 8 to 64 bits nor floating-point ones.");
+}
+
+// MET_LONG has 4 bytes in the format, and 8 in files of programs that wrote the long of their machine: the
+// size of the file tells, where the values are not compressed.
+void widenLongs(const std::string& name, const ValuesInFile& values, RawImageLayout& layout) {
+    if (values.compressed || (name != "MET_LONG" && name != "MET_ULONG")) return;
+    std::error_code error;
+    const std::uint64_t inFile = fs::file_size(values.file, error);
+    if (error || inFile < values.offset || inFile - values.offset != 2 * layout.bytes()) return;
+    layout.type = name == "MET_LONG" ? ScalarType::int64 : ScalarType::uint64;
+    layout.assumptions.emplace_back(
+        "The values have 8 bytes each, as the size of the file tells, and not 4 as their type says.");
 }
 
 Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, RawImageLayout& layout) {
@@ -139,6 +153,7 @@ Result<TextHeader> readMetaImageHeader(const fs::path& path) {
     readValueNote(valueOf(fields, std::string(kValueNoteField).c_str()), header.layout);
     MACULA_TRY(header.layout.worldFromVoxel, worldFromVoxelOf(fields, header.layout));
     MACULA_TRY(header.values, valuesOf(path, parsed, header.layout));
+    widenLongs(valueOf(fields, "ElementType"), header.values, header.layout);
     MACULA_TRY_VOID(checkExtent(header.layout, header.values));
     return header;
 }

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -24,7 +25,8 @@ static_assert(std::endian::native == std::endian::little,
 
 constexpr std::size_t kHeaderBytes = sizeof(nifti_1_header);
 static_assert(kHeaderBytes == 348);
-constexpr std::int32_t kNifti2Bytes = 540;
+constexpr std::size_t kHeader2Bytes = sizeof(nifti_2_header);
+static_assert(kHeader2Bytes == 540);
 constexpr std::array<char, 4> kNoExtensions{};  // what follows the header
 constexpr std::size_t kDataOffset = kHeaderBytes + kNoExtensions.size();
 constexpr std::size_t kPortion = std::size_t{1} << 20;
@@ -38,14 +40,16 @@ struct Datatype {
     std::int16_t code;
     ScalarType type;
 };
-constexpr std::array<Datatype, 8> kDatatypes{{{DT_UINT8, ScalarType::uint8},
-                                              {DT_INT16, ScalarType::int16},
-                                              {DT_INT32, ScalarType::int32},
-                                              {DT_FLOAT32, ScalarType::float32},
-                                              {DT_FLOAT64, ScalarType::float64},
-                                              {DT_INT8, ScalarType::int8},
-                                              {DT_UINT16, ScalarType::uint16},
-                                              {DT_UINT32, ScalarType::uint32}}};
+constexpr std::array<Datatype, 10> kDatatypes{{{DT_UINT8, ScalarType::uint8},
+                                               {DT_INT16, ScalarType::int16},
+                                               {DT_INT32, ScalarType::int32},
+                                               {DT_FLOAT32, ScalarType::float32},
+                                               {DT_FLOAT64, ScalarType::float64},
+                                               {DT_INT8, ScalarType::int8},
+                                               {DT_UINT16, ScalarType::uint16},
+                                               {DT_UINT32, ScalarType::uint32},
+                                               {DT_INT64, ScalarType::int64},
+                                               {DT_UINT64, ScalarType::uint64}}};
 
 Error notUsable(std::string message, std::string hint = "Convert it with the program it comes from.") {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
@@ -59,22 +63,27 @@ std::int32_t swapped32(std::uint32_t value) {
     return static_cast<std::int32_t>(__builtin_bswap32(value));
 }
 
-glm::dmat4 qformOf(const nifti_1_header& header) {
+// Of either version of the format.
+template <class Header>
+glm::dmat4 qformOf(const Header& header) {
     // The library takes spacings that are not positive for 1.
     const nifti_dmat44 rows = nifti_quatern_to_dmat44(header.quatern_b, header.quatern_c, header.quatern_d, 0,
                                                       0, 0, 1, 1, 1, header.pixdim[0]);
     const auto axis = [&](int n) {
-        return glm::dvec3(rows.m[0][n], rows.m[1][n], rows.m[2][n]) * double(header.pixdim[n + 1]);
+        return glm::dvec3(rows.m[0][n], rows.m[1][n], rows.m[2][n]) *
+               double(header.pixdim[static_cast<std::size_t>(n) + 1]);
     };
     return affine(axis(0), axis(1), axis(2), {header.qoffset_x, header.qoffset_y, header.qoffset_z});
 }
 
-glm::dmat4 sformOf(const nifti_1_header& header) {
+template <class Header>
+glm::dmat4 sformOf(const Header& header) {
     glm::dmat4 m(1.0);
-    for (int column = 0; column < 4; ++column) {
-        m[column][0] = header.srow_x[column];
-        m[column][1] = header.srow_y[column];
-        m[column][2] = header.srow_z[column];
+    for (std::size_t column = 0; column < 4; ++column) {
+        const auto c = static_cast<int>(column);
+        m[c][0] = header.srow_x[column];
+        m[c][1] = header.srow_y[column];
+        m[c][2] = header.srow_z[column];
     }
     return m;
 }
@@ -149,31 +158,100 @@ struct CloseGz {
 };
 using GzFile = std::unique_ptr<std::remove_pointer_t<gzFile>, CloseGz>;
 
+// What is read of a header of either version, by the names of the format.
+struct Header {
+    std::int64_t sizeof_hdr = 0;
+    std::string magic;  // four characters
+    int datatype = 0;
+    std::array<std::int64_t, 8> dim{};
+    std::array<double, 8> pixdim{};
+    double vox_offset = 0.0;
+    double scl_slope = 0.0, scl_inter = 0.0;
+    int qform_code = 0, sform_code = 0;
+    double quatern_b = 0.0, quatern_c = 0.0, quatern_d = 0.0;
+    double qoffset_x = 0.0, qoffset_y = 0.0, qoffset_z = 0.0;
+    std::array<double, 4> srow_x{}, srow_y{}, srow_z{};
+    int xyzt_units = 0;
+    std::string descrip;
+};
+
+// The library's structs are packed: their fields are copied one by one.
+template <class Packed>
+Header headerOf(const Packed& packed) {
+    Header header{.sizeof_hdr = packed.sizeof_hdr,
+                  .magic = std::string(packed.magic, 4),
+                  .datatype = packed.datatype,
+                  .vox_offset = static_cast<double>(packed.vox_offset),
+                  .scl_slope = packed.scl_slope,
+                  .scl_inter = packed.scl_inter,
+                  .qform_code = packed.qform_code,
+                  .sform_code = packed.sform_code,
+                  .quatern_b = packed.quatern_b,
+                  .quatern_c = packed.quatern_c,
+                  .quatern_d = packed.quatern_d,
+                  .qoffset_x = packed.qoffset_x,
+                  .qoffset_y = packed.qoffset_y,
+                  .qoffset_z = packed.qoffset_z,
+                  .xyzt_units = packed.xyzt_units,
+                  .descrip = std::string(packed.descrip, sizeof(packed.descrip))};
+    for (std::size_t i = 0; i < header.dim.size(); ++i) {
+        header.dim[i] = packed.dim[i];
+        header.pixdim[i] = packed.pixdim[i];
+    }
+    for (std::size_t i = 0; i < header.srow_x.size(); ++i) {
+        header.srow_x[i] = packed.srow_x[i];
+        header.srow_y[i] = packed.srow_y[i];
+        header.srow_z[i] = packed.srow_z[i];
+    }
+    return header;
+}
+
 struct Opened {
     fs::path path;
-    nifti_1_header header;
+    Header header;
     bool swapped = false;
     bool compressed = false;
+
+    // The values lie in a file of their own.
+    bool isPair() const { return header.magic.starts_with("ni") && isNifti(); }
+    bool isNifti() const {
+        return header.magic == std::string_view(isWide() ? "n+2" : "n+1", 4) ||
+               header.magic == std::string_view(isWide() ? "ni2" : "ni1", 4);
+    }
+    bool isWide() const { return header.sizeof_hdr == std::int64_t(kHeader2Bytes); }
 };
 
 Result<Opened> open(const fs::path& path) {
     const GzFile file(gzopen(path.c_str(), "rb"));
     if (!file) return notUsable("The file cannot be read.", "Check the path and its permissions.");
-    nifti_1_header header{};
-    const int got = gzread(file.get(), &header, kHeaderBytes);
-    const std::int32_t first = header.sizeof_hdr;
-    const bool swapped = first == swapped32(kHeaderBytes);
-    if (first == kNifti2Bytes || first == swapped32(kNifti2Bytes)) {
-        return notUsable("This is a NIfTI-2 file; Macula reads NIfTI-1.");
-    }
-    if (got < 4 || !(swapped || first == std::int32_t(kHeaderBytes)))
+    std::array<char, kHeader2Bytes> bytes{};
+    const int got = gzread(file.get(), bytes.data(), kHeader2Bytes);
+    std::int32_t first = 0;
+    std::memcpy(&first, bytes.data(), sizeof first);
+    const auto isSize = [&](std::size_t size) {
+        return first == std::int32_t(size) || first == swapped32(static_cast<std::uint32_t>(size));
+    };
+    if (got < 4 || (!isSize(kHeaderBytes) && !isSize(kHeader2Bytes)))
         return notUsable("This is no NIfTI file.");
-    if (got < static_cast<int>(kHeaderBytes)) return cutOff();
-    if (swapped) nifti_swap_as_nifti1(&header);
-    return Opened{path, header, swapped, gzdirect(file.get()) == 0};
+    const std::size_t size = isSize(kHeader2Bytes) ? kHeader2Bytes : kHeaderBytes;
+    if (got < static_cast<int>(size)) return cutOff();
+    Opened opened{.path = path, .header = {}, .swapped = first != std::int32_t(size)};
+    opened.compressed = gzdirect(file.get()) == 0;
+    if (size == kHeader2Bytes) {
+        nifti_2_header wide{};
+        std::memcpy(&wide, bytes.data(), kHeader2Bytes);
+        if (opened.swapped) nifti_swap_as_nifti2(&wide);
+        opened.header = headerOf(wide);
+    } else {
+        nifti_1_header narrow{};
+        std::memcpy(&narrow, bytes.data(), kHeaderBytes);
+        if (opened.swapped) nifti_swap_as_nifti1(&narrow);
+        opened.header = headerOf(narrow);
+    }
+    return opened;
 }
 
-Result<ScalarType> typeOf(std::int16_t code) {
+Result<ScalarType> typeOf(int code) {
     for (const Datatype& known : kDatatypes) {
         if (known.code == code) return known.type;
     }
@@ -182,37 +260,38 @@ Result<ScalarType> typeOf(std::int16_t code) {
     }
     return notUsable(
         fmt::format("The values of the image have NIfTI's data type {}; Macula reads whole numbers of "
-                    "8 to 32 bits and floating-point ones.",
+                    "8 to 64 bits and floating-point ones.",
                     code));
 }
 
-Result<glm::ivec3> sizeOf(const nifti_1_header& header) {
-    const int axes = header.dim[0];
+struct Extent {
+    glm::ivec3 size{0};
+    std::size_t volumes = 1;
+};
+
+Result<Extent> extentOf(const Header& header) {
+    const std::int64_t axes = header.dim[0];
     if (axes < 1 || axes > 7) return notUsable("The header of the NIfTI file is damaged.");
-    std::array<int, 7> length{1, 1, 1, 1, 1, 1, 1};
+    std::array<std::int64_t, 7> length{1, 1, 1, 1, 1, 1, 1};
+    constexpr std::int64_t kMost = std::numeric_limits<int>::max();
     for (std::size_t axis = 0; axis < std::size_t(axes); ++axis) {
         length[axis] = header.dim[axis + 1];
-        if (length[axis] < 1) return notUsable("The header of the NIfTI file is damaged.");
-    }
-    if (length[3] > 1) {
-        return notUsable(
-            fmt::format("The file holds {} volumes, one for each point in time; Macula reads one.",
-                        length[3]),
-            "Write one of them to a file of its own.");
+        if (length[axis] < 1 || length[axis] > kMost)
+            return notUsable("The header of the NIfTI file is damaged.");
     }
     if (length[4] > 1 || length[5] > 1 || length[6] > 1) {
         return notUsable("The image has several values in each voxel; a volume needs one.");
     }
-    return glm::ivec3(length[0], length[1], length[2]);
+    return Extent{glm::ivec3(length[0], length[1], length[2]), static_cast<std::size_t>(length[3])};
 }
 
 // Millimetres in one unit of the header; mm when it does not say.
-double unitMm(const nifti_1_header& header) {
+double unitMm(const Header& header) {
     const int units = XYZT_TO_SPACE(header.xyzt_units);
     return units == NIFTI_UNITS_METER ? 1000.0 : units == NIFTI_UNITS_MICRON ? 0.001 : 1.0;
 }
 
-glm::dmat4 rasFromVoxelOf(const nifti_1_header& header, const glm::ivec3& size,
+glm::dmat4 rasFromVoxelOf(const Header& header, const glm::ivec3& size,
                           std::vector<std::string>& assumptions) {
     const bool hasSform = header.sform_code > 0;
     const bool hasQform = header.qform_code > 0;
@@ -238,28 +317,43 @@ glm::dmat4 rasFromVoxelOf(const nifti_1_header& header, const glm::ivec3& size,
                   glm::dvec3(0.0));
 }
 
+// Of a pair (.hdr and .img), which may be packed.
+Result<fs::path> valuesBeside(const fs::path& header) {
+    for (const char* ending : {".img", ".IMG", ".img.gz", ".IMG.GZ"}) {
+        const fs::path values = fs::path(header).replace_extension(ending);
+        std::error_code error;
+        if (fs::is_regular_file(values, error)) return values;
+    }
+    return notUsable("The file with the values (.img) is missing.", "Put it beside the header.");
+}
+
 Result<ValuesInFile> valuesOf(const Opened& opened) {
     const double offset = opened.header.vox_offset;
     constexpr double kMost = 1e9;  // what extensions of the header may hold, and some
-    if (!(offset >= double(kHeaderBytes) && offset <= kMost))
-        return notUsable("The header of the NIfTI file is damaged.");
+    const double least = opened.isPair() ? 0.0 : static_cast<double>(opened.header.sizeof_hdr);
+    if (!(offset >= least && offset <= kMost)) return notUsable("The header of the NIfTI file is damaged.");
     ValuesInFile values{.file = opened.path, .compressed = opened.compressed, .bigEndian = opened.swapped};
-    (opened.compressed ? values.skip : values.offset) = static_cast<std::uint64_t>(offset);
+    if (opened.isPair()) {
+        MACULA_TRY(values.file, valuesBeside(opened.path));
+        const GzFile file(gzopen(values.file.c_str(), "rb"));
+        char first = 0;
+        values.compressed = file && gzread(file.get(), &first, 1) == 1 && gzdirect(file.get()) == 0;
+    }
+    (values.compressed ? values.skip : values.offset) = static_cast<std::uint64_t>(offset);
     return values;
 }
 
 Result<RawImageLayout> layoutOf(const Opened& opened) {
-    const nifti_1_header& header = opened.header;
-    if (std::memcmp(header.magic, "ni1", 4) == 0) {
-        return notUsable("The header and the image lie in two files (.hdr and .img).",
-                         "Write them to one .nii file.");
-    }
-    if (std::memcmp(header.magic, "n+1", 4) != 0) {
+    const Header& header = opened.header;
+    if (opened.isWide() && !opened.isNifti()) return notUsable("The header of the NIfTI file is damaged.");
+    if (!opened.isNifti()) {
         return notUsable("This is an ANALYZE file, which does not tell left from right.",
                          "Write it as NIfTI.");
     }
     RawImageLayout layout;
-    MACULA_TRY(layout.size, sizeOf(header));
+    MACULA_TRY(const Extent extent, extentOf(header));
+    layout.size = extent.size;
+    layout.volumes = extent.volumes;
     MACULA_TRY(layout.type, typeOf(header.datatype));
     const double slope = header.scl_slope;
     const double intercept = header.scl_inter;
@@ -267,7 +361,7 @@ Result<RawImageLayout> layoutOf(const Opened& opened) {
         layout.slope = slope;
         layout.intercept = intercept;
     }
-    readValueNote({header.descrip, sizeof(header.descrip)}, layout);
+    readValueNote(header.descrip, layout);
     glm::dmat4 rasFromVoxel = rasFromVoxelOf(header, layout.size, layout.assumptions);
     const double scale = unitMm(header);
     for (int column = 0; column < 4; ++column)
@@ -283,6 +377,13 @@ Result<RawImageLayout> layoutOf(const Opened& opened) {
 }
 
 }  // namespace
+
+std::optional<fs::path> niftiValuesFile(const fs::path& path) {
+    const auto opened = open(path);
+    if (!opened || !opened->isPair()) return {};
+    const auto values = valuesBeside(path);
+    return values ? std::optional(*values) : std::nullopt;
+}
 
 Result<void> writeNifti(const fs::path& path, const RawImage& image, Progress& progress) {
     MACULA_TRY(const nifti_1_header header, headerFor(image));
@@ -316,11 +417,13 @@ Result<RawImageLayout> readNiftiLayout(const fs::path& path) {
     return layoutOf(opened);
 }
 
-Result<RawImage> readNifti(const fs::path& path, Progress& progress) {
+Result<RawImage> readNifti(const fs::path& path, Progress& progress, std::size_t volume) {
     MACULA_TRY(const Opened opened, open(path));
     MACULA_TRY(RawImageLayout layout, layoutOf(opened));
+    MACULA_TRY_VOID(chooseVolume(layout, volume));
     MACULA_TRY(const ValuesInFile values, valuesOf(opened));
-    return readValues(std::move(layout), values, progress);
+    const ValuesInFile chosen = valuesOfVolume(values, layout, volume);
+    return readValues(std::move(layout), chosen, progress);
 }
 
 }  // namespace macula::formats

@@ -37,12 +37,24 @@ Result<ScalarType> typeOf(const std::string& name) {
                                                           {"unsigned int", ScalarType::uint32},
                                                           {"uint32", ScalarType::uint32},
                                                           {"uint32_t", ScalarType::uint32},
+                                                          {"longlong", ScalarType::int64},
+                                                          {"long long", ScalarType::int64},
+                                                          {"long long int", ScalarType::int64},
+                                                          {"signed long long", ScalarType::int64},
+                                                          {"signed long long int", ScalarType::int64},
+                                                          {"int64", ScalarType::int64},
+                                                          {"int64_t", ScalarType::int64},
+                                                          {"ulonglong", ScalarType::uint64},
+                                                          {"unsigned long long", ScalarType::uint64},
+                                                          {"unsigned long long int", ScalarType::uint64},
+                                                          {"uint64", ScalarType::uint64},
+                                                          {"uint64_t", ScalarType::uint64},
                                                           {"float", ScalarType::float32},
                                                           {"double", ScalarType::float64}};
     const auto found = kTypes.find(lowerCase(name));
     if (found != kTypes.end()) return found->second;
     return headerNotUsable(
-        "The values of the image are neither whole numbers of 8 to 32 bits nor floating-point ones.");
+        "The values of the image are neither whole numbers of 8 to 64 bits nor floating-point ones.");
 }
 
 struct Parsed {
@@ -78,6 +90,25 @@ Result<Parsed> parse(const fs::path& path) {
     }
     parsed.bytes = lines.position();
     return parsed;
+}
+
+// Of four axes, the last of which does not lie in space, makes three, and gives back how many volumes there
+// are: one for each point in time, or each of a list.
+std::size_t takeVolumes(Fields& fields) {
+    auto sizes = words(valueOf(fields, "sizes"));
+    auto directions = words(valueOf(fields, "spacedirections"));
+    if (valueOf(fields, "dimension") != "4" || sizes.size() != 4 || directions.empty() ||
+        lowerCase(directions.back()) != "none")
+        return 1;
+    const auto volumes = parseNumber<std::size_t>(sizes.back());
+    if (!volumes || *volumes < 1) return 1;
+    const auto withoutLast = [&](const char* key) {
+        const std::string text = valueOf(fields, key);
+        if (!text.empty()) fields[key] = trimmed(std::string_view(text).substr(0, text.find_last_of(" \t")));
+    };
+    fields["dimension"] = "3";
+    for (const char* key : {"sizes", "spacedirections", "kinds"}) withoutLast(key);
+    return *volumes;
 }
 
 Result<void> checkAxes(const Fields& fields) {
@@ -181,8 +212,9 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
 }  // namespace
 
 Result<TextHeader> readNrrdHeader(const fs::path& path) {
-    MACULA_TRY(const Parsed parsed, parse(path));
+    MACULA_TRY(Parsed parsed, parse(path));
     TextHeader header;
+    header.layout.volumes = takeVolumes(parsed.fields);
     MACULA_TRY_VOID(checkThreeAxes(valueOf(parsed.fields, "dimension")));
     MACULA_TRY_VOID(checkAxes(parsed.fields));
     MACULA_TRY(header.layout.size, parseSize(valueOf(parsed.fields, "sizes")));

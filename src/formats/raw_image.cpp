@@ -18,6 +18,7 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr double kMost16 = 65535.0;
+constexpr double kMostExact = 9007199254740992.0;  // 2^53: a double holds every whole number up to it
 
 // As in the notes that valueNote makes.
 constexpr std::array<std::pair<Unit, std::string_view>, 3> kUnitNames{
@@ -92,7 +93,8 @@ T at(const std::byte* data, std::size_t n) {
     return value;
 }
 
-// Calls with a function that gives the n-th raw value as a double, which holds each of these types exactly.
+// Calls with a function that gives the n-th raw value as a double, which holds each of these types exactly,
+// but for whole numbers beyond 2^53.
 template <class Use>
 auto withRaw(const RawImage& image, const Use& use) {
     const std::byte* data = image.data.data();
@@ -109,6 +111,10 @@ auto withRaw(const RawImage& image, const Use& use) {
             return use([data](std::size_t n) { return double(at<std::int32_t>(data, n)); });
         case ScalarType::uint32:
             return use([data](std::size_t n) { return double(at<std::uint32_t>(data, n)); });
+        case ScalarType::int64:
+            return use([data](std::size_t n) { return double(at<std::int64_t>(data, n)); });
+        case ScalarType::uint64:
+            return use([data](std::size_t n) { return double(at<std::uint64_t>(data, n)); });
         case ScalarType::float32:
             return use([data](std::size_t n) { return double(at<float>(data, n)); });
         case ScalarType::float64:
@@ -156,6 +162,9 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
     options.provenance.isCalibrated = image.isCalibrated;
     const double slope = image.slope;
     const double intercept = image.intercept;
+    const bool hasManyBits = image.type == ScalarType::int64 || image.type == ScalarType::uint64;
+    if (hasManyBits && std::max(std::abs(values.low), std::abs(values.high)) > kMostExact)
+        image.assumptions.emplace_back("Whole numbers beyond 2^53 were rounded.");
 
     if (values.whole && values.high - values.low <= kMost16) {
         // A negative slope turns the order of the stored values around: theirs must be positive.
@@ -214,6 +223,8 @@ std::size_t bytesOf(ScalarType type) {
         case ScalarType::uint32:
         case ScalarType::float32:
             return 4;
+        case ScalarType::int64:
+        case ScalarType::uint64:
         case ScalarType::float64:
             break;
     }
@@ -234,6 +245,10 @@ std::string_view nameOf(ScalarType type) {
             return "int32";
         case ScalarType::uint32:
             return "uint32";
+        case ScalarType::int64:
+            return "int64";
+        case ScalarType::uint64:
+            return "uint64";
         case ScalarType::float32:
             return "float32";
         case ScalarType::float64:
@@ -283,6 +298,24 @@ void readValueNote(std::string_view note, RawImageLayout& layout) {
 
 std::uint64_t RawImageLayout::bytes() const {
     return std::uint64_t(size.x) * std::uint64_t(size.y) * std::uint64_t(size.z) * bytesOf(type);
+}
+
+Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume) {
+    if (volume < 1 || volume > layout.volumes) {
+        return Error{
+            ErrorCode::usage,
+            layout.volumes == 1
+                ? std::string("The file is one volume; there is nothing to choose from.")
+                : fmt::format("The file holds {} volumes, one for each point in time.", layout.volumes),
+            {},
+            layout.volumes == 1 ? "Leave --series and --volume out." : "Choose one of them with --volume."};
+    }
+    if (layout.volumes > 1) {
+        layout.assumptions.push_back(
+            fmt::format("The file holds {} volumes, one for each point in time; this is number {}.",
+                        layout.volumes, volume));
+    }
+    return {};
 }
 
 Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile, bool compressed) {

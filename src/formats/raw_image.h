@@ -15,14 +15,15 @@
 
 namespace macula::formats {
 
-enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
 std::size_t bytesOf(ScalarType type);
 std::string_view nameOf(ScalarType type);  // "int16"
 
 // What a header says of the image.
 struct RawImageLayout {
-    glm::ivec3 size{0};
+    glm::ivec3 size{0};              // of one volume
+    std::size_t volumes = 1;         // in the file, one behind the other
     glm::dmat4 worldFromVoxel{1.0};  // patient LPS mm
     ScalarType type = ScalarType::int16;
     double slope = 1.0;  // value = slope * raw + intercept; the slope may be negative, not 0
@@ -33,8 +34,12 @@ struct RawImageLayout {
     bool isCalibrated = true;              // as in Provenance
     std::vector<std::string> assumptions;  // sentences, as in Provenance
 
-    std::uint64_t bytes() const;
+    std::uint64_t bytes() const;  // of one volume
 };
+
+// Says which of several volumes it is, counted from 1, among the assumptions. Fails with usage where the file
+// has no such one.
+Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume);
 
 // What Macula writes into a file beside the values: "Macula|int16|HU|CT", and "|uncalibrated" behind it where
 // that is so, at most 79 characters; empty for calibrated ones without a unit.
@@ -57,7 +62,8 @@ Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile
 Result<RawImage> rawImageOf(const Volume& volume, Progress& progress);
 Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress);
 
-// 16 bits when that is exact, else float32. Values that are no finite number are padding, and counted.
+// 16 bits when that is exact, else float32. Values that are no finite number are padding, and counted; whole
+// numbers beyond 2^53 are rounded, and that is among the assumptions.
 Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress);
 
 }  // namespace macula::formats

@@ -94,6 +94,11 @@ class Source {
 
 }  // namespace
 
+ValuesInFile valuesOfVolume(ValuesInFile values, const RawImageLayout& layout, std::size_t volume) {
+    (values.compressed ? values.skip : values.offset) += (volume - 1) * layout.bytes();
+    return values;
+}
+
 Result<void> checkExtent(const RawImageLayout& layout, const ValuesInFile& values) {
     std::error_code error;
     const std::uint64_t bytes = fs::file_size(values.file, error);

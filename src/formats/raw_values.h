@@ -15,6 +15,9 @@ struct ValuesInFile {
     bool bigEndian = false;
 };
 
+// The same for the volume of that number, from 1, of several.
+ValuesInFile valuesOfVolume(ValuesInFile values, const RawImageLayout& layout, std::size_t volume);
+
 // As checkLayout, for the size of that file.
 Result<void> checkExtent(const RawImageLayout& layout, const ValuesInFile& values);
 

@@ -100,8 +100,12 @@ Result<void> checkThreeAxes(const std::string& count) {
 }
 
 Result<fs::path> besideHeader(const fs::path& header, const std::string& name) {
-    const bool plain =
-        !name.empty() && name.find_first_of("/\\%") == std::string::npos && name != "." && name != "..";
+    // A percent sign makes a pattern of several files, unless a file has that very name.
+    std::error_code notThere;
+    const bool isPattern =
+        name.find('%') != std::string::npos && !fs::exists(header.parent_path() / name, notThere);
+    const bool plain = !name.empty() && name.find_first_of("/\\") == std::string::npos && name != "." &&
+                       name != ".." && !isPattern;
     if (!plain) {
         return headerNotUsable(
             "The values lie in another folder or in several files.",

@@ -7,6 +7,7 @@
 
 #include "base/available_memory.h"
 #include "base/draft.h"
+#include "base/exceptions.h"
 #include "formats/itk_image_file.h"
 #include "formats/nifti.h"
 #include "formats/text_header.h"
@@ -23,13 +24,15 @@ struct Ending {
     std::string_view text;
     Format format;
     bool detached;  // the values lie in a second file
+    bool isWritten = true;
 };
-constexpr std::array<Ending, 6> kEndings{{{".nii.gz", Format::nifti, false},
+constexpr std::array<Ending, 7> kEndings{{{".nii.gz", Format::nifti, false},
                                           {".nii", Format::nifti, false},
                                           {".nrrd", Format::nrrd, false},
                                           {".nhdr", Format::nrrd, true},
                                           {".mha", Format::metaImage, false},
-                                          {".mhd", Format::metaImage, true}}};
+                                          {".mhd", Format::metaImage, true},
+                                          {".hdr", Format::nifti, true, false}}};
 
 const Ending* endingOf(const fs::path& path) {
     std::string name = path.filename().string();
@@ -45,6 +48,25 @@ Result<Ending> knownEndingOf(const fs::path& path) {
     if (const Ending* ending = endingOf(path)) return *ending;
     return Error{ErrorCode::usage, "The ending of the name is that of no volume file.", path.string(),
                  "Known are " + volumeFileEndings() + "."};
+}
+
+// The name without its ending, as the name of the values: programs that read NRRD and MetaImage take a
+// percent sign in it for a pattern of many files, and the end of a line for the end of the name.
+std::string stemForValues(const fs::path& path, const Ending& ending) {
+    std::string stem = path.filename().string();
+    stem.resize(stem.size() - ending.text.size());
+    std::ranges::replace_if(
+        stem, [](char c) { return c == '%' || (c >= 0 && c < ' '); }, '_');
+    return stem;
+}
+
+// Of a file that is to be written.
+Result<Ending> writtenEndingOf(const fs::path& path) {
+    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    if (ending.isWritten) return ending;
+    return Error{ErrorCode::usage,
+                 fmt::format("Volumes are not written to files with the ending {}.", ending.text),
+                 path.string(), "Known are " + volumeFileEndings() + "."};
 }
 
 Error cannotWrite(const fs::path& path, const std::string& reason) {
@@ -70,10 +92,12 @@ Result<RawImageLayout> readLayout(Format format, const fs::path& path) {
     return std::move(header.layout);
 }
 
-Result<RawImage> readFormat(Format format, const fs::path& path, Progress& progress) {
-    if (format == Format::nifti) return readNifti(path, progress);
+Result<RawImage> readFormat(Format format, const fs::path& path, std::size_t volume, Progress& progress) {
+    if (format == Format::nifti) return readNifti(path, progress, volume);
     MACULA_TRY(TextHeader header, readTextHeader(format, path));
-    return readValues(std::move(header.layout), header.values, progress);
+    MACULA_TRY_VOID(chooseVolume(header.layout, volume));
+    const ValuesInFile values = valuesOfVolume(header.values, header.layout, volume);
+    return readValues(std::move(header.layout), values, progress);
 }
 
 Error at(const fs::path& path, Error error) {
@@ -122,7 +146,7 @@ Result<void> putAllInPlace(const std::vector<fs::path>& files, const fs::path& d
 // `Grid` is what rawImageOf takes.
 template <class Grid>
 Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& path, Progress& progress) try {
-    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    MACULA_TRY(const Ending ending, writtenEndingOf(path));
     MACULA_TRY(const auto files, filesOfVolumeFile(path));
     const std::uint64_t most = std::uint64_t{sizeof(float)} * voxels;
     if (const auto available = availableMemory(); available && most > *available)
@@ -136,10 +160,8 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
         return Error{ErrorCode::outputNotWritable, "There is not enough free space.", path.string(),
                      fmt::format("The file needs {} MB.", image.data.size() / 1'000'000 + 1)};
     }
-    // The ending in small letters: the libraries choose by it.
-    const std::string stem =
-        path.filename().string().substr(0, path.filename().string().size() - ending.text.size());
-    const fs::path draft = workshop.path() / (stem + std::string(ending.text));
+    // The ending in small letters: the libraries choose by it. The header names the values by the same stem.
+    const fs::path draft = workshop.path() / (stemForValues(path, ending) + std::string(ending.text));
     if (const auto written = writeFormat(ending.format, draft, image, progress); !written)
         return at(path, written.error());
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
@@ -171,7 +193,9 @@ std::string whatIsKnownOfUnit(Unit unit) {
 
 std::string volumeFileEndings() {
     std::string endings;
-    for (const Ending& ending : kEndings) endings += (endings.empty() ? "" : ", ") + std::string(ending.text);
+    for (const Ending& ending : kEndings) {
+        if (ending.isWritten) endings += (endings.empty() ? "" : ", ") + std::string(ending.text);
+    }
     return endings;
 }
 
@@ -180,15 +204,16 @@ bool isVolumeFileName(const fs::path& path) {
 }
 
 Result<std::vector<fs::path>> filesOfVolumeFile(const fs::path& path) {
-    MACULA_TRY(const Ending ending, knownEndingOf(path));
+    MACULA_TRY(const Ending ending, writtenEndingOf(path));
     std::vector<fs::path> files{path};
-    if (ending.detached) files.push_back(fs::path(path).replace_extension(".raw"));
+    if (ending.detached) files.push_back(path.parent_path() / (stemForValues(path, ending) + ".raw"));
     return files;
 }
 
 std::optional<fs::path> valuesFileOf(const fs::path& path) try {
     const Ending* ending = endingOf(path);
-    if (ending == nullptr || ending->format == Format::nifti) return {};
+    if (ending == nullptr) return {};
+    if (ending->format == Format::nifti) return ending->detached ? niftiValuesFile(path) : std::nullopt;
     const auto header = readTextHeader(ending->format, path);
     return header && header->values.file != path ? std::optional(header->values.file) : std::nullopt;
 } catch (const std::exception&) {
@@ -207,31 +232,29 @@ Result<VolumeFileInfo> readVolumeFileInfo(const fs::path& path) try {
     MACULA_TRY(const Ending ending, checkInput(path));
     const auto layout = readLayout(ending.format, path);
     if (!layout) return at(path, layout.error());
-    return VolumeFileInfo{nameOf(ending.format), std::string(nameOf(layout->type)),
-                          layout->size,          layout->worldFromVoxel,
-                          layout->assumptions,   layout->isCalibrated};
-} catch (const std::bad_alloc&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory.", {}, "Close other programs."};
-} catch (const std::exception&) {
-    return Error{ErrorCode::inputNotUsable, "The file cannot be read.", path.string(),
-                 "Choose another file."};
+    return VolumeFileInfo{.format = nameOf(ending.format),
+                          .values = std::string(nameOf(layout->type)),
+                          .size = layout->size,
+                          .worldFromVoxel = layout->worldFromVoxel,
+                          .assumptions = layout->assumptions,
+                          .isCalibrated = layout->isCalibrated,
+                          .volumes = layout->volumes};
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "read the header of this volume", path.string());
 }
 
-Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progress& progress) try {
+Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progress& progress,
+                                                     std::size_t number) try {
     MACULA_TRY(const Ending ending, checkInput(path));
-    auto image = readFormat(ending.format, path, progress);
+    auto image = readFormat(ending.format, path, number, progress);
     if (!image) return at(path, image.error());
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
     image->assumptions.push_back(whatIsKnownOfUnit(image->unit));
     auto volume = volumeOf(std::move(*image), progress);
     if (!volume) return at(path, volume.error());
     return volume;
-} catch (const std::bad_alloc&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory for this volume.", path.string(),
-                 "Close other programs, or choose a smaller one."};
-} catch (const std::exception&) {
-    return Error{ErrorCode::inputNotUsable, "The file cannot be read.", path.string(),
-                 "Choose another file."};
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "read this volume", path.string());
 }
 
 }  // namespace macula::formats

@@ -15,14 +15,15 @@
 
 namespace macula::formats {
 
-// ".nii.gz, .nii, ...": all that are known.
+// ".nii.gz, .nii, ...": all that are written. Headers of pairs (.hdr) are read as well.
 std::string volumeFileEndings();
 
 // By the ending of the name, in any case of letters.
 bool isVolumeFileName(const std::filesystem::path& path);
 
 // The files that writing `path` makes: itself, and for .nhdr and .mhd the one with the values. Fails with
-// usage when the ending is unknown.
+// usage when the ending is unknown. The values have the name of the header, with _ for a percent sign, which
+// other programs take for a pattern.
 Result<std::vector<std::filesystem::path>> filesOfVolumeFile(const std::filesystem::path& path);
 
 // The file with the values, where `path` is a header that lies beside them; nothing when it cannot be read.
@@ -43,6 +44,7 @@ struct VolumeFileInfo {
     glm::dmat4 worldFromVoxel{1.0};
     std::vector<std::string> assumptions;
     bool isCalibrated = true;  // as in Provenance
+    std::size_t volumes = 1;   // one for each point in time
 };
 
 // From the header alone.
@@ -50,7 +52,9 @@ Result<VolumeFileInfo> readVolumeFileInfo(const std::filesystem::path& path);
 
 // 16-bit storage when that is exact, else float32. Fails with inputNotUsable for what is no volume of
 // scalars or is damaged; memory is bounded by what the file can hold. Missing orientation and unit are among
-// the assumptions.
-Result<std::shared_ptr<const Volume>> readVolumeFile(const std::filesystem::path& path, Progress& progress);
+// the assumptions. Of a file with several volumes, one for each point in time, the one of that number, from
+// 1, is read, and that too is among them; fails with usage when there is none.
+Result<std::shared_ptr<const Volume>> readVolumeFile(const std::filesystem::path& path, Progress& progress,
+                                                     std::size_t number = 1);
 
 }  // namespace macula::formats

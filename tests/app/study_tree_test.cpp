@@ -165,7 +165,7 @@ TEST(StudyTree, FoldersThatCannotBeReadAreCountedTogether) {
     dicom::Scan scan;
     for (int n = 0; n < 2; ++n)
         scan.skipped.push_back(
-            {"/doe", dicom::message(dicom::key::kUnreadableFolder, {{"count", std::int64_t{1}}}), ""});
+            {"/doe", dicom::message(dicom::key::kUnreadableFolder, {{"count", std::int64_t{1}}}), "", true});
     const FoundVolumes found(std::move(scan));
     const StudyTree tree = studyTree(found);
     ASSERT_EQ(tree.rows.size(), 1u);

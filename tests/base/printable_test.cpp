@@ -23,5 +23,19 @@ TEST(Printable, NothingSteersTheTerminal) {
         << "C1 as a byte";
 }
 
+// "gnp.exe" that reads as "exe.png", and numbers that change places.
+TEST(Printable, NothingTurnsTheDirection) {
+    for (const char* control : {"\u061c", "\u200e", "\u200f", "\u2028", "\u2029", "\u202a", "\u202b",
+                                "\u202c", "\u202d", "\u202e", "\u2066", "\u2067", "\u2068", "\u2069"}) {
+        const std::string text = std::string("a") + control + "gnp.exe";
+        EXPECT_EQ(unmixed(text), "a?gnp.exe");
+        EXPECT_EQ(printable(text), "a?gnp.exe");
+    }
+    // Neighbours of these, Arabic and Hebrew, and what is cut off.
+    for (const char* text : {"\u2027", "\u202f", "\u2065", "\u206a", "\u200d", "\u061b",
+                             "\u0642\u0628\u0627\u0646\u064a", "\u05d0\u05d1", "\xe2\x80", "\xe2", ""})
+        EXPECT_EQ(unmixed(text), text);
+}
+
 }  // namespace
 }  // namespace macula

@@ -86,6 +86,23 @@ std::string uid(int root, std::size_t n) {
     return fmt::format("2.25.{}{}", root, n + 1);
 }
 
+// Numbered along the slices.
+SyntheticSeries numbered() {
+    SyntheticSeries series;
+    series.shuffleNumbers = false;
+    return series;
+}
+
+Edit withCommas(const DcmTagKey& tag) {
+    return [tag](DcmItem& item) {
+        OFString value;
+        item.findAndGetOFStringArray(tag, value);
+        std::string changed = value.c_str();
+        std::ranges::replace(changed, '\\', ',');
+        put(item, tag, changed);
+    };
+}
+
 Truths mixedWithoutAWord(const fs::path& folder) {
     interleaved(0.5)(folder);
     return {};
@@ -337,6 +354,29 @@ std::vector<HostileStudy> make() {
          {key::kMissingFrames},
          1,
          enhancedLacksFrames});
+    add({"copy-stopped",
+         "the first 12 of the 20 images that the series says it has",
+         "one volume",
+         {key::kMissingAtEnds},
+         1,
+         edited(numbered(), [](Slice& slice, std::size_t) {
+             slice.edits.push_back(text(DCM_NumberOfSeriesRelatedInstances, "20"));
+         })});
+    add({"begins-late",
+         "12 images, numbered from 9 on",
+         "one volume",
+         {key::kMissingAtEnds},
+         1,
+         edited(numbered(), [](Slice& slice, std::size_t) { slice.instanceNumber += 8; })});
+    add({"commas-for-backslashes",
+         "positions and pixel spacings with commas between their numbers",
+         "one volume",
+         {key::kRepairedNumbers},
+         1,
+         edited({}, [](Slice& slice, std::size_t) {
+             slice.edits.push_back(withCommas(DCM_ImagePositionPatient));
+             slice.edits.push_back(withCommas(DCM_PixelSpacing));
+         })});
     add({"frame-count-no-number",
          "an enhanced object whose NumberOfFrames is a word, beside a good series",
          "one volume, of the good series",

@@ -2,8 +2,10 @@
 
 #include <fstream>
 
+#include "dicom/scan_failure.h"
 #include "edit.h"
 #include "support.h"
+#include "synthetic.h"
 
 namespace macula::dicom::test {
 namespace {
@@ -72,6 +74,111 @@ TEST(Scan, folderOfOneArchive) {
         EXPECT_NE(error.message.find("archive"), std::string::npos) << error.message;
         EXPECT_NE(error.hint.find("Unpack"), std::string::npos) << error.hint;
     }
+}
+
+// By what they begin with, and by names that leave it open.
+TEST(Scan, archivesOfEachKindAreNamed) {
+    struct Case {
+        std::string name;
+        std::string begin;
+        std::string kind;
+    };
+    const std::string tar = std::string(257, 'x') + "ustar";
+    using namespace std::string_literals;
+    for (const Case& c : std::vector<Case>{{"study", "PK\x03\x04", "zip"},
+                                           {"IM1.dcm.gz", "\x1f\x8b\x08", "gzip"},
+                                           {"IM1.dcm", "\x1f\x8b\x08", "gzip"},
+                                           {"study.tgz", "\x1f\x8b\x08", "gzip"},
+                                           {"study.tar", tar, "tar"},
+                                           {"study", tar, "tar"},
+                                           {"study.7z", "7z\xbc\xaf\x27\x1c", "7z"},
+                                           {"study.RAR", "Rar!\x1a\x07", "RAR"},
+                                           {"study.tar.xz", "\xfd"s + "7zXZ\0"s, "xz"},
+                                           {"study.tar.bz2", "BZh9", "bzip2"},
+                                           {"study.tar.zst", "\x28\xb5\x2f\xfd", "Zstandard"}}) {
+        SCOPED_TRACE(c.name);
+        const TemporaryFolder folder;
+        std::ofstream(folder / c.name, std::ios::binary) << c.begin << std::string(500, 'x');
+        const Error error = scanError(folder.path());
+        EXPECT_NE(error.message.find("archive (" + c.kind + ")"), std::string::npos) << error.message;
+        EXPECT_NE(error.hint.find("Unpack"), std::string::npos) << error.hint;
+    }
+    for (const char* name : {"letter.docx", "viewer.jar", "volume.nii.gz", "setup.exe"}) {
+        const TemporaryFolder folder;
+        std::ofstream(folder / name, std::ios::binary) << "PK\x03\x04" << std::string(500, 'x');
+        EXPECT_EQ(scanError(folder.path()).message.find("archive"), std::string::npos) << name;
+    }
+}
+
+TEST(Scan, aLoneDirectoryOfAMediumSaysWhatIsNotThere) {
+    const TemporaryFolder folder;
+    writeDirectory(folder / "DICOMDIR", {"IMAGES\\A", "IMAGES\\B", "IMAGES\\C"});
+    for (const fs::path& path : {folder.path(), folder / "DICOMDIR"}) {
+        const Error error = scanError(path);
+        EXPECT_NE(error.message.find("none of the 3 files that it lists"), std::string::npos)
+            << error.message;
+        EXPECT_NE(error.hint.find("Copy the whole medium"), std::string::npos) << error.hint;
+    }
+}
+
+TEST(Scan, whereNothingCanBeReadEachReasonIsNamed) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(), folder.path());
+    ASSERT_EQ(files.size(), 6u);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        if (i < 4) {
+            remove(files[i], tag::kPixelData);
+        } else {
+            fs::resize_file(files[i], 200);
+        }
+    }
+    const Error error = scanError(folder.path());
+    EXPECT_EQ(error.message,
+              "None of the 6 DICOM files in this folder can be read: 4 without pixel data, 2 damaged, or not "
+              "written "
+              "as they say.");
+    EXPECT_FALSE(error.hint.empty());
+}
+
+// No file here gives an error of input and output; what is said of one is (Dataset.filesThatAreElsewhere has
+// the errno).
+TEST(Scan, aMediumThatGivesErrorsIsNotCalledOffline) {
+    Scan scan;
+    FolderListing listing;
+    for (const char* name : {"IM1", "IM2"}) {
+        listing.files.emplace_back(name);
+        scan.skipped.push_back({name, message(key::kUnreadableMedium), {}});
+    }
+    const Error of2 = nothingFound(scan, "disc", listing);
+    EXPECT_EQ(
+        of2.message,
+        "None of the 2 DICOM files in this folder can be read: 2 on a medium that cannot be read there.");
+    EXPECT_NE(of2.hint.find("Clean the disc"), std::string::npos) << of2.hint;
+    listing.files.pop_back();
+    scan.skipped.pop_back();
+    EXPECT_NE(nothingFound(scan, "disc", listing).message.find("medium gave an error"), std::string::npos);
+}
+
+TEST(Scan, pathsThatAreTooLongAreNotAMatterOfPermissions) {
+    const std::string deep = "/" + std::string(5000, 'x');
+    EXPECT_NE(scanError(deep).message.find("longer than this system can open"), std::string::npos);
+
+    // Made step by step: no system call is given the whole path.
+    const TemporaryFolder folder;
+    const fs::path before = fs::current_path();
+    write(smallVolume(), folder.path());
+    fs::current_path(folder.path());
+    const std::string name(200, 'd');
+    for (int level = 0; level < 25; ++level) {
+        fs::create_directory(name);
+        fs::current_path(name);
+    }
+    std::ofstream("IM1") << "x";
+    fs::current_path(before);
+    const auto found = scan(folder.path());
+    ASSERT_TRUE(found);
+    ASSERT_EQ(found->skipped.size(), 1u);
+    EXPECT_EQ(found->skipped[0].message.key, key::kPathTooLong);
 }
 
 TEST(Scan, emptyFolder) {

@@ -312,7 +312,20 @@ void writeShell(const fs::path& file, const Shell& shell) {
     save(format, file, UID_LittleEndianExplicitTransferSyntax);
 }
 
-void writeDirectory(const fs::path& file, const std::vector<std::string>& fileIds) {
+namespace {
+
+DcmItem& appendedRecord(DcmItem& directory, const std::string& type) {
+    DcmItem& record = appended(directory, DCM_DirectoryRecordSequence);
+    check(record.putAndInsertUint32(DcmTag(DCM_OffsetOfTheNextDirectoryRecord, EVR_UL), 0));
+    putWord(record, DCM_RecordInUseFlag, 0xFFFF);
+    check(record.putAndInsertUint32(DcmTag(DCM_OffsetOfReferencedLowerLevelDirectoryEntity, EVR_UL), 0));
+    put(record, DCM_DirectoryRecordType, type);
+    return record;
+}
+
+}  // namespace
+
+void writeDirectoryOf(const fs::path& file, const std::vector<DirectoryEntry>& entries) {
     silenceToolkit();
     DcmFileFormat format;
     DcmItem& item = *format.getDataset();
@@ -324,18 +337,25 @@ void writeDirectory(const fs::path& file, const std::vector<std::string>& fileId
     check(item.putAndInsertUint32(DcmTag(DCM_OffsetOfTheLastDirectoryRecordOfTheRootDirectoryEntity, EVR_UL),
                                   0));
     putWord(item, DCM_FileSetConsistencyFlag, 0);
-    for (const std::string& id : fileIds) {
-        DcmItem& record = appended(item, DCM_DirectoryRecordSequence);
-        check(record.putAndInsertUint32(DcmTag(DCM_OffsetOfTheNextDirectoryRecord, EVR_UL), 0));
-        putWord(record, DCM_RecordInUseFlag, 0xFFFF);
-        check(record.putAndInsertUint32(DcmTag(DCM_OffsetOfReferencedLowerLevelDirectoryEntity, EVR_UL), 0));
-        put(record, DCM_DirectoryRecordType, "IMAGE");
-        put(record, DCM_ReferencedFileID, id);
+    std::string series;
+    for (const DirectoryEntry& entry : entries) {
+        if (entry.seriesUid != series)
+            put(appendedRecord(item, "SERIES"), DCM_SeriesInstanceUID, entry.seriesUid);
+        series = entry.seriesUid;
+        DcmItem& record = appendedRecord(item, "IMAGE");
+        put(record, DCM_ReferencedFileID, entry.fileId);
         put(record, DCM_ReferencedSOPClassUIDInFile, UID_CTImageStorage);
-        put(record, DCM_ReferencedSOPInstanceUIDInFile, "2.25.5001");
+        put(record, DCM_ReferencedSOPInstanceUIDInFile, entry.sopInstanceUid);
         put(record, DCM_ReferencedTransferSyntaxUIDInFile, UID_LittleEndianExplicitTransferSyntax);
+        put(record, DCM_InstanceNumber, std::to_string(entry.instanceNumber));
     }
     save(format, file, UID_LittleEndianExplicitTransferSyntax);
+}
+
+void writeDirectory(const fs::path& file, const std::vector<std::string>& fileIds) {
+    std::vector<DirectoryEntry> entries;
+    for (const std::string& id : fileIds) entries.push_back({.fileId = id});
+    writeDirectoryOf(file, entries);
 }
 
 void put(DcmItem& item, const DcmTagKey& tag, const std::string& value) {

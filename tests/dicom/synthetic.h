@@ -127,7 +127,15 @@ struct Shell {
 };
 void writeShell(const std::filesystem::path& file, const Shell& shell);
 
-// A DICOMDIR that refers to these files, given as they stand in it: components separated by backslashes.
+// An image that a DICOMDIR lists.
+struct DirectoryEntry {
+    std::string fileId;  // as it stands in it: components separated by backslashes
+    std::string sopInstanceUid = "2.25.5001";
+    std::string seriesUid = {};  // of the series that it stands under; empty: under none
+    int instanceNumber = 1;
+};
+// A DICOMDIR that refers to these files, whose offsets are all 0.
+void writeDirectoryOf(const std::filesystem::path& file, const std::vector<DirectoryEntry>& entries);
 void writeDirectory(const std::filesystem::path& file, const std::vector<std::string>& fileIds);
 
 // Editing. A test fails when DCMTK refuses.

@@ -295,6 +295,35 @@ TEST(VolumeFile, DetachedValuesKeepTheirName) {
     }
 }
 
+// A percent sign in the name of the values is a pattern of many files to NRRD and MetaImage.
+TEST(VolumeFile, NamesMayHaveAPercentSignAndBlanks) {
+    for (const std::string ending : kEndings) {
+        const TemporaryFolder folder;
+        const fs::path file = folder / ("50% dose %d" + ending);
+        expectWritten(smallVolume(), file);
+        const auto files = filesOfVolumeFile(file);
+        ASSERT_TRUE(files.ok());
+        EXPECT_EQ(files->front(), file);
+        EXPECT_EQ(files->back().stem().string().find('%') == std::string::npos, files->size() == 2) << ending;
+        for (const fs::path& each : *files) EXPECT_TRUE(fs::is_regular_file(each)) << each;
+        EXPECT_EQ(filesIn(folder.path()), files->size());
+        ASSERT_NE(readBack(file), nullptr) << ending;
+    }
+}
+
+// Others wrote the name as it is.
+TEST(VolumeFile, ValuesMayHaveTheVeryNameOfAPattern) {
+    const TemporaryFolder folder;
+    expectWritten(smallVolume(), folder / "a.mhd");
+    std::string header = textOf(folder / "a.mhd");
+    header.replace(header.find("a.raw"), 5, "50% a.raw");
+    std::ofstream(folder / "b.mhd", std::ios::binary) << header;
+    Progress progress;
+    EXPECT_FALSE(readVolumeFile(folder / "b.mhd", progress).ok());
+    fs::rename(folder / "a.raw", folder / "50% a.raw");
+    EXPECT_NE(readBack(folder / "b.mhd"), nullptr);
+}
+
 TEST(VolumeFile, WrittenWholeOrNotAtAll) {
     const TemporaryFolder folder;
     Progress progress;

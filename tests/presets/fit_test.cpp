@@ -1,6 +1,8 @@
 // Presets stretched to a volume: explicit, said, and never a change of the preset.
 #include <gtest/gtest.h>
 
+#include <vector>
+
 #include "pipeline/volume/volume_fit.h"
 #include "trace/scenes.h"
 
@@ -50,6 +52,34 @@ TEST(Fit, PutsTheEffectiveRangeOnTheForeground) {
     // Values are stretched by 4.8, and so are differences of them per mm.
     EXPECT_NEAR(done.gradientOpacity[1].value, 10.0 * fit->scale(), 1e-12);
     EXPECT_FALSE(done.fitToVolume.has_value());
+}
+
+// Masks of any two values, and maps of a few labels: what is not background is seen, with the end of the
+// curve.
+TEST(Fit, MasksBeginAtTheirBackground) {
+    const auto asking = withFit(preset());
+    ASSERT_TRUE(asking.ok());
+    using Values = std::vector<std::uint16_t>;
+    for (const Values& values : {Values{0, 1}, Values{0, 2}, Values{0, 255}, Values{0, 1000}, Values{1, 2},
+                                 Values{7, 65535}, Values{0, 100, 255}, Values{0, 50, 100, 200}}) {
+        for (const int background : {5, 60, 95}) {  // of a hundred rows
+            const auto mask = scenes::volumeOf({100, 100, 1}, glm::dmat4(1.0), [&](int, int j, int) {
+                if (j < background) return values.front();
+                return values[1 + static_cast<std::size_t>(j) % (values.size() - 1)];
+            });
+            const TransferFunction done = fitted(*asking, *mask);
+            EXPECT_EQ(opacityAt(done, values.front()), 0.0) << values.back();
+            EXPECT_EQ(opacityAt(done, values.back()), 1.0) << values.back() << " with " << background;
+            EXPECT_GT(opacityAt(done, values[1]), 0.0) << values[1];
+        }
+    }
+    const auto mask = scenes::volumeOf({10, 10, 1}, glm::dmat4(1.0), [](int, int j, int) {
+        return static_cast<std::uint16_t>(j < 8 ? 0 : 255);
+    });
+    const auto fit = fitOf(*asking, *mask);
+    ASSERT_TRUE(fit.has_value());
+    EXPECT_EQ(fit->volume, (ValueRange{0.0, 255.0}));
+    EXPECT_NE(fitMessage(*fit).sentence.find("the background and the 98th"), std::string::npos);
 }
 
 TEST(Fit, ToTheWholeRangeOfValues) {

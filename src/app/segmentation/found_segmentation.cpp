@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/exceptions.h"
 #include "base/sha256.h"
 #include "dicom/read/sop_class.h"
 
@@ -99,11 +100,8 @@ Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& fou
     }
     std::stable_partition(all.begin(), all.end(), std::mem_fn(&FoundSegmentation::canBeShown));
     return all;
-} catch (const std::exception&) {
-    return Error{ErrorCode::outOfMemory,
-                 "There is not enough memory to read the segmentations.",
-                 {},
-                 "Close other programs."};
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "read the segmentations");
 }
 
 }  // namespace macula::app

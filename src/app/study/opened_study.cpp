@@ -9,6 +9,7 @@
 #include "app/study/found_volumes.h"
 #include "app/study/image_numbers.h"
 #include "app/study/patient_choice.h"
+#include "base/exceptions.h"
 #include "base/fingerprint.h"
 #include "base/phantom.h"
 #include "base/quantised.h"
@@ -145,15 +146,8 @@ template <class Load>
 Result<OpenedStudy> withoutExceptions(const StudySource& source, Load load) {
     try {
         return load();
-    } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::outOfMemory,
-                     "There is not enough memory for this study.",
-                     {},
-                     "Close other programs, or open a smaller series."};
-    } catch (const std::exception&) {
-        return Error{ErrorCode::inputNotUsable, "The study could not be opened.",
-                     source ? source->string() : std::string(),
-                     "Run `macula info` on the folder to find out what is wrong with it."};
+    } catch (const std::exception& thrown) {
+        return errorOf(thrown, "open this study", source ? source->string() : std::string());
     }
 }
 

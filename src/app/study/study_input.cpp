@@ -94,13 +94,13 @@ Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::strin
                              std::size_t volume, const dicom::ScanOptions& how, PetUnit petUnit) {
     StudyInput input;
     if (formats::isVolumeFileName(path)) {
-        if (!series.empty() || volume > 1) {
+        if (!series.empty()) {
             return Error{ErrorCode::usage,
                          "The file is one volume; there is nothing to choose from.",
                          {},
                          "Leave --series and --volume out."};
         }
-        MACULA_TRY(input.volume, formats::readVolumeFile(path, progress));
+        MACULA_TRY(input.volume, formats::readVolumeFile(path, progress, std::max<std::size_t>(volume, 1)));
         input.notes = input.volume->provenance().assumptions;
         input.seriesDigest = fingerprint(*input.volume);
         return input;

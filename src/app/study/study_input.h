@@ -32,8 +32,8 @@ enum class PetUnit { suv, asInImages };
 
 // No path, or "phantom:", is the built-in phantom. `series` chooses by its place in the list of `macula info`
 // ("2", or "2.3" for its third stack of images) or by its UID; when empty, or when the series has several
-// volumes, the best is taken; `volume` (from 1) chooses among those of the series. A NIfTI, NRRD or MetaImage
-// file is one volume.
+// volumes, the best is taken; `volume` (from 1) chooses among those of the series. Of a NIfTI or
+// NRRD file with a volume for each point in time it chooses among those.
 Result<StudyInput> loadStudy(const std::filesystem::path& path, const std::string& series, Progress& progress,
                              std::size_t volume = 0, const dicom::ScanOptions& how = {},
                              PetUnit petUnit = PetUnit::suv);

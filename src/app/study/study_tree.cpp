@@ -303,9 +303,12 @@ class Builder {
     void addLeftOut() {
         const std::vector<dicom::SkippedFile>& skipped = found_.scan().skipped;
         std::vector<std::pair<Message, std::size_t>> reasons;  // in the order of the scan
+        std::vector<Message> otherFolders;                     // that permissions do not open
         std::size_t folders = 0;
         for (const dicom::SkippedFile& file : skipped) {
-            if (file.message.key == dicom::key::kUnreadableFolder) {
+            if (file.isFolder && file.message.key != dicom::key::kUnreadableFolder)
+                otherFolders.push_back(file.message);
+            if (file.isFolder) {
                 ++folders;
                 continue;
             }
@@ -324,11 +327,12 @@ class Builder {
             const std::size_t parent = add(std::move(row), {});
             for (const auto& [reason, count] : reasons) addReason(reason, count, parent);
         }
-        if (folders > 0) {
-            addReason(dicom::message(dicom::key::kUnreadableFolder,
-                                     {{"count", static_cast<std::int64_t>(folders)}}),
-                      1, kNoRow);
+        if (const std::size_t closed = folders - otherFolders.size(); closed > 0) {
+            addReason(
+                dicom::message(dicom::key::kUnreadableFolder, {{"count", static_cast<std::int64_t>(closed)}}),
+                1, kNoRow);
         }
+        for (const Message& message : otherFolders) addReason(message, 1, kNoRow);
     }
 
     void addReason(const Message& reason, std::size_t count, std::size_t parent) {

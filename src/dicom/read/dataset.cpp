@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/printable.h"
 #include "base/utf8.h"
 #include "dicom/read/character_set.h"
 #include "dicom/read/element_tree.h"
@@ -176,7 +177,7 @@ std::optional<std::string> Dataset::text(Tag tag) const {
             : textOfBinary(hit.vr, hit.bytes, hit.element->bigEndian);
     const std::string_view value = trimmed(whole);
     if (value.empty()) return {};
-    return std::string(value);
+    return unmixed(value);
 }
 
 std::vector<std::string> Dataset::texts(Tag tag) const {
@@ -274,6 +275,10 @@ std::optional<std::uint16_t> Dataset::word(Tag tag) const {
     return all.front();
 }
 
+std::uint32_t Dataset::offset() const {
+    return file_->tree.offset(items_.front());
+}
+
 std::vector<Dataset> Dataset::items(Tag sequence) const {
     const Hit hit = find(sequence);
     if (!hit || !hit.element->isSequence) return {};
@@ -308,8 +313,11 @@ FileState stateOfFailure(int error) {
         case ESTALE:
         case ETIMEDOUT:
         case EHOSTDOWN:
-        case EIO:
             return FileState::offline;
+        case EIO:
+            return FileState::mediumError;
+        case ENAMETOOLONG:
+            return FileState::pathTooLong;
         default:
             return FileState::unreadable;
     }

@@ -17,11 +17,13 @@ namespace macula::dicom {
 
 enum class FileState {
     complete,
-    notDicom,    // by its content; the extension plays no part
-    unreadable,  // cannot be opened or read
-    offline,     // its content is elsewhere, and cannot be had now: a cloud drive, a share, a tape
-    damaged,     // begins as DICOM, and cannot be parsed, or not without harm (see outline.h)
-    truncated,   // the header is whole, and the file ends inside the pixel data
+    notDicom,     // by its content; the extension plays no part
+    unreadable,   // cannot be opened or read
+    offline,      // its content is elsewhere, and cannot be had now: a cloud drive, a share, a tape
+    mediumError,  // the medium gives an error where it lies: a scratched disc, a failing drive
+    pathTooLong,  // for this system
+    damaged,      // begins as DICOM, and cannot be parsed, or not without harm (see outline.h)
+    truncated,    // the header is whole, and the file ends inside the pixel data
 };
 
 class ByteSource;
@@ -44,7 +46,8 @@ class Dataset {
 
     // All getters give nothing when the element is missing, empty, larger than 256 KiB, or does not hold what
     // is asked for: never a default. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3 C.12.1.1.2)
-    // without padding; text() keeps the backslashes between several values, texts() splits at them.
+    // without padding and without controls of direction (printable.h); text() keeps the backslashes between
+    // several values, texts() splits at them.
     std::optional<std::string> text(Tag tag) const;
     std::vector<std::string> texts(Tag tag) const;
     // The same for what is read for every frame, and never long in a real file: nothing of values above 4
@@ -63,6 +66,10 @@ class Dataset {
     // Some text of what this view shows (without what lies in sequences) is not in the character set that the
     // file declares, and was read as what it most likely is: see character_set.h.
     bool charsetFallback() const;
+
+    // Where the item begins in its file, by which the records of a DICOMDIR refer to each other; 0 for a top
+    // level.
+    std::uint32_t offset() const;
 
     // The items of a sequence, in their order; none when it is missing or no sequence.
     std::vector<Dataset> items(Tag sequence) const;
@@ -111,7 +118,7 @@ bool hasPreamble(ByteSource& source);
 // The tag of a standard data element by its keyword, as in PS3.6: "SliceThickness".
 std::optional<Tag> tagOfKeyword(std::string_view keyword);
 
-// offline or unreadable, by the errno of opening or reading a file.
+// offline, mediumError, pathTooLong or unreadable, by the errno of opening or reading a file.
 FileState stateOfFailure(int error);
 
 }  // namespace macula::dicom

@@ -1,6 +1,7 @@
 #include "dicom/read/element_tree.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "base/check.h"
 
@@ -14,17 +15,19 @@ bool before(const Element& a, const Element& b) {
 
 }  // namespace
 
-void ElementTree::openItem() {
-    openItems_.push_back(openElements_.size());
+void ElementTree::openItem(std::uint64_t offset) {
+    const bool isKnown = offset <= std::numeric_limits<std::uint32_t>::max();
+    openItems_.push_back({openElements_.size(), isKnown ? static_cast<std::uint32_t>(offset) : 0});
 }
 
 void ElementTree::closeItem() {
     MACULA_CHECK(!openItems_.empty());
-    const auto begin = openElements_.begin() + static_cast<std::ptrdiff_t>(openItems_.back());
+    const auto begin = openElements_.begin() + static_cast<std::ptrdiff_t>(openItems_.back().firstElement);
     if (!std::is_sorted(begin, openElements_.end(), before))
         std::stable_sort(begin, openElements_.end(), before);
     const Item item{.first = static_cast<std::uint32_t>(elements_.size()),
-                    .count = static_cast<std::uint32_t>(openElements_.end() - begin)};
+                    .count = static_cast<std::uint32_t>(openElements_.end() - begin),
+                    .offset = openItems_.back().offset};
     elements_.insert(elements_.end(), begin, openElements_.end());
     openElements_.erase(begin, openElements_.end());
     openItems_.pop_back();

@@ -30,8 +30,9 @@ class ElementTree {
     using ItemNumber = std::uint32_t;
     static constexpr ItemNumber kNone = 0xFFFFFFFF;
 
-    ElementTree() { openItem(); }
-    void openItem();
+    ElementTree() { openItem(0); }
+    // `offset` is where the item begins in the file; of what lies beyond 4 GiB it is not known.
+    void openItem(std::uint64_t offset);
     void closeItem();
     void openSequence(const Element& element);
     void closeSequence();
@@ -50,6 +51,8 @@ class ElementTree {
     ItemNumber root() const { return root_; }
     // The item that contains `item`; kNone for the root.
     ItemNumber parent(ItemNumber item) const { return items_[item].parent; }
+    // Where the item begins in the file; 0 for the root, and when it is not known.
+    std::uint32_t offset(ItemNumber item) const { return items_[item].offset; }
     std::span<const Element> elements(ItemNumber item) const {
         return {elements_.data() + items_[item].first, items_[item].count};  // sorted by tag
     }
@@ -64,6 +67,11 @@ class ElementTree {
         std::uint32_t first = 0;  // index in elements_
         std::uint32_t count = 0;
         ItemNumber parent = kNone;
+        std::uint32_t offset = 0;  // in the file
+    };
+    struct OpenItem {
+        std::size_t firstElement = 0;  // in openElements_
+        std::uint32_t offset = 0;
     };
     struct OpenSequence {
         Element element;
@@ -79,8 +87,8 @@ class ElementTree {
 
     // The elements and items that are still open. The root is the first open item.
     std::vector<Element> openElements_;
-    std::vector<std::size_t> openItems_;  // where in openElements_ they begin
-    std::vector<Item> closedItems_;       // of the open sequences
+    std::vector<OpenItem> openItems_;
+    std::vector<Item> closedItems_;  // of the open sequences
     std::vector<OpenSequence> openSequences_;
 };
 

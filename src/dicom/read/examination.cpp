@@ -1,11 +1,9 @@
 #include "dicom/read/examination.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 
 #include "dicom/presentation/presentation_tags.h"
-#include "dicom/read/random_file.h"
+#include "dicom/read/archive.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/read/transfer_syntax.h"
 
@@ -106,23 +104,13 @@ OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
     return object;
 }
 
-// A zip by its name and what it begins with: programs on discs are zips of other names, and hold no images.
-bool isZip(const std::filesystem::path& file) {
-    std::string extension = file.extension().string();
-    std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (extension != ".zip") return false;
-    constexpr std::array kMagic{std::byte{'P'}, std::byte{'K'}, std::byte{3}, std::byte{4}};
-    std::array<std::byte, kMagic.size()> head{};
-    return RandomFile(file).read(0, head) && head == kMagic;
-}
-
 }  // namespace
 
 Examination examine(const std::filesystem::path& file, const CancelToken& cancel) {
     Examination found;
     const HeaderFile read = readHeader(file, cancel);
     found.state = read.state;
-    found.isArchive = read.state == FileState::notDicom && isZip(file);
+    if (read.state == FileState::notDicom) found.archive = archiveKind(file);
     if (!read.header) return found;
     const Dataset& header = *read.header;
     const auto text = [&](Tag tag) { return header.text(tag).value_or(""); };
@@ -136,6 +124,7 @@ Examination examine(const std::filesystem::path& file, const CancelToken& cancel
     found.studyDescription = text(tag::kStudyDescription);
     found.patientName = text(tag::kPatientName);
     found.patient = patientIdentity(header);
+    found.sopInstanceUid = text(tag::kSopInstanceUid);
     found.seriesInstanceUid = text(tag::kSeriesInstanceUid);
     found.modality = text(tag::kModality);
     found.seriesDescription = text(tag::kSeriesDescription);

@@ -23,13 +23,13 @@ struct Examination {
     std::size_t framesMissing = 0;   // frames that the file claims and has no pixels for
     bool invalidFrameCount = false;  // NumberOfFrames is there, and is no number
     OtherObject object;              // when kind is other
-    bool isArchive = false;          // notDicom, and a zip by name and content
+    std::string_view archive;        // of what is notDicom: see archiveKind
     bool charsetFallback = false;
     bool scattered = false;  // see Series::scattered
 
     std::string studyInstanceUid, studyDate, studyDescription, patientName;
     PatientIdentity patient;
-    std::string seriesInstanceUid, modality, seriesDescription, patientPosition;
+    std::string sopInstanceUid, seriesInstanceUid, modality, seriesDescription, patientPosition;
     std::optional<int> seriesNumber;
 };
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/log.h"
@@ -38,7 +39,7 @@ class Listing {
         auto& files = result_.files;
         std::sort(files.begin(), files.end());
         files.erase(std::unique(files.begin(), files.end()), files.end());  // found, and by a link
-        std::sort(result_.unreadable.begin(), result_.unreadable.end());
+        std::ranges::sort(result_.unreadable, {}, &UnreadableFolder::path);
         return true;
     }
 
@@ -65,7 +66,7 @@ class Listing {
         }
         if (error) {
             log::warning("a folder could not be listed to its end: {}", error.message());
-            result_.unreadable.push_back(folder.empty() ? folder_ : folder_ / folder);
+            result_.unreadable.push_back({folder.empty() ? folder_ : folder_ / folder, error.value()});
         }
         return true;
     }
@@ -115,6 +116,11 @@ bool liesInside(const fs::path& canonicalPath, const fs::path& canonicalFolder) 
 Result<FolderListing> listFiles(const fs::path& path, Progress& progress) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
+    if (error == std::errc::filename_too_long) {
+        return Error{ErrorCode::inputNotUsable, "The path is longer than this system can open.",
+                     path.string(),
+                     "Move the folder nearer to the root of the disk, or give the folders shorter names."};
+    }
     // What one may not look at may be there.
     if (status.type() == fs::file_type::not_found) {
         return Error{ErrorCode::inputNotUsable, "The folder does not exist.", path.string(),

@@ -9,9 +9,14 @@
 
 namespace macula::dicom {
 
+struct UnreadableFolder {
+    std::filesystem::path path;
+    int error = 0;  // errno
+};
+
 struct FolderListing {
-    std::vector<std::filesystem::path> files;       // sorted
-    std::vector<std::filesystem::path> unreadable;  // folders that could not be listed to their end; sorted
+    std::vector<std::filesystem::path> files;  // sorted
+    std::vector<UnreadableFolder> unreadable;  // that could not be listed to their end; sorted
     // Symbolic links, to files and to folders, that lead out of the folder, and were not followed.
     std::size_t linksOutside = 0;
 };

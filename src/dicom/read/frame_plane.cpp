@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dicom/read/number_list.h"
+
 namespace macula::dicom {
 
 namespace {
@@ -13,9 +15,21 @@ struct Spacing {
     PixelSpacingSource source = PixelSpacingSource::none;
 };
 
-Spacing readSpacing(const Dataset& frame) {
-    if (const auto mm = frame.numbers(tag::kPixelSpacing, 2)) return {*mm, PixelSpacingSource::pixelSpacing};
-    if (auto mm = frame.numbers(tag::kImagerPixelSpacing, 2)) {
+// Reads a list of numbers, and notes in the frame how it is written.
+std::optional<std::vector<double>> readList(const Dataset& dataset, Tag tag, std::string_view keyword,
+                                            std::size_t count, Frame& frame) {
+    NumberList list = numberList(dataset, tag, count);
+    frame.numbersRepaired = frame.numbersRepaired || list.isRepaired;
+    if (list.isMalformed && frame.malformedNumber.empty()) frame.malformedNumber = keyword;
+    return std::move(list.values);
+}
+
+Spacing readSpacing(const Dataset& frame, Frame& noted) {
+    if (const auto mm = readList(frame, tag::kPixelSpacing, "PixelSpacing", 2, noted))
+        return {*mm, PixelSpacingSource::pixelSpacing};
+    // Another one in its place would be a guess.
+    if (!noted.malformedNumber.empty()) return {};
+    if (auto mm = readList(frame, tag::kImagerPixelSpacing, "ImagerPixelSpacing", 2, noted)) {
         // Spacing at the detector; at the patient it is smaller by the magnification (PS3.3 C.8.7.10).
         if (const auto magnification = frame.number(tag::kEstimatedMagnification);
             magnification && *magnification > 0.0) {
@@ -65,9 +79,23 @@ bool contradicts(const Dataset& dataset, const glm::dvec3& row, const glm::dvec3
     return isOpposite(letters[0], row) || isOpposite(letters[1], column);
 }
 
+// One position, one distance and no functional groups, as some cone-beam scanners write volumes. Frames that
+// follow each other in time say so.
+FrameOffsets framesInARow(const Dataset& header, double stepMm) {
+    const bool isInTime =
+        header.has(tag::kFrameTime) || header.has(tag::kFrameTimeVector) || header.has(tag::kCineRate);
+    if (isInTime || stepMm <= 0.0 || header.has(tag::kPerFrameFunctionalGroups) ||
+        !header.has(tag::kImagePositionPatient) || header.frameCount() < 2)
+        return {};
+    constexpr int kMostFrames = 100'000;
+    FrameOffsets offsets{.isByOrder = true};
+    for (int i = 0; i < std::min(header.frameCount(), kMostFrames); ++i) offsets.mm.push_back(i * stepMm);
+    return offsets;
+}
+
 }  // namespace
 
-std::vector<double> frameOffsetsMm(const Dataset& header) {
+FrameOffsets frameOffsets(const Dataset& header) {
     // RT Dose: distances from the first plane along the normal (PS3.3 C.8.8.3.2).
     std::vector<double> offsets = header.allNumbers(tag::kGridFrameOffsetVector);
     if (!offsets.empty()) {
@@ -81,19 +109,21 @@ std::vector<double> frameOffsetsMm(const Dataset& header) {
             orientation ? (*orientation)[0] * (*orientation)[4] - (*orientation)[1] * (*orientation)[3] : 1.0;
         const double sign = areZ && normalZ < 0.0 ? -1.0 : 1.0;
         for (double& offset : offsets) offset = sign * (offset - first);
-        return offsets;
+        return {std::move(offsets)};
     }
     // Nuclear medicine: the frame's slice number from 1, and a signed distance (PS3.3 C.8.4.15).
     offsets = header.allNumbers(tag::kSliceVector);
     const auto step = header.number(tag::kSpacingBetweenSlices);
     if (!step) return {};
+    if (offsets.empty()) return framesInARow(header, *step);
     for (double& offset : offsets) offset = (offset - 1.0) * *step;
-    return offsets;
+    return {std::move(offsets)};
 }
 
 void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, Frame& frame) {
-    auto position = dataset.numbers(tag::kImagePositionPatient, 3);
-    auto orientation = dataset.numbers(tag::kImageOrientationPatient, 6);
+    const Spacing spacing = readSpacing(dataset, frame);
+    auto position = readList(dataset, tag::kImagePositionPatient, "ImagePositionPatient", 3, frame);
+    auto orientation = readList(dataset, tag::kImageOrientationPatient, "ImageOrientationPatient", 6, frame);
     if (!position && !orientation) {
         // Nuclear medicine keeps them with the detector (PS3.3 C.8.4.11).
         if (const auto detectors = header.items(tag::kDetectorInformation); !detectors.empty()) {
@@ -101,11 +131,18 @@ void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, F
             orientation = detectors.front().numbers(tag::kImageOrientationPatient, 6);
         }
     }
+    if (!position && !orientation) {
+        // Ultrasound: in the frame of the volume (PS3.3 C.8.24.3), which need not be known in the patient.
+        position = readList(dataset, tag::kImagePositionVolume, "ImagePositionVolume", 3, frame);
+        orientation = readList(dataset, tag::kImageOrientationVolume, "ImageOrientationVolume", 6, frame);
+        frame.isInVolumeFrame = position.has_value() && orientation.has_value();
+        if (frame.isInVolumeFrame)
+            frame.frameOfReferenceUid = dataset.shortText(tag::kVolumeFrameOfReferenceUid);
+    }
     frame.hasOrientation = orientation.has_value();
     frame.sliceLocation = dataset.number(tag::kSliceLocation);
     if (const auto thickness = dataset.number(tag::kSliceThickness); thickness && *thickness > 0.0)
         frame.sliceThicknessMm = thickness;
-    const Spacing spacing = readSpacing(dataset);
     frame.spacingSource = spacing.source;
     if (!position) return;
     frame.positionMm = glm::dvec3((*position)[0], (*position)[1], (*position)[2]);

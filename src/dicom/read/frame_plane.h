@@ -5,9 +5,13 @@
 
 namespace macula::dicom {
 
-// The distance of each frame along the normal, for objects that keep one position for all frames. Empty for
-// others.
-std::vector<double> frameOffsetsMm(const Dataset& header);
+// The distance of each frame along the normal, for objects that keep one position for all frames: those of
+// dose and of nuclear medicine, which say how they go on, and those that only say how far apart slices are.
+struct FrameOffsets {
+    std::vector<double> mm;  // of each frame that it is known of; empty for other objects
+    bool isByOrder = false;  // nothing but their order says where frames after the first lie
+};
+FrameOffsets frameOffsets(const Dataset& header);
 
 // Fills in position, orientation and spacing. `header` is the file's top level, `dataset` the frame's.
 void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, Frame& frame);

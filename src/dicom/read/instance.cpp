@@ -72,6 +72,11 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
     if (instance->modalityMissing) instance->modality = modalityOfClass(instance->sopClassUid);
     instance->photometricInterpretation = header.text(tag::kPhotometricInterpretation).value_or("");
     instance->instanceNumber = header.integer(tag::kInstanceNumber);
+    instance->acquisitionNumber = header.integer(tag::kAcquisitionNumber);
+    instance->imagesInAcquisition = header.integer(tag::kImagesInAcquisition);
+    instance->slicesOfVolume = header.integer(tag::kNumberOfSlices);
+    instance->seriesRelatedInstances = header.integer(tag::kNumberOfSeriesRelatedInstances);
+    instance->studyRelatedInstances = header.integer(tag::kNumberOfStudyRelatedInstances);
     instance->columns = header.integer(tag::kColumns).value_or(0);
     instance->rows = header.integer(tag::kRows).value_or(0);
     instance->framesClaimed = header.frameCount();
@@ -125,15 +130,16 @@ std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFil
     const std::shared_ptr<const Instance> instance = readShared(file, read);
     std::vector<Frame> frames;
     frames.reserve(static_cast<std::size_t>(instance->frames));
-    const std::vector<double> offsetsMm = frameOffsetsMm(header);
+    const FrameOffsets offsets = frameOffsets(header);
     const FrameLists lists(splitRules(), header);
     for (int i = 0; i < instance->frames; ++i) {
         const auto at = static_cast<std::size_t>(i);
         // The position of frames beyond the list is unknown.
-        const double beyond = offsetsMm.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-        const double offsetMm = at < offsetsMm.size() ? offsetsMm[at] : beyond;
+        const double beyond = offsets.mm.empty() ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+        const double offsetMm = at < offsets.mm.size() ? offsets.mm[at] : beyond;
         const Dataset dataset = instance->multiFrame ? header.frame(i) : header;
         frames.push_back(readFrame(header, dataset, instance, i, offsetMm));
+        frames.back().isPlacedByOrder = offsets.isByOrder;
         lists.apply(dataset, i, frames.back().attributes);
         // A table that all frames share is kept once.
         if (i > 0 && frames[at].modalityLut && frames[at - 1].modalityLut &&

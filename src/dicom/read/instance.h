@@ -28,6 +28,10 @@ struct Instance {
     std::string modality;          // that of the SOP class where the file does not say; else empty then
     bool modalityMissing = false;  // Modality, which each image has to have (type 1, PS3.3 C.7.3.1)
     std::optional<int> instanceNumber;
+    std::optional<int> acquisitionNumber;
+    // How many images there are, as the file says: of the acquisition, in a volume of PET, of the series and
+    // the study.
+    std::optional<int> imagesInAcquisition, slicesOfVolume, seriesRelatedInstances, studyRelatedInstances;
     int columns = 0;
     int rows = 0;
     int frames = 1;
@@ -58,6 +62,12 @@ struct Frame {
     bool hasOrientation = false;
     bool orientationContradicted = false;  // by the letters of PatientOrientation
     PixelSpacingSource spacingSource = PixelSpacingSource::none;
+    bool isInVolumeFrame =
+        false;  // of ultrasound: it lies in a frame of the transducer's, and not of the patient's
+    bool isPlacedByOrder = false;  // by its number among the frames: see frameOffsets
+    bool numbersRepaired = false;  // of where it lies, which were not written as they should be
+    std::string_view
+        malformedNumber;  // the keyword of one of them that cannot be read; empty when there is none
     std::optional<double> sliceLocation;
     std::optional<double> sliceThicknessMm;  // above 0; plays no part in where slices lie
 

@@ -7,7 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/exceptions.h"
 #include "dicom/read/dataset.h"
+#include "dicom/read/directory_records.h"
 #include "dicom/read/folder.h"
 #include "dicom/read/sop_class.h"
 #include "dicom/read/tags.h"
@@ -19,8 +21,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr Tag kMediaStorageSopClass{0x0002, 0x0002};
-constexpr Tag kRecordInUse{0x0004, 0x1410};
-constexpr Tag kReferencedFile{0x0004, 0x1500};
 
 // A name without what discs change in it: its capitals, a version number, and the dot in front of it.
 std::string comparable(std::string_view name) {
@@ -32,6 +32,12 @@ std::string comparable(std::string_view name) {
     std::string result;
     for (const char c : name) result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return result;
+}
+
+// The same without an ending, which programs add that copy media, and the standard forbids (PS3.10 8.2).
+std::string withoutEnding(const std::string& comparable) {
+    const std::size_t dot = comparable.rfind('.');
+    return dot == std::string::npos || dot == 0 ? comparable : comparable.substr(0, dot);
 }
 
 // The names on the way to the file; nothing when it would lead out of the folder.
@@ -60,8 +66,8 @@ class Resolver {
         canonical_ = fs::canonical(folder_.empty() ? fs::path(".") : folder_, error);
     }
 
-    void add(const std::vector<std::string>& components) {
-        const auto way = wayTo(components);
+    void add(const DirectoryRecord& record) {
+        const auto way = wayTo(record.fileId);
         if (!way) {
             ++outside_;
             return;
@@ -77,7 +83,7 @@ class Resolver {
                 if (!error && !liesInside(folder, canonical_)) {
                     ++outside_;
                 } else {
-                    missing_.insert(folder_ / asNamed);
+                    addMissing(folder_ / asNamed, record);
                 }
                 return;
             }
@@ -90,16 +96,25 @@ class Resolver {
         } else if (!error && fs::is_regular_file(target, error)) {
             files_.insert(folder_ / found);
         } else {
-            missing_.insert(folder_ / asNamed);
+            addMissing(folder_ / asNamed, record);
         }
     }
 
     MediaDirectory take() const {
-        return {{files_.begin(), files_.end()}, {missing_.begin(), missing_.end()}, outside_};
+        MediaDirectory directory{{files_.begin(), files_.end()}, {}, outside_};
+        for (const auto& [path, listed] : missing_) directory.missing.push_back(listed);
+        return directory;
     }
 
   private:
     using Names = std::map<std::string, std::string>;  // on disk, by what is compared
+
+    void addMissing(const fs::path& file, const DirectoryRecord& record) {
+        missing_.try_emplace(file, ListedFile{.file = file,
+                                              .sopInstanceUid = record.sopInstanceUid,
+                                              .seriesInstanceUid = record.seriesInstanceUid,
+                                              .instanceNumber = record.instanceNumber});
+    }
 
     std::optional<std::string> lookUp(const fs::path& folder, const std::string& name) {
         const auto [entry, isNew] = names_.try_emplace(folder);
@@ -108,17 +123,26 @@ class Resolver {
             const fs::path real = fs::canonical(folder_ / folder, error);
             // Nothing outside is listed either.
             if (!error && liesInside(real, canonical_)) {
+                std::vector<std::string> added;
                 fs::directory_iterator at(real, error);
                 for (; !error && at != fs::directory_iterator(); at.increment(error)) {
                     const std::string onDisk = at->path().filename().string();
                     entry->second.try_emplace(comparable(onDisk), onDisk);
                     entry->second.insert_or_assign(onDisk, onDisk);  // the very name goes first
+                    added.push_back(onDisk);
                 }
+                // Of several that differ in their ending, the one that says that it is DICOM.
+                std::ranges::stable_partition(
+                    added, [](const std::string& onDisk) { return comparable(onDisk).ends_with(".dcm"); });
+                for (const std::string& onDisk : added)
+                    entry->second.try_emplace(withoutEnding(comparable(onDisk)), onDisk);
             }
         }
         const Names& names = entry->second;
         auto found = names.find(name);
         if (found == names.end()) found = names.find(comparable(name));
+        // One of both has an ending that the other lacks.
+        if (found == names.end()) found = names.find(withoutEnding(comparable(name)));
         if (found == names.end()) return {};
         return found->second;
     }
@@ -126,7 +150,8 @@ class Resolver {
     fs::path folder_;
     fs::path canonical_;
     std::map<fs::path, Names> names_;
-    std::set<fs::path> files_, missing_;
+    std::set<fs::path> files_;
+    std::map<fs::path, ListedFile> missing_;
     std::size_t outside_ = 0;
 };
 
@@ -142,18 +167,10 @@ Result<MediaDirectory> readMediaDirectory(const fs::path& path) try {
                      path.string(), "Open the folder instead."};
     }
     Resolver resolver(path.parent_path());
-    for (const Dataset& record : read.header->items(tag::kDirectoryRecords)) {
-        constexpr std::uint16_t kNotInUse = 0;
-        if (record.word(kRecordInUse) == kNotInUse) continue;
-        if (const auto components = record.texts(kReferencedFile); !components.empty())
-            resolver.add(components);
-    }
+    for (const DirectoryRecord& record : directoryRecords(*read.header)) resolver.add(record);
     return resolver.take();
-} catch (const std::bad_alloc&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory to read this disc.", path.string(), {}};
-} catch (const std::exception&) {
-    return Error{ErrorCode::inputNotUsable, "The directory of this disc cannot be read.", path.string(),
-                 "Open the folder instead."};
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "read the directory of this disc", path.string());
 }
 
 }  // namespace macula::dicom

@@ -245,7 +245,8 @@ class Walk {
                 return inflatesTooFar();
             return source_.skip(header.length);
         }
-        if (tree_) tree_->openItem();
+        constexpr std::uint64_t kItemHeaderBytes = 8;
+        if (tree_) tree_->openItem(source_.position() - kItemHeaderBytes);
         levels_.push_back({.end = endOf(header.length), .encoding = levels_.back().encoding});
         return true;
     }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/available_memory.h"
+#include "base/exceptions.h"
 #include "dicom/pixels/pixels.h"
 #include "dicom/segmentation/segment_cells.h"
 #include "dicom/segmentation/segmentation_grid.h"
@@ -304,9 +305,8 @@ Result<SegmentVoxelSets> loadSegmentVoxels(const Segmentation& segmentation, con
     sets.segments = describe(segmentation, reader.take());
     for (SegmentVoxels& each : sets.segments) measure(each, each.voxels, worldFromVoxel, true);
     return sets;
-} catch (const std::exception&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory to load the segmentation.",
-                 segmentation.file.string(), "Close other programs."};
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "load the segmentation", segmentation.file.string());
 }
 
 }  // namespace macula::dicom

@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "base/exceptions.h"
 #include "dicom/read/dataset.h"
 #include "dicom/read/sop_class.h"
 
@@ -205,9 +206,8 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
             segmentation.spacingMm = *spacing;
     }
     return segmentation;
-} catch (const std::exception&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory to read a segmentation.", file.string(),
-                 "Close other programs."};
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "read a segmentation", file.string());
 }
 
 std::array<std::uint8_t, 3> rgbOfCieLab(const std::array<std::uint16_t, 3>& words) {

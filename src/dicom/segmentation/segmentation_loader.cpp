@@ -6,6 +6,7 @@
 
 #include "base/available_memory.h"
 #include "base/check.h"
+#include "base/exceptions.h"
 #include "dicom/messages.h"
 #include "dicom/pixels/pixels.h"
 #include "dicom/segmentation/segment_cells.h"
@@ -168,11 +169,6 @@ Result<LabelMap> load(const Segmentation& segmentation, const Placements& placem
     return LabelMap::create(size, worldFromVoxel, painter.segments(), painter.take(), painter.messages());
 }
 
-Error outOfMemory(const Segmentation& segmentation) {
-    return {ErrorCode::outOfMemory, "There is not enough memory to load the segmentation.",
-            segmentation.file.string(), "Close other programs."};
-}
-
 }  // namespace
 
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
@@ -192,8 +188,8 @@ Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::d
                          "Open the segmentation with the series it was drawn on.");
     }
     return load(segmentation, *placements, worldFromVoxel, size, progress);
-} catch (const std::exception&) {
-    return outOfMemory(segmentation);
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "load the segmentation", segmentation.file.string());
 }
 
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, Progress& progress) try {
@@ -203,8 +199,8 @@ Result<LabelMap> loadSegmentation(const Segmentation& segmentation, Progress& pr
         return load(segmentation, grid->placements, grid->worldFromVoxel, grid->size, progress);
     return notUsable(segmentation, "The frames of the segmentation do not lie on one grid.",
                      "Open the segmentation with the series it was drawn on.");
-} catch (const std::exception&) {
-    return outOfMemory(segmentation);
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "load the segmentation", segmentation.file.string());
 }
 
 }  // namespace macula::dicom

@@ -141,20 +141,8 @@ std::set<std::size_t> findRepeats(const std::vector<Frame>& frames, const Cancel
 std::vector<std::size_t> dropRepeats(const std::vector<std::vector<Frame>*>& all, const CancelToken& cancel) {
     std::vector<std::size_t> dropped(all.size(), 0);
     std::vector<std::set<std::size_t>> repeats(all.size());
-    std::atomic<bool> outOfMemory{false};
     parallelFor(
-        all.size(),
-        [&](std::size_t s) {
-            try {
-                repeats[s] = findRepeats(*all[s], cancel);
-            } catch (const CheckFailure&) {
-                throw;  // a mistake of ours, and none of the file
-            } catch (...) {
-                outOfMemory = true;
-            }
-        },
-        cancel);
-    if (outOfMemory) throw std::bad_alloc();
+        all.size(), [&](std::size_t s) { repeats[s] = findRepeats(*all[s], cancel); }, cancel);
     for (std::size_t s = 0; s < all.size(); ++s) {
         if (repeats[s].empty()) continue;
         std::vector<Frame> unique;

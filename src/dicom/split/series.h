@@ -49,6 +49,7 @@ struct Series {
     std::vector<OtherObject> objects;
     std::vector<std::string> transferSyntaxUids;  // of the images; distinct, sorted
     std::size_t instances = 0;                    // image files in the stacks
+    std::size_t filesLeftOut = 0;                 // of it, and not readable
     bool scattered = false;                       // one image of those that key::kUidPerSlice asks about
 
     std::vector<Message> messages;         // about the series as a whole; each stack has its own

@@ -168,6 +168,10 @@ std::string strongest(const glm::dvec3& direction) {
 
 std::optional<Message> missingGeometry(const Stack& stack) {
     if (!any(stack, [](const Frame& f) { return !f.plane; })) return {};
+    const auto malformed = std::ranges::find_if(
+        stack.frames, [](const Frame& f) { return !f.plane && !f.malformedNumber.empty(); });
+    if (malformed != stack.frames.end())
+        return message(key::kMalformedNumbers, {{"attribute", std::string(malformed->malformedNumber)}});
     const bool multiFrame = any(stack, [](const Frame& f) { return f.instance->multiFrame; });
     const auto either = [&](std::string_view ofFrames, std::string_view ofImages) {
         return message(multiFrame ? ofFrames : ofImages);
@@ -238,8 +242,19 @@ void tellContradictions(Stack& stack) {
                         {{"count", std::int64_t(count)}, {"total", std::int64_t(stack.frames.size())}}));
 }
 
+// Numbers of where images lie that are not separated by backslashes, or have decimal commas.
+void tellRepairedNumbers(Stack& stack) {
+    const auto count = std::ranges::count_if(stack.frames, &Frame::numbersRepaired);
+    if (count == 0) return;
+    tell(stack, message(key::kRepairedNumbers,
+                        {{"count", std::int64_t(count)}, {"total", std::int64_t(stack.frames.size())}}));
+}
+
 void assessGeometry(Stack& stack) {
     tellContradictions(stack);
+    tellRepairedNumbers(stack);
+    if (any(stack, [](const Frame& f) { return f.isInVolumeFrame; })) tell(stack, message(key::kSidesUnknown));
+    if (any(stack, [](const Frame& f) { return f.isPlacedByOrder; })) tell(stack, message(key::kFramesInARow));
     if (any(stack, [](const Frame& f) { return isProjection(f.instance->sopClassUid); })) {
         tell(stack, message(key::kUnsupportedSeries,
                             {{"kind", describeSopClass(stack.frames.front().instance->sopClassUid)}}));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace macula {
 
@@ -13,7 +14,12 @@ constexpr double kHighPercentile = 0.98;
 
 // Foreground: not below the mean of all voxels that are not padding. Air makes the lowest and largest peak of
 // every MR histogram, and the mean lies above it.
-ValueRange foregroundRange(const Volume& volume) {
+struct Foreground {
+    ValueRange range;
+    bool fromBackground = false;
+};
+
+Foreground foregroundOf(const Volume& volume) {
     std::vector<std::uint64_t> histogram(65536, 0);
     for (const std::uint16_t stored : volume.voxels()) ++histogram[stored];
     if (volume.padding()) {
@@ -28,13 +34,24 @@ ValueRange foregroundRange(const Volume& volume) {
     const auto threshold = static_cast<std::size_t>(count > 0.0 ? sum / count : 0.0);
     double foreground = 0.0;
     for (std::size_t v = threshold; v < histogram.size(); ++v) foreground += double(histogram[v]);
+    // Masks and label maps: the background is what the curves begin with, or the lowest label would be
+    // nothing.
+    constexpr std::ptrdiff_t kFewestGreys = 8;
+    const auto isThere = [](std::uint64_t voxels) { return voxels > 0; };
+    const auto firstOfForeground = histogram.begin() + static_cast<std::ptrdiff_t>(threshold);
+    const bool isOfLabels = std::count_if(firstOfForeground, histogram.end(), isThere) < kFewestGreys;
+    const auto background =
+        std::find_if(std::make_reverse_iterator(firstOfForeground), histogram.rend(), isThere);
     const auto percentile = [&](double fraction) {
         double below = 0.0;
         std::size_t v = threshold;
         while (v + 1 < histogram.size() && (below += double(histogram[v])) < fraction * foreground) ++v;
         return volume.unitsFromStored()(double(v));
     };
-    return {percentile(kLowPercentile), percentile(kHighPercentile)};
+    const double high = percentile(kHighPercentile);
+    if (isOfLabels && background != histogram.rend())
+        return {{volume.unitsFromStored()(double(histogram.rend() - background - 1)), high}, true};
+    return {{percentile(kLowPercentile), high}, false};
 }
 
 }  // namespace
@@ -44,9 +61,13 @@ std::optional<VolumeFit> fitOf(const TransferFunction& function, const Volume& v
     VolumeFit fit;
     fit.preset = {function.fitToVolume->low, function.fitToVolume->high};
     fit.to = function.fitToVolume->to;
-    fit.volume = fit.to == TransferFunction::Fit::To::foreground
-                     ? foregroundRange(volume)
-                     : volume.valueRange().value_or(ValueRange{0.0, 0.0});
+    if (fit.to == TransferFunction::Fit::To::foreground) {
+        const Foreground foreground = foregroundOf(volume);
+        fit.volume = foreground.range;
+        fit.fromBackground = foreground.fromBackground;
+    } else {
+        fit.volume = volume.valueRange().value_or(ValueRange{0.0, 0.0});
+    }
     // A volume of one value would squeeze the curves into nothing.
     fit.volume.high = std::max(fit.volume.high, fit.volume.low + volume.unitsFromStored().slope);
     return fit;
@@ -87,7 +108,9 @@ Message fitMessage(const VolumeFit& fit) {
     message.sentence = fmt::format(
         "The preset was stretched to this volume: its {:g} to {:g} are drawn at {:g} to {:g}, {}.",
         fit.preset.low, fit.preset.high, fit.volume.low, fit.volume.high,
-        foreground ? "the 2nd and 98th percentile of the foreground" : "the smallest and largest value");
+        fit.fromBackground ? "the background and the 98th percentile of the foreground"
+        : foreground       ? "the 2nd and 98th percentile of the foreground"
+                           : "the smallest and largest value");
     message.action = "Compare brightness and colours only within this volume.";
     return message;
 }

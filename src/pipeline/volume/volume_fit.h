@@ -15,13 +15,15 @@ struct VolumeFit {
     ValueRange preset;  // in the preset's values
     ValueRange volume;  // in units of the volume
     TransferFunction::Fit::To to = TransferFunction::Fit::To::foreground;
+    bool fromBackground = false;  // of a foreground with few values: volume.low is what lies below it
 
     double scale() const { return (volume.high - volume.low) / (preset.high - preset.low); }
     double operator()(double value) const { return volume.low + (value - preset.low) * scale(); }
 };
 
 // Where the function's curves fall on the volume; nothing when it asks for no fit. The foreground are the
-// voxels that are not padding and not below the mean of all that are not. The volume must be stored16.
+// voxels that are not padding and not below the mean of all that are not; where these have fewer than eight
+// values, as in a mask, the curves begin at the background. The volume must be stored16.
 std::optional<VolumeFit> fitOf(const TransferFunction& function, const Volume& volume);
 
 // The function with its curves stretched to the volume, its gradients with them, or itself when it asks for

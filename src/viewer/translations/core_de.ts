@@ -659,6 +659,26 @@
         <translation>Verbinden Sie das Laufwerk, oder machen Sie die Dateien offline verfügbar.</translation>
     </message>
     <message>
+        <source>The medium gave an error where something was to be read from it: it is damaged, dirty or failing.</source>
+        <translation>Das Medium meldete einen Fehler, als etwas gelesen werden sollte: Es ist beschädigt, verschmutzt oder am Versagen.</translation>
+    </message>
+    <message>
+        <source>Clean the disc, or check drive and cable, and copy the medium again; else ask for another copy.</source>
+        <translation>Reinigen Sie die Disc, oder prüfen Sie Laufwerk und Kabel, und kopieren Sie das Medium noch einmal; sonst bitten Sie um eine andere Kopie.</translation>
+    </message>
+    <message>
+        <source>A path is longer than this system can open; what lies there is missing here.</source>
+        <translation>Ein Pfad ist länger, als dieses System öffnen kann; was dort liegt, fehlt hier.</translation>
+    </message>
+    <message>
+        <source>Move the folder nearer to the root of the disk, or give the folders shorter names.</source>
+        <translation>Verschieben Sie den Ordner näher an die Wurzel des Laufwerks, oder geben Sie den Ordnern kürzere Namen.</translation>
+    </message>
+    <message>
+        <source>The path is longer than this system can open.</source>
+        <translation>Der Pfad ist länger, als dieses System öffnen kann.</translation>
+    </message>
+    <message>
         <source>A DICOM file is damaged and cannot be read.</source>
         <translation>Eine DICOM-Datei ist beschädigt und kann nicht gelesen werden.</translation>
     </message>
@@ -723,12 +743,144 @@
         <translation>Wählen Sie den Ordner, zu dem sie führen, wenn er gewünscht ist.</translation>
     </message>
     <message>
-        <source>Archives (zip) in the folder, which were not opened: %1.</source>
-        <translation>Archive (zip) im Ordner, die nicht geöffnet wurden: %1.</translation>
+        <source>Archives (%1) in the folder, which were not opened: %2.</source>
+        <translation>Archive (%1) im Ordner, die nicht geöffnet wurden: %2.</translation>
     </message>
     <message>
         <source>Unpack those that hold images of this study, and open the folder again.</source>
         <translation>Entpacken Sie die, in denen Bilder dieser Studie sind, und öffnen Sie den Ordner noch einmal.</translation>
+    </message>
+    <message>
+        <source>The images say that their study has %1 objects (NumberOfStudyRelatedInstances); %2 of it are here.</source>
+        <translation>Die Bilder sagen, dass ihre Studie %1 Objekte hat (NumberOfStudyRelatedInstances); davon sind %2 hier.</translation>
+    </message>
+    <message>
+        <source>Copy the study again from its source if all of it should be here.</source>
+        <translation>Kopieren Sie die Studie noch einmal von ihrer Quelle, wenn sie ganz hier sein soll.</translation>
+    </message>
+    <message>
+        <source>Slices that seem to be missing beyond the end towards the %1: %2; %3.</source>
+        <translation>Schichten, die jenseits des Endes zu fehlen scheinen (%1): %2; %3.</translation>
+    </message>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Füße</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorne</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>the image numbers begin at %1</source>
+        <translation>die Bildnummern beginnen bei %1</translation>
+    </message>
+    <message>
+        <source>the image numbers leave out %1 to %2</source>
+        <translation>die Bildnummern lassen %1 bis %2 aus</translation>
+    </message>
+    <message>
+        <source>the images say that their acquisition has %1 (ImagesInAcquisition)</source>
+        <translation>die Bilder sagen, dass ihre Aufnahme %1 hat (ImagesInAcquisition)</translation>
+    </message>
+    <message>
+        <source>the images say that the series has %1 (NumberOfSeriesRelatedInstances)</source>
+        <translation>die Bilder sagen, dass die Serie %1 hat (NumberOfSeriesRelatedInstances)</translation>
+    </message>
+    <message>
+        <source>the images say that a volume has %1 slices (NumberOfSlices)</source>
+        <translation>die Bilder sagen, dass ein Volumen %1 Schichten hat (NumberOfSlices)</translation>
+    </message>
+    <message>
+        <source>the directory of the medium (DICOMDIR) lists them</source>
+        <translation>das Verzeichnis des Mediums (DICOMDIR) führt sie auf</translation>
+    </message>
+    <message>
+        <source>Copy the whole series again from its source; what lies beyond this end is not shown.</source>
+        <translation>Kopieren Sie die ganze Serie noch einmal von ihrer Quelle; was jenseits dieses Endes liegt, wird nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Images of this series that seem to be missing: %1; %2.</source>
+        <translation>Bilder dieser Serie, die zu fehlen scheinen: %1; %2.</translation>
+    </message>
+    <message>
+        <source>Copy the whole series again from its source; the slices may end too early.</source>
+        <translation>Kopieren Sie die ganze Serie noch einmal von ihrer Quelle; die Schichten enden vielleicht zu früh.</translation>
+    </message>
+    <message>
+        <source>%1 of this study reaches %2 mm farther towards the %3 than these slices.</source>
+        <translation>%1 dieser Studie reicht %2 mm weiter als diese Schichten (%3).</translation>
+    </message>
+    <message>
+        <source>Another series</source>
+        <translation>Eine andere Serie</translation>
+    </message>
+    <message>
+        <source>The localizer</source>
+        <translation>Der Localizer</translation>
+    </message>
+    <message>
+        <source>If both should cover the same, images are missing here: compare with the source.</source>
+        <translation>Sollten beide dasselbe abdecken, fehlen hier Bilder: Vergleichen Sie mit der Quelle.</translation>
+    </message>
+    <message>
+        <source>The images say where they lie in a frame of the transducer, and not in the patient: letters of sides, and left and right, are not those of the patient.</source>
+        <translation>Die Bilder sagen, wo sie in einem System des Schallkopfs liegen, und nicht im Patienten: Buchstaben der Seiten, und links und rechts, sind nicht die des Patienten.</translation>
+    </message>
+    <message>
+        <source>Do not tell sides from this volume.</source>
+        <translation>Lesen Sie an diesem Volumen keine Seiten ab.</translation>
+    </message>
+    <message>
+        <source>Only the first frame says where it lies; it was taken for granted that the others follow it along the slice normal, at the distance that the file gives.</source>
+        <translation>Nur das erste Einzelbild sagt, wo es liegt; es wurde vorausgesetzt, dass die anderen ihm entlang der Schichtnormalen folgen, im Abstand, den die Datei nennt.</translation>
+    </message>
+    <message>
+        <source>If they run the other way, the volume is mirrored: compare with a marker of the side.</source>
+        <translation>Laufen sie andersherum, ist das Volumen gespiegelt: Vergleichen Sie mit einer Seitenmarkierung.</translation>
+    </message>
+    <message>
+        <source>%1 is not written as numbers with backslashes between them, and can be read in no way, or in several.</source>
+        <translation>%1 ist nicht als Zahlen mit umgekehrten Schrägstrichen dazwischen geschrieben und ist gar nicht oder auf mehrere Arten zu lesen.</translation>
+    </message>
+    <message>
+        <source>Have it set right, or export the series again.</source>
+        <translation>Lassen Sie es richtigstellen, oder exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Images whose position, orientation or pixel spacing has other signs between its numbers, or in them, than it should: %1 of %2. It was read in the only way that there is.</source>
+        <translation>Bilder, deren Position, Orientierung oder Pixelabstand andere Zeichen zwischen den Zahlen oder in ihnen hat, als sie sollten: %1 von %2. Es wurde auf die einzige Art gelesen, die es gibt.</translation>
+    </message>
+    <message>
+        <source>Measure a known length before relying on sizes.</source>
+        <translation>Messen Sie eine bekannte Länge, bevor Sie sich auf Größen verlassen.</translation>
+    </message>
+    <message>
+        <source>There is no DICOM image here but perhaps in an archive (%1), which is not opened.</source>
+        <translation>Hier ist kein DICOM-Bild, höchstens in einem Archiv (%1), das nicht geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>There is the directory of a medium (DICOMDIR) here, and none of the %1 files that it lists.</source>
+        <translation>Hier ist das Verzeichnis eines Mediums (DICOMDIR), und keine der %1 Dateien, die es aufführt.</translation>
+    </message>
+    <message>
+        <source>Copy the whole medium, with all of its folders, and open the copy.</source>
+        <translation>Kopieren Sie das ganze Medium mit allen Ordnern, und öffnen Sie die Kopie.</translation>
+    </message>
+    <message>
+        <source>The only DICOM file in this folder cannot be read: %1.</source>
+        <translation>Die einzige DICOM-Datei in diesem Ordner kann nicht gelesen werden: %1.</translation>
+    </message>
+    <message>
+        <source>None of the %1 DICOM files in this folder can be read: %2.</source>
+        <translation>Keine der %1 DICOM-Dateien in diesem Ordner kann gelesen werden: %2.</translation>
     </message>
     <message>
         <source>Files that the directory of this medium (DICOMDIR) lists and that are not there: %1.</source>
@@ -1371,10 +1523,6 @@
         <translation>Schließen Sie andere Programme, oder wählen Sie eine kleinere Serie.</translation>
     </message>
     <message>
-        <source>The image cannot be decoded.</source>
-        <translation>Das Bild kann nicht dekodiert werden.</translation>
-    </message>
-    <message>
         <source>This series is no volume.</source>
         <translation>Diese Serie ist kein Volumen.</translation>
     </message>
@@ -1401,10 +1549,6 @@
     <message>
         <source>Loading was cancelled.</source>
         <translation>Das Laden wurde abgebrochen.</translation>
-    </message>
-    <message>
-        <source>This series cannot be loaded.</source>
-        <translation>Diese Serie kann nicht geladen werden.</translation>
     </message>
     <message>
         <source>There is not enough memory to decode the slices.</source>
@@ -1499,14 +1643,6 @@
         <translation>Öffnen Sie stattdessen den Ordner.</translation>
     </message>
     <message>
-        <source>There is not enough memory to read this disc.</source>
-        <translation>Es ist nicht genug Speicher da, um diesen Datenträger zu lesen.</translation>
-    </message>
-    <message>
-        <source>The directory of this disc cannot be read.</source>
-        <translation>Das Verzeichnis dieses Datenträgers kann nicht gelesen werden.</translation>
-    </message>
-    <message>
         <source>The only DICOM file in this folder cannot be read.</source>
         <translation>Die einzige DICOM-Datei in diesem Ordner kann nicht gelesen werden.</translation>
     </message>
@@ -1581,6 +1717,230 @@
     <message>
         <source>There is not enough memory to read this folder.</source>
         <translation>Es ist nicht genug Speicher da, um diesen Ordner zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to read this folder.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um diesen Ordner zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to read this folder.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, diesen Ordner zu lesen.</translation>
+    </message>
+    <message>
+        <source>The program could not read this folder: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, diesen Ordner zu lesen: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not read this folder, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, diesen Ordner zu lesen, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read the directory of this disc.</source>
+        <translation>Es ist nicht genug Speicher da, um das Verzeichnis dieses Datenträgers zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to read the directory of this disc.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um das Verzeichnis dieses Datenträgers zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to read the directory of this disc.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, das Verzeichnis dieses Datenträgers zu lesen.</translation>
+    </message>
+    <message>
+        <source>The program could not read the directory of this disc: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, das Verzeichnis dieses Datenträgers zu lesen: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not read the directory of this disc, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, das Verzeichnis dieses Datenträgers zu lesen, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to read a segmentation.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um eine Segmentierung zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to read a segmentation.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, eine Segmentierung zu lesen.</translation>
+    </message>
+    <message>
+        <source>The program could not read a segmentation: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, eine Segmentierung zu lesen: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not read a segmentation, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, eine Segmentierung zu lesen, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to load the segmentation.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um die Segmentierung zu laden.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to load the segmentation.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, die Segmentierung zu laden.</translation>
+    </message>
+    <message>
+        <source>The program could not load the segmentation: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, die Segmentierung zu laden: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not load the segmentation, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, die Segmentierung zu laden, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to read the segmentations.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um die Segmentierungen zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to read the segmentations.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, die Segmentierungen zu lesen.</translation>
+    </message>
+    <message>
+        <source>The program could not read the segmentations: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, die Segmentierungen zu lesen: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not read the segmentations, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, die Segmentierungen zu lesen, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to decode the image.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um das Bild zu dekodieren.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to decode the image.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, das Bild zu dekodieren.</translation>
+    </message>
+    <message>
+        <source>The program could not decode the image: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, das Bild zu dekodieren: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not decode the image, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, das Bild zu dekodieren, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to load this series.</source>
+        <translation>Es ist nicht genug Speicher da, um diese Serie zu laden.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to load this series.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um diese Serie zu laden.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to load this series.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, diese Serie zu laden.</translation>
+    </message>
+    <message>
+        <source>The program could not load this series: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, diese Serie zu laden: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not load this series, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, diese Serie zu laden, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to open this study.</source>
+        <translation>Es ist nicht genug Speicher da, um diese Studie zu öffnen.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to open this study.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um diese Studie zu öffnen.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to open this study.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, diese Studie zu öffnen.</translation>
+    </message>
+    <message>
+        <source>The program could not open this study: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, diese Studie zu öffnen: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not open this study, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, diese Studie zu öffnen, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read this volume.</source>
+        <translation>Es ist nicht genug Speicher da, um dieses Volumen zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to read this volume.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um dieses Volumen zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to read this volume.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, dieses Volumen zu lesen.</translation>
+    </message>
+    <message>
+        <source>The program could not read this volume: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, dieses Volumen zu lesen: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not read this volume, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, dieses Volumen zu lesen, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to read the header of this volume.</source>
+        <translation>Es ist nicht genug Speicher da, um den Kopf dieses Volumens zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system has no memory or threads left to read the header of this volume.</source>
+        <translation>Das System hat keinen Speicher oder keine Threads mehr, um den Kopf dieses Volumens zu lesen.</translation>
+    </message>
+    <message>
+        <source>The system gave an error when the program was to read the header of this volume.</source>
+        <translation>Das System meldete einen Fehler, als das Programm versuchte, den Kopf dieses Volumens zu lesen.</translation>
+    </message>
+    <message>
+        <source>The program could not read the header of this volume: a size in it is beyond all bounds.</source>
+        <translation>Dem Programm gelang es nicht, den Kopf dieses Volumens zu lesen: Eine Größe darin liegt jenseits aller Grenzen.</translation>
+    </message>
+    <message>
+        <source>The program could not read the header of this volume, for a reason that it did not foresee.</source>
+        <translation>Dem Programm gelang es nicht, den Kopf dieses Volumens zu lesen, aus einem Grund, den es nicht vorhersah.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or choose something smaller.</source>
+        <translation>Schließen Sie andere Programme, oder wählen Sie etwas Kleineres.</translation>
+    </message>
+    <message>
+        <source>Check disk, connection and permissions, and try again.</source>
+        <translation>Prüfen Sie Datenträger, Verbindung und Zugriffsrechte, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>Copy it again from its source.</source>
+        <translation>Kopieren Sie es noch einmal von seiner Quelle.</translation>
+    </message>
+    <message>
+        <source>Try again; if it fails again, report it, with the log of the program.</source>
+        <translation>Versuchen Sie es noch einmal; wenn es wieder misslingt, melden Sie es, mit dem Protokoll des Programms.</translation>
+    </message>
+    <message>
+        <source>the background and the 98th percentile of the foreground</source>
+        <translation>dem Hintergrund und dem 98. Perzentil des Vordergrunds</translation>
+    </message>
+    <message>
+        <source>Whole numbers beyond 2^53 were rounded.</source>
+        <translation>Ganze Zahlen jenseits von 2^53 wurden gerundet.</translation>
+    </message>
+    <message>
+        <source>The values have 8 bytes each, as the size of the file tells, and not 4 as their type says.</source>
+        <translation>Die Werte haben je 8 Bytes, wie die Größe der Datei sagt, und nicht 4, wie ihr Typ sagt.</translation>
+    </message>
+    <message>
+        <source>The file with the values (.img) is missing.</source>
+        <translation>Die Datei mit den Werten (.img) fehlt.</translation>
+    </message>
+    <message>
+        <source>Volumes are not written to files with the ending %1.</source>
+        <translation>Volumen werden nicht in Dateien mit der Endung %1 geschrieben.</translation>
+    </message>
+    <message>
+        <source>The SPZ file names axes (number %1) that this version does not know.</source>
+        <translation>Die SPZ-Datei nennt Achsen (Nummer %1), die diese Version nicht kennt.</translation>
+    </message>
+    <message>
+        <source>Convert it to one with the axes of the format (right, up, back), or to PLY.</source>
+        <translation>Wandeln Sie sie in eine mit den Achsen des Formats um (rechts, oben, hinten), oder in PLY.</translation>
     </message>
     <message>
         <source>Choose a smaller folder.</source>
@@ -2062,10 +2422,6 @@
         <translation>Prüfen Sie den Pfad und seine Zugriffsrechte.</translation>
     </message>
     <message>
-        <source>This is a NIfTI-2 file; Macula reads NIfTI-1.</source>
-        <translation>Das ist eine NIfTI-2-Datei; Macula liest NIfTI-1.</translation>
-    </message>
-    <message>
         <source>This is no NIfTI file.</source>
         <translation>Das ist keine NIfTI-Datei.</translation>
     </message>
@@ -2096,14 +2452,6 @@
     <message>
         <source>The file does not say how the image lies in the patient: its axes were taken to lead to the patient&apos;s left, back and head. Left and right may be exchanged.</source>
         <translation>Die Datei sagt nicht, wie das Bild im Patienten liegt: es wurde angenommen, dass seine Achsen nach links, hinten und zum Kopf des Patienten führen. Links und rechts können vertauscht sein.</translation>
-    </message>
-    <message>
-        <source>The header and the image lie in two files (.hdr and .img).</source>
-        <translation>Kopf und Bild liegen in zwei Dateien (.hdr und .img).</translation>
-    </message>
-    <message>
-        <source>Write them to one .nii file.</source>
-        <translation>Schreiben Sie sie in eine .nii-Datei.</translation>
     </message>
     <message>
         <source>This is an ANALYZE file, which does not tell left from right.</source>
@@ -2889,10 +3237,6 @@
     <message>
         <source>%1 files were left out; the list of studies and `macula info` on the folder say why.</source>
         <translation>%1 Dateien wurden weggelassen; die Liste der Studien und `macula info` zum Ordner sagen, warum.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this study.</source>
-        <translation>Für diese Studie ist nicht genug Speicher da.</translation>
     </message>
     <message>
         <source>The study could not be opened.</source>

@@ -397,6 +397,100 @@ TEST_F(D13MultiFrame, nuclearMedicineInReverse) {
     expectOnlyVolume(open(), series);
 }
 
+// One position, one orientation and one distance for all frames, as some cone-beam scanners write volumes.
+TEST_F(D13MultiFrame, framesThatFollowTheFirstAreAVolumeAndItIsSaid) {
+    series.modality = "CT";
+    series.sopClassUid = UID_CTImageStorage;
+    series.worldFromVoxel = glm::dmat4(1.0);
+    series.worldFromVoxel[0] = {0.7, 0, 0, 0};
+    series.worldFromVoxel[1] = {0, 0.9, 0, 0};
+    series.worldFromVoxel[2] = {0, 0, 2, 0};
+    series.worldFromVoxel[3] = {-10, -20, -30, 1};
+    series.writeRescale = false;
+    const Edit geometry = [this](DcmItem& item) {
+        put(item, DCM_ImagePositionPatient, "-10\\-20\\-30");
+        put(item, DCM_ImageOrientationPatient, "1\\0\\0\\0\\1\\0");
+        put(item, DCM_PixelSpacing, "0.9\\0.7");
+        put(item, DCM_SpacingBetweenSlices, "2");
+        put(item, DCM_RescaleSlope, decimal(series.slope));
+        put(item, DCM_RescaleIntercept, decimal(series.intercept));
+    };
+    const MultiFrame flat{.functionalGroups = false, .dimensions = false, .edits = {geometry}};
+    writeMultiFrame(folder / "volume", series, slicesOf(series), flat);
+    const Opened opened = open();
+    expectOnlyVolume(opened, series);
+    const Message* told = opened.find(key::kFramesInARow);
+    ASSERT_NE(told, nullptr) << opened.keys();
+    EXPECT_EQ(told->severity, Severity::warning);
+
+    // Frames of a film are at one place.
+    for (const DcmTagKey& tag : {DCM_FrameTime, DCM_CineRate}) {
+        const TemporaryFolder own;
+        MultiFrame film = flat;
+        film.edits.push_back([&](DcmItem& item) { put(item, tag, "40"); });
+        writeMultiFrame(own / "film", series, slicesOf(series), film);
+        const Opened filmed(own.path());
+        EXPECT_TRUE(filmed.volumes().empty());
+        EXPECT_FALSE(filmed.says(key::kFramesInARow));
+    }
+}
+
+// Ultrasound: positions and orientation in the frame of the volume.
+TEST_F(D13MultiFrame, ultrasoundLiesInAFrameOfItsOwn) {
+    series.modality = "US";
+    series.sopClassUid = UID_EnhancedUSVolumeStorage;
+    series.imageType = "ORIGINAL\\PRIMARY\\VOLUME\\NONE";
+    series.intercept = 0.0;
+    const auto moved = [](DcmItem& groups, const DcmTagKey& from, const DcmTagKey& source,
+                          const DcmTagKey& to, const DcmTagKey& target, unsigned long count) {
+        DcmItem* macro = nullptr;
+        if (groups.findAndGetSequenceItem(from, macro).bad()) return;
+        std::vector<Float64> values;
+        for (unsigned long i = 0; i < count; ++i) {
+            Float64 value = 0.0;
+            ASSERT_TRUE(macro->findAndGetFloat64(source, value, i).good());
+            values.push_back(value);
+        }
+        ASSERT_TRUE(nested(groups, to).putAndInsertFloat64Array(target, values.data(), count).good());
+        erase(groups, from);
+    };
+    const Edit toVolume = [&](DcmItem& item) {
+        put(item, DCM_VolumeFrameOfReferenceUID, "2.25.1777");
+        moved(nested(item, DCM_SharedFunctionalGroupsSequence), DCM_PlaneOrientationSequence,
+              DCM_ImageOrientationPatient, DCM_PlaneOrientationVolumeSequence, DCM_ImageOrientationVolume, 6);
+        DcmSequenceOfItems* frames = nullptr;
+        ASSERT_TRUE(item.findAndGetSequence(DCM_PerFrameFunctionalGroupsSequence, frames).good());
+        for (unsigned long f = 0; f < frames->card(); ++f)
+            moved(*frames->getItem(f), DCM_PlanePositionSequence, DCM_ImagePositionPatient,
+                  DCM_PlanePositionVolumeSequence, DCM_ImagePositionVolume, 3);
+    };
+    writeMultiFrame(folder / "us", series, shuffled(), {.edits = {toVolume}});
+    const Opened opened = open();
+    expectOnlyVolume(opened, series);
+    const Message* told = opened.find(key::kSidesUnknown);
+    ASSERT_NE(told, nullptr) << opened.keys();
+    EXPECT_EQ(told->severity, Severity::warning);
+    ASSERT_EQ(opened.stacks().size(), 1u);
+    EXPECT_EQ(opened.stacks()[0]->frames[0].frameOfReferenceUid, "2.25.1777")
+        << "and not that of the patient";
+}
+
+TEST_F(D13MultiFrame, ofOtherProgramsInOneFile) {
+    SKIP_WITHOUT_SHARED_DATA();
+    for (const auto& [name, key] :
+         {std::pair("us-volume", key::kSidesUnknown), std::pair("cbct-single-spacing", key::kFramesInARow)}) {
+        SCOPED_TRACE(name);
+        const Opened opened(sharedData() / "failures/other" / name);
+        const auto volumes = opened.volumes();
+        ASSERT_EQ(volumes.size(), 1u) << opened.keys();
+        EXPECT_EQ(volumes[0]->slices.size(), 24u);
+        EXPECT_NEAR(glm::length(*volumes[0]->spacingMm - glm::dvec3(0.7, 0.9, 2.0)), 0.0, 1e-9);
+        EXPECT_EQ(*volumes[0]->firstPositionMm, glm::dvec3(-10, -20, -100));
+        EXPECT_TRUE(opened.says(key)) << opened.keys();
+        EXPECT_NE(opened.load(*volumes[0]), nullptr);
+    }
+}
+
 TEST_F(D14SecondaryCapture, withGeometryIsAVolume) {
     series.modality = "OT";
     series.imageType = "DERIVED\\SECONDARY";

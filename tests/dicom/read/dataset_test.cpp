@@ -297,8 +297,10 @@ TEST(Dataset, largeValuesAreNotKept) {
 }
 
 TEST(Dataset, filesThatAreElsewhere) {
-    for (const int error : {ENODATA, EREMOTEIO, ENXIO, ESTALE, ETIMEDOUT, EHOSTDOWN, EIO})
+    for (const int error : {ENODATA, EREMOTEIO, ENXIO, ESTALE, ETIMEDOUT, EHOSTDOWN})
         EXPECT_EQ(stateOfFailure(error), FileState::offline) << error;
+    EXPECT_EQ(stateOfFailure(EIO), FileState::mediumError);
+    EXPECT_EQ(stateOfFailure(ENAMETOOLONG), FileState::pathTooLong);
     for (const int error : {EACCES, ENOENT, EPERM, EISDIR, EINVAL, EMFILE, ELOOP, 0})
         EXPECT_EQ(stateOfFailure(error), FileState::unreadable) << error;
     const TemporaryFolder folder;

@@ -43,6 +43,12 @@ class MediaDirectoryTest : public testing::Test {
 
 using Paths = std::vector<fs::path>;
 
+Paths missingIn(const MediaDirectory& directory) {
+    Paths paths;
+    for (const ListedFile& listed : directory.missing) paths.push_back(listed.file);
+    return paths;
+}
+
 TEST(MediaDirectory, ofARealDisc) {
     SKIP_WITHOUT_SHARED_DATA();
     const fs::path disc = sharedData() / "odd/dicomdir_media";
@@ -62,7 +68,7 @@ TEST_F(MediaDirectoryTest, missingFilesAreTold) {
     const auto directory =
         read({record("A\\IM1"), record("A\\IM2"), record("B\\IM1"), record(""), record("A\\IM2")});
     EXPECT_EQ(directory.files, Paths{folder / "A/IM1"});
-    EXPECT_EQ(directory.missing, (Paths{folder / "A/IM2", folder / "B/IM1"}));
+    EXPECT_EQ(missingIn(directory), (Paths{folder / "A/IM2", folder / "B/IM1"}));
     EXPECT_EQ(directory.outside, 0u);
 }
 
@@ -75,6 +81,61 @@ TEST_F(MediaDirectoryTest, namesAsDiscsChangeThem) {
     EXPECT_EQ(directory.files, (Paths{folder / "dicom/IM3;1", folder / "dicom/IM4", folder / "dicom/im1",
                                       folder / "dicom/im2.;1"}));
     EXPECT_TRUE(directory.missing.empty());
+}
+
+// Programs that copy media add endings, or take them off.
+TEST_F(MediaDirectoryTest, endingsMayComeAndGo) {
+    for (const char* name :
+         {"A/IM1.dcm", "A/im2.DCM;1", "A/IM3", "A/IM4.txt", "A/IM4.dcm", "A/IM5.txt", "A/IM5"})
+        touch(name);
+    const auto directory = read({record("A\\IM1"), record("A\\IM2"), record("A\\IM3.DCM"), record("A\\IM4"),
+                                 record("A\\IM5"), record("A\\IM6")});
+    EXPECT_EQ(directory.files, (Paths{folder / "A/IM1.dcm", folder / "A/IM3", folder / "A/IM4.dcm",
+                                      folder / "A/IM5", folder / "A/im2.DCM;1"}));
+    EXPECT_EQ(missingIn(directory), Paths{folder / "A/IM6"});
+}
+
+// Records of two series, stored in turns: only offsets say which image is of which.
+TEST_F(MediaDirectoryTest, anImageIsOfTheSeriesThatLeadsToIt) {
+    const auto item = [](const std::string& type, std::uint32_t next, std::uint32_t lower,
+                         const std::string& more) {
+        return shortElement({0x0004, 0x1400}, "UL", bytesOf(next, 4)) +
+               shortElement({0x0004, 0x1410}, "US", bytesOf(0xFFFF, 2)) +
+               shortElement({0x0004, 0x1420}, "UL", bytesOf(lower, 4)) +
+               shortElement({0x0004, 0x1430}, "CS", type) + more;
+    };
+    const auto series = [&](const std::string& uid, std::uint32_t next, std::uint32_t lower) {
+        return item("SERIES", next, lower, shortElement({0x0020, 0x000E}, "UI", uid));
+    };
+    const auto image = [&](const std::string& file, const std::string& uid, const std::string& number,
+                           std::uint32_t next) {
+        return item("IMAGE ", next, 0,
+                    shortElement({0x0004, 0x1500}, "CS", file) + shortElement({0x0004, 0x1511}, "UI", uid) +
+                        shortElement({0x0020, 0x0013}, "IS", number));
+    };
+    const auto records = [&](const std::vector<std::uint32_t>& at) {
+        return std::vector<std::string>{series("2.25.1", at[1], at[3]), series("2.25.2", 0, at[2]),
+                                        image("B1", "2.25.21", "31", 0), image("A1", "2.25.11", "7 ", at[4]),
+                                        image("A2", "2.25.12", "8 ", 0)};
+    };
+    // All items have a length of their own, whatever the offsets are.
+    std::vector<std::uint32_t> at(5, 0);
+    const std::string first = records(at)[0];
+    std::uint32_t next = static_cast<std::uint32_t>(mediaDirectory(records(at)).find(first)) - 8;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        at[i] = next;
+        next += 8 + static_cast<std::uint32_t>(records(at)[i].size());
+    }
+    const auto directory = read(records(at));
+    ASSERT_EQ(directory.missing.size(), 3u);
+    const ListedFile& a2 = directory.missing[1];
+    EXPECT_EQ(a2.file, folder / "A2");
+    EXPECT_EQ(a2.sopInstanceUid, "2.25.12");
+    EXPECT_EQ(a2.seriesInstanceUid, "2.25.1");
+    EXPECT_EQ(a2.instanceNumber, 8);
+    EXPECT_EQ(directory.missing[0].seriesInstanceUid, "2.25.1");
+    EXPECT_EQ(directory.missing[2].seriesInstanceUid, "2.25.2");
+    EXPECT_EQ(directory.missing[2].instanceNumber, 31);
 }
 
 TEST_F(MediaDirectoryTest, whatLiesOutsideIsNeverLookedAt) {
@@ -101,7 +162,7 @@ TEST_F(MediaDirectoryTest, recordsNotInUseAreNone) {
 TEST_F(MediaDirectoryTest, foldersAreNoFiles) {
     touch("A/IM1");
     const auto directory = read({record("A"), record("A\\IM1\\IM2")});
-    EXPECT_EQ(directory.missing, (Paths{folder / "A", folder / "A/IM1/IM2"}));
+    EXPECT_EQ(missingIn(directory), (Paths{folder / "A", folder / "A/IM1/IM2"}));
 }
 
 TEST_F(MediaDirectoryTest, whatIsNoDirectory) {

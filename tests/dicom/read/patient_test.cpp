@@ -151,7 +151,7 @@ TEST(Patient, unreadableFolderStopsNothingAndIsToldOf) {
     EXPECT_EQ(series.assumptions.size(), 1u);
     ASSERT_EQ(found->skipped.size(), 2u);
     for (const SkippedFile& skipped : found->skipped) {
-        EXPECT_EQ(skipped.message.key, key::kUnreadableFolder);
+        EXPECT_EQ(skipped.message.key, key::kPathTooLong) << "which no permission changes";
         EXPECT_EQ(skipped.message.severity, Severity::warning);
     }
     EXPECT_LT(found->skipped[0].file, found->skipped[1].file);
@@ -164,6 +164,8 @@ TEST(Patient, onlyAnUnreadableFolder) {
     const auto found = scanFolder(folder.path(), progress);
     ASSERT_FALSE(found);
     EXPECT_NE(found.error().message.find("sub-folders cannot be read"), std::string::npos);
+    EXPECT_NE(found.error().message.find("longer than this system can open"), std::string::npos);
+    EXPECT_EQ(found.error().hint.find("permissions"), std::string::npos) << found.error().hint;
 }
 
 // Many copies of one file: each is read once, and a cancellation is noticed while they are.

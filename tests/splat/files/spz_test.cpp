@@ -21,7 +21,7 @@ std::vector<std::byte> packed(const std::vector<std::uint8_t>& data, const std::
 std::vector<std::uint8_t> unpacked(const std::vector<std::byte>& bytes, std::size_t size) {
     std::vector<std::uint8_t> data(size);
     Gunzip stream(bytes);
-    EXPECT_TRUE(stream.read(std::as_writable_bytes(std::span(data))) && stream.endsWithin(0));
+    EXPECT_TRUE(stream.read(std::as_writable_bytes(std::span(data))) && stream.rest(0).has_value());
     return data;
 }
 

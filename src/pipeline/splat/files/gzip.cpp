@@ -66,19 +66,21 @@ bool Gunzip::read(std::span<std::byte> out) {
     return s.stream.avail_out == 0;
 }
 
-bool Gunzip::endsWithin(std::size_t most) {
+std::optional<std::vector<std::byte>> Gunzip::rest(std::size_t most) {
     State& s = *state_;
-    std::array<Bytef, 4096> none{};
-    std::size_t further = 0;
-    while (s.usable && !s.ended && further <= most) {
-        s.stream.next_out = none.data();
-        s.stream.avail_out = static_cast<uInt>(none.size());
+    std::vector<std::byte> rest;
+    std::array<Bytef, 4096> piece{};
+    while (s.usable && !s.ended && rest.size() <= most) {
+        s.stream.next_out = piece.data();
+        s.stream.avail_out = static_cast<uInt>(piece.size());
         const int status = inflate(&s.stream, Z_NO_FLUSH);
         s.ended = status == Z_STREAM_END;
-        further += none.size() - s.stream.avail_out;
+        const auto unpacked = std::as_bytes(std::span(piece)).first(piece.size() - s.stream.avail_out);
+        rest.insert(rest.end(), unpacked.begin(), unpacked.end());
         if (status != Z_OK) break;
     }
-    return s.ended && further <= most;
+    if (!s.ended || rest.size() > most) return {};
+    return rest;
 }
 
 std::string Gunzip::comment() const {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,8 +31,8 @@ class Gunzip {
     // Exactly so many bytes; false when there are fewer or they are damaged.
     bool read(std::span<std::byte> out);
 
-    // Whether the stream ends within `most` further bytes, and well: its checksum agrees.
-    bool endsWithin(std::size_t most);
+    // What is left, when it is no more than `most` bytes and ends well: its checksum agrees. Else nothing.
+    std::optional<std::vector<std::byte>> rest(std::size_t most);
 
     // The comment of the header, once something was read. Longer ones than 4 KiB are cut off.
     std::string comment() const;

@@ -9,6 +9,7 @@
 #include <glm/gtc/packing.hpp>
 #include <limits>
 #include <new>
+#include <optional>
 #include <sstream>
 #include <string>
 
@@ -16,6 +17,7 @@
 #include "pipeline/splat/files/model_notes.h"
 #include "pipeline/splat/files/spz_codes.h"
 #include "pipeline/splat/files/spz_container.h"
+#include "pipeline/splat/files/spz_records.h"
 #include "pipeline/splat/model/constant_colour.h"
 
 namespace macula::splat {
@@ -301,8 +303,9 @@ Result<SpzBytes> encodeSpz(const Splats& splats, SpzVersion version) {
 namespace {
 
 Result<ModelFile> finished(const Header& header, const std::vector<std::uint8_t>& data,
-                           const std::string& notes, BadSplats bad) {
+                           const std::string& notes, std::optional<std::uint32_t> axes, BadSplats bad) {
     Splats splats = splatsOf(header, data);
+    if (axes) MACULA_TRY_VOID(heedSpzAxes(*axes, splats));
     MACULA_TRY_VOID(applyNotes(linesOf(notes), splats));
     const bool antialiased = (header.flags & kAntialiased) != 0;
     if (!antialiased) splats.lowPass = LowPass::classic;
@@ -318,10 +321,10 @@ Result<ModelFile> decodeContainer(std::span<const std::byte> bytes, BadSplats ba
     MACULA_TRY_VOID(check(header, bytes.size()));
     if (header.version != kContainerVersion) return damaged();  // earlier ones lie in gzip
     std::vector<std::uint8_t> data(header.bytes());
-    std::string notes;
-    if (!unpackSpzStreams(bytes, header.streamBytes(), std::as_writable_bytes(std::span(data)), notes))
+    SpzRecords records;
+    if (!unpackSpzStreams(bytes, header.streamBytes(), std::as_writable_bytes(std::span(data)), records))
         return damaged();
-    return finished(header, data, notes, bad);
+    return finished(header, data, records.notes, records.axes, bad);
 }
 
 Result<ModelFile> decodeGzip(std::span<const std::byte> bytes, BadSplats bad) {
@@ -331,10 +334,11 @@ Result<ModelFile> decodeGzip(std::span<const std::byte> bytes, BadSplats bad) {
     MACULA_TRY_VOID(check(header, bytes.size()));
     if (header.version > kLastGzipVersion) return damaged();
     std::vector<std::uint8_t> data(header.bytes());
-    // What comes behind is not looked at, and checked only so far as to know that the whole is undamaged.
     const std::size_t most = (header.flags & kHasExtensions) != 0 ? kMostExtensionBytes : 0;
-    if (!packed.read(std::as_writable_bytes(std::span(data))) || !packed.endsWithin(most)) return damaged();
-    return finished(header, data, packed.comment(), bad);
+    if (!packed.read(std::as_writable_bytes(std::span(data)))) return damaged();
+    const auto behind = packed.rest(most);
+    if (!behind) return damaged();
+    return finished(header, data, packed.comment(), readSpzRecords(*behind).axes, bad);
 }
 
 }  // namespace

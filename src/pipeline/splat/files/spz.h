@@ -8,8 +8,10 @@
 // same brings them back: a half turn about x, so left stays left and nothing is mirrored; rotations and
 // spherical harmonics turn with it. It is the turn from PLY's axes (x right, y down, z forward), so a model
 // has the same coordinates in memory whichever format it came in. A patient is x left, y anterior, z inferior
-// in the file. Units are those of the model, mm in ours. Origin, axes and colour space (model_notes.h) lie in
-// the comment of the gzip header, or in a record of the container: other programs skip both.
+// in the file. A record of another
+// vendor may say that a file is in other axes, some of them of the other hand: they are heeded
+// (spz_records.h). Units are those of the model, mm in ours. Origin, axes and colour space (model_notes.h)
+// lie in the comment of the gzip header, or in a record of the container: other programs skip both.
 //
 // Version 4 is written, 3 for those who ask: their rotations are off by 0.005 rad at most, those of version 2
 // by 0.2 rad where w is near 0, which shows in needles.
@@ -43,9 +45,9 @@ enum class SpzVersion { gzip = 3, zstd = 4 };
 // than 8 km from its origin, or compresses so well that decodeSpz would take it for a decompression bomb.
 Result<SpzBytes> encodeSpz(const Splats& splats, SpzVersion version = SpzVersion::zstd);
 
-// Versions 1 to 4, degrees 0 to 3. Without notes of ours the model is foreign: axes unknown, colours of the
-// display, low-pass by the file's flag for antialiasing. Errors as readModel; never unpacks more than the
-// header says, and of that no more than 32 times the file, or 32 MiB.
+// Versions 1 to 4, degrees 0 to 3; degree 4 is refused. Without notes of ours the model is foreign: axes
+// unknown, colours of the display, low-pass by the file's flag for antialiasing. Errors as readModel; never
+// unpacks more than the header says, and of that no more than 32 times the file, or 32 MiB.
 Result<ModelFile> decodeSpz(std::span<const std::byte> bytes, BadSplats bad = BadSplats::refuse);
 
 // Whether a file is SPZ by its first four bytes: gzip, or version 4.

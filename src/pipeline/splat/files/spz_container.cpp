@@ -16,12 +16,7 @@ constexpr std::size_t kFlags = 14;
 constexpr std::size_t kStreams = 15;
 constexpr std::size_t kTableOffset = 16;
 constexpr std::size_t kTableEntryBytes = 16;
-constexpr std::size_t kRecordHeaderBytes = 8;
 constexpr std::byte kHasExtensions{2};
-
-// "MA" as the vendor above, 1 as the kind below: the text of model_notes.h.
-constexpr std::uint32_t kNotesType = 0x4d410001;
-constexpr std::size_t kMostNotes = 4096;
 
 // One of the compression levels that the reference writer uses; higher ones take much longer for a percent.
 constexpr int kLevel = 12;
@@ -41,20 +36,6 @@ T at(std::span<const std::byte> bytes, std::size_t offset) {
 
 Error noMemory() {
     return {ErrorCode::outOfMemory, "The model does not fit into memory.", {}, "Close other programs."};
-}
-
-// What is not ours is skipped; records that do not fit their zone are of no use to anybody, and no harm.
-std::string notesIn(std::span<const std::byte> zone) {
-    while (zone.size() >= kRecordHeaderBytes) {
-        const auto type = at<std::uint32_t>(zone, 0);
-        const std::size_t length = at<std::uint32_t>(zone, 4);
-        zone = zone.subspan(kRecordHeaderBytes);
-        if (length > zone.size()) return {};
-        if (type == kNotesType && length <= kMostNotes)
-            return {reinterpret_cast<const char*>(zone.data()), length};
-        zone = zone.subspan(length);
-    }
-    return {};
 }
 
 }  // namespace
@@ -90,30 +71,24 @@ Result<std::vector<std::byte>> packSpzStreams(std::array<std::byte, kSpzHeaderBy
     header[kStreams] = static_cast<std::byte>(count);
 
     std::vector<std::byte> out(header.begin(), header.end());
-    const std::size_t zone = notes.empty() ? 0 : kRecordHeaderBytes + notes.size();
-    add(out, static_cast<std::uint32_t>(kWholeHeaderBytes + zone));
+    const std::vector<std::byte> zone = notes.empty() ? std::vector<std::byte>() : spzNotesRecord(notes);
+    add(out, static_cast<std::uint32_t>(kWholeHeaderBytes + zone.size()));
     out.resize(kWholeHeaderBytes);
-    if (!notes.empty()) {
-        MACULA_CHECK_LE(notes.size(), kMostNotes);
-        add(out, kNotesType);
-        add(out, static_cast<std::uint32_t>(notes.size()));
-        const auto text = std::as_bytes(std::span(notes));
-        out.insert(out.end(), text.begin(), text.end());
-    }
+    out.insert(out.end(), zone.begin(), zone.end());
     out.insert(out.end(), table.begin(), table.end());
     out.insert(out.end(), streams.begin(), streams.end());
     return out;
 }
 
 bool unpackSpzStreams(std::span<const std::byte> file, std::span<const std::size_t> sizes,
-                      std::span<std::byte> data, std::string& notes) {
+                      std::span<std::byte> data, SpzRecords& records) {
     if (file.size() < kWholeHeaderBytes) return false;
     const std::size_t table = at<std::uint32_t>(file, kTableOffset);
     const auto count = std::to_integer<std::size_t>(file[kStreams]);
     if (table < kWholeHeaderBytes || table > file.size() || file.size() - table < count * kTableEntryBytes)
         return false;
     if ((file[kFlags] & kHasExtensions) != std::byte{0})
-        notes = notesIn(file.subspan(kWholeHeaderBytes, table - kWholeHeaderBytes));
+        records = readSpzRecords(file.subspan(kWholeHeaderBytes, table - kWholeHeaderBytes));
 
     std::span<const std::byte> packed = file.subspan(table + count * kTableEntryBytes);
     std::size_t entry = 0;

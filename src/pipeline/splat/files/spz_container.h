@@ -1,7 +1,7 @@
 // The container of SPZ version 4 (github.com/nianticlabs/spz, extensions/README.md, and what readers of it
 // agree on): 32 bytes of header, of which the first 16 are those of earlier versions, with the number of
 // streams in the last of them, then the offset of the table of contents (u32) and 12 zeros; records of
-// others, each a type (u32), a length (u32) and so many bytes; the table, for each stream its packed and
+// others (spz_records.h); the table, for each stream its packed and
 // unpacked size (u64); the streams, one zstd frame each. Numbers are little endian; only the streams are
 // packed.
 #pragma once
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/result.h"
+#include "pipeline/splat/files/spz_records.h"
 
 namespace macula::splat {
 
@@ -26,9 +27,9 @@ Result<std::vector<std::byte>> packSpzStreams(std::array<std::byte, kSpzHeaderBy
                                               const std::string& notes, std::span<const std::byte> data,
                                               std::span<const std::size_t> sizes);
 
-// Fills `data`, in which the streams have these sizes, and `notes` if there are any of ours. False when the
-// file is cut off or damaged, or its streams have other sizes.
+// Fills `data`, in which the streams have these sizes, and the records. False when the file is cut off or
+// damaged, or its streams have other sizes.
 bool unpackSpzStreams(std::span<const std::byte> file, std::span<const std::size_t> sizes,
-                      std::span<std::byte> data, std::string& notes);
+                      std::span<std::byte> data, SpzRecords& records);
 
 }  // namespace macula::splat

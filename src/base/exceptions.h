@@ -1,0 +1,17 @@
+// Exceptions of the standard library and of others, as errors for a person.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace macula {
+
+// The error for what was thrown while the program did its `task`: "read this folder". Lack of memory or of
+// threads is outOfMemory; whatever else happened is inputNotUsable, and never called lack of memory. What the
+// exception says of itself may name a patient, and is neither shown nor logged; its type is logged.
+Error errorOf(const std::exception& thrown, std::string_view task, std::string where = {});
+
+}  // namespace macula

@@ -1,0 +1,93 @@
+#include "dicom/split/farther_reach.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "dicom/split/stack_ends.h"
+
+namespace macula::dicom {
+
+namespace {
+
+struct OfSeries {
+    const Series* series = nullptr;
+    Stack* stack = nullptr;
+};
+
+struct Farther {
+    std::string what;
+    double mm = 0.0;
+};
+
+StackEnd opposite(StackEnd end) {
+    return end == StackEnd::first ? StackEnd::last : StackEnd::first;
+}
+
+Farther fartherVolume(const OfSeries& of, const std::vector<OfSeries>& volumes, StackEnd end) {
+    constexpr double kFewestSlices = 5.0;
+    constexpr double kLeastMm = 15.0;
+    constexpr double kLeastShare = 0.1;
+    const Stack& stack = *of.stack;
+    const double lengthMm = stepMm(stack) * static_cast<double>(stack.frames.size() - 1);
+    Farther farthest{.mm = std::max({kFewestSlices * stepMm(stack), kLeastMm, kLeastShare * lengthMm})};
+    for (const OfSeries& other : volumes) {
+        if (other.series == of.series || other.stack->modality != stack.modality) continue;
+        const auto reach = reachOfParallel(stack, *other.stack);
+        if (!reach || !endsAlike(stack, *other.stack, *reach, opposite(end))) continue;
+        const double mm = beyondMm(stack, *reach, end);
+        if (mm < farthest.mm) continue;
+        const int number = other.series->number.value_or(0);
+        farthest = {number > 0 ? fmt::format("Series {}", number) : "Another series", mm};
+    }
+    return farthest;
+}
+
+// CT is planned on its localizers, whose ends are not far beyond those of the slices.
+Farther fartherLocalizer(const Stack& stack, const std::vector<Series>& all, StackEnd end) {
+    constexpr double kLeastShare = 0.4;
+    constexpr double kMostAtOtherEnd = 0.25;
+    Farther farther;
+    if (stack.modality != "CT") return farther;
+    for (const Series& series : all) {
+        for (const Stack& localizer : series.stacks) {
+            if (!isLocalizer(localizer)) continue;
+            const auto reach = reachOfLocalizer(stack, localizer);
+            if (!reach) continue;
+            const double coveredMm = reach->lastMm - reach->firstMm;
+            const double mm = beyondMm(stack, *reach, end);
+            const double otherMm = beyondMm(stack, *reach, opposite(end));
+            if (mm >= kLeastShare * coveredMm && std::abs(otherMm) <= kMostAtOtherEnd * coveredMm)
+                farther = {"The localizer", mm};
+        }
+    }
+    return farther;
+}
+
+}  // namespace
+
+void reportFartherReach(std::vector<Series>& series) {
+    std::vector<OfSeries> volumes;
+    for (Series& s : series) {
+        for (Stack& stack : s.stacks) {
+            if (stack.canBeVolume() && stack.frames.size() > 1) volumes.push_back({&s, &stack});
+        }
+    }
+    constexpr std::size_t kMostCompared = 2000;
+    if (volumes.size() > kMostCompared) return;
+    for (const OfSeries& of : volumes) {
+        for (const StackEnd end : kStackEnds) {
+            Farther farther = fartherVolume(of, volumes, end);
+            if (farther.what.empty()) farther = fartherLocalizer(*of.stack, series, end);
+            if (farther.what.empty()) continue;
+            of.stack->messages.push_back(
+                message(key::kOthersReachFarther, {{"other", farther.what},
+                                                   {"mm", farther.mm},
+                                                   {"side", std::string(sideBeyond(*of.stack, end))}}));
+        }
+    }
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,370 @@
+#include "dicom/split/missing_images.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "dicom/split/stack_ends.h"
+#include "dicom/split/stack_numbering.h"
+
+namespace macula::dicom {
+
+namespace {
+
+constexpr int kLocalizers = 2;  // from the front and from the side
+constexpr int kHundred = 100;
+
+// A stack that can be looked at for what is missing: a volume of files with one frame each.
+struct Candidate {
+    Series* series = nullptr;
+    Stack* stack = nullptr;
+    std::optional<StackNumbering> numbering;
+};
+
+// What is said to be missing, and by what.
+struct Claim {
+    std::size_t count = 0;
+    std::string why;
+    Severity severity = Severity::warning;
+};
+
+void tell(Stack& stack, Message message) {
+    if (message.severity == Severity::warning) stack.assumptions.push_back(message.sentence);
+    stack.messages.push_back(std::move(message));
+}
+
+void tell(Series& series, Message message) {
+    if (message.severity == Severity::warning) series.assumptions.push_back(message.sentence);
+    series.messages.push_back(std::move(message));
+}
+
+bool isOfSingleFrames(const Stack& stack) {
+    return std::ranges::none_of(stack.frames, [](const Frame& f) {
+        return f.instance->multiFrame || !f.instance->concatenationUid.empty();
+    });
+}
+
+std::set<int> numbersOf(const Stack& stack) {
+    std::set<int> numbers;
+    for (const Frame& frame : stack.frames) {
+        if (frame.instance->instanceNumber) numbers.insert(*frame.instance->instanceNumber);
+    }
+    return numbers;
+}
+
+std::set<int> numbersOf(const Series& series) {
+    std::set<int> numbers;
+    for (const Stack& stack : series.stacks) numbers.merge(numbersOf(stack));
+    return numbers;
+}
+
+// How many images of the series each acquisition has, by its number and by what they say of that.
+using Acquisitions = std::map<std::pair<std::optional<int>, int>, std::size_t>;
+
+Acquisitions acquisitionsOf(const Series& series) {
+    Acquisitions acquisitions;
+    std::set<const Instance*> seen;
+    for (const Stack& stack : series.stacks) {
+        for (const Frame& frame : stack.frames) {
+            const Instance& instance = *frame.instance;
+            if (instance.imagesInAcquisition && seen.insert(&instance).second)
+                ++acquisitions[{instance.acquisitionNumber, *instance.imagesInAcquisition}];
+        }
+    }
+    return acquisitions;
+}
+
+// Slices that stacks know to be missing between those that are there.
+std::size_t gapsIn(const Series& series) {
+    std::size_t missing = 0;
+    for (const Stack& stack : series.stacks) {
+        for (const Message& message : stack.messages) {
+            if (message.key != key::kMissingSlices) continue;
+            for (const MessageArgument& argument : message.arguments) {
+                const auto* value = std::get_if<std::int64_t>(&argument.value);
+                if (argument.name == "missing" && value != nullptr)
+                    missing += static_cast<std::size_t>(*value);
+            }
+        }
+    }
+    return missing;
+}
+
+class StudyImages {
+  public:
+    StudyImages(std::vector<Series>& series, const AbsentImages& absent) : series_(series), absent_(absent) {
+        for (Series& s : series_) {
+            numbers_.push_back(numbersOf(s));
+            acquisitions_.push_back(acquisitionsOf(s));
+            std::set<int>& ofVolumes = ofVolumes_.emplace_back();
+            for (Stack& stack : s.stacks) {
+                if (!stack.canBeVolume() || !isOfSingleFrames(stack)) continue;
+                candidates_.push_back({&s, &stack, numberingOf(stack)});
+                ofVolumes.merge(numbersOf(stack));
+            }
+        }
+    }
+
+    void report() {
+        for (std::size_t s = 0; s < series_.size(); ++s) {
+            const std::size_t byNumbers = reportNumbers(s);
+            reportCounts(series_[s], byNumbers);
+        }
+    }
+
+  private:
+    std::size_t indexOf(const Series* series) const {
+        return static_cast<std::size_t>(series - series_.data());
+    }
+
+    // Whether all that the files or the medium say of the number of images is fulfilled, by one of them at
+    // least.
+    static bool isSaidToBeComplete(const Series& series) {
+        return std::ranges::any_of(series.stacks, [&](const Stack& stack) {
+            return std::ranges::any_of(stack.frames, [&](const Frame& frame) {
+                const Instance& instance = *frame.instance;
+                return instance.seriesRelatedInstances == static_cast<int>(series.instances) ||
+                       instance.imagesInAcquisition == static_cast<int>(series.instances);
+            });
+        });
+    }
+
+    // Whether another stack ends where this one does, at both ends, and is numbered from 0 or 1.
+    bool coversWhatACompleteOneDoes(const Candidate& candidate) const {
+        return std::ranges::any_of(candidates_, [&](const Candidate& other) {
+            if (other.stack == candidate.stack || !other.numbering || other.numbering->lowest() > 1)
+                return false;
+            const auto reach = reachOfParallel(*candidate.stack, *other.stack);
+            return reach && std::ranges::all_of(kStackEnds, [&](StackEnd end) {
+                       return endsAlike(*candidate.stack, *other.stack, *reach, end);
+                   });
+        });
+    }
+
+    // Whether there is another stack of the series that ends where this one does, or beyond.
+    bool othersEndHere(const Candidate& candidate, StackEnd end) const {
+        return std::ranges::any_of(candidates_, [&](const Candidate& other) {
+            if (other.stack == candidate.stack || other.series != candidate.series) return false;
+            const auto reach = reachOfParallel(*candidate.stack, *other.stack);
+            return reach && endsAlike(*candidate.stack, *other.stack, *reach, end);
+        });
+    }
+
+    // What explains that numbers begin after `before`, so that nothing is to be told.
+    bool isExplained(const Candidate& candidate, int before) const {
+        constexpr int kThousand = 1000;
+        for (std::size_t s = 0; s < series_.size(); ++s) {
+            if (&series_[s] == candidate.series || numbers_[s].empty()) continue;
+            // Numbers go on from series to series, but for those of localizers.
+            const int last = *numbers_[s].rbegin();
+            if (last <= before && last >= before - kLocalizers) return true;
+        }
+        const int number = candidate.series->number.value_or(0);
+        const bool isOfSeries = number > 1 && before % number == 0 &&
+                                (before / number == kHundred || before / number == kThousand);
+        return isOfSeries || (before >= kThousand && before % kHundred == 0) ||
+               isSaidToBeComplete(*candidate.series) || coversWhatACompleteOneDoes(candidate);
+    }
+
+    std::optional<Claim> claimOfBeginning(const Candidate& candidate, int missing) const {
+        const int lowest = candidate.numbering->lowest();
+        const int before = lowest - 1;
+        if (isExplained(candidate, before)) return {};
+        // Others of the same size may have the numbers before, such as phases that were stored one by one.
+        const auto size = static_cast<int>(candidate.stack->frames.size());
+        const bool isDoubtful =
+            missing <= kLocalizers || before % kHundred == 0 || (before % size == 0 && before > size);
+        return Claim{static_cast<std::size_t>(missing), fmt::format("the image numbers begin at {}", lowest),
+                     isDoubtful ? Severity::info : Severity::warning};
+    }
+
+    std::optional<Claim> claimOfNumbers(const Candidate& candidate, StackEnd end) const {
+        const StackNumbering& numbering = *candidate.numbering;
+        const int by = end == StackEnd::last ? numbering.step : -numbering.step;
+        const int from = end == StackEnd::last ? numbering.last : numbering.first;
+        const NumbersBeyond beyond = numbersBeyond(from, by, numbers_[indexOf(candidate.series)]);
+        if (beyond.count == 0) return {};
+        const bool isToVolume =
+            beyond.another && ofVolumes_[indexOf(candidate.series)].contains(*beyond.another);
+        // A localizer may be the first of all; a report may have any number above.
+        if (beyond.toTheBeginning || (by < 0 && !isToVolume))
+            return claimOfBeginning(candidate, beyond.count);
+        if (!isToVolume || othersEndHere(candidate, end)) return {};
+        return Claim{
+            static_cast<std::size_t>(beyond.count),
+            fmt::format("the image numbers leave out {} to {}", std::min(from + by, from + by * beyond.count),
+                        std::max(from + by, from + by * beyond.count))};
+    }
+
+    static void tellEnd(Stack& stack, StackEnd end, const Claim& claim) {
+        tell(stack, message(key::kMissingAtEnds, claim.severity,
+                            {{"count", std::int64_t(claim.count)},
+                             {"side", std::string(sideBeyond(stack, end))},
+                             {"evidence", claim.why}}));
+    }
+
+    // Gives back how many are missing by the numbers of all stacks of the series.
+    std::size_t reportNumbers(std::size_t s) {
+        std::size_t missing = 0;
+        for (Candidate& candidate : candidates_) {
+            if (candidate.series != &series_[s] || !candidate.numbering) continue;
+            for (const StackEnd end : kStackEnds) {
+                const auto claim = claimOfNumbers(candidate, end);
+                if (!claim) continue;
+                tellEnd(*candidate.stack, end, *claim);
+                missing += claim->count;
+            }
+        }
+        return missing;
+    }
+
+    // How many images of an acquisition are said to be (ImagesInAcquisition), beyond those that are there.
+    // Some count those of one series, others those of all that were made of the acquisition.
+    std::optional<Claim> claimOfAcquisitions(const Series& series) const {
+        Claim claim;
+        int said = 0;
+        bool mayBeSeveral = false;
+        for (const auto& [acquisition, images] : acquisitions_[indexOf(&series)]) {
+            const auto expected = static_cast<std::size_t>(std::max(acquisition.second, 0));
+            std::size_t ofAll = 0;
+            bool isWholeElsewhere = false;
+            for (const Acquisitions& others : acquisitions_) {
+                const auto found = others.find(acquisition);
+                if (found == others.end()) continue;
+                ofAll += found->second;
+                isWholeElsewhere = isWholeElsewhere || found->second >= expected;
+            }
+            const std::size_t there = isWholeElsewhere ? images : ofAll;
+            if (there >= expected) continue;
+            constexpr std::size_t kReconstructions = 3;
+            mayBeSeveral = mayBeSeveral || (expected % images == 0 && expected / images >= kReconstructions);
+            claim.count += expected - there;
+            said = acquisition.second;
+        }
+        if (claim.count == 0) return {};
+        claim.why = fmt::format("the images say that their acquisition has {} (ImagesInAcquisition)", said);
+        if (mayBeSeveral) claim.severity = Severity::info;
+        return claim;
+    }
+
+    static std::optional<Claim> claimOfSeriesCount(const Series& series) {
+        const std::size_t there = series.instances + series.objects.size();
+        std::size_t said = 0;
+        for (const Stack& stack : series.stacks) {
+            for (const Frame& frame : stack.frames)
+                said = std::max(said, static_cast<std::size_t>(
+                                          std::max(frame.instance->seriesRelatedInstances.value_or(0), 0)));
+        }
+        if (said <= there) return {};
+        return Claim{said - there, fmt::format("the images say that the series has {} "
+                                               "(NumberOfSeriesRelatedInstances)",
+                                               said)};
+    }
+
+    // PET says how many slices a volume has (PS3.3 C.8.9.1), of which the gaps are told elsewhere.
+    static std::optional<Claim> claimOfSlices(const Candidate& candidate) {
+        int said = 0;
+        for (const Frame& frame : candidate.stack->frames)
+            said = std::max(said, frame.instance->slicesOfVolume.value_or(0));
+        const auto there = static_cast<int>(candidate.stack->frames.size());
+        if (candidate.stack->modality != "PT" || said <= there) return {};
+        return Claim{static_cast<std::size_t>(said - there),
+                     fmt::format("the images say that a volume has {} slices (NumberOfSlices)", said)};
+    }
+
+    std::optional<Claim> claimOfDirectory(const Series& series) const {
+        const auto found = absent_.find(series.seriesInstanceUid);
+        if (found == absent_.end() || found->second.empty()) return {};
+        return Claim{found->second.size(), "the directory of the medium (DICOMDIR) lists them"};
+    }
+
+    // The ends beyond which the numbers lie that the directory of the medium lists; false unless each of them
+    // does.
+    bool reportListed(const Candidate& only) {
+        const auto& numbers = absent_.at(only.series->seriesInstanceUid);
+        std::array<std::size_t, 2> beyond{};
+        for (const std::optional<int>& number : numbers) {
+            if (!number) return false;
+            if (*number < only.numbering->lowest()) {
+                ++beyond[only.numbering->lowestIsFirst() ? 0 : 1];
+            } else if (*number > only.numbering->highest()) {
+                ++beyond[only.numbering->lowestIsFirst() ? 1 : 0];
+            } else {
+                return false;
+            }
+        }
+        for (std::size_t e = 0; e < kStackEnds.size(); ++e) {
+            if (beyond[e] == 0) continue;
+            tellEnd(*only.stack, kStackEnds[e],
+                    {beyond[e], "the directory of the medium (DICOMDIR) lists them"});
+        }
+        return true;
+    }
+
+    // What is counted, beyond what numbers told already and what is a gap.
+    void reportCounts(Series& series, std::size_t byNumbers) {
+        std::vector<Candidate*> own;
+        for (Candidate& candidate : candidates_) {
+            if (candidate.series == &series) own.push_back(&candidate);
+        }
+        const auto listed = claimOfDirectory(series);
+        if (own.empty() && !listed) return;
+        const bool isOne = own.size() == 1 && own.front()->numbering;
+        if (listed && isOne && byNumbers == 0 && gapsIn(series) == 0 && reportListed(*own.front())) return;
+        std::optional<Claim> claim = listed;
+        const auto ofSlices = own.size() == 1 ? claimOfSlices(*own.front()) : std::nullopt;
+        for (const auto& other : {claimOfSeriesCount(series), claimOfAcquisitions(series), ofSlices}) {
+            if (other && (!claim || other->count > claim->count)) claim = other;
+        }
+        if (!claim) return;
+        const std::size_t known = byNumbers + gapsIn(series) + series.filesLeftOut;
+        if (claim->count <= known) return;
+        claim->count -= known;
+        // From the first number on all are there, so that the others come after the last.
+        if (isOne && (own.front()->numbering->lowest() <= 1 || byNumbers > 0)) {
+            const bool up = own.front()->numbering->lowestIsFirst();
+            tellEnd(*own.front()->stack, up ? StackEnd::last : StackEnd::first, *claim);
+            return;
+        }
+        tell(series, message(key::kMissingImages, claim->severity,
+                             {{"count", std::int64_t(claim->count)}, {"evidence", claim->why}}));
+    }
+
+    std::vector<Series>& series_;
+    const AbsentImages& absent_;
+    std::vector<std::set<int>> numbers_;      // of each series, of all its images
+    std::vector<std::set<int>> ofVolumes_;    // of each series, of its candidates
+    std::vector<Acquisitions> acquisitions_;  // of each series
+    std::vector<Candidate> candidates_;
+};
+
+std::size_t objectsOf(const Series& series) {
+    return series.instances + series.objects.size() + series.filesLeftOut;
+}
+
+}  // namespace
+
+std::optional<Message> studyShortfall(const std::vector<Series>& series) {
+    std::size_t there = 0;
+    int said = 0;
+    for (const Series& s : series) {
+        there += objectsOf(s);
+        for (const Stack& stack : s.stacks) {
+            for (const Frame& frame : stack.frames)
+                said = std::max(said, frame.instance->studyRelatedInstances.value_or(0));
+        }
+    }
+    if (said <= 0 || static_cast<std::size_t>(said) <= there) return {};
+    return message(key::kStudyIncomplete, {{"count", std::int64_t(there)}, {"total", std::int64_t(said)}});
+}
+
+void reportMissingImages(std::vector<Series>& series, const AbsentImages& absent) {
+    StudyImages(series, absent).report();
+}
+
+}  // namespace macula::dicom
