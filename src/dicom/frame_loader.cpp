@@ -8,6 +8,7 @@
 
 #include "base/available_memory.h"
 #include "base/exceptions.h"
+#include "dicom/pixels/cell_alignment.h"
 #include "dicom/pixels/frame_decoder.h"
 
 namespace macula::dicom {
@@ -59,7 +60,8 @@ Result<LoadedFrame> decode(const Stack& stack, std::size_t frame, const CancelTo
     loaded.values.resize(count);
     Stack alone;
     alone.frames.push_back(stack.frames[frame]);
-    const std::array intensities{intensityOf(stack, frame)};
+    std::array intensities{intensityOf(stack, frame)};
+    alignCells(alone, intensities, cancel);
     const std::array targets{FrameDecoder::Target{.stored = {}, .values = loaded.values}};
     const IntensityPlan plan{.format = VoxelFormat::float32};
     FrameDecoder decoder(alone, intensities, plan, targets);

@@ -18,8 +18,9 @@ struct LoadedFrame {
 };
 
 // Decodes stack.frames[frame] and reads no other; also of a stack that is no volume. Bits beyond the stored
-// ones are dropped, without the look at other frames that loadVolume takes. Fails with inputNotUsable (of
-// colour too; `where` is the file), outOfMemory, or cancelled. May take long where the file does.
+// ones are dropped, and a HighBit that its pixels contradict is not believed, without the look at other
+// frames that loadVolume takes. Fails with inputNotUsable (of colour too; `where` is the file), outOfMemory,
+// or cancelled. May take long where the file does.
 Result<LoadedFrame> loadFrame(const Stack& stack, std::size_t frame, const CancelToken& cancel = {});
 
 }  // namespace macula::dicom

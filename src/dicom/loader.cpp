@@ -10,10 +10,11 @@
 #include "base/exceptions.h"
 #include "base/parallel.h"
 #include "dicom/pixels/alternation.h"
+#include "dicom/pixels/cell_alignment.h"
 #include "dicom/pixels/frame_decoder.h"
+#include "dicom/pixels/image_checks.h"
 #include "dicom/pixels/slice_sources.h"
 #include "dicom/pixels/value_unit.h"
-#include "dicom/split/odd_images.h"
 
 namespace macula::dicom {
 
@@ -77,7 +78,10 @@ DisplayWindow timesSuv(const DisplayWindow& window, double factor) {
 class Loading {
   public:
     Loading(const Series& series, const Stack& stack, const LoadOptions& options)
-        : series_(series), stack_(stack), suv_(options.inSuv ? suvFactorOf(stack) : std::nullopt) {
+        : series_(series),
+          stack_(stack),
+          suv_(options.inSuv ? suvFactorOf(stack) : std::nullopt),
+          samples_(stack.columns, stack.rows, stack.frames.size()) {
         for (const Frame& frame : stack.frames) intensities_.push_back(sliceIntensity(frame));
         if (auto said = completePadding(intensities_)) assumptions_.push_back(*said);
         plan_ = planFromFormats(intensities_);
@@ -90,14 +94,16 @@ class Loading {
         loose_ = static_cast<std::size_t>(std::ranges::count(ownSlice_, kNone));
     }
 
-    // The peak memory: all decoded voxels, and beside them first the coarse volume, later the narrowed one.
+    // The peak memory: all decoded voxels, and beside them samples, first the coarse volume, later the
+    // narrowed one.
     std::uint64_t bytesNeeded(const LoadOptions& options) const {
         const std::uint64_t cell = isFloat() ? sizeof(float) : sizeof(std::uint16_t);
         const std::uint64_t slices = stack_.slices.size();
         const std::uint64_t coarse = makesCoarse(options) ? slices / kCoarseStep + 1 : 0;
         const std::uint64_t narrow = plan_.steps ? slices : 0;
-        return std::uint64_t{sliceVoxels()} *
-               std::max(cell * (slices + loose_ + coarse), cell * slices + sizeof(std::uint16_t) * narrow);
+        return samples_.bytes() +
+               std::uint64_t{sliceVoxels()} * std::max(cell * (slices + loose_ + coarse),
+                                                       cell * slices + sizeof(std::uint16_t) * narrow);
     }
 
     Result<std::shared_ptr<const Volume>> run(Progress& progress, const LoadOptions& options);
@@ -130,12 +136,10 @@ class Loading {
     template <class T>
     void makeSlice(const SliceSource& source, std::span<const std::span<T>> frames,
                    std::span<T> result) const;
-    void leaveOutWhatNeedsMoreBits(const FrameDecoder& decoder, std::vector<bool>& usable);
     Result<void> drop(const FrameDecoder& decoder);
     template <class T>
     void finish(std::vector<T>& voxels, std::span<const std::span<T>> frames, Progress& progress);
-    template <class T>
-    void tellAlternation(const std::vector<T>& voxels);
+    void tellAlternation();
     VolumeOptions describe(std::size_t first, std::size_t step, std::span<const SliceSource> slices) const;
     Result<Volume> make(Progress& progress);
     void say(Message message) {
@@ -159,6 +163,7 @@ class Loading {
     std::vector<std::span<std::uint16_t>> storedFrames_;
     std::vector<std::span<float>> valueFrames_;
 
+    SliceSamples samples_;  // of the frames
     UsableSlices usable_;
     std::vector<std::string> assumptions_;
     std::vector<Message> messages_;
@@ -294,44 +299,12 @@ std::shared_ptr<const Volume> Loading::coarse(std::span<const std::size_t> frame
     return std::make_shared<const Volume>(std::move(*volume));
 }
 
-// Bits outside of the stored ones are dropped. In an image that declares fewer bits than most of the stack,
-// or in a few images of many, they belong to values that need them: then the truncated values are false, and
-// the image is left out.
-void Loading::leaveOutWhatNeedsMoreBits(const FrameDecoder& decoder, std::vector<bool>& usable) {
-    std::vector<int> bits;
-    std::vector<std::size_t> beyond;
-    for (std::size_t f = 0; f < usable.size(); ++f) {
-        if (!usable[f]) continue;
-        bits.push_back(intensities_[f].format.bitsStored);
-        if (decoder.cellsBeyondStoredBits(f) > 0) beyond.push_back(f);
-    }
-    if (beyond.empty()) return;
-    std::ranges::nth_element(bits, bits.begin() + static_cast<std::ptrdiff_t>(bits.size() / 2));
-    const int usual = bits[bits.size() / 2];
-    constexpr std::size_t kFewOf = 10;
-    const bool few = kFewOf * beyond.size() <= bits.size();
-    std::vector<const Frame*> leftOut;
-    for (const std::size_t f : beyond) {
-        if (!few && intensities_[f].format.bitsStored >= usual) continue;
-        usable[f] = false;
-        leftOut.push_back(&stack_.frames[f]);
-    }
-    if (!leftOut.empty()) {
-        say(message(key::kBitsExceeded,
-                    {{"count", std::int64_t(leftOut.size())}, {"numbers", describeNumbers(leftOut)}}));
-    }
-    if (leftOut.size() < beyond.size()) {
-        say(message(key::kBitsDropped, {{"count", std::int64_t(beyond.size() - leftOut.size())},
-                                        {"total", std::int64_t(bits.size())}}));
-    }
-}
-
 // Takes out what could not be decoded, and says so.
 Result<void> Loading::drop(const FrameDecoder& decoder) {
     const std::size_t count = stack_.frames.size();
     std::vector<bool> usable(count);
     for (std::size_t f = 0; f < count; ++f) usable[f] = decoder.state(f) == FrameState::decoded;
-    leaveOutWhatNeedsMoreBits(decoder, usable);
+    for (Message& told : checkImages(stack_, intensities_, decoder, samples_, usable)) say(std::move(told));
     std::size_t notFinite = 0;
     for (std::size_t f = 0; f < count; ++f) notFinite += usable[f] ? decoder.notFinite(f) : 0;
     if (notFinite > 0) say(message(key::kNonFiniteValues, {{"count", std::int64_t(notFinite)}}));
@@ -341,7 +314,7 @@ Result<void> Loading::drop(const FrameDecoder& decoder) {
         return {};
     }
     Error error = decoder.failure().value_or(
-        notUsable("The values of these need more bits than the images say.", "Export the series again."));
+        notUsable("The values of these cannot be what the images say.", "Export the series again."));
     error.message =
         fmt::format("{} of the {} images cannot be decoded. {}", count - good, count, error.message);
     if (good < 2 || 2 * good < count) return error;
@@ -398,20 +371,18 @@ void Loading::finish(std::vector<T>& voxels, std::span<const std::span<T>> frame
 }
 
 // Looks at the longest run of slices that are images.
-template <class T>
-void Loading::tellAlternation(const std::vector<T>& voxels) {
-    const std::size_t count = sliceVoxels();
-    std::vector<std::span<const T>> longest;
-    std::vector<std::span<const T>> run;
-    for (std::size_t k = 0; k < usable_.slices.size(); ++k) {
-        if (usable_.slices[k].interpolated()) {
+void Loading::tellAlternation() {
+    std::vector<std::span<const float>> longest;
+    std::vector<std::span<const float>> run;
+    for (const SliceSource& source : usable_.slices) {
+        if (source.interpolated()) {
             run.clear();
         } else {
-            run.push_back(std::span(voxels).subspan(k * count, count));
+            run.push_back(samples_[source.below]);
         }
         if (run.size() > longest.size()) longest = run;
     }
-    if (alternates(std::span<const std::span<const T>>(longest))) say(message(key::kAlternatingValues));
+    if (alternates(longest) || noiseAlternates(longest)) say(message(key::kAlternatingValues));
 }
 
 Result<Volume> Loading::make(Progress& progress) {
@@ -430,6 +401,10 @@ Result<Volume> Loading::make(Progress& progress) {
 
 Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const LoadOptions& options) {
     progress.beginStage(fmt::format("Decoding {} slices", stack_.frames.size()), stack_.frames.size());
+    if (const std::size_t moved = alignCells(stack_, intensities_, progress.token()); moved > 0) {
+        say(message(key::kBitsMisplaced,
+                    {{"count", std::int64_t(moved)}, {"total", std::int64_t(stack_.frames.size())}}));
+    }
     allocate();
     std::vector<FrameDecoder::Target> targets(stack_.frames.size());
     for (std::size_t f = 0; f < targets.size(); ++f) {
@@ -439,7 +414,7 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
             targets[f].stored = storedFrames_[f];
         }
     }
-    FrameDecoder decoder(stack_, intensities_, plan_, targets);
+    FrameDecoder decoder(stack_, intensities_, plan_, targets, &samples_);
     std::size_t coarseCount = 0;
     const std::vector<std::size_t> frames = order(coarseCount);
     std::function<void()> onFirst;
@@ -459,11 +434,10 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
     MACULA_TRY_VOID(drop(decoder));
     if (isFloat()) {
         finish<float>(values_, valueFrames_, progress);
-        if (!progress.cancelled()) tellAlternation(values_);
     } else {
         finish<std::uint16_t>(stored_, storedFrames_, progress);
-        if (!progress.cancelled()) tellAlternation(stored_);
     }
+    if (!progress.cancelled()) tellAlternation();
     looseStored_ = {};
     looseValues_ = {};
     if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};

@@ -46,8 +46,20 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kMissingFrames, kWarning, 7,
      "Frames that the files of this series should have, and that are not there: {missing} of {total}.",
      kCopySeries},
+    {key::kSurplusFrames, kWarning, 0,
+     "Files that hold more than the number of frames they give (NumberOfFrames): {files}. What is beyond is "
+     "not "
+     "shown: pixels or descriptions of {frames} frames.",
+     "Slices may be missing here; copy the series again from its source."},
     {key::kStrayBytes, kInfo, 0,
-     "A few stray bytes follow the pixel data in some files; the images are whole.", ""},
+     "Bytes follow the pixel data in some files and are no part of the images, which are whole: up to "
+     "{bytes}.",
+     ""},
+    {key::kRepeatedElement, kWarning, 0,
+     "Images in which attributes stand twice, with different values: {count} of {total} ({attributes}). Of "
+     "each the "
+     "first value is used.",
+     "Compare values and sizes with those that another program shows; have the images set right."},
     {key::kMissingSopClass, kWarning, 15,
      "Files of this series that do not say what kind of object they are: {count}.",
      "Check that the series is what it seems to be."},
@@ -107,6 +119,11 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      ""},
     {key::kInconsistentPixelSpacing, kInfo, 0,
      "The images have different pixel spacings, and were separated into {count} stacks.", ""},
+    {key::kInconsistentUnits, kWarning, 0,
+     "Images whose values are in another unit than those of the others, and that are a stack of their own: "
+     "{count} "
+     "({unit}).",
+     "Look at both; values of one cannot be compared with those of the other."},
     {key::kPhases, kInfo, 0,
      "Every position was imaged {count} times; each is a volume of its own, told apart by "
      "{attribute}.",
@@ -274,18 +291,25 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kColourImage, kBlocksVolume, 0, "The images are in colour; a volume needs one value per voxel.",
      kOther},
     {key::kUnsupportedBits, kBlocksVolume, 0,
-     "The pixels are neither whole numbers of 1, 8, 16 or 32 bits nor floating point.", kOther},
+     "The images do not say in a usable way which bits of a pixel hold its value: neither whole numbers in "
+     "1, "
+     "8, 16 or 32 bits nor floating point.",
+     kOther},
     {key::kUnsupportedTransferSyntax, kBlocksLoading, 0, "This version cannot decode the images: {syntax}.",
      "Export the series uncompressed or in JPEG 2000."},
     {key::kOddEncoding, kWarning, 0,
      "Images whose pixels this version cannot decode, and that were left out of the volume: {numbers}.",
      "Export the series uncompressed or in JPEG 2000."},
+    {key::kContradictedSyntax, kWarning, 0,
+     "The images say that their pixels are encoded as {said}, and they are as {found}, which they were read "
+     "as.",
+     "Have the images exported again; other programs may not read them."},
     {key::kGreyscaleAssumed, kInfo, 0,
      "The images do not say how a value is shown; greater ones were taken as brighter.", ""},
     {key::kMosaic, kBlocksVolume, 0,
      "Each image is a mosaic of many slices (Siemens), which this version does not unpack.",
      "Export the series again as one image for each slice, or convert it with dcm2niix."},
-    {key::kDose, kWarning, 0, "These values are a dose distribution, in {unit}, and no anatomy.",
+    {key::kDose, kWarning, 0, "These values are a dose distribution (unit: {unit}), and no anatomy.",
      "To see anatomy, choose the images that the treatment was planned on."},
     {key::kModalityLut, kInfo, 0, "The values come from a lookup table in the images, which was applied.",
      ""},
@@ -312,6 +336,21 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
      "its source."},
     {key::kPerSliceRescale, kInfo, 0,
      "Each image has its own rescale factors; they are applied image by image.", ""},
+    {key::kRescaleStep, kWarning, 0,
+     "Places where the values jump because the rescale slope or intercept changes and the stored numbers do "
+     "not: "
+     "{count}, first at slice {slice}, by {step:.4g}. The values on one side are wrong.",
+     "Do not rely on values of this volume; export the series again."},
+    {key::kOddValues, kWarning, 0,
+     "Images whose pixels {fault}, and that were left out of the volume: {numbers}.", kCopySeries},
+    {key::kOddValuesKept, kWarning, 0,
+     "Images whose pixels {fault}: {count} of {total}. They are shown as the images say.",
+     "Do not rely on the values; export the series again."},
+    {key::kUnlikeNeighbours, kWarning, 0,
+     "Images that differ from both of their neighbours far more than these from each other; they are shown "
+     "as "
+     "they are: {numbers}.",
+     "Compare these slices with their neighbours, and copy the series again from its source."},
     {key::kRealWorldValues, kInfo, 0,
      "The values are the real world values that the images define, in {unit}.", ""},
     {key::kSuvUnavailable, kInfo, 0,
@@ -322,6 +361,11 @@ constexpr std::array kCatalogue = std::to_array<CatalogueEntry>({
     {key::kBitsDropped, kWarning, 0,
      "Images with bits outside of those that they say hold the values: {count} of {total}. These bits were "
      "dropped.",
+     "Compare the values with those that another program shows."},
+    {key::kBitsMisplaced, kWarning, 0,
+     "Images that say that their values lie higher in a pixel (HighBit) than the bits in use: {count} of "
+     "{total}. "
+     "They were read from the lowest bit on; as the images say, values would be a fraction of these.",
      "Compare the values with those that another program shows."},
     {key::kNonFiniteValues, kWarning, 0,
      "Pixels that are no finite number: {count}. They are treated as outside of the scan.",

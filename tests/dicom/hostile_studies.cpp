@@ -201,6 +201,48 @@ Truths frameCountIsNoNumber(const fs::path& folder) {
     return {series};
 }
 
+Truths enhancedHoldsMoreFrames(const fs::path& folder) {
+    SyntheticSeries series;
+    series.shuffleNumbers = false;
+    writeMultiFrame(folder / "enhanced", series, slicesOf(series));
+    editFile(folder / "enhanced", text(DCM_NumberOfFrames, "9"));
+    return {};
+}
+
+// Values in the lowest bits of each cell, which the images say lie in the highest.
+Truths highBitIsWrong(const fs::path& folder) {
+    SyntheticSeries series;
+    series.format = {16, 12, 11, false};
+    for (const auto& file : writeFiles(folder, series))
+        editFile(file, [](DcmItem& item) { putWord(item, DCM_HighBit, 15); });
+    return {series};
+}
+
+// Changes the cells of one slice.
+SliceEdit cellsOfSlice(std::size_t n, std::function<Uint16(Uint16)> change) {
+    return [=](Slice& slice, std::size_t at) {
+        if (at != n) return;
+        slice.edits.push_back([change](DcmItem& item) {
+            const Uint16* cells = nullptr;
+            unsigned long count = 0;
+            ASSERT_TRUE(item.findAndGetUint16Array(DCM_PixelData, cells, &count).good());
+            std::vector<Uint16> changed(cells, cells + count);
+            for (Uint16& cell : changed) cell = change(cell);
+            ASSERT_TRUE(item.putAndInsertUint16Array(DCM_PixelData, changed.data(), changed.size()).good());
+        });
+    };
+}
+
+// From the seventh slice on one attribute is another, and the stored values are not.
+std::function<Truths(const fs::path&)> changesAtSeven(const DcmTagKey& tag, std::string after) {
+    return [tag, after = std::move(after)](const fs::path& folder) {
+        edited({}, [&](Slice& slice, std::size_t n) {
+            if (n >= 7) slice.edits.push_back(text(tag, after));
+        })(folder);
+        return Truths{};
+    };
+}
+
 // The identifiers of these levels are made anew for each slice.
 std::function<Truths(const fs::path&)> scattered(std::vector<DcmTagKey> levels) {
     return [levels = std::move(levels)](const fs::path& folder) {
@@ -422,6 +464,42 @@ std::vector<HostileStudy> make() {
             putWord(item, DCM_BitsStored, 8);
             putWord(item, DCM_HighBit, 7);
         });
+    add({"high-bit-wrong",
+         "values in the lowest 12 bits, of images that say the highest",
+         "one volume",
+         {key::kBitsMisplaced},
+         1,
+         highBitIsWrong});
+    const auto oddCells = [&](std::string_view name, std::string_view about,
+                              std::function<Uint16(Uint16)> change) {
+        add({name,
+             about,
+             "one volume in which that slice is interpolated",
+             {key::kOddValues, key::kGapInterpolated},
+             1,
+             edited({}, cellsOfSlice(5, std::move(change)))});
+    };
+    oddCells("slice-bytes-swapped", "the bytes of the pixels of one slice are exchanged",
+             [](Uint16 cell) { return static_cast<Uint16>(cell << 8 | cell >> 8); });
+    oddCells("slice-blank", "one slice is empty between others", [](Uint16) { return Uint16{0}; });
+    add({"intercept-changes",
+         "the rescale intercept changes by 1024 along the stack, and the stored values do not",
+         "one volume, with the values that each slice says",
+         {key::kChangesAlongStack, key::kRescaleStep},
+         1,
+         changesAtSeven(DCM_RescaleIntercept, "0")});
+    add({"unit-changes",
+         "Hounsfield units in one part, a concentration in the other",
+         "two volumes",
+         {key::kInconsistentUnits},
+         2,
+         changesAtSeven(DCM_RescaleType, "MGML")});
+    add({"frames-beyond",
+         "an enhanced object of 12 frames that claims 9",
+         "one volume of 9 slices",
+         {key::kSurplusFrames},
+         1,
+         enhancedHoldsMoreFrames});
     const auto perSlice = [&](std::string_view name, std::string_view about, std::vector<DcmTagKey> levels) {
         add({name,
              about,

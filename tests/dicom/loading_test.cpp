@@ -344,6 +344,59 @@ TEST(ValueUnit, isWhatTheImagesSay) {
     std::vector<Frame> different(2, ctFrame());
     different[1].rescaleType = "US";
     EXPECT_EQ(valueUnit("CT", different).unit, Unit::raw);
+    // HU by definition and HU by its word are the same.
+    different[1].rescaleType = "HU";
+    EXPECT_EQ(valueUnit("CT", different).unit, Unit::hounsfield);
+}
+
+// What a CT object holds that is called a map is no attenuation, unless its type says so.
+TEST(ValueUnit, ofMapsIsNotHounsfieldWithoutAWord) {
+    using Type = std::vector<std::string>;
+    const auto unitOf = [](const Type& type, const std::string& rescaleType = {}) {
+        Frame frame = ctFrame();
+        frame.imageType = type;
+        frame.rescaleType = rescaleType;
+        return valueUnit("CT", std::vector<Frame>(2, frame)).unit;
+    };
+    for (const Type& map :
+         {Type{"DERIVED", "SECONDARY", "AXIAL", "MAT_SPECIFIC"},
+          Type{"ORIGINAL", "PRIMARY", "VOLUME", "EFF_ATOMIC_NUM"},
+          Type{"ORIGINAL", "PRIMARY", "VOLUME", "ELECTRON_DENSITY"},
+          Type{"DERIVED", "SECONDARY", "IODINE NO WATER"}, Type{"DERIVED", "PRIMARY", "AXIAL", "DE_IODINE"},
+          Type{"DERIVED", "SECONDARY", "PERFUSION", "CBF"},
+          Type{"DERIVED", "SECONDARY", "OTHER", "Z EFFECTIVE"},
+          Type{"DERIVED", "SECONDARY", "OTHER", "Rho_Z"},
+          Type{"DERIVED", "PRIMARY", "VOLUME", "SUBTRACTION"}}) {
+        EXPECT_EQ(unitOf(map), Unit::raw) << map.back();
+        EXPECT_EQ(unitOf(map, "HU"), Unit::hounsfield) << map.back();
+    }
+    for (const Type& image :
+         {Type{}, Type{"ORIGINAL", "PRIMARY", "AXIAL"}, Type{"DERIVED", "SECONDARY", "AXIAL", "VMI"},
+          Type{"DERIVED", "SECONDARY", "MONOENERGETIC", "IODINE MONO 70"},
+          Type{"DERIVED", "SECONDARY", "AXIAL", "MAT_REMOVED"},
+          Type{"DERIVED", "SECONDARY", "AXIAL", "IODINE_REMOVED"},
+          Type{"DERIVED", "SECONDARY", "AXIAL", "VNC"}, Type{"DERIVED", "SECONDARY", "MPR", "AVERAGE"},
+          // What maps are made of.
+          Type{"ORIGINAL", "PRIMARY", "AXIAL", "PERFUSION"}})
+        EXPECT_EQ(unitOf(image), Unit::hounsfield) << (image.empty() ? "" : image.back());
+}
+
+// Any text may stand where a unit should: it is not repeated.
+TEST(ValueUnit, isATermOrAnother) {
+    for (const char* modality : {"CT", "MR", "PT", "RTDOSE", ""}) {
+        for (const char* text : {"DOE^JOHN", "Bq/ml of John Doe", "hu", "\xE2\x80\xAE"}) {
+            for (const bool inUnits : {false, true}) {
+                Frame frame = ctFrame();
+                (inUnits ? frame.units : frame.rescaleType) = text;
+                const ValueUnit unit = valueUnit(modality, std::vector<Frame>(2, frame));
+                EXPECT_EQ(unit.unit, Unit::other) << modality << text;
+                EXPECT_EQ(unit.name, "another unit") << modality << text;
+            }
+        }
+        Frame known = ctFrame();
+        known.rescaleType = "mm2/s";
+        EXPECT_EQ(valueUnit(modality, std::vector<Frame>(2, known)).name, "mm2/s") << modality;
+    }
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Whether every other slice of a volume is of another kind than those between.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 namespace macula::dicom {
@@ -10,7 +9,11 @@ namespace macula::dicom {
 // their differences that changes its sign with every slice, at the same place in the plane: noise and anatomy
 // have no more of it than of others, two acquisitions that were mixed have little else. False for fewer than
 // eight slices.
-bool alternates(std::span<const std::span<const std::uint16_t>> slices);
 bool alternates(std::span<const std::span<const float>> slices);
+
+// The same of their noise, as of a sharp and a soft kernel, whose values are the same: that of each slice,
+// between neighbours in a row, is above, or below, that of both slices beside it. `slices` are of
+// SliceSamples.
+bool noiseAlternates(std::span<const std::span<const float>> slices);
 
 }  // namespace macula::dicom

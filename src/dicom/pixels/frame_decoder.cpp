@@ -20,11 +20,12 @@ struct FrameDecoder::Worker {
 };
 
 FrameDecoder::FrameDecoder(const Stack& stack, std::span<const SliceIntensity> intensities,
-                           const IntensityPlan& plan, std::span<const Target> targets)
+                           const IntensityPlan& plan, std::span<const Target> targets, SliceSamples* samples)
     : stack_(stack),
       intensities_(intensities),
       plan_(plan),
       targets_(targets),
+      samples_(samples),
       states_(stack.frames.size(), FrameState::waiting),
       errors_(stack.frames.size()),
       beyondStoredBits_(stack.frames.size()),
@@ -74,9 +75,8 @@ Error FrameDecoder::decode(std::size_t f, Worker& worker, const CancelToken& can
         const std::span<std::uint16_t> cells = inFloat ? std::span(worker.cells) : targets_[f].stored;
         const auto read = worker.reader->read(frame.number, cells);
         if (failed(read)) return read.error();
-        if (!instance.overlayInPixels) {
-            beyondStoredBits_[f] = dicom::cellsBeyondStoredBits(intensity.format, intensity.padding, cells);
-        }
+        beyondStoredBits_[f] =
+            dicom::cellsBeyondStoredBits(intensity.format, intensity.padding, cells, instance.overlayBits);
         unpackCells(intensity.format, intensity.padding, cells);
         if (inFloat) {
             applyIntensity(intensity, cells, targets_[f].values);
@@ -84,6 +84,9 @@ Error FrameDecoder::decode(std::size_t f, Worker& worker, const CancelToken& can
             applyMap(plan_.slices[f], cells);
         }
     }
+    if (samples_ != nullptr && inFloat) samples_->take(f, targets_[f].values);
+    if (samples_ != nullptr && !inFloat)
+        samples_->take(f, targets_[f].stored, plan_.unitsFromStored, plan_.padding);
     states_[f] = FrameState::decoded;
     return {};
 }

@@ -10,6 +10,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "dicom/pixels/intensity.h"
+#include "dicom/pixels/slice_samples.h"
 #include "dicom/split/stack.h"
 
 namespace macula::dicom {
@@ -31,8 +32,9 @@ class FrameDecoder {
         std::span<float> values;
     };
 
+    // `samples`, unless null, is filled with those of the frames that could be decoded, while these are near.
     FrameDecoder(const Stack& stack, std::span<const SliceIntensity> intensities, const IntensityPlan& plan,
-                 std::span<const Target> targets);
+                 std::span<const Target> targets, SliceSamples* samples = nullptr);
 
     // Frames in this order; a file with many frames is opened once by each thread. `onFirst` is called once,
     // from a thread that decodes, when the first `count` of `order` are through, whether they could be
@@ -56,6 +58,7 @@ class FrameDecoder {
     std::span<const SliceIntensity> intensities_;
     const IntensityPlan& plan_;
     std::span<const Target> targets_;
+    SliceSamples* samples_;
     std::vector<FrameState> states_;  // each written by one thread, once
     std::vector<Error> errors_;
     std::vector<std::size_t> beyondStoredBits_;

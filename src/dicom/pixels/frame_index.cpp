@@ -95,22 +95,14 @@ FrameIndex oneEach(const Items& items, std::size_t frames) {
     return index;
 }
 
-bool beginsStream(Codec codec, std::span<const std::byte> bytes) {
-    const auto is = [&](std::initializer_list<int> wanted) {
-        return bytes.size() >= wanted.size() &&
-               std::equal(wanted.begin(), wanted.end(), bytes.begin(),
-                          [](int w, std::byte b) { return w == std::to_integer<int>(b); });
-    };
-    if (codec == Codec::jpeg || codec == Codec::jpegLs) return is({0xFF, 0xD8, 0xFF});
-    if (codec == Codec::jpeg2000)
-        return is({0xFF, 0x4F, 0xFF, 0x51}) || is({0, 0, 0, 0x0C, 0x6A, 0x50, 0x20, 0x20});
-    return false;
+bool beginsStream(std::span<const std::byte> bytes) {
+    return dicom::beginsStream({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()});
 }
 
-bool fragmentBeginsStream(const RandomFile& file, Codec codec, const Extent& fragment) {
+bool fragmentBeginsStream(const RandomFile& file, const Extent& fragment) {
     std::array<std::byte, 8> head;
     const auto bytes = std::span(head).first(std::min<std::uint64_t>(fragment.bytes, head.size()));
-    return file.read(fragment.offset, bytes) && beginsStream(codec, bytes);
+    return file.read(fragment.offset, bytes) && beginsStream(bytes);
 }
 
 // Whether a fragment ends with the end marker of JPEG, JPEG-LS and JPEG 2000 streams, and at most one byte of
@@ -125,33 +117,41 @@ bool fragmentEndsStream(const RandomFile& file, const Extent& fragment) {
     return endsAt(1) || endsAt(0);
 }
 
-// The index of frames of several fragments each, by the markers of their streams.
-std::optional<FrameIndex> byMarkers(const RandomFile& file, Codec codec, const Items& items,
-                                    std::size_t frames, bool afterEndsOnly) {
+// Where streams begin among the fragments: with a marker, and where `afterEndsOnly`, after the end of
+// another.
+std::vector<std::size_t> startsOf(const RandomFile& file, const Items& items, bool afterEndsOnly) {
     std::vector<std::size_t> starts;
     for (std::size_t i = 0; i < items.fragments.size(); ++i) {
-        if (!fragmentBeginsStream(file, codec, items.fragments[i])) continue;
+        if (!fragmentBeginsStream(file, items.fragments[i])) continue;
         if (i > 0 && afterEndsOnly && !fragmentEndsStream(file, items.fragments[i - 1])) continue;
         starts.push_back(i);
     }
-    if (starts.empty() || starts[0] != 0) return {};
-    if (starts.size() > frames || (items.whole && starts.size() != frames)) return {};
-    if (!items.whole && !fragmentEndsStream(file, items.fragments.back())) {
-        starts.pop_back();  // the last one may go on where the file does not
+    return starts;
+}
+
+// The index of frames of several fragments each, by the markers of their streams. Streams beyond `frames` are
+// no frames; where there are fewer, the last frames are missing.
+std::optional<FrameIndex> byMarkers(const RandomFile& file, const Items& items, std::size_t frames) {
+    std::vector<std::size_t> starts = startsOf(file, items, true);
+    if (starts.size() != frames) {
+        if (auto all = startsOf(file, items, false); all.size() == frames) starts = std::move(all);
     }
+    if (starts.empty() || starts[0] != 0) return {};
+    const std::size_t there = starts.size();
+    starts.push_back(items.fragments.size());
     FrameIndex index;
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-        const std::size_t end = i + 1 < starts.size() ? starts[i + 1] : items.fragments.size();
-        index.addFrame(std::span(items.fragments).subspan(starts[i], end - starts[i]));
+    for (std::size_t i = 0; i < std::min(there, frames); ++i) {
+        // The last one may go on where the file does not.
+        if (i + 1 == there && !items.whole && !fragmentEndsStream(file, items.fragments.back())) break;
+        index.addFrame(std::span(items.fragments).subspan(starts[i], starts[i + 1] - starts[i]));
     }
     return index;
 }
 
 // The index of several frames in one fragment: they are cut wherever one stream ends and another one begins.
 // Streams cannot hold these markers otherwise.
-std::optional<FrameIndex> insideOfOne(const RandomFile& file, Codec codec, const Extent& fragment,
-                                      std::size_t frames) {
-    if (!fragmentBeginsStream(file, codec, fragment)) return {};
+std::optional<FrameIndex> insideOfOne(const RandomFile& file, const Extent& fragment, std::size_t frames) {
+    if (!fragmentBeginsStream(file, fragment)) return {};
     constexpr std::size_t kStep = 1 << 16;
     constexpr std::size_t kOverlap = 16;
     std::vector<std::byte> buffer(kStep + kOverlap);
@@ -164,8 +164,8 @@ std::optional<FrameIndex> insideOfOne(const RandomFile& file, Codec codec, const
             if (bytes[i] != std::byte{0xFF} || i + 2 >= bytes.size() || bytes[i + 1] != std::byte{0xD9})
                 continue;
             const std::size_t end = i + 2;  // and at most one byte of padding, which may be 0 or FF
-            const std::size_t next = beginsStream(codec, bytes.subspan(end)) ? end : end + 1;
-            if (next > bytes.size() || !beginsStream(codec, bytes.subspan(next))) continue;
+            const std::size_t next = beginsStream(bytes.subspan(end)) ? end : end + 1;
+            if (next > bytes.size() || !beginsStream(bytes.subspan(next))) continue;
             if (starts.size() == frames) return {};
             starts.push_back(at + next);
         }
@@ -186,7 +186,11 @@ std::optional<FrameIndex> indexFrames(const RandomFile& file, std::uint64_t firs
     const Items items = readItems(file, firstItem, frames);
     const std::size_t count = items.fragments.size();
     if (count == 0 || frames == 0) return FrameIndex{};
+    const bool hasMarkers = codec == Codec::jpeg || codec == Codec::jpegLs || codec == Codec::jpeg2000;
     if (frames == 1) {
+        if (hasMarkers && count > 1 && items.whole) {
+            if (auto index = byMarkers(file, items, 1)) return index;
+        }
         FrameIndex index;
         if (!items.endsInside) index.addFrame(items.fragments);
         return index;
@@ -198,15 +202,13 @@ std::optional<FrameIndex> indexFrames(const RandomFile& file, std::uint64_t firs
     if (items.offsetTable.size() == frames) {
         if (auto index = byOffsets(items, items.offsetTable)) return index;
     }
-    if (codec == Codec::jpeg || codec == Codec::jpegLs || codec == Codec::jpeg2000) {
-        if (auto index = byMarkers(file, codec, items, frames, true)) return index;
-        if (auto index = byMarkers(file, codec, items, frames, false)) return index;
-        if (count == 1 && items.whole) return insideOfOne(file, codec, items.fragments[0], frames);
-        return {};
+    if (hasMarkers) {
+        if (count == 1 && items.whole) return insideOfOne(file, items.fragments[0], frames);
+        return byMarkers(file, items, frames);
     }
     // Run lengths, or no compression: one fragment each, always (PS3.5 A.4.2).
-    if (!items.whole && count <= frames) return oneEach(items, frames);
-    return {};
+    const bool isOneEach = count <= frames || startsOf(file, items, false).size() == count;
+    return isOneEach ? std::optional(oneEach(items, frames)) : std::nullopt;
 }
 
 }  // namespace macula::dicom

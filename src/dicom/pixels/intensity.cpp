@@ -134,16 +134,19 @@ void unpackCells(const CellFormat& format, const std::optional<RawRange>& paddin
 }
 
 std::size_t cellsBeyondStoredBits(const CellFormat& format, const std::optional<RawRange>& padding,
-                                  std::span<const std::uint16_t> cells) {
+                                  std::span<const std::uint16_t> cells, std::uint16_t overlays) {
     const int above = format.bitsAllocated - format.highBit - 1;
-    if (!isNarrow(format) || above <= 0) return 0;
-    const unsigned ones = (1u << above) - 1u;
+    const int below = format.highBit + 1 - format.bitsStored;
+    if (!isNarrow(format) || (above <= 0 && below <= 0)) return 0;
+    const auto without = static_cast<std::uint16_t>(~overlays);
+    const unsigned ones = (((1u << above) - 1u) << (format.highBit + 1)) & without;
+    const unsigned low = ((1u << below) - 1u) & without;
     std::size_t count = 0;
     for (const std::uint16_t cell : cells) {
-        const unsigned top = unsigned{cell} >> (format.highBit + 1) & ones;
-        if (top == 0) continue;
+        const unsigned top = unsigned{cell} & ones;
+        if (top == 0 && (unsigned{cell} & low) == 0) continue;
         const bool isNegative = format.isSigned && (unsigned{cell} >> format.highBit & 1u) != 0;
-        if (isNegative && top == ones) continue;
+        if (isNegative && top == ones && (unsigned{cell} & low) == 0) continue;
         const int whole = format.isSigned ? static_cast<std::int16_t>(cell) : static_cast<int>(cell);
         count += padding && padding->contains(whole) ? 0 : 1;
     }

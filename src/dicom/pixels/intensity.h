@@ -93,9 +93,10 @@ void unpackCells(const CellFormat& format, const std::optional<RawRange>& paddin
                  std::span<std::uint16_t> cells);
 
 // Cells, as in the file, with bits that `format` does not count among the stored ones, and that are no sign:
-// overlays (PS3.5 8.1.2), or values that need more bits. Padding is exempt.
+// overlays (PS3.5 8.1.2), or values that need more bits, or lie lower. Padding is exempt, and so are bits of
+// `overlays`, which the file declares.
 std::size_t cellsBeyondStoredBits(const CellFormat& format, const std::optional<RawRange>& padding,
-                                  std::span<const std::uint16_t> cells);
+                                  std::span<const std::uint16_t> cells, std::uint16_t overlays = 0);
 
 // The padding of one slice among its unpacked values.
 std::optional<StoredRange> unpackedPadding(const SliceIntensity& slice);

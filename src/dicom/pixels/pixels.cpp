@@ -12,6 +12,7 @@
 #include "dicom/read/byte_source.h"
 #include "dicom/read/dataset.h"
 #include "dicom/read/outline.h"
+#include "dicom/read/values.h"
 
 namespace macula::dicom {
 
@@ -35,14 +36,14 @@ Tag pixelTagOf(CellKind kind) {
     return tag::kPixelData;
 }
 
-// What the header says now; nothing when it does not say.
-std::optional<int> wordOf(const ElementTree& tree, Tag tag) {
+// What the header says now, in whatever VR, as Dataset::integer reads it; nothing when it does not say.
+std::optional<double> numberOf(const ElementTree& tree, Tag tag) {
     const Element* element = tree.find(tree.root(), tag);
-    if (element == nullptr || tree.value(*element).size() != 2) return {};
-    const std::string_view value = tree.value(*element);
-    const int low = static_cast<unsigned char>(value[element->bigEndian ? 1 : 0]);
-    const int high = static_cast<unsigned char>(value[element->bigEndian ? 0 : 1]);
-    return high << 8 | low;
+    if (element == nullptr) return {};
+    const Vr vr = element->vr == 0 || element->vr == vrOf("UN") ? dictionaryVr(tag) : element->vr;
+    if (isTextVr(vr)) return finiteNumber(tree.value(*element));
+    const auto values = binaryNumbers(vr, tree.value(*element), element->bigEndian);
+    return values.size() == 1 ? std::optional(values.front()) : std::nullopt;
 }
 
 std::vector<std::uint64_t> extendedOffsets(const ElementTree& tree) {
@@ -133,7 +134,7 @@ Result<void> PixelReader::Impl::open() {
     ElementTree tree;
     ByteSource source(path, cancel);
     const Outline outline = outlineOf(source, hasPreamble(source), &tree);
-    const auto same = [&](Tag tag, int wanted) { return wordOf(tree, tag).value_or(wanted) == wanted; };
+    const auto same = [&](Tag tag, int wanted) { return numberOf(tree, tag).value_or(wanted) == wanted; };
     if (outline.transferSyntaxUid != layout.transferSyntaxUid || !same(tag::kRows, layout.rows) ||
         !same(tag::kColumns, layout.columns) || !same(tag::kBitsAllocated, layout.format.bitsAllocated)) {
         return fail("The file has changed since the folder was read.", "Open the folder again.");
@@ -155,7 +156,7 @@ Result<void> PixelReader::Impl::open() {
     if (!pixels.encapsulated) {
         // The pixels may be compressed in name only: some archives change the transfer syntax and not the
         // pixels.
-        const bool fits = pixels.claimed * 8 / frameBits() == static_cast<unsigned>(layout.frames) &&
+        const bool fits = pixels.claimed * 8 / frameBits() >= static_cast<unsigned>(layout.frames) &&
                           pixels.claimed * 8 % frameBits() < 16;
         if (codec != Codec::native && !fits) return damaged();
         codec = Codec::native;

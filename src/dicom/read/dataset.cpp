@@ -4,6 +4,7 @@
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <limits>
 #include <new>
 
 #include "base/check.h"
@@ -271,8 +272,12 @@ std::vector<std::uint16_t> Dataset::words(Tag tag) const {
 
 std::optional<std::uint16_t> Dataset::word(Tag tag) const {
     const auto all = words(tag);
-    if (all.empty()) return {};
-    return all.front();
+    if (!all.empty()) return all.front();
+    const auto other = integer(tag);  // of another VR, as text
+    if (!other || *other < std::numeric_limits<std::int16_t>::min() ||
+        *other > std::numeric_limits<std::uint16_t>::max())
+        return {};
+    return static_cast<std::uint16_t>(*other);
 }
 
 std::uint32_t Dataset::offset() const {
@@ -286,6 +291,36 @@ std::vector<Dataset> Dataset::items(Tag sequence) const {
     all.reserve(hit.element->length);
     for (std::uint32_t i = 0; i < hit.element->length; ++i) all.push_back({file_, {hit.element->first + i}});
     return all;
+}
+
+std::size_t Dataset::itemCount(Tag sequence) const {
+    const Hit hit = find(sequence);
+    return hit && hit.element->isSequence ? hit.element->length : 0;
+}
+
+std::vector<Tag> Dataset::contradicted(std::span<const Tag> tags) const {
+    std::vector<Tag> found;
+    const auto isSame = [&](const Element& a, const Element& b, std::uint32_t item) {
+        if (a.isSequence || b.isSequence) return false;
+        const std::string_view one = file_->tree.value(a);
+        const std::string_view other = file_->tree.value(b);
+        if (trimmed(one) == trimmed(other) && a.hasValue == b.hasValue) return a.hasValue || a.length == 0;
+        const auto number = [&](const Element& element, std::string_view value) {
+            const Vr vr = file_->vrOf(element, item);
+            return isTextVr(vr) ? finiteNumber(value) : std::optional<double>();
+        };
+        const auto ofOne = number(a, one);
+        return ofOne && ofOne == number(b, other);
+    };
+    for (const std::uint32_t item : items_) {
+        for (const Element* again : file_->tree.repeated(item)) {
+            const Tag tag = again->tag;
+            if (std::ranges::find(tags, tag) == tags.end() || std::ranges::find(found, tag) != found.end())
+                continue;
+            if (!isSame(*file_->tree.find(item, tag), *again, item)) found.push_back(tag);
+        }
+    }
+    return found;
 }
 
 int Dataset::frameCount() const {
@@ -348,8 +383,8 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
     if (kind == Sniff::bareDataset && !saysWhatItIs) return {FileState::notDicom, {}};
     if (!saysWhatItIs && !outline.pixels && !dataset.has(tag::kDirectoryRecords))
         return {FileState::damaged, {}};
-    HeaderFile read{
-        .state = FileState::complete, .header = dataset, .strayBytes = outline.strayBytesAfterPixels};
+    HeaderFile read{.state = FileState::complete, .header = dataset, .strayBytes = outline.strayBytes};
+    read.contradictedSyntaxUid = std::move(outline.contradictedSyntaxUid);
     if (outline.pixels) {
         const PixelDataOutline& pixels = *outline.pixels;
         if (!pixels.whole) read.state = FileState::truncated;
@@ -358,7 +393,11 @@ HeaderFile readHeader(const fs::path& file, const CancelToken& cancel) try {
                                       .encapsulated = pixels.encapsulated,
                                       .offset = pixels.offset,
                                       .bytesClaimed = pixels.claimed,
-                                      .bytesPresent = pixels.present};
+                                      .bytesPresent = pixels.present,
+                                      .fragments = pixels.fragments,
+                                      .streams = pixels.streams,
+                                      .whole = pixels.whole,
+                                      .repeated = pixels.repeated};
     }
     return read;
 } catch (const std::bad_alloc&) {

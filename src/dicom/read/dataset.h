@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -60,8 +61,9 @@ class Dataset {
                                                std::size_t count) const;  // exactly `count`, all finite
     std::vector<double> allNumbers(Tag tag) const;  // every value; none when any of them is no number
     std::optional<int> integer(Tag tag) const;
-    std::optional<std::uint16_t> word(Tag tag) const;  // the 16 bits of a US or SS, whichever the file says
-    std::vector<std::uint16_t> words(Tag tag) const;   // all of US, SS or OW; of bytes, two make one
+    // The 16 bits of a US or SS, whichever the file says; also of a whole number in another VR.
+    std::optional<std::uint16_t> word(Tag tag) const;
+    std::vector<std::uint16_t> words(Tag tag) const;  // all of US, SS or OW; of bytes, two make one
 
     // Some text of what this view shows (without what lies in sequences) is not in the character set that the
     // file declares, and was read as what it most likely is: see character_set.h.
@@ -73,6 +75,11 @@ class Dataset {
 
     // The items of a sequence, in their order; none when it is missing or no sequence.
     std::vector<Dataset> items(Tag sequence) const;
+    std::size_t itemCount(Tag sequence) const;
+
+    // Of these elements, those that stand twice in one item of what this view shows, with different values:
+    // of each the first one is read, as DCMTK does. Sequences that stand twice count as different.
+    std::vector<Tag> contradicted(std::span<const Tag> tags) const;
 
     // The number of frames that the file claims; 1 when it does not say (PS3.3 C.7.6.6).
     int frameCount() const;
@@ -102,14 +109,19 @@ struct PixelDataExtent {
         0;  // of the value, or of the first item; in a deflated file, in what it inflates to
     std::uint64_t bytesClaimed = 0;  // 0 when encapsulated
     std::uint64_t bytesPresent = 0;  // of those; 0 when encapsulated
+    std::uint64_t fragments = 0;     // and streams: see PixelDataOutline
+    std::uint64_t streams = 0;
+    bool whole = false;
+    bool repeated = false;
 };
 
 struct HeaderFile {
     FileState state = FileState::notDicom;
     std::optional<Dataset> header;                       // when complete or truncated
     std::optional<std::uint64_t> nativePixelBytes = {};  // what the pixel data claim, unless encapsulated
-    bool strayBytes = false;  // something follows the pixel data that is no element
+    std::uint64_t strayBytes = 0;                        // that follow the pixel data and are no elements
     std::optional<PixelDataExtent> pixels = {};
+    std::string contradictedSyntaxUid = {};  // see Outline
 };
 
 // The 128 bytes and DICM of PS3.10 7.1 are there.

@@ -29,6 +29,9 @@ void ElementTree::closeItem() {
                     .count = static_cast<std::uint32_t>(openElements_.end() - begin),
                     .offset = openItems_.back().offset};
     elements_.insert(elements_.end(), begin, openElements_.end());
+    for (std::size_t i = item.first + std::size_t{1}; i < elements_.size(); ++i) {
+        if (elements_[i].tag == elements_[i - 1].tag) repeated_.push_back(static_cast<std::uint32_t>(i));
+    }
     openElements_.erase(begin, openElements_.end());
     openItems_.pop_back();
     if (openSequences_.empty()) {
@@ -79,6 +82,15 @@ void ElementTree::finish() {
         if (openItems_.size() <= openSequences_.size()) closeSequence();
         closeItem();
     }
+}
+
+std::vector<const Element*> ElementTree::repeated(ItemNumber item) const {
+    const Item& range = items_[item];
+    std::vector<const Element*> found;
+    for (auto at = std::ranges::lower_bound(repeated_, range.first);
+         at != repeated_.end() && *at < range.first + range.count; ++at)
+        found.push_back(&elements_[*at]);
+    return found;
 }
 
 const Element* ElementTree::find(ItemNumber item, Tag tag) const {

@@ -57,6 +57,8 @@ class ElementTree {
         return {elements_.data() + items_[item].first, items_[item].count};  // sorted by tag
     }
     const Element* find(ItemNumber item, Tag tag) const;  // the first, should there be more; null when none
+    // Elements of the item that have the tag of another before them; no file should have any (PS3.5 7.1).
+    std::vector<const Element*> repeated(ItemNumber item) const;
     std::string_view value(const Element& element) const {
         return element.hasValue ? std::string_view(values_).substr(element.first, element.length)
                                 : std::string_view();
@@ -82,6 +84,7 @@ class ElementTree {
 
     std::string values_;
     std::vector<Element> elements_;
+    std::vector<std::uint32_t> repeated_;  // in elements_, ascending
     std::vector<Item> items_;
     ItemNumber root_ = kNone;
 

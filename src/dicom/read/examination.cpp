@@ -11,17 +11,6 @@ namespace macula::dicom {
 
 namespace {
 
-// The bits that one frame takes in uncompressed pixel data; 0 when the file does not say.
-std::uint64_t bitsPerFrame(const Instance& instance, const Dataset& header) {
-    const int bits = header.integer(tag::kBitsAllocated).value_or(0);
-    if (instance.rows <= 0 || instance.columns <= 0 || bits <= 0 || bits > 64) return 0;
-    // Two pixels share their chroma samples: PS3.3 C.7.6.3.1.2.
-    const bool halfChroma = instance.photometricInterpretation.ends_with("_422");
-    const int samples = halfChroma ? 2 : std::clamp(instance.samplesPerPixel, 1, 4);
-    return static_cast<std::uint64_t>(instance.rows) * static_cast<std::uint64_t>(instance.columns) *
-           static_cast<std::uint64_t>(samples) * static_cast<std::uint64_t>(bits);
-}
-
 // Frames after the end of the file are dropped. An image that loses all of them is truncated.
 void dropFramesCutOff(Examination& found, const HeaderFile& read) {
     if (!read.pixels) return;
@@ -31,7 +20,8 @@ void dropFramesCutOff(Examination& found, const HeaderFile& read) {
         if (found.state == FileState::truncated && found.frames.size() > 1) found.state = FileState::complete;
         return;
     }
-    const std::uint64_t bits = bitsPerFrame(*found.frames.front().instance, *read.header);
+    const Instance& instance = *found.frames.front().instance;
+    const std::uint64_t bits = bitsPerFrame(instance, *read.header);
     if (bits == 0) return;
     const std::uint64_t whole = 8 * pixels.bytesPresent / bits;
     if (whole >= found.frames.size()) {

@@ -1,6 +1,7 @@
 #include "dicom/read/instance.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "dicom/read/frame_plane.h"
@@ -35,7 +36,12 @@ std::optional<CellFormat> readFormat(const Dataset& header) {
 int mostFrames(const std::filesystem::path& file, const HeaderFile& read) {
     const Dataset& header = *read.header;
     std::uint64_t most = 1;
-    if (read.pixels && read.pixels->encapsulated) {
+    const bool isRead = transferSyntaxInfo(header.transferSyntaxUid()).codec != Codec::unsupported;
+    if (read.pixels && read.pixels->encapsulated && read.pixels->whole && read.pixels->fragments > 1 &&
+        isRead) {
+        // One fragment may hold several frames, and of several each begins one or goes on with it.
+        most = read.pixels->streams > 0 ? read.pixels->streams : read.pixels->fragments;
+    } else if (read.pixels && read.pixels->encapsulated) {
         constexpr std::uint64_t kFragmentHeader = 8;
         std::error_code error;
         const std::uintmax_t size = std::filesystem::file_size(file, error);
@@ -53,11 +59,102 @@ int mostFrames(const std::filesystem::path& file, const HeaderFile& read) {
     return static_cast<int>(std::clamp<std::uint64_t>(most, 1, kMostFrames));
 }
 
-bool hasOverlayInPixels(const Dataset& header) {
+std::uint16_t overlayBitsOf(const Dataset& header) {
+    unsigned bits = 0;
     for (std::uint16_t group = 0x6000; group <= 0x601E; group += 2) {
-        if (header.integer(Tag{group, tag::kOverlayBitPositionElement}).value_or(0) > 0) return true;
+        const int bit = header.integer(Tag{group, tag::kOverlayBitPositionElement}).value_or(0);
+        if (bit > 0 && bit < 16) bits |= 1u << bit;
     }
-    return false;
+    return static_cast<std::uint16_t>(bits);
+}
+
+// How many frames more than NumberOfFrames the file has pixels or functional groups for.
+double framesBeyond(const Instance& instance, const HeaderFile& read) {
+    const auto claimed = static_cast<double>(instance.framesClaimed);
+    auto there = static_cast<double>(read.header->itemCount(tag::kPerFrameFunctionalGroups));
+    if (read.pixels && read.pixels->encapsulated) {
+        there = std::max(there, static_cast<double>(read.pixels->streams));
+    } else if (read.pixels && instance.rows > 0) {
+        // Less than a row is padding.
+        const auto bits = static_cast<double>(bitsPerFrame(instance, *read.header));
+        const double held = bits > 0.0 ? 8.0 * static_cast<double>(read.pixels->bytesPresent) / bits : 0.0;
+        if (held >= claimed + 1.0 / instance.rows) there = std::max(there, held);
+    }
+    return std::max(0.0, there - claimed);
+}
+
+// What the values and the place of voxels, and whose they are, depend on.
+struct Decisive {
+    Tag tag;
+    std::string_view keyword;
+};
+
+constexpr std::array kDecisive = std::to_array<Decisive>({
+    {tag::kImageType, "ImageType"},
+    {tag::kSopClassUid, "SOPClassUID"},
+    {tag::kModality, "Modality"},
+    {tag::kPatientName, "PatientName"},
+    {tag::kPatientId, "PatientID"},
+    {tag::kPatientBirthDate, "PatientBirthDate"},
+    {tag::kPatientWeight, "PatientWeight"},
+    {tag::kSliceThickness, "SliceThickness"},
+    {tag::kSpacingBetweenSlices, "SpacingBetweenSlices"},
+    {tag::kImagerPixelSpacing, "ImagerPixelSpacing"},
+    {tag::kStudyInstanceUid, "StudyInstanceUID"},
+    {tag::kSeriesInstanceUid, "SeriesInstanceUID"},
+    {tag::kInstanceNumber, "InstanceNumber"},
+    {tag::kPatientOrientation, "PatientOrientation"},
+    {tag::kImagePositionPatient, "ImagePositionPatient"},
+    {tag::kImageOrientationPatient, "ImageOrientationPatient"},
+    {tag::kFrameOfReferenceUid, "FrameOfReferenceUID"},
+    {Tag{0x0020, 0x9113}, "PlanePositionSequence"},
+    {Tag{0x0020, 0x9116}, "PlaneOrientationSequence"},
+    {tag::kSamplesPerPixel, "SamplesPerPixel"},
+    {tag::kPhotometricInterpretation, "PhotometricInterpretation"},
+    {tag::kNumberOfFrames, "NumberOfFrames"},
+    {tag::kRows, "Rows"},
+    {tag::kColumns, "Columns"},
+    {tag::kPixelSpacing, "PixelSpacing"},
+    {tag::kBitsAllocated, "BitsAllocated"},
+    {tag::kBitsStored, "BitsStored"},
+    {tag::kHighBit, "HighBit"},
+    {tag::kPixelRepresentation, "PixelRepresentation"},
+    {tag::kPixelPaddingValue, "PixelPaddingValue"},
+    {tag::kPixelPaddingRangeLimit, "PixelPaddingRangeLimit"},
+    {tag::kRescaleIntercept, "RescaleIntercept"},
+    {tag::kRescaleSlope, "RescaleSlope"},
+    {tag::kRescaleType, "RescaleType"},
+    {tag::kModalityLutSequence, "ModalityLUTSequence"},
+    {Tag{0x0028, 0x9110}, "PixelMeasuresSequence"},
+    {Tag{0x0028, 0x9145}, "PixelValueTransformationSequence"},
+    {tag::kRealWorldValueMapping, "RealWorldValueMappingSequence"},
+    {tag::kRadiopharmaceuticalInformation, "RadiopharmaceuticalInformationSequence"},
+    {tag::kUnits, "Units"},
+    {tag::kDecayCorrection, "DecayCorrection"},
+    {tag::kDoseUnits, "DoseUnits"},
+    {tag::kGridFrameOffsetVector, "GridFrameOffsetVector"},
+    {tag::kDoseGridScaling, "DoseGridScaling"},
+    {tag::kSharedFunctionalGroups, "SharedFunctionalGroupsSequence"},
+    {tag::kPerFrameFunctionalGroups, "PerFrameFunctionalGroupsSequence"},
+});
+
+std::vector<std::string_view> contradictedOf(const Dataset& dataset) {
+    static const std::vector<Tag> tags = [] {
+        std::vector<Tag> all;
+        for (const Decisive& decisive : kDecisive) all.push_back(decisive.tag);
+        return all;
+    }();
+    std::vector<std::string_view> keywords;
+    for (const Tag& found : dataset.contradicted(tags))
+        keywords.push_back(std::ranges::find(kDecisive, found, &Decisive::tag)->keyword);
+    return keywords;
+}
+
+// Code Strings are in capitals (PS3.5 6.2); some writers do not know.
+std::string inCapitals(std::string text) {
+    std::ranges::transform(text, text.begin(),
+                           [](char c) { return c >= 'a' && c <= 'z' ? char(c - 32) : c; });
+    return text;
 }
 
 std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const HeaderFile& read) {
@@ -67,10 +164,12 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
     instance->sopClassUid = header.text(tag::kSopClassUid).value_or("");
     instance->sopInstanceUid = header.text(tag::kSopInstanceUid).value_or("");
     instance->transferSyntaxUid = header.transferSyntaxUid();
-    instance->modality = header.text(tag::kModality).value_or("");
+    instance->contradictedSyntaxUid = read.contradictedSyntaxUid;
+    instance->modality = inCapitals(header.text(tag::kModality).value_or(""));
     instance->modalityMissing = instance->modality.empty();
     if (instance->modalityMissing) instance->modality = modalityOfClass(instance->sopClassUid);
-    instance->photometricInterpretation = header.text(tag::kPhotometricInterpretation).value_or("");
+    instance->photometricInterpretation =
+        inCapitals(header.text(tag::kPhotometricInterpretation).value_or(""));
     instance->instanceNumber = header.integer(tag::kInstanceNumber);
     instance->acquisitionNumber = header.integer(tag::kAcquisitionNumber);
     instance->imagesInAcquisition = header.integer(tag::kImagesInAcquisition);
@@ -92,7 +191,9 @@ std::shared_ptr<Instance> readShared(const std::filesystem::path& file, const He
     instance->lossy =
         header.text(tag::kLossyImageCompression) == "01" || isLossy(instance->transferSyntaxUid);
     instance->strayBytes = read.strayBytes;
-    instance->overlayInPixels = hasOverlayInPixels(header);
+    if (read.pixels && !read.pixels->encapsulated) instance->pixelBytes = read.pixels->bytesPresent;
+    instance->framesBeyond = framesBeyond(*instance, read);
+    instance->overlayBits = overlayBitsOf(header);
     instance->concatenationUid = header.text(tag::kConcatenationUid).value_or("");
     instance->concatenationTotal = header.integer(tag::kInConcatenationTotalNumber).value_or(0);
     instance->suv = suvOf(header);
@@ -108,6 +209,7 @@ Frame readFrame(const Dataset& header, const Dataset& dataset, std::shared_ptr<c
     readPlane(header, dataset, offsetMm, frame);
     readValues(dataset, frame);
     frame.attributes = readAttributes(splitRules(), dataset);
+    frame.contradicted = contradictedOf(dataset);
     return frame;
 }
 
@@ -124,6 +226,16 @@ void dropWhatAllShare(const FrameLists& lists, std::vector<Frame>& frames) {
 }
 
 }  // namespace
+
+std::uint64_t bitsPerFrame(const Instance& instance, const Dataset& header) {
+    const int bits = header.integer(tag::kBitsAllocated).value_or(0);
+    if (instance.rows <= 0 || instance.columns <= 0 || bits <= 0 || bits > 64) return 0;
+    // Two pixels share their chroma samples: PS3.3 C.7.6.3.1.2.
+    const bool halfChroma = instance.photometricInterpretation.ends_with("_422");
+    const int samples = halfChroma ? 2 : std::clamp(instance.samplesPerPixel, 1, 4);
+    return static_cast<std::uint64_t>(instance.rows) * static_cast<std::uint64_t>(instance.columns) *
+           static_cast<std::uint64_t>(samples) * static_cast<std::uint64_t>(bits);
+}
 
 std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFile& read) {
     const Dataset& header = *read.header;
@@ -146,6 +258,9 @@ std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFil
             *frames[at].modalityLut == *frames[at - 1].modalityLut) {
             frames[at].modalityLut = frames[at - 1].modalityLut;
         }
+    }
+    if (read.pixels && read.pixels->repeated) {
+        for (Frame& frame : frames) frame.contradicted.emplace_back("PixelData");
     }
     dropWhatAllShare(lists, frames);
     return frames;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "dicom/pixels/intensity.h"
@@ -23,7 +24,8 @@ struct Instance {
     std::filesystem::path file;
     std::string sopClassUid;
     std::string sopInstanceUid;
-    std::string transferSyntaxUid;
+    std::string transferSyntaxUid;      // of the pixels
+    std::string contradictedSyntaxUid;  // the one that the file names, where it is another
     std::string photometricInterpretation;
     std::string modality;          // that of the SOP class where the file does not say; else empty then
     bool modalityMissing = false;  // Modality, which each image has to have (type 1, PS3.3 C.7.3.1)
@@ -41,8 +43,10 @@ struct Instance {
     bool multiFrame = false;        // NumberOfFrames is there: positions may lie in functional groups
     bool greyscaleAssumed = false;  // PhotometricInterpretation is missing, as in ACR-NEMA files
     bool lossy = false;             // compressed with loss, now or before
-    bool strayBytes = false;        // see HeaderFile
-    bool overlayInPixels = false;   // bits outside the stored ones are an overlay (retired: PS3.3 2004 C.9.2)
+    std::uint64_t strayBytes = 0;   // see HeaderFile
+    std::uint64_t pixelBytes = 0;   // of the pixel data, where these are uncompressed
+    double framesBeyond = 0.0;      // that the file has pixels or descriptions for beyond NumberOfFrames
+    std::uint16_t overlayBits = 0;  // of a cell, that hold an overlay (retired: PS3.3 2004 C.9.2)
     Suv suv;
     std::string concatenationUid;  // PS3.3 C.7.6.16.2.2.4; empty when the file is no part of one
     int concatenationTotal = 0;    // 0: not said
@@ -86,7 +90,12 @@ struct Frame {
     bool hasDisplayTable = false;  // VOI LUT Sequence, PS3.3 C.11.2.1.1
 
     std::vector<std::string> attributes;  // of splitRules()
+    // Keywords of what the values and the place of voxels depend on and the file says twice, differently.
+    std::vector<std::string_view> contradicted;
 };
+
+// The bits that one frame takes in uncompressed pixel data; 0 when the file does not say.
+std::uint64_t bitsPerFrame(const Instance& instance, const Dataset& header);
 
 // The frames of a header that has Rows and Columns; one entry per frame of the file, at least one.
 std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFile& read);

@@ -8,9 +8,11 @@
 #include <charconv>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dicom/read/dataset.h"
+#include "dicom/read/transfer_syntax.h"
 
 namespace macula::dicom {
 
@@ -100,7 +102,11 @@ class Walk {
             }
         }
         outline_.headerWhole = outline_.pixels || endedWell_;
-        outline_.strayBytesAfterPixels = outline_.pixels && outline_.pixels->whole && !endedWell_;
+        if (outline_.pixels && outline_.pixels->whole && !endedWell_) {
+            outline_.strayBytes = source_.inflating() || source_.fileBytes() <= wellUntil_
+                                      ? 1
+                                      : source_.fileBytes() - wellUntil_;
+        }
         if (tree_) tree_->finish();
         return outline_;
     }
@@ -217,6 +223,7 @@ class Walk {
             return false;
         }
         const Encoding encoding = levels_.empty() ? encoding_ : levels_.back().encoding;
+        if (levels_.empty()) wellUntil_ = source_.position();
         Header header;
         if (!readHeader(encoding, header)) return false;
         if (source_.inflating() && source_.position() > inflatedLimit()) return inflatesTooFar();
@@ -227,10 +234,21 @@ class Walk {
         }
         if (header.tag.group == 0xFFFE) return false;
         if (levels_.empty() && header.tag.key() > tag::kPixelData.key()) {
-            endedWell_ = true;
+            endedWell_ = !outline_.pixels || isPlausibleAfterPixels(header, encoding);
             return false;
         }
+        if (levels_.empty() && outline_.pixels) {
+            // Elements ascend (PS3.5 7.1): after the pixel data only their like may come.
+            if (!isPixelData(header.tag)) return false;
+            outline_.pixels->repeated = true;
+        }
         return stepIntoElement(header, encoding);
+    }
+
+    // Whether what follows the pixel data is an element, and no stray bytes or further pixels.
+    bool isPlausibleAfterPixels(const Header& header, const Encoding& encoding) const {
+        if (encoding.explicitVr && header.vr == 0) return false;
+        return header.length == kUndefined || source_.inflating() || header.length <= source_.bytesLeft();
     }
 
     bool stepInSequence(const Header& header) {
@@ -243,12 +261,29 @@ class Walk {
             if (header.length == kUndefined) return false;
             if (source_.inflating() && source_.position() + header.length > inflatedLimit())
                 return inflatesTooFar();
+            if (levels_.back().ofPixels) noteFragment(header.length);
             return source_.skip(header.length);
         }
         constexpr std::uint64_t kItemHeaderBytes = 8;
         if (tree_) tree_->openItem(source_.position() - kItemHeaderBytes);
         levels_.push_back({.end = endOf(header.length), .encoding = levels_.back().encoding});
         return true;
+    }
+
+    // Looks at how a fragment of the image begins.
+    void noteFragment(std::uint32_t bytes) {
+        if (std::exchange(beforeOffsetTable_, false)) return;  // the first item is that table
+        PixelDataOutline& pixels = *outline_.pixels;
+        constexpr std::size_t kMostMarkers = 4096;  // of what precedes the frame header of JPEG
+        constexpr std::size_t kMagic = 16;
+        const auto most = [&](std::size_t count) { return std::min<std::size_t>(count, bytes); };
+        if (beginsStream(source_.ahead(most(kMagic)))) ++pixels.streams;
+        if (++pixels.fragments > 1 || bytes == 0) return;
+        const std::string_view found =
+            syntaxInstead(outline_.transferSyntaxUid, source_.ahead(most(kMostMarkers)));
+        if (found.empty()) return;
+        outline_.contradictedSyntaxUid = std::move(outline_.transferSyntaxUid);
+        outline_.transferSyntaxUid = found;
     }
 
     bool stepIntoElement(const Header& header, const Encoding& encoding) {
@@ -406,7 +441,9 @@ class Walk {
     std::optional<std::uint64_t> groupEnd_;
     std::vector<Level> levels_;
     std::size_t depth_ = 0;
-    bool endedWell_ = false;  // at the end of the file, or past where pixel data are
+    bool endedWell_ = false;         // at the end of the file, or past where pixel data are
+    std::uint64_t wellUntil_ = 0;    // where the last element of the top level ends
+    bool beforeOffsetTable_ = true;  // of the encapsulated image
     std::uint64_t rows_ = 0, columns_ = 0, samples_ = 1, bits_ = 16, frames_ = 1;
 };
 

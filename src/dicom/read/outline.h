@@ -20,11 +20,16 @@ namespace macula::dicom {
 struct PixelDataOutline {
     Tag tag{};
     bool encapsulated = false;
-    std::uint64_t offset = 0;   // in the file (in what it inflates to, when deflated): of the value, or of
-                                // its first item when encapsulated
-    std::uint64_t claimed = 0;  // bytes, unless encapsulated
-    std::uint64_t present = 0;  // of these, those that are there
-    bool whole = false;         // to their end, with all fragments
+    std::uint64_t offset = 0;     // in the file (in what it inflates to, when deflated): of the value, or of
+                                  // its first item when encapsulated
+    std::uint64_t claimed = 0;    // bytes, unless encapsulated
+    std::uint64_t present = 0;    // of these, those that are there
+    bool whole = false;           // to their end, with all fragments
+    std::uint64_t fragments = 0;  // encapsulated: after the Basic Offset Table
+    // Of the fragments, those that begin like a stream of JPEG, JPEG-LS, JPEG 2000 or run lengths. Each frame
+    // of these has one such fragment, unless several frames are in one.
+    std::uint64_t streams = 0;
+    bool repeated = false;  // pixel data stand in the file a second time
 };
 
 struct Outline {
@@ -36,11 +41,13 @@ struct Outline {
     // Everything before the pixel data could be read; without pixel data, up to the end of the file.
     bool headerWhole = false;
     std::optional<PixelDataOutline> pixels;
-    // The pixel data are whole, and something follows that is no element.
-    bool strayBytesAfterPixels = false;
+    // Bytes that follow whole pixel data and are no elements; in a deflated file 1 when there are any.
+    std::uint64_t strayBytes = 0;
     std::uint64_t datasetOffset = 0;  // in the file: where the file meta information ends
-    // The UID of the file meta information; where there is none, that of what the dataset turned out to be.
+    // The UID of the file meta information; where there is none, that of what the dataset turned out to be,
+    // and where the pixels are streams of another encoding, one of that encoding.
     std::string transferSyntaxUid;
+    std::string contradictedSyntaxUid;  // of the file meta information, where pixels are encoded otherwise
 
     // Within the bounds of any real object.
     bool isPlausible() const { return !nestedTooDeep && !inflatesTooFar && !headerTooLarge; }

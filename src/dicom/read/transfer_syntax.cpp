@@ -43,6 +43,51 @@ constexpr std::array kTable = std::to_array<Row>({
     {"1.2.840.10008.1.2.4.203", {Codec::unsupported, "High-Throughput JPEG 2000"}},
 });
 
+constexpr std::string_view kJpegLossless = "1.2.840.10008.1.2.4.57";
+constexpr std::string_view kJpegFirstOrder = "1.2.840.10008.1.2.4.70";
+
+// The syntax of a stream by its frame header (ISO 10918-1 B.2.2, ISO 14495-1 C.2.2).
+std::string_view syntaxOfJpeg(std::span<const unsigned char> stream) {
+    std::size_t at = 2;
+    while (at + 4 <= stream.size() && stream[at] == 0xFF) {
+        switch (stream[at + 1]) {
+            case 0xFF:  // a fill byte
+                ++at;
+                continue;
+            case 0xC0:
+                return "1.2.840.10008.1.2.4.50";
+            case 0xC1:
+                return "1.2.840.10008.1.2.4.51";
+            case 0xC2:
+                return "1.2.840.10008.1.2.4.55";
+            case 0xC3:
+                return kJpegLossless;
+            case 0xF7:
+                return "1.2.840.10008.1.2.4.80";
+            default:
+                at += 2 + (std::size_t{stream[at + 2]} << 8 | stream[at + 3]);
+        }
+    }
+    return {};
+}
+
+// The header of run lengths: the number of segments, and the first of them right after it (PS3.5 G.5).
+bool isRunLengths(std::span<const unsigned char> fragment) {
+    constexpr std::array<unsigned char, 7> kRest{0, 0, 0, 64, 0, 0, 0};
+    return fragment.size() > kRest.size() && fragment[0] >= 1 && fragment[0] <= 15 &&
+           std::equal(kRest.begin(), kRest.end(), fragment.begin() + 1);
+}
+
+// A syntax that decodes a fragment that begins like this; empty when nothing is known.
+std::string_view syntaxOf(std::span<const unsigned char> fragment) {
+    if (isRunLengths(fragment)) return "1.2.840.10008.1.2.5";
+    if (!beginsStream(fragment)) return {};
+    if (fragment[0] == 0xFF && fragment[1] == 0xD8) return syntaxOfJpeg(fragment);
+    // Rsiz of the SIZ marker: bit 14 stands for High-Throughput (ISO 15444-15 A.2).
+    const bool isHighThroughput = fragment[0] == 0xFF && fragment.size() > 6 && (fragment[6] & 0x40u) != 0;
+    return isHighThroughput ? "1.2.840.10008.1.2.4.203" : "1.2.840.10008.1.2.4.91";
+}
+
 }  // namespace
 
 TransferSyntaxInfo transferSyntaxInfo(std::string_view uid) {
@@ -56,6 +101,29 @@ std::string describeTransferSyntax(std::string_view uid) {
     const std::string_view name = transferSyntaxInfo(uid).name;
     return fmt::format("{} ({})", name.empty() ? "unknown compression" : name,
                        isUid ? uid : "no valid identifier");
+}
+
+bool beginsStream(std::span<const unsigned char> bytes) {
+    const auto is = [&](std::initializer_list<unsigned char> wanted) {
+        return bytes.size() >= wanted.size() && std::equal(wanted.begin(), wanted.end(), bytes.begin());
+    };
+    return is({0xFF, 0xD8, 0xFF}) || is({0xFF, 0x4F, 0xFF, 0x51}) ||
+           is({0x00, 0x00, 0x00, 0x0C, 0x6A, 0x50, 0x20, 0x20}) || isRunLengths(bytes);
+}
+
+std::string_view syntaxInstead(std::string_view named, std::span<const unsigned char> fragment) {
+    const std::string_view found = syntaxOf(fragment);
+    const Codec codec = transferSyntaxInfo(named).codec;
+    const Codec inUse = transferSyntaxInfo(found).codec;
+    if (found.empty() || codec == Codec::unsupported) return {};
+    // Pixels without compression, which may be in fragments too, can look like the header of run lengths.
+    if (named == "1.2.840.10008.1.2.1.98" && inUse == Codec::rle) return {};
+    if (codec != inUse) return found;
+    // The processes of JPEG have decoders of their own: with and without loss.
+    const auto isLossless = [](std::string_view uid) {
+        return uid == kJpegLossless || uid == kJpegFirstOrder;
+    };
+    return codec == Codec::jpeg && isLossless(named) != isLossless(found) ? found : std::string_view();
 }
 
 bool isLossy(std::string_view uid) {

@@ -1,5 +1,7 @@
 #include "dicom/split/changes_along_stack.h"
 
+#include <algorithm>
+#include <string>
 #include <vector>
 
 namespace macula::dicom {
@@ -25,6 +27,39 @@ std::int64_t sliceOf(const Stack& stack, std::size_t frame) {
     return static_cast<std::int64_t>(slice) + 1;
 }
 
+void tell(Stack& stack, const std::string& attribute, const std::vector<std::size_t>& places) {
+    Message told = message(key::kChangesAlongStack, {{"attribute", attribute},
+                                                     {"slice", sliceOf(stack, places.front())},
+                                                     {"changes", std::int64_t(places.size())}});
+    stack.assumptions.push_back(told.sentence);
+    stack.messages.push_back(std::move(told));
+}
+
+// The few places at which the rescale changes. That of PET and of some MR changes from image to image, and a
+// few images with another one are told by their numbers.
+void tellRescaleChanges(Stack& stack) {
+    const auto isTold = [](const Message& m) { return m.key == key::kDeviatingRescale; };
+    if (std::ranges::any_of(stack.messages, isTold)) return;
+    std::vector<std::size_t> places;
+    bool ofSlope = false;
+    bool ofIntercept = false;
+    for (std::size_t f = 1; f < stack.frames.size(); ++f) {
+        const Frame& before = stack.frames[f - 1];
+        const Frame& here = stack.frames[f];
+        if (before.slope == here.slope && before.intercept == here.intercept) continue;
+        ofSlope = ofSlope || before.slope != here.slope;
+        ofIntercept = ofIntercept || before.intercept != here.intercept;
+        places.push_back(f);
+    }
+    constexpr std::size_t kFewOf = 8;
+    if (places.empty() || kFewOf * places.size() > stack.frames.size()) return;
+    tell(stack,
+         ofSlope && ofIntercept ? "RescaleSlope and RescaleIntercept"
+         : ofSlope              ? "RescaleSlope"
+                                : "RescaleIntercept",
+         places);
+}
+
 }  // namespace
 
 void tellChanges(Stack& stack, const SplitRules& rules) {
@@ -35,12 +70,9 @@ void tellChanges(Stack& stack, const SplitRules& rules) {
         if (!rule.modality.empty() && rule.modality != stack.modality) continue;
         const auto places = changesOf(stack, rules, rule.attribute);
         if (places.empty() || (rule.step == Step::once && places.size() != 1)) continue;
-        Message told = message(key::kChangesAlongStack, {{"attribute", rules.attributes[rule.attribute].name},
-                                                         {"slice", sliceOf(stack, places.front())},
-                                                         {"changes", std::int64_t(places.size())}});
-        stack.assumptions.push_back(told.sentence);
-        stack.messages.push_back(std::move(told));
+        tell(stack, rules.attributes[rule.attribute].name, places);
     }
+    tellRescaleChanges(stack);
 }
 
 }  // namespace macula::dicom

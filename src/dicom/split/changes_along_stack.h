@@ -8,7 +8,7 @@ namespace macula::dicom {
 
 // Values that come of another kernel, contrast or acquisition step where it changes, and a step reads as
 // pathology: gives a stack that is a volume one warning for each attribute of the rules' steps that changes
-// along it.
+// along it, and for a rescale that changes at a few places.
 void tellChanges(Stack& stack, const SplitRules& rules);
 
 }  // namespace macula::dicom

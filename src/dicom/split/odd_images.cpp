@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <set>
 
+#include "dicom/pixels/value_unit.h"
 #include "dicom/read/transfer_syntax.h"
 
 namespace macula::dicom {
@@ -200,6 +202,41 @@ std::vector<bool> oddPositions(const std::vector<Frame>& frames) {
     return odd;
 }
 
+// The units of frames that say one, those of most first; fewer than two when they agree. A frame that says
+// none may be in any.
+std::vector<std::string> unitsOf(const std::vector<Frame>& frames, const std::string& modality) {
+    std::map<std::string, std::size_t> counts;
+    for (const Frame& frame : frames) {
+        if (std::string term = unitTerm(modality, frame); !term.empty()) ++counts[std::move(term)];
+    }
+    std::vector<std::string> units;
+    for (const auto& [unit, count] : counts) units.push_back(unit);
+    std::ranges::stable_sort(units, [&](const std::string& a, const std::string& b) {
+        return std::pair(counts[a], a == "HU") > std::pair(counts[b], b == "HU");
+    });
+    return units;
+}
+
+// Takes the frames in each unit but that of most out of `frames`, as a stack for each unit.
+std::vector<OddImages> takeOtherUnits(std::vector<Frame>& frames, const std::string& modality) {
+    std::vector<OddImages> taken;
+    const std::vector<std::string> units = unitsOf(frames, modality);
+    for (std::size_t u = 1; u < units.size(); ++u) {
+        OddImages other{.frames = {}, .label = {}, .message = {}};
+        std::vector<Frame> kept;
+        for (Frame& frame : frames)
+            (unitTerm(modality, frame) == units[u] ? other.frames : kept).push_back(std::move(frame));
+        frames = std::move(kept);
+        const std::string name = unitText(valueUnit(modality, other.frames));
+        const std::string text = name.empty() ? "another unit" : name;
+        other.label = {modality == "PT" ? "Units" : "RescaleType", text};
+        other.message =
+            message(key::kInconsistentUnits, {{"count", std::int64_t(other.frames.size())}, {"unit", text}});
+        taken.push_back(std::move(other));
+    }
+    return taken;
+}
+
 // Takes the frames that `odd` names out of `frames`.
 OddImages take(std::vector<Frame>& frames, const std::vector<bool>& odd, StackLabel label,
                std::string_view key) {
@@ -218,7 +255,7 @@ OddImages take(std::vector<Frame>& frames, const std::vector<bool>& odd, StackLa
 }  // namespace
 
 std::vector<OddImages> takeOddImages(std::vector<Frame>& frames, const std::string& modality) {
-    std::vector<OddImages> taken;
+    std::vector<OddImages> taken = takeOtherUnits(frames, modality);
     const auto takeThose = [&](const std::vector<bool>& odd, const char* attribute, std::string_view key) {
         const auto count = static_cast<std::size_t>(std::ranges::count(odd, true));
         if (count > 0 && count < frames.size())

@@ -18,6 +18,7 @@ struct OddImages {
 
 // Takes them out of `frames`, which agree in everything hard (split_rules.h), so that each is a gap in the
 // volume of the others:
+//   - values in another unit than those of most, which are never in one volume with these;
 //   - pixels in a transfer syntax or of bits that cannot be read, where most can be;
 //   - rescale slope or intercept missing or unusable where others have both, unless 1 and 0 are what all
 //   others have; of the other sign than most; or of a size that no value can have (PS3.3 C.11.1);

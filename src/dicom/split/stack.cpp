@@ -69,6 +69,67 @@ std::vector<const Frame*> deviatingRescales(const std::vector<Frame>& frames) {
     return deviating;
 }
 
+std::string bytesText(std::uint64_t bytes) {
+    constexpr std::uint64_t kKilo = 1000;
+    if (bytes < 10 * kKilo) return fmt::format("{} bytes", bytes);
+    if (bytes < 10 * kKilo * kKilo) return fmt::format("{} kB", bytes / kKilo);
+    return fmt::format("{} MB", bytes / (kKilo * kKilo));
+}
+
+// Tells what files hold beyond the frames that they say they have.
+void tellWhatIsBeyond(Stack& stack) {
+    std::set<const Instance*> instances;
+    for (const Frame& frame : stack.frames) instances.insert(frame.instance.get());
+    std::int64_t files = 0;
+    double frames = 0.0;
+    std::uint64_t bytes = 0;
+    bool isMoreThanImages = false;
+    for (const Instance* instance : instances) {
+        files += instance->framesBeyond > 0.0 ? 1 : 0;
+        frames += instance->framesBeyond;
+        bytes = std::max(bytes, instance->strayBytes);
+        isMoreThanImages =
+            isMoreThanImages || (instance->pixelBytes > 0 && instance->strayBytes >= instance->pixelBytes);
+    }
+    if (files > 0)
+        tell(stack,
+             message(key::kSurplusFrames, {{"files", files}, {"frames", fmt::format("{:.3g}", frames)}}));
+    if (bytes > 0) {
+        // As many bytes as the images have may be further images.
+        tell(stack, message(key::kStrayBytes, isMoreThanImages ? Severity::warning : Severity::info,
+                            {{"bytes", bytesText(bytes)}}));
+    }
+}
+
+// Tells of files whose pixels are encoded otherwise than they say.
+void tellContradictedSyntaxes(Stack& stack) {
+    std::set<std::pair<std::string, std::string>> pairs;
+    for (const Frame& frame : stack.frames) {
+        const Instance& instance = *frame.instance;
+        if (!instance.contradictedSyntaxUid.empty())
+            pairs.emplace(instance.contradictedSyntaxUid, instance.transferSyntaxUid);
+    }
+    for (const auto& [said, found] : pairs) {
+        tell(stack, message(key::kContradictedSyntax, {{"said", describeTransferSyntax(said)},
+                                                       {"found", describeTransferSyntax(found)}}));
+    }
+}
+
+// Tells of attributes that images say twice, and differently.
+void tellRepeatedElements(Stack& stack) {
+    std::set<std::string_view> keywords;
+    for (const Frame& frame : stack.frames)
+        keywords.insert(frame.contradicted.begin(), frame.contradicted.end());
+    if (keywords.empty()) return;
+    std::string list;
+    for (const std::string_view keyword : keywords) list += (list.empty() ? "" : ", ") + std::string(keyword);
+    const auto count =
+        std::ranges::count_if(stack.frames, [](const Frame& f) { return !f.contradicted.empty(); });
+    tell(stack, message(key::kRepeatedElement, {{"count", std::int64_t(count)},
+                                                {"total", std::int64_t(stack.frames.size())},
+                                                {"attributes", list}}));
+}
+
 void assessPixels(Stack& stack) {
     const Frame& first = stack.frames.front();
     if (any(stack, [](const Frame& f) {
@@ -92,6 +153,7 @@ void assessPixels(Stack& stack) {
     }
     std::set<std::string> syntaxes;
     for (const Frame& frame : stack.frames) syntaxes.insert(frame.instance->transferSyntaxUid);
+    tellContradictedSyntaxes(stack);
     for (const std::string& uid : syntaxes) {
         if (transferSyntaxInfo(uid).codec != Codec::unsupported) continue;
         tell(stack, message(key::kUnsupportedTransferSyntax, {{"syntax", describeTransferSyntax(uid)}}));
@@ -99,8 +161,7 @@ void assessPixels(Stack& stack) {
     if (any(stack, [](const Frame& f) { return f.instance->greyscaleAssumed; }))
         tell(stack, message(key::kGreyscaleAssumed));
     if (any(stack, isMosaic)) tell(stack, message(key::kMosaic));
-    if (any(stack, [](const Frame& f) { return f.instance->strayBytes; }))
-        tell(stack, message(key::kStrayBytes));
+    tellWhatIsBeyond(stack);
     if (any(stack, [](const Frame& f) { return f.instance->lossy; })) tell(stack, message(key::kLossySource));
     if (any(stack, [](const Frame& f) { return f.hasDisplayTable; }))
         tell(stack, message(key::kDisplayTable));
@@ -143,11 +204,13 @@ void assessRescale(Stack& stack, const std::string& modality) {
                         : message(key::kDeviatingRescale, {{"numbers", describeNumbers(deviating)}}));
     }
     if (any(stack, [](const Frame& f) { return f.realWorld; })) {
-        tell(stack, message(key::kRealWorldValues, {{"unit", first.rescaleType}}));
+        const std::string unit = unitText(valueUnit(modality, stack.frames));
+        tell(stack,
+             message(key::kRealWorldValues, {{"unit", unit.empty() ? "a unit that is not named" : unit}}));
     }
     if (modality == "RTDOSE") {
-        const std::string unit = valueUnit(modality, stack.frames).name;
-        tell(stack, message(key::kDose, {{"unit", unit.empty() ? "a unit that is not named" : unit}}));
+        const std::string unit = unitText(valueUnit(modality, stack.frames));
+        tell(stack, message(key::kDose, {{"unit", unit.empty() ? "not named" : unit}}));
     }
     if (modality == "PT") {
         Suv suv = first.instance->suv;
@@ -319,6 +382,7 @@ void assess(Stack& stack, const std::string& modality) {
     stack.columns = stack.frames.front().instance->columns;
     stack.rows = stack.frames.front().instance->rows;
     tellMissingModality(stack);
+    tellRepeatedElements(stack);
     assessPixels(stack);
     assessRescale(stack, modality);
     if (isLocalizer(stack)) tell(stack, message(key::kLocalizer));

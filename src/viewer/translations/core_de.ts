@@ -699,8 +699,24 @@
         <translation>Einzelbilder, die die Dateien dieser Serie haben sollten und die fehlen: %1 von %2.</translation>
     </message>
     <message>
-        <source>A few stray bytes follow the pixel data in some files; the images are whole.</source>
-        <translation>In manchen Dateien folgen ein paar überzählige Bytes auf die Pixeldaten; die Bilder sind vollständig.</translation>
+        <source>Compare values and sizes with those that another program shows; have the images set right.</source>
+        <translation>Vergleichen Sie Werte und Größen mit denen, die ein anderes Programm zeigt; lassen Sie die Bilder berichtigen.</translation>
+    </message>
+    <message>
+        <source>Images in which attributes stand twice, with different values: %1 of %2 (%3). Of each the first value is used.</source>
+        <translation>Bilder, in denen Attribute zweimal mit verschiedenen Werten stehen: %1 von %2 (%3). Von jedem gilt der erste Wert.</translation>
+    </message>
+    <message>
+        <source>Slices may be missing here; copy the series again from its source.</source>
+        <translation>Hier können Schichten fehlen; kopieren Sie die Serie noch einmal von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>Files that hold more than the number of frames they give (NumberOfFrames): %1. What is beyond is not shown: pixels or descriptions of %2 frames.</source>
+        <translation>Dateien, die mehr enthalten, als die Zahl ihrer Einzelbilder (NumberOfFrames) angibt: %1. Was darüber hinausgeht, wird nicht gezeigt: Pixel oder Beschreibungen von %2 Einzelbildern.</translation>
+    </message>
+    <message>
+        <source>Bytes follow the pixel data in some files and are no part of the images, which are whole: up to %1.</source>
+        <translation>In manchen Dateien folgen auf die Pixeldaten Bytes, die nicht zu den Bildern gehören; diese sind vollständig: bis zu %1.</translation>
     </message>
     <message>
         <source>Images that do not say by what kind of device they were taken (Modality): %1 of %2; they were taken for %3.</source>
@@ -1271,8 +1287,8 @@
         <translation>Die Bilder sind farbig; ein Volumen braucht einen Wert je Voxel.</translation>
     </message>
     <message>
-        <source>The pixels are neither whole numbers of 1, 8, 16 or 32 bits nor floating point.</source>
-        <translation>Die Pixel sind weder ganze Zahlen mit 1, 8, 16 oder 32 Bit noch Gleitkommazahlen.</translation>
+        <source>The images do not say in a usable way which bits of a pixel hold its value: neither whole numbers in 1, 8, 16 or 32 bits nor floating point.</source>
+        <translation>Die Bilder sagen nicht auf brauchbare Weise, welche Bits eines Pixels seinen Wert enthalten: weder ganze Zahlen in 1, 8, 16 oder 32 Bit noch Gleitkommazahlen.</translation>
     </message>
     <message>
         <source>This version cannot decode the images: %1.</source>
@@ -1299,16 +1315,40 @@
         <translation>Exportieren Sie die Serie noch einmal mit einem Bild je Schicht, oder wandeln Sie sie mit dcm2niix um.</translation>
     </message>
     <message>
-        <source>These values are a dose distribution, in %1, and no anatomy.</source>
-        <translation>Diese Werte sind eine Dosisverteilung in %1 und keine Anatomie.</translation>
+        <source>These values are a dose distribution (unit: %1), and no anatomy.</source>
+        <translation>Diese Werte sind eine Dosisverteilung (Einheit: %1) und keine Anatomie.</translation>
+    </message>
+    <message>
+        <source>Have the images exported again; other programs may not read them.</source>
+        <translation>Lassen Sie die Bilder neu exportieren; andere Programme lesen sie vielleicht nicht.</translation>
+    </message>
+    <message>
+        <source>The images say that their pixels are encoded as %1, and they are as %2, which they were read as.</source>
+        <translation>Die Bilder geben an, ihre Pixel seien als %1 codiert; sie sind es als %2 und wurden so gelesen.</translation>
+    </message>
+    <message>
+        <source>Look at both; values of one cannot be compared with those of the other.</source>
+        <translation>Sehen Sie sich beide an; die Werte des einen sind nicht mit denen des anderen vergleichbar.</translation>
+    </message>
+    <message>
+        <source>Images whose values are in another unit than those of the others, and that are a stack of their own: %1 (%2).</source>
+        <translation>Bilder, deren Werte in einer anderen Einheit sind als die der übrigen und die ein eigener Stapel sind: %1 (%2).</translation>
     </message>
     <message>
         <source>To see anatomy, choose the images that the treatment was planned on.</source>
         <translation>Um Anatomie zu sehen, wählen Sie die Bilder, auf denen die Behandlung geplant wurde.</translation>
     </message>
     <message>
-        <source>of the reference dose</source>
-        <translation>der Referenzdosis</translation>
+        <source>× reference dose</source>
+        <translation>× Referenzdosis</translation>
+    </message>
+    <message>
+        <source>not named</source>
+        <translation>nicht genannt</translation>
+    </message>
+    <message>
+        <source>another unit</source>
+        <translation>eine andere Einheit</translation>
     </message>
     <message>
         <source>The values come from a lookup table in the images, which was applied.</source>
@@ -1345,6 +1385,10 @@
     <message>
         <source>their rescale type is another</source>
         <translation>ihr Rescale Type ist ein anderer</translation>
+    </message>
+    <message>
+        <source>their image type is that of a map, as of a material or of perfusion</source>
+        <translation>ihr Image Type ist der einer Karte, etwa eines Materials oder der Perfusion</translation>
     </message>
     <message>
         <source>their lookup table does not say what it leads to</source>
@@ -1389,6 +1433,50 @@
     <message>
         <source>Images whose values need more bits than they say, and that were left out of the volume: %1.</source>
         <translation>Bilder, deren Werte mehr Bits brauchen, als sie angeben, und die im Volumen fehlen: %1.</translation>
+    </message>
+    <message>
+        <source>Compare these slices with their neighbours, and copy the series again from its source.</source>
+        <translation>Vergleichen Sie diese Schichten mit ihren Nachbarn, und kopieren Sie die Serie noch einmal von ihrer Quelle.</translation>
+    </message>
+    <message>
+        <source>Images that differ from both of their neighbours far more than these from each other; they are shown as they are: %1.</source>
+        <translation>Bilder, die von beiden Nachbarn weit mehr abweichen als diese voneinander; sie werden gezeigt, wie sie sind: %1.</translation>
+    </message>
+    <message>
+        <source>have one value, in whole or from some row on, between images that go on there</source>
+        <translation>ganz oder ab einer Zeile einen einzigen Wert haben, zwischen Bildern, die dort weitergehen,</translation>
+    </message>
+    <message>
+        <source>have their bytes in the wrong order</source>
+        <translation>ihre Bytes in falscher Reihenfolge haben</translation>
+    </message>
+    <message>
+        <source>have another sign than they say (PixelRepresentation)</source>
+        <translation>ein anderes Vorzeichen haben, als sie angeben (PixelRepresentation),</translation>
+    </message>
+    <message>
+        <source>Do not rely on the values; export the series again.</source>
+        <translation>Verlassen Sie sich nicht auf die Werte; exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Images whose pixels %1: %2 of %3. They are shown as the images say.</source>
+        <translation>Bilder, deren Pixel %1: %2 von %3. Sie werden gezeigt, wie die Bilder es angeben.</translation>
+    </message>
+    <message>
+        <source>Images whose pixels %1, and that were left out of the volume: %2.</source>
+        <translation>Bilder, deren Pixel %1 und die im Volumen fehlen: %2.</translation>
+    </message>
+    <message>
+        <source>Do not rely on values of this volume; export the series again.</source>
+        <translation>Verlassen Sie sich nicht auf Werte dieses Volumens; exportieren Sie die Serie noch einmal.</translation>
+    </message>
+    <message>
+        <source>Places where the values jump because the rescale slope or intercept changes and the stored numbers do not: %1, first at slice %2, by %3. The values on one side are wrong.</source>
+        <translation>Stellen, an denen die Werte springen, weil sich Rescale Slope oder Intercept ändert und die gespeicherten Zahlen nicht: %1, zuerst bei Schicht %2, um %3. Die Werte auf einer Seite sind falsch.</translation>
+    </message>
+    <message>
+        <source>Images that say that their values lie higher in a pixel (HighBit) than the bits in use: %1 of %2. They were read from the lowest bit on; as the images say, values would be a fraction of these.</source>
+        <translation>Bilder, die angeben, ihre Werte lägen höher im Pixel (HighBit) als die benutzten Bits: %1 von %2. Sie wurden vom niedrigsten Bit an gelesen; nach den Angaben wären die Werte ein Bruchteil davon.</translation>
     </message>
     <message>
         <source>Images with bits outside of those that they say hold the values: %1 of %2. These bits were dropped.</source>

@@ -105,6 +105,21 @@ TEST_F(ForeignFiles, aDoseSaysSoAndItsUnit) {
     EXPECT_EQ(told->severity, Severity::warning);
 }
 
+TEST_F(ForeignFiles, aRelativeDoseSaysWhatItIsRelativeTo) {
+    series.modality = "RTDOSE";
+    series.sopClassUid = UID_RTDoseStorage;
+    series.writeRescale = false;
+    series.edits.push_back([](DcmItem& item) {
+        put(item, DCM_DoseGridScaling, "0.01");
+        put(item, DCM_DoseUnits, "RELATIVE");
+    });
+    writeFiles(folder.path(), series);
+    const Message* told = open().find(key::kDose);
+    ASSERT_NE(told, nullptr);
+    EXPECT_EQ(told->sentence,
+              "These values are a dose distribution (unit: × reference dose), and no anatomy.");
+}
+
 TEST_F(ForeignFiles, withoutTheDictionaryNothingIsReadAndItIsSaid) {
     writeFiles(folder.path(), series);
     dcmDataDict.wrlock().clear();

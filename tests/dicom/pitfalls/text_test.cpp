@@ -351,5 +351,40 @@ TEST_F(D26Identity, nothingSaidNamesThePatient) {
     EXPECT_EQ(said.find("PLUGH77"), std::string::npos) << said;
 }
 
+// A name where only terms should stand: RescaleType, Units, DoseUnits, the code of a mapping.
+TEST_F(D26Identity, noTextThatShouldBeATermIsRepeated) {
+    for (const char* modality : {"CT", "MR", "PT", "RTDOSE"}) {
+        SCOPED_TRACE(modality);
+        const TemporaryFolder own;
+        SyntheticSeries s;
+        s.modality = modality;
+        s.edits.push_back([](DcmItem& item) {
+            put(item, DCM_RescaleType, "XYZZY^PATIENT");
+            put(item, DCM_Units, "XYZZY");
+            put(item, DCM_DoseUnits, "XYZZY");
+            DcmItem& map = nested(item, DCM_RealWorldValueMappingSequence);
+            putNumber(map, DCM_RealWorldValueSlope, 2.0);
+            putNumber(map, DCM_RealWorldValueIntercept, 1.0);
+            put(nested(map, DCM_MeasurementUnitsCodeSequence), DCM_CodeValue, "XYZZY");
+        });
+        auto slices = slicesOf(s);
+        for (Slice& slice : slices) {
+            if (slice.place < 5) slice.edits.push_back([](DcmItem& i) { put(i, DCM_RescaleType, "XYZZYX"); });
+        }
+        writeFiles(own.path(), s, slices);
+        const Opened opened(own.path());
+        std::string said;
+        for (const Message* message : opened.messages()) said += message->sentence + message->action;
+        for (const Stack* stack : opened.volumes()) {
+            for (const StackLabel& label : stack->splitBy) said += label.value;
+            const auto volume = opened.load(*stack);
+            ASSERT_NE(volume, nullptr);
+            said += volume->unitName();
+            for (const std::string& assumption : volume->provenance().assumptions) said += assumption;
+        }
+        EXPECT_EQ(said.find("XYZZY"), std::string::npos) << said;
+    }
+}
+
 }  // namespace
 }  // namespace macula::dicom::test

@@ -54,6 +54,36 @@ TEST(Alternation, isNothingElse) {
     }
 }
 
+// Noise of every other slice alone: of a sharp kernel among soft ones.
+TEST(Alternation, ofNoiseIsSeenToo) {
+    const auto doesNoise = [](std::size_t count, const std::function<double(std::size_t)>& noiseOf) {
+        std::mt19937 random(7);
+        std::normal_distribution<double> normal(0.0, 1.0);
+        std::vector<std::vector<float>> values(count, std::vector<float>(kPixels));
+        std::vector<std::span<const float>> slices;
+        for (std::size_t k = 0; k < count; ++k) {
+            for (std::size_t p = 0; p < kPixels; ++p)
+                values[k][p] = static_cast<float>((p % 97 < 40 ? 300.0 : 0.0) + noiseOf(k) * normal(random));
+            slices.emplace_back(values[k]);
+        }
+        EXPECT_FALSE(alternates(slices));
+        return noiseAlternates(slices);
+    };
+    for (const std::size_t count : {8u, 9u, 48u}) {
+        SCOPED_TRACE(count);
+        EXPECT_TRUE(doesNoise(count, [](std::size_t k) { return k % 2 ? 30.0 : 12.0; }));
+        EXPECT_TRUE(doesNoise(count, [](std::size_t k) { return k % 2 ? 12.0 : 18.0; }));
+        EXPECT_FALSE(doesNoise(count, [](std::size_t) { return 12.0; }));
+        EXPECT_FALSE(doesNoise(count, [](std::size_t) { return 0.0; }));
+        // More towards the shoulders, another kernel from the middle on, one noisy slice, a helix.
+        EXPECT_FALSE(doesNoise(count, [](std::size_t k) { return 10.0 + double(k); }));
+        EXPECT_FALSE(doesNoise(count, [&](std::size_t k) { return k < count / 2 ? 12.0 : 30.0; }));
+        EXPECT_FALSE(doesNoise(count, [](std::size_t k) { return k == 4 ? 60.0 : 12.0; }));
+        EXPECT_FALSE(doesNoise(count, [](std::size_t k) { return k % 2 ? 12.0 : 13.0; }));
+    }
+    EXPECT_FALSE(doesNoise(7, [](std::size_t k) { return k % 2 ? 30.0 : 12.0; }));
+}
+
 TEST(Alternation, needsEightSlices) {
     EXPECT_FALSE(doAlternate(7, 0.0, [](std::size_t k, std::size_t) { return k % 2 ? 100.0 : 0.0; }));
 }

@@ -1,0 +1,51 @@
+// Where in its cell a value lies: PS3.5 8.1.1 lets HighBit say so, and some writers say it wrongly.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <span>
+
+#include "base/progress.h"
+#include "dicom/pixels/intensity.h"
+#include "dicom/split/stack.h"
+
+namespace macula::dicom {
+
+// The cells of some images that share a format with bits below the stored ones.
+class CellAlignment {
+  public:
+    // `declared` is narrow.
+    CellAlignment(const CellFormat& declared, std::uint16_t overlays);
+
+    // Padding plays no part.
+    void add(std::span<const std::uint16_t> cells, const std::optional<RawRange>& padding);
+
+    // Values lie in the lowest bits, though the images say that they lie higher: the bits below are as busy
+    // as only those of values are, and no value needs more bits than are stored. Read as declared, the values
+    // would be a fraction of what they are. An overlay in the low bits has few patterns, and does not look
+    // like that.
+    bool isAtTheLowEnd() const;
+
+    const CellFormat& declared() const { return declared_; }
+    // The same bits, from the lowest on.
+    CellFormat atTheLowEnd() const;
+
+  private:
+    CellFormat declared_;
+    unsigned low_ = 0;  // mask of the bits below the stored ones
+    std::uint16_t overlays_ = 0;
+    std::set<unsigned> patterns_;        // of the low bits
+    std::array<std::size_t, 16> set_{};  // cells that have the bit
+    std::size_t cells_ = 0;              // that are not 0
+    std::size_t beyond_ = 0;             // that do not fit when read from the low end
+};
+
+// Looks at images whose format leaves bits below the stored ones, unless they are few among others (the
+// values of those are told apart by what decoding finds: FrameDecoder::cellsBeyondStoredBits), and sets the
+// formats of those whose values lie at the low end. Returns how many. Reads some of the images; those that
+// cannot be read are not told of here. May throw std::bad_alloc.
+std::size_t alignCells(const Stack& stack, std::span<SliceIntensity> intensities, const CancelToken& cancel);
+
+}  // namespace macula::dicom
