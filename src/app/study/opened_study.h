@@ -45,8 +45,9 @@ using StudySource = std::optional<std::filesystem::path>;
 // is decoded. Called on threads that read, one at a time.
 using FoundSoFar = std::function<void(std::shared_ptr<const FoundVolumes>)>;
 
-// Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation. Throws nothing.
-// With a Series Instance UID it is that series, wherever `source` leads to.
+// Scans, chooses the series and decodes it; of a folder the best one that can be decoded, and says which
+// could not. Blocks; a file at a time sees a cancellation. Throws nothing. With a Series Instance UID it is
+// that series, wherever `source` leads to.
 Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, bool join = false,
                               const FoundSoFar& foundSoFar = {}, const std::string& seriesInstanceUid = {});
 // Decodes another volume of the folder.
