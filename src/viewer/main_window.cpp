@@ -34,7 +34,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kRateLasts{1000};
 constexpr std::chrono::milliseconds kPreparingIsTold{200};  // less is not noticed, and its text would flicker
-constexpr std::chrono::milliseconds kStateKeptEvery{5000};  // a program that is killed loses no more
 
 template <class Item>
 void select(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items,
@@ -95,6 +94,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     connectTable();
     connectSegments();
     connectExport();
+    connectQuit();
     connectPick();
 
     connect(&session_, &ViewerSession::changed, this, &MainWindow::onChanged);
@@ -113,9 +113,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
         fidelity_->setFullText(preparing_);
     });
     connect(viewport_, &Viewport::keyNotHandled, this, &MainWindow::triggerShortcut);
-    loader_.setKeeper(keeper_);
-    connect(&keeps_, &QTimer::timeout, this, &MainWindow::keepState);
-    if (keeper_) keeps_.start(kStateKeptEvery);
+    connectKeeping();
     viewport_->setSampleLimit(options_.sampleLimit);
     viewport_->setUsesModel(options_.usesModel);
     useKeys();
@@ -331,7 +329,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     }
     redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
-    kept_ = stateToKeep();
+    beginToKeep();
     showFound(study.found, study.volumeIndex);
     volumes_->setVolumes(study.volumeTitles, study.volumeIndex);
     volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);

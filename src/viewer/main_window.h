@@ -156,6 +156,10 @@ class MainWindow : public QMainWindow {
     Result<void> setState(const app::StudyState& state);
     bool hidesSomething() const { return shown_->hidesSomething(); }
 
+    // What was chosen and measured, before the program is ended: returns once it is kept, or false after some
+    // seconds in which it was not.
+    bool keepStateNow();
+    bool isWriting() const { return !unfinishedWork().isEmpty(); }  // a picture, a movie: quitting asks
   signals:
     void frameShown(const macula::app::FrameShown& frame);
     void studyShown();
@@ -166,6 +170,7 @@ class MainWindow : public QMainWindow {
   protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;  // asks while something is being written
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
@@ -228,6 +233,8 @@ class MainWindow : public QMainWindow {
     std::optional<app::StudyState> stateAsLeft(const app::OpenedStudy& study);
     app::StudyState stateToKeep() const;
     void keepState();
+    void connectKeeping();
+    void beginToKeep();
     void showAfresh();
     std::shared_ptr<const TransferFunction> usualPreset(const Volume& volume) const;
     void openView(const QString& path);
@@ -236,6 +243,8 @@ class MainWindow : public QMainWindow {
     void askWhereToSaveView();
     void connectExport();
     void connectPick();
+    void connectQuit();
+    QStringList unfinishedWork() const;  // that quitting would lose: sentences
     void addPresentationsTo(QMenu& file);
     void askForPresentation();
     void openPresentation(const std::filesystem::path& path);  // of the 3D view of what is open
@@ -293,9 +302,12 @@ class MainWindow : public QMainWindow {
     QString sessionNote_;          // how this study comes back
     QString storeNote_;            // and what went wrong with the store
     bool storeNoteIsNew_ = false;  // it came with the study that is being opened
+    // Its text, or that which was read: what this window's changes are made to. See ModelKeeper::keepState.
+    std::shared_ptr<std::string> keptText_;
     QTimer keeps_;
-    QTimer prepares_;    // for so long that it is worth a word
-    QString preparing_;  // which
+    QTimer keepsChange_;  // soon
+    QTimer prepares_;     // for so long that it is worth a word
+    QString preparing_;   // which
     QString lastFolder_;
 
     ShownVolume* shown_ = nullptr;
@@ -356,6 +368,7 @@ class MainWindow : public QMainWindow {
     ModelExport* modelExport_ = nullptr;
     WorkBar* savingModel_ = nullptr;
     ChoiceMenu* looks_ = nullptr;
+    bool quitsWhenDone_ = false;               // with what is being written
     QAction* shading_ = nullptr;
     QAction* resetWindow_ = nullptr;
     ChoiceMenu* clips_ = nullptr;
