@@ -269,8 +269,9 @@ void MainWindow::onChanged(const app::StudyState& before) {
     if (now.layout != before.layout) showPanes();
 }
 
-// The one that was chosen last, where it fits: a curve over Hounsfield units means nothing on the raw numbers
-// of a scanner, and the reverse.
+// That of the command line where it fits, else the automatic one: what a person chose in one study says
+// nothing about another. A curve over Hounsfield units means nothing on the raw numbers of a scanner, and the
+// reverse.
 std::shared_ptr<const TransferFunction> MainWindow::usualPreset(const Volume& volume) const {
     const auto& wanted = options_.preset;
     return wanted && suits(*wanted, volume.unit()) ? wanted : app::presetFor(catalogue(), volume);
@@ -286,13 +287,11 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     if (const auto& wanted = options_.preset; wanted && wanted != preset)
         notes << tr("The preset %1 is not made for this kind of volume; %2 is used instead.")
                      .arg(titleOr(wanted->title, wanted->name), titleOr(preset->title, preset->name));
-    // What was hidden of the study before may be what matters in this one, and its windows mean nothing here.
-    // Of the rest stays what menus and lists show: a number of a view that was opened would go on unseen.
+    // How a study is drawn was chosen in it, or nobody has chosen it. How the window is arranged stays.
     const app::StudyState& before = session_.state();
     app::StudyState now{.seriesDigest = study.seriesDigest,
                         .preset = preset,
-                        .lights = before.lights,
-                        .settings = {.look = before.settings.look, .shading = before.settings.shading},
+                        .lights = options_.lights,
                         .showsMarks = before.showsMarks,
                         .layout = before.layout};
     std::optional<app::StudyState> left = stateAsLeft(study);
