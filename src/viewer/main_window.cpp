@@ -26,6 +26,7 @@
 #include "viewer/segmentation/segmentation_keeper.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status_texts.h"
+#include "viewer/study_texts.h"
 #include "viewer/visibility_note.h"
 
 namespace macula::viewer {
@@ -66,7 +67,6 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       calibration_(this, {.progressed = [](const ProgressUpdate&) {},
                           .ended = [this](const auto& measured) { onCalibrated(measured); }}) {
     session_.show({}, {.lights = options_.lights, .layout = options_.layout});
-    setTitle({});
     setAcceptDrops(true);
 
     makePanes();
@@ -109,6 +109,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     prepares_.setSingleShot(true);
     prepares_.setInterval(kPreparingIsTold);
     connect(&prepares_, &QTimer::timeout, this, [this] {
+        if (!panes_->isShown(Pane::volume)) return;
         badge_->hide();  // what is on screen is what was wanted before
         fidelity_->setFullText(preparing_);
     });
@@ -317,7 +318,6 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     session_.show(study, std::move(now));
     showChosen();
     showPanes();
-    clearStudyTexts();
     app::Drawing first = shown_->drawing();
     visibilityNote_ = visibilityNote(first, volume, catalogue());
     viewport_->setStudy(study.volume, linesToShow(study.identity), std::move(first), options_.firstView);
@@ -331,7 +331,9 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     beginToKeep();
     showFound(study.found, study.volumeIndex);
     volumes_->setVolumes(study.volumeTitles, study.volumeIndex);
-    volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);
+    pictureFailed_ = false;
+    showStudyTexts();
+    tellOfPicture();
 
     for (const std::string& assumption : volume.provenance().assumptions) {
         notes << inWindowsLanguage(assumption);
@@ -358,7 +360,7 @@ void MainWindow::showNotes() {
     if (notes.isEmpty()) {
         notes_->hide();
     } else {
-        notes_->showNote(notes.join(QLatin1Char(' ')));
+        notes_->showNote(withoutRepeats(notes).join(QLatin1Char(' ')));
     }
 }
 
