@@ -30,8 +30,9 @@ struct Candidates {
     std::size_t stacks = 0;
     const Stack* blocked = nullptr;  // the largest
 
-    void add(const Series& series) {
+    void add(const Series& series, std::span<const Stack* const> without = {}) {
         for (const Stack& stack : series.stacks) {
+            if (std::ranges::find(without, &stack) != without.end()) continue;
             ++stacks;
             if (!stack.canBeVolume()) {
                 if (blocked == nullptr || stack.frames.size() > blocked->frames.size()) blocked = &stack;
@@ -74,10 +75,10 @@ struct Candidates {
 
 }  // namespace
 
-Choice bestVolume(const Scan& scan) {
+Choice bestVolume(const Scan& scan, std::span<const Stack* const> without) {
     Candidates candidates;
     for (const Study& study : scan.studies) {
-        for (const Series& series : study.series) candidates.add(series);
+        for (const Series& series : study.series) candidates.add(series, without);
     }
     if (!candidates.best) {
         // The question whether to join is the reason to tell, not that each series has only one image.

@@ -1,6 +1,7 @@
 // What to show when nobody chose.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "dicom/scan.h"
@@ -16,8 +17,8 @@ struct Choice {
 };
 
 // The volume that comes first by: an original axial one of 20 slices or more; then one without interpolated
-// slices; then the one with most voxels; then the first in the scan.
-Choice bestVolume(const Scan& scan);
+// slices; then the one with most voxels; then the first in the scan. Those of `without` are not chosen.
+Choice bestVolume(const Scan& scan, std::span<const Stack* const> without = {});
 // The same within one series.
 Choice bestVolume(const Series& series);
 

@@ -128,6 +128,11 @@ class Store {
     // of its own in the list belongs to the program altogether.
     Result<void> putDocument(const DocumentId& id, std::int64_t version, std::string_view json,
                              std::span<const std::string_view> known);
+    // The same for what depends on what is stored now, of which no other process changes anything meanwhile.
+    // `edit` is given the JSON that is stored, or nothing, and returns the one to store; it uses no store.
+    using DocumentEdit = std::function<std::string(const std::optional<std::string>& stored)>;
+    Result<void> changeDocument(const DocumentId& id, std::int64_t version, const DocumentEdit& edit,
+                                std::span<const std::string_view> known);
     Result<std::optional<Document>> getDocument(const DocumentId& id);
     // Without their JSON, by name. `study` empty: those of the machine.
     Result<Listing<DocumentEntry>> listDocuments(DocumentKind kind, const std::string& study);

@@ -75,17 +75,26 @@ void addAuditRow(StoreState& state, AuditAction action, AuditKind kind, const st
 
 Result<void> Store::putDocument(const DocumentId& id, std::int64_t version, std::string_view json,
                                 std::span<const std::string_view> known) {
+    return changeDocument(
+        id, version, [json](const std::optional<std::string>&) { return std::string(json); }, known);
+}
+
+Result<void> Store::changeDocument(const DocumentId& id, std::int64_t version, const DocumentEdit& edit,
+                                   std::span<const std::string_view> known) {
     MACULA_CHECK(isOfStudyOrMachine(id.study));
     Connection& connection = *state_->connection;
-    const bool isNamed = !id.name.empty() && id.name.size() <= kMostNameBytes;
-    if (!isNamed || !isDocument(json)) return errorOf(Trouble::documentInvalid, state_->folder);
+    if (id.name.empty() || id.name.size() > kMostNameBytes)
+        return errorOf(Trouble::documentInvalid, state_->folder);
     return inTransaction(connection, [&]() -> Result<void> {
         const std::int64_t now = state_->nowMs();
-        if (!id.study.empty()) rememberStudy(connection, id.study, now);
         const Found before = findDocument(connection, id);
+        std::optional<std::string> stored;
+        if (before.row) stored = before.row->text(column::documentJson);
+        std::string text = edit(stored);
+        if (!isDocument(text)) return errorOf(Trouble::documentInvalid, state_->folder);
+        if (!id.study.empty()) rememberStudy(connection, id.study, now);
         if (before.damagedId) setRowAside(connection, kDocuments, *before.damagedId);
-        std::string text(json);
-        if (before.row) text = withUnknownMembers(json, before.row->text(column::documentJson), known);
+        if (stored) text = withUnknownMembers(text, *stored, known);
         if (text.size() > kMostJsonBytes) return errorOf(Trouble::documentInvalid, state_->folder);
         putRow(connection, kDocuments,
                {{before.row ? before.row->number(column::documentId) : nextId(connection, kDocuments),

@@ -106,7 +106,7 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::inferior, "", "I", "Look from inferior"},
     KeyRow{KeyAction::fit, "", "F", "Fit what is visible"},
     KeyRow{KeyAction::parallel, "", "O", "Parallel rays, or seen by an eye"},
-    KeyRow{KeyAction::names, "", "N", "Patient, study and series over the picture, or not"},
+    KeyRow{KeyAction::names, "", "N", "Patient, study and series over the picture, in title and lists, or not"},
     KeyRow{KeyAction::marks, "", "B", "Cube and scale, or not"},
     KeyRow{KeyAction::cubeSide, "Click on a side of the cube", "", "Look from there, as near as before"},
     KeyRow{KeyAction::look, "Ctrl+1 to Ctrl+6", "", "Cinematic, clear, ray cast, maximum, minimum, average"},

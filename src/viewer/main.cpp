@@ -6,6 +6,7 @@
 #include <QJsonObject>
 #include <QMessageBox>
 #include <QScreen>
+#include <QSessionManager>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <clocale>
@@ -32,6 +33,7 @@
 #include "viewer/language/core_words.h"
 #include "viewer/language/language.h"
 #include "viewer/orbit_script.h"
+#include "viewer/quit_signals.h"
 #include "viewer/settings/settings.h"
 #include "viewer/theme/theme.h"
 
@@ -127,6 +129,25 @@ int calibrate(const CommandLine& line) {
     return app::kExitDone;
 }
 
+// Whoever ends the program from outside loses nothing of what was chosen and measured.
+void keepWorkWhenAskedToEnd(QApplication& application, MainWindow& window, QuitSignals& quitSignals) {
+    QObject::connect(&quitSignals, &QuitSignals::asked, &window, [&window] {
+        window.keepStateNow();
+        QCoreApplication::exit(app::kExitCancelled);
+    });
+    // A desktop that logs out ends the program when it has heard this, or asks the window to close first.
+    QObject::connect(
+        &application, &QGuiApplication::commitDataRequest, &window,
+        [&window](QSessionManager& manager) {
+            window.keepStateNow();
+            if (!window.isWriting() || !manager.allowsInteraction()) return;
+            manager.cancel();
+            manager.release();
+            window.close();  // which asks
+        },
+        Qt::DirectConnection);
+}
+
 // `report`: of the script `session`, where that is wanted; of `opening` it goes to standard output.
 int run(QApplication& application, const CommandLine& line, const ReadSettings& read,
         QJsonObject* report = nullptr) {
@@ -144,6 +165,8 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
         return code;
     }
     MainWindow window(*std::move(instance), *std::move(options));
+    QuitSignals quitSignals;
+    keepWorkWhenAskedToEnd(application, window, quitSignals);
     const app::StudySource source =
         line.folder ? app::StudySource(line.folder->toStdString()) : app::StudySource();
     std::optional<OrbitScript> orbit;

@@ -30,6 +30,7 @@
 #include "viewer/settings/window_place.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status_texts.h"
+#include "viewer/study_texts.h"
 #include "viewer/visibility_note.h"
 
 namespace macula::viewer {
@@ -38,7 +39,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kRateLasts{1000};
 constexpr std::chrono::milliseconds kPreparingIsTold{200};  // less is not noticed, and its text would flicker
-constexpr std::chrono::milliseconds kStateKeptEvery{5000};  // a program that is killed loses no more
 
 template <class Item>
 void select(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items,
@@ -71,7 +71,6 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
       calibration_(this, {.progressed = [](const ProgressUpdate&) {},
                           .ended = [this](const auto& measured) { onCalibrated(measured); }}) {
     session_.show({}, {.lights = options_.lights, .layout = options_.layout});
-    setTitle({});
     setAcceptDrops(true);
 
     makePanes();
@@ -99,6 +98,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     connectTable();
     connectSegments();
     connectExport();
+    connectQuit();
     connectPick();
 
     connect(&session_, &ViewerSession::changed, this, &MainWindow::onChanged);
@@ -113,14 +113,13 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     prepares_.setSingleShot(true);
     prepares_.setInterval(kPreparingIsTold);
     connect(&prepares_, &QTimer::timeout, this, [this] {
+        if (!panes_->isShown(Pane::volume)) return;
         badge_->hide();  // what is on screen is what was wanted before
         fidelity_->setFullText(preparing_);
     });
     new FocusOfGreyed(*this, [this] { focusPicture(); });
     connect(viewport_, &Viewport::keyNotHandled, this, &MainWindow::triggerShortcut);
-    loader_.setKeeper(keeper_);
-    connect(&keeps_, &QTimer::timeout, this, &MainWindow::keepState);
-    if (keeper_) keeps_.start(kStateKeptEvery);
+    connectKeeping();
     viewport_->setSampleLimit(options_.sampleLimit);
     viewport_->setUsesModel(options_.usesModel);
     useKeys();
@@ -285,8 +284,9 @@ void MainWindow::onChanged(const app::StudyState& before) {
     if (now.layout != before.layout) showPanes();
 }
 
-// The one that was chosen last, where it fits: a curve over Hounsfield units means nothing on the raw numbers
-// of a scanner, and the reverse.
+// That of the command line where it fits, else the automatic one: what a person chose in one study says
+// nothing about another. A curve over Hounsfield units means nothing on the raw numbers of a scanner, and the
+// reverse.
 std::shared_ptr<const TransferFunction> MainWindow::usualPreset(const Volume& volume) const {
     const auto& wanted = options_.preset;
     return wanted && suits(*wanted, volume.unit()) ? wanted : app::presetFor(catalogue(), volume);
@@ -302,14 +302,12 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     if (const auto& wanted = options_.preset; wanted && wanted != preset)
         notes << tr("The preset %1 is not made for this kind of volume; %2 is used instead.")
                      .arg(titleOr(wanted->title, wanted->name), titleOr(preset->title, preset->name));
-    // What was hidden of the study before may be what matters in this one, and its windows mean nothing here.
-    // Of the rest stays what menus and lists show: a number of a view that was opened would go on unseen.
+    // How a study is drawn was chosen in it, or nobody has chosen it. How the window is arranged stays.
     const app::StudyState& before = session_.state();
     const app::OpeningPlanes planes = app::openingPlanes(volume);
     app::StudyState now{.seriesDigest = study.seriesDigest,
                         .preset = preset,
-                        .lights = before.lights,
-                        .settings = {.look = before.settings.look, .shading = before.settings.shading},
+                        .lights = options_.lights,
                         .showsMarks = before.showsMarks,
                         .layout = before.layout,
                         .slices = {.asAcquired = planes.asAcquired}};
@@ -340,7 +338,6 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     favourPane(planes.largest);
     showChosen();
     showPanes();
-    clearStudyTexts();
     app::Drawing first = shown_->drawing();
     visibilityNote_ = visibilityNote(first, volume, catalogue());
     viewport_->setStudy(study.volume, linesToShow(study.identity), std::move(first), options_.firstView);
@@ -353,10 +350,12 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     }
     redraw();  // menus and lists show it
     if (left) table_->ask(left->leavesTableOut);
-    kept_ = stateToKeep();
+    beginToKeep();
     showFound(study.found, study.volumeIndex);
     volumes_->setVolumes(study.volumeTitles, study.volumeIndex);
-    volumesInBar_->setVisible(volumes_->count() > 0 && options_.namesPatient);
+    pictureFailed_ = false;
+    showStudyTexts();
+    tellOfPicture();
 
     for (const std::string& assumption : volume.provenance().assumptions) {
         notes << inWindowsLanguage(assumption);
@@ -383,7 +382,7 @@ void MainWindow::showNotes() {
     if (notes.isEmpty()) {
         notes_->hide();
     } else {
-        notes_->showNote(notes.join(QLatin1Char(' ')));
+        notes_->showNote(withoutRepeats(notes).join(QLatin1Char(' ')));
     }
 }
 

@@ -141,6 +141,7 @@ class MainWindow : public QMainWindow {
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
     QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
     QString description() const { return description_->fullText(); }  // of the study on screen
+    QString voxels() const { return volumeText_->fullText(); }        // of it
     QString rate() const { return pictureText_->fullText(); }   // pixels, and pictures per second in motion
     QString fidelity() const { return fidelity_->fullText(); }  // how true the picture is
     QString badge() const { return badge_->text(); }            // the same in a word
@@ -157,6 +158,10 @@ class MainWindow : public QMainWindow {
     app::StudyState state() const;
     Result<void> setState(const app::StudyState& state);
     bool hidesSomething() const { return shown_->hidesSomething(); }
+    // What was chosen and measured, before the program is ended: returns once it is kept, or false after some
+    // seconds in which it was not.
+    bool keepStateNow();
+    bool isWriting() const { return !unfinishedWork().isEmpty(); }  // a picture, a movie: quitting asks
 
   signals:
     void frameShown(const macula::app::FrameShown& frame);
@@ -167,6 +172,7 @@ class MainWindow : public QMainWindow {
 
   protected:
     bool event(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;  // asks while something is being written
     void keyPressEvent(QKeyEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
@@ -229,6 +235,8 @@ class MainWindow : public QMainWindow {
     // Empty: nothing comes back.
     std::optional<app::StudyState> stateAsLeft(const app::OpenedStudy& study);
     app::StudyState stateToKeep() const;
+    void connectKeeping();
+    void beginToKeep();
     void keepState();
     void showAfresh();
     std::shared_ptr<const TransferFunction> usualPreset(const Volume& volume) const;
@@ -237,6 +245,8 @@ class MainWindow : public QMainWindow {
     void askForView();
     void askWhereToSaveView();
     void connectExport();
+    void connectQuit();
+    QStringList unfinishedWork() const;  // that quitting would lose: sentences
     void connectPick();
     void addPresentationsTo(QMenu& file);
     void askForPresentation();
@@ -263,7 +273,10 @@ class MainWindow : public QMainWindow {
     void onRendered(const app::RenderEvent& event);
     void onFrame(const app::FrameShown& frame);
     void onModel(const hybrid::ModelNews& model);
-    void setStudyTexts(const app::OpenedStudy& study);
+    // Title, task bar, tool bar and status line: of the study that is open, whatever panes there are.
+    void showStudyTexts();
+    void tellOfPicture();  // in 3D, in the status line
+    void tellOfFrame(const app::FrameShown& frame);
     void explainTabs();
     void showPanes();  // of the state
     void favourPane(std::optional<slices::Orientation> orientation);
@@ -273,8 +286,6 @@ class MainWindow : public QMainWindow {
     void askWhereToSavePreset();
     void askWhereToSaveMeasurements();
     void tellOfFile(const Result<void>& written, const QString& told);
-    void setTitle(const QString& ofPicture);
-    void clearStudyTexts();
     void showNotes();
     void triggerShortcut(QKeyEvent* event);
     void useKeys();
@@ -282,8 +293,8 @@ class MainWindow : public QMainWindow {
 
     MainWindowOptions options_;
     StudyLoader loader_;
-    // What is open, and what was chosen for it; nothing of it is told before its picture is on screen. The
-    // camera is the viewport's. Its preset need not be the one asked for.
+    // What is open, and what was chosen for it. The camera is the viewport's. Its preset need not be the one
+    // asked for.
     ViewerSession session_;
     QStringList studyNotes_;  // what is to be known about it
     QString presetNote_;      // and about the preset that was chosen for it
@@ -291,14 +302,18 @@ class MainWindow : public QMainWindow {
     QString pictureNote_;     // and about what the device shows of it
     QString deviceNote_;      // and about the device
     bool deviceIsBack_ = true;
+    bool pictureFailed_ = false;                // in 3D, of what is open
     std::shared_ptr<app::ModelKeeper> keeper_;  // null: nothing is kept
     // The state that it was given last, or that the study was shown in: what nobody has changed is not kept,
     // and takes the place of nothing that came too late or cannot be read.
     std::optional<app::StudyState> kept_;
+    // Its text, or that which was read: what this window's changes are made to. See ModelKeeper::keepState.
+    std::shared_ptr<std::string> keptText_;
     QString sessionNote_;          // how this study comes back
     QString storeNote_;            // and what went wrong with the store
     bool storeNoteIsNew_ = false;  // it came with the study that is being opened
     QTimer keeps_;
+    QTimer keepsChange_;                              // soon
     QTimer prepares_;                                 // for so long that it is worth a word
     QString preparing_;                               // which
     LastFolders folders_{options_.settings.folders};  // of file dialogs
@@ -358,6 +373,7 @@ class MainWindow : public QMainWindow {
     bool isMirrored_ = false;                  // a picture of the headset has come
     bool isFromHeadset_ = false;               // what changes now
     std::shared_ptr<const Clip> headsetClip_;  // that is shown there
+    bool quitsWhenDone_ = false;               // with what is being written
     ModelExport* modelExport_ = nullptr;
     WorkBar* savingModel_ = nullptr;
     ChoiceMenu* looks_ = nullptr;

@@ -1,47 +1,36 @@
 // What the window tells of what comes from the render thread.
-#include <QStatusBar>
 #include <utility>
 #include <variant>
 
 #include "viewer/language/core_words.h"
 #include "viewer/main_window.h"
-#include "viewer/slices/slice_texts.h"
+#include "viewer/panes/pane_grid.h"
 #include "viewer/status_texts.h"
+#include "viewer/study_texts.h"
 
 namespace macula::viewer {
 
-void MainWindow::setStudyTexts(const app::OpenedStudy& study) {
-    const glm::ivec3 size = study.volume->size();
-    const glm::dvec3 spacing = study.volume->spacingMm();
-    const auto mm = [](double length) { return withLocalNumbers(QString::number(length, 'f', 2)); };
-    const QString text = QStringLiteral("%1 %2×%3×%4, %5×%6×%7 mm")
-                             .arg(QString::fromStdString(study.volume->modality()))
-                             .arg(size.x)
-                             .arg(size.y)
-                             .arg(size.z)
-                             .arg(mm(spacing.x), mm(spacing.y), mm(spacing.z));
-    volumeText_->setFullText(study.volume->provenance().isCalibrated ? text : notCalibrated(text));
-    const QString why = inWindowsLanguage(study.whyThisSeries);
-    // The description of a series may name a patient.
-    if (options_.namesPatient) description_->setFullText(listInWindowsLanguage(study.description), why);
-    description_->setStatusTip(why);
+void MainWindow::showStudyTexts() {
+    const StudyTexts texts = textsOf(study(), viewport_->namesShown());
+    setWindowTitle(texts.title);
+    volumeText_->setFullText(texts.voxels);
+    description_->setFullText(texts.description, texts.whyThisOne);
+    volumesInBar_->setVisible(texts.listsVolumes);
 }
 
-// Names what is on screen, no sooner and no later.
-void MainWindow::setTitle(const QString& ofPicture) {
-    QString title = ofPicture.simplified();
-    if (!options_.namesPatient) title.clear();
-    title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));  // Qt's mark for what is not saved
-    setWindowTitle(title.isEmpty() ? QStringLiteral("Macula") : title + QStringLiteral(" \u2013 Macula"));
-}
-
-void MainWindow::clearStudyTexts() {
+// What is told of the picture in 3D is told only while that is shown, and of no other study.
+void MainWindow::tellOfPicture() {
+    const bool isShown = panes_->isShown(Pane::volume);
+    const app::FrameShown* frame = isShown ? viewport_->frameOnScreen() : nullptr;
+    if (frame != nullptr) return tellOfFrame(*frame);
     rateEnds_.stop();
-    volumeText_->setFullText({});
-    description_->setFullText({});
-    description_->setStatusTip({});
+    badge_->hide();
     pictureText_->setFullText({});
     modelText_->setFullText({});
+    fidelity_->setFullText(!study().volume  ? tr("No study is open")
+                           : !isShown       ? withoutVolumeText(panes_->shownLayout())
+                           : pictureFailed_ ? tr("No picture")
+                                            : tr("The picture in 3D is being made…"));
 }
 
 void MainWindow::onRendered(const app::RenderEvent& event) {
@@ -55,7 +44,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
     } else if (const auto* ready = std::get_if<app::DeviceReady>(&event)) {
         deviceText_->setFullText(QString::fromStdString(ready->name));
         deviceText_->setToolTip(QString::fromStdString(ready->description));
-        if (!study().volume) fidelity_->setFullText(tr("No study is open"));  // nothing else comes
+        if (!study().volume || !panes_->isShown(Pane::volume)) tellOfPicture();  // nothing else comes
     } else if (std::holds_alternative<app::DeviceRestarting>(event)) {
         badge_->hide();
         fidelity_->setFullText(tr("Starting the graphics device again…"));
@@ -70,32 +59,27 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
         preparing_ = inWindowsLanguage(preparing->what) + QStringLiteral("…");
         if (!prepares_.isActive()) prepares_.start();
     } else if (std::holds_alternative<app::PictureRemoved>(event)) {
-        badge_->hide();
-        setTitle({});
+        tellOfPicture();
     } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {
-        clearStudyTexts();
-        setTitle({});
+        pictureFailed_ = true;
         if (!std::exchange(deviceIsBack_, true)) {
             deviceNote_.clear();  // the error says what became of it
             showNotes();
         }
-        badge_->hide();
-        fidelity_->setFullText(tr("No picture"));
+        tellOfPicture();
         messages_->showError(failure->error);
         emit failed(failure->error);
     }
 }
 
 void MainWindow::onModel(const hybrid::ModelNews& model) {
-    modelText_->setFullText(modelText(model), aboutModel(model));
+    if (panes_->isShown(Pane::volume)) modelText_->setFullText(modelText(model), aboutModel(model));
 }
 
 void MainWindow::onFrame(const app::FrameShown& frame) {
-    QString text = fidelityText(frame);
-    if (frame.samplesLeftOut > 0) text += tr(", %n samples left out", nullptr, int(frame.samplesLeftOut));
+    pictureFailed_ = false;
     QStringList about;
     for (const Message& message : frame.messages) about << inWindowsLanguage(message);
-    if (!about.isEmpty()) text += tr(", less than the full resolution");  // also when the note is dismissed
     // Only when it is news: who has dismissed it has read it.
     if (const QString note = about.join(QLatin1Char(' ')); note != pictureNote_) {
         pictureNote_ = note;
@@ -107,6 +91,15 @@ void MainWindow::onFrame(const app::FrameShown& frame) {
                "update the graphics driver.");
         if (notes_->isVisible()) showNotes();  // else it was read and dismissed
     }
+    tellOfPicture();
+    emit frameShown(frame);
+}
+
+void MainWindow::tellOfFrame(const app::FrameShown& frame) {
+    QString text = fidelityText(frame);
+    if (frame.samplesLeftOut > 0) text += tr(", %n samples left out", nullptr, int(frame.samplesLeftOut));
+    if (!frame.messages.empty())
+        text += tr(", less than the full resolution");  // also when the note is dismissed
     fidelity_->setFullText(text);
     badge_->setFidelity(app::fidelityOf(frame));
     onModel(frame.model);
@@ -116,9 +109,6 @@ void MainWindow::onFrame(const app::FrameShown& frame) {
         rateEnds_.start();
     }
     pictureText_->setFullText(pictureText);
-    setStudyTexts(study());
-    setTitle(QString::fromStdString(titleOf(study().identity)));
-    emit frameShown(frame);
 }
 
 }  // namespace macula::viewer

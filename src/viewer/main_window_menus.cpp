@@ -1,5 +1,6 @@
 // Menus, bars, and what stands in them.
 #include <QAction>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QToolBar>
@@ -243,6 +244,7 @@ void MainWindow::makeToolBar() {
     bar->addWidget(new QLabel(QStringLiteral("   "), bar));
     volumes_ = new VolumeChoice(bar);
     volumesInBar_ = bar->addWidget(volumes_);
+    volumesInBar_->setObjectName(QStringLiteral("volumes-in-bar"));
     volumesInBar_->setVisible(false);
     bar->addWidget(new QLabel(QStringLiteral("  "), bar));
     connect(volumes_, &VolumeChoice::chosen, this, &MainWindow::openFound);
@@ -277,7 +279,12 @@ void MainWindow::makeStatusBar() {
     statusBar()->addWidget(converging_);
     statusBar()->addWidget(cuttingBar_);
     badge_ = new FidelityBadge;
-    statusBar()->addWidget(badge_);
+    // A message hides what it takes the place of, and whatever shows itself again would lie over it.
+    auto* badgePlace = new QWidget;
+    auto* row = new QHBoxLayout(badgePlace);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(badge_);
+    statusBar()->addWidget(badgePlace);
     statusBar()->addWidget(fidelity_, 1);
     statusBar()->addPermanentWidget(modelText_);
     statusBar()->addPermanentWidget(pictureText_);

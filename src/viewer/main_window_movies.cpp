@@ -11,6 +11,7 @@
 #include "viewer/output/movie_export.h"
 #include "viewer/output/movie_panel.h"
 #include "viewer/output/movie_stamps.h"
+#include "viewer/output/video_encoder.h"
 
 namespace macula::viewer {
 
@@ -50,6 +51,9 @@ void MainWindow::makeMovies() {
     addDockWidget(Qt::RightDockWidgetArea, dock);
     dock->hide();
     panels_ << dock->toggleViewAction();
+    connect(dock, &QDockWidget::visibilityChanged, movie_, [this](bool isVisible) {
+        if (isVisible) movie_->setHasEncoder(!VideoEncoder::find().isEmpty());
+    });
     connect(movie_, &MoviePanel::drawAsked, this, &MainWindow::askWhereToDrawMovie);
     connect(movie_, &MoviePanel::openAsked, this, &MainWindow::askForPath);
     connect(movie_, &MoviePanel::saveAsked, this, &MainWindow::askWhereToSavePath);

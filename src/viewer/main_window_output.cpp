@@ -9,6 +9,7 @@
 #include "viewer/main_window.h"
 #include "viewer/output/picture_dialog.h"
 #include "viewer/output/picture_overlays.h"
+#include "viewer/panes/pane_grid.h"
 
 namespace macula::viewer {
 
@@ -50,7 +51,11 @@ void MainWindow::askForPicture() {
                                      {},
                                      tr("Open a study first.").toStdString()});
     viewport_->window().endDrag();
-    auto* dialog = new PictureDialog(viewport_->pictureSize(), this);
+    const bool is3dShown = panes_->isShown(Pane::volume);
+    // The window of a picture that is not shown has no size that means anything.
+    auto* dialog = new PictureDialog(
+        is3dShown ? viewport_->pictureSize() : panes_->size() * panes_->devicePixelRatioF(), this);
+    if (!is3dShown) dialog->tellThat3dIsHidden();
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->beginWith(options_.settings.quality, options_.settings.deidentifies);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { askWhereToSavePicture(*dialog); });

@@ -141,6 +141,7 @@ void MainWindow::showPanes() {
     const app::Layout layout = session_.state().layout;
     panes_->setLayout(layout);
     tools_->setVisible(layout != app::Layout::volume);  // they are of slices
+    tellOfPicture();
 }
 
 void MainWindow::favourPane(std::optional<slices::Orientation> orientation) {
@@ -161,6 +162,7 @@ void MainWindow::showNames(bool shown) {
     recent_->showNames(shown);
     segmentsPanel_->showNames(shown);
     names_->setChecked(shown);
+    showStudyTexts();
 }
 
 }  // namespace macula::viewer

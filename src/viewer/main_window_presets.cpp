@@ -108,7 +108,6 @@ void MainWindow::fillPresetMenu(QMenu& menu) {
 }
 
 void MainWindow::usePreset(const LibraryPreset& preset) {
-    options_.preset = preset.function;  // kept for the next study
     session_.change(tr("Preset"), [&](app::StudyState& next) { use(preset, study().volume.get(), next); });
     if (study().volume && preset.own && preset.own->seen && preset.own->seen->camera)
         viewport_->showFrom(app::cameraIn(*preset.own->seen->camera, *study().volume));

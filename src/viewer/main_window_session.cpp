@@ -15,6 +15,15 @@
 
 namespace macula::viewer {
 
+namespace {
+
+// A program that is killed loses no more: of what was chosen or measured, and of where the camera is.
+constexpr std::chrono::milliseconds kChangeKeptAfter{300};
+constexpr std::chrono::milliseconds kStateKeptEvery{5000};
+constexpr std::chrono::milliseconds kWorkIsKeptWithin{3000};  // a desktop that logs out waits no longer
+
+}  // namespace
+
 // Called on another thread: the error crosses to this one's through its queue.
 std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
     if (!options_.sessions) return nullptr;
@@ -67,12 +76,38 @@ app::StudyState MainWindow::stateToKeep() const {
     return now;
 }
 
+void MainWindow::connectKeeping() {
+    loader_.setKeeper(keeper_);
+    if (!keeper_) return;
+    for (QTimer* timer : {&keeps_, &keepsChange_})
+        connect(timer, &QTimer::timeout, this, &MainWindow::keepState);
+    keeps_.start(kStateKeptEvery);
+    keepsChange_.setSingleShot(true);
+    keepsChange_.setInterval(kChangeKeptAfter);
+    // Not begun anew: while a hand drags it is kept too.
+    connect(&session_, &ViewerSession::changed, &keepsChange_, [this] {
+        if (!keepsChange_.isActive()) keepsChange_.start();
+    });
+}
+
+// What is there from the beginning is what a person has not changed: of it nothing is kept.
+void MainWindow::beginToKeep() {
+    kept_ = stateToKeep();
+    keptText_ = std::make_shared<std::string>(study().stateAsLeft.empty() ? app::toJson(*kept_)
+                                                                          : study().stateAsLeft);
+}
+
 void MainWindow::keepState() {
     if (!keeper_ || !study().volume || options_.restores == Restores::nothing) return;
     app::StudyState now = stateToKeep();
     if (kept_ && *kept_ == now) return;
-    keeper_->keepState(study().volume, app::toJson(now));
+    keeper_->keepState(study().volume, app::toJson(now), keptText_);
     kept_ = std::move(now);
+}
+
+bool MainWindow::keepStateNow() {
+    keepState();
+    return !keeper_ || keeper_->waitUntilStatesAreKept(kWorkIsKeptWithin);
 }
 
 // What was measured is a person's work, and stays.

@@ -88,6 +88,8 @@ class Viewport : public QWidget {
     const app::EdgeLetters& letters() const { return letters_; }
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
+    // What was told of the picture on screen, of this study; null without one.
+    const app::FrameShown* frameOnScreen() const { return shown_ ? &*shown_ : nullptr; }
     // The picture on screen and its camera, as its marks were painted for; nothing without a picture.
     std::optional<MarkedPicture> pictureOnScreen() const;
     // That which is asked for: the picture is not of one before. Pictures are drawn from before the volume.

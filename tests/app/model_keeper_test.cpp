@@ -412,6 +412,54 @@ TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     EXPECT_TRUE(told_.empty());
 }
 
+// Each keeper is a window of its own: neither knows of the other.
+TEST_F(ModelKeeperTest, OfTwoWindowsOnOneStudyNothingThatWasMeasuredIsLost) {
+    const auto measured = [](double lengthMm) {
+        return slices::Measurement{
+            .label = {},
+            .shape = slices::Distance{.endsMm = {glm::dvec3(0.0), glm::dvec3(lengthMm, 0.0, 0.0)}}};
+    };
+    StudyState state;
+    const std::string opened = toJson(state);
+    const auto baseOfFirst = std::make_shared<std::string>(opened);
+    const auto baseOfSecond = std::make_shared<std::string>(opened);
+    const auto first = keeper();
+    const auto second = keeper();
+    EXPECT_EQ(first->stateOf(volume_, 60s), std::nullopt);
+    EXPECT_EQ(second->stateOf(volume_, 60s), std::nullopt);
+    state.measurements = {measured(10.0)};
+    first->keepState(volume_, toJson(state), baseOfFirst);
+    EXPECT_TRUE(first->waitUntilStatesAreKept(60s));
+    EXPECT_TRUE(told_.empty());
+    state.measurements = {measured(20.0)};
+    second->keepState(volume_, toJson(state), baseOfSecond);
+    EXPECT_TRUE(second->waitUntilStatesAreKept(60s));
+    ASSERT_EQ(told_.size(), 1u) << "this window does not show the other measurement";
+    EXPECT_NE(told_.front().find("another window"), std::string::npos);
+    // The one goes on without having seen the other, and takes its own back.
+    first->keepState(volume_, opened, baseOfFirst);
+    const auto kept = first->stateOf(volume_, 60s);
+    ASSERT_TRUE(kept);
+    const auto read = studyStateFromJson(*kept, {});
+    ASSERT_TRUE(read) << *kept;
+    EXPECT_EQ(read->measurements, std::vector{measured(20.0)});
+}
+
+// Else what is in the window and not in the store would look as if another window had removed it.
+TEST_F(ModelKeeperTest, WhatCouldNotBeKeptIsKeptWithTheNextState) {
+    const auto base = std::make_shared<std::string>(toJson(StudyState{}));
+    const std::string opened = *base;
+    const auto only = keeper();
+    only->keepState(volume_, "no JSON", base);
+    EXPECT_TRUE(only->waitUntilStatesAreKept(60s));
+    EXPECT_EQ(told_.size(), 1u);
+    EXPECT_EQ(*base, opened);
+    const std::string next = toJson(StudyState{.layout = Layout::axial});
+    only->keepState(volume_, next, base);
+    EXPECT_TRUE(only->waitUntilStatesAreKept(60s));
+    EXPECT_EQ(*base, next);
+}
+
 // Of a newer version, say: it stays, under another name, and spoils nothing of what is kept instead.
 TEST_F(ModelKeeperTest, AStateThatCannotBeReadIsSetAsideBeforeAnotherIsKept) {
     const std::string newer = R"({"version":2,"camera":{"lens":"a new one"}})";

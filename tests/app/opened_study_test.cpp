@@ -11,9 +11,11 @@
 #include "app/measure/measurements_file.h"
 #include "app/study/found_volumes.h"
 #include "app/study/study_input.h"
+#include "base/atomic_file.h"
 #include "base/paths.h"
 #include "base/phantom.h"
 #include "dicom/support.h"
+#include "dicom/synthetic.h"
 #include "dicom/synthetic_pet.h"
 #include "formats/volume_file.h"
 #include "pipeline/volume/window.h"
@@ -109,6 +111,93 @@ TEST_F(FileInAFolderOfTwo, AFileThatIsNoImageOpensNothing) {
     ASSERT_FALSE(study.ok());
     EXPECT_EQ(study.error().code, ErrorCode::inputNotUsable);
     EXPECT_FALSE(study.error().hint.empty());
+}
+
+// Three series, the best of which cannot be decoded, which the headers do not tell.
+class FolderWithADamagedSeries : public testing::Test {
+  protected:
+    void SetUp() override {
+        best_ = write("2.25.1", "ONE^A", 3, 30);
+        next_ = write("2.25.1", "ONE^A", 4, 8);
+        write("2.25.2", "TWO^B", 5, 24);
+        damage(best_);
+    }
+    std::vector<std::filesystem::path> write(const std::string& study, const std::string& patient, int number,
+                                             int slices) {
+        dicom::test::SyntheticSeries series;
+        series.studyUid = study;
+        series.seriesUid = study + "." + std::to_string(number);
+        series.frameOfReferenceUid = series.seriesUid + ".1";
+        series.patientName = patient;
+        series.patientId = patient;
+        series.number = number;
+        series.size.z = slices;
+        series.transferSyntaxUid = "1.2.840.10008.1.2.5";
+        std::vector<dicom::test::Slice> all = dicom::test::slicesOf(series);
+        for (std::size_t k = 0; k < all.size(); ++k)
+            all[k].sopInstanceUid = series.seriesUid + ".2." + std::to_string(k);
+        const std::filesystem::path folder = folder_ / std::to_string(number);
+        std::filesystem::create_directories(folder);
+        return dicom::test::writeFiles(folder, series, all);
+    }
+    // Where the first of two RLE segments begins, at 64, becomes a place outside of the file.
+    static void damage(const std::vector<std::filesystem::path>& files) {
+        for (const auto& file : files) {
+            std::string bytes = readText(file).value();
+            const std::size_t header = bytes.find(std::string("\2\0\0\0\x40\0\0\0", 8));
+            ASSERT_NE(header, std::string::npos);
+            bytes.replace(header + 4, 4, "\x7F\x7F\x7F\x7F");
+            std::ofstream(file, std::ios::binary) << bytes;
+        }
+    }
+    Result<OpenedStudy> open() const {
+        Progress progress;
+        return openStudy(folder_.path(), progress);
+    }
+
+    dicom::test::TemporaryFolder folder_;
+    std::vector<std::filesystem::path> best_;
+    std::vector<std::filesystem::path> next_;
+};
+
+TEST_F(FolderWithADamagedSeries, TheNextBestOfThatPatientIsShownAndWhatIsNotIsSaid) {
+    const auto study = open();
+    ASSERT_TRUE(study.ok()) << study.error().message;
+    EXPECT_EQ(study->volume->size().z, 8) << "and not the larger one of another patient";
+    EXPECT_EQ(study->identity.patientName, "ONE^A");
+    ASSERT_GE(study->messages.size(), 2u);
+    EXPECT_EQ(
+        study->messages[0].find("Series 3 (30 images) could not be opened: 30 of the 30 images cannot be "
+                                "decoded."),
+        0u)
+        << study->messages[0];
+    EXPECT_EQ(study->messages[1], "The best of the other volumes is shown instead.");
+    EXPECT_EQ(study->whyThisSeries, "The best volume that can be opened.");
+    EXPECT_EQ(study->found->volumes().at(study->volumeIndex).series->number, 4);
+}
+
+TEST_F(FolderWithADamagedSeries, AnotherPatientIsShownOnlyWhereNothingElseCanBeAndThatIsSaid) {
+    damage(next_);
+    const auto study = open();
+    ASSERT_TRUE(study.ok()) << study.error().message;
+    EXPECT_EQ(study->identity.patientName, "TWO^B");
+    ASSERT_GE(study->messages.size(), 3u);
+    EXPECT_EQ(study->messages[1].find("Series 4 (8 images) could not be opened: "), 0u);
+    EXPECT_EQ(study->messages[2],
+              "The best of the other volumes is shown instead, which is of another patient.");
+}
+
+TEST_F(FolderWithADamagedSeries, WhereASeriesWasAskedForNoOtherTakesItsPlace) {
+    Progress progress;
+    const auto ofFile = openStudy(best_.front(), progress);
+    ASSERT_FALSE(ofFile.ok());
+    EXPECT_NE(ofFile.error().message.find("cannot be decoded"), std::string::npos);
+    EXPECT_FALSE(openStudy(folder_.path(), progress, {.series = "2.25.1.3"}).ok());
+    const auto study = open();
+    ASSERT_TRUE(study.ok());
+    const auto& volumes = study->found->volumes();
+    for (std::size_t index = 0; index < volumes.size(); ++index)
+        EXPECT_EQ(openFoundVolume(study->found, index, progress).ok(), volumes[index].series->number != 3);
 }
 
 TEST(OpenStudy, OpensAVolumeFileAndNamesNobody) {

@@ -42,6 +42,31 @@ TEST_F(Documents, KeepWhatAnOlderProgramDoesNotKnow) {
     EXPECT_EQ(document->createdMs + 100, document->changedMs);
 }
 
+// A second program that writes meanwhile waits: what was read is what is replaced.
+TEST_F(Documents, AreChangedByWhatIsStored) {
+    Store store = open();
+    const DocumentId id{DocumentKind::session, studyIdentity("1"), "last"};
+    std::vector<std::optional<std::string>> seen;
+    const auto change = [&](const std::string& json) {
+        const std::string_view known[]{"a", "b"};
+        return store.changeDocument(
+            id, 1,
+            [&](const std::optional<std::string>& stored) {
+                seen.push_back(stored);
+                return json;
+            },
+            known);
+    };
+    ASSERT_TRUE(isOk(change(R"({"a":1})")));
+    ASSERT_TRUE(isOk(change(R"({"b":2,"c":3})")));
+    ASSERT_TRUE(isOk(change(R"({"a":4})")));
+    EXPECT_EQ(seen,
+              (std::vector<std::optional<std::string>>{std::nullopt, R"({"a":1})", R"({"b":2,"c":3})"}));
+    EXPECT_EQ(valueOf(store.getDocument(id))->json, R"({"a":4,"c":3})");
+    EXPECT_EQ(troubleIn(change("[]")), Trouble::documentInvalid);
+    EXPECT_EQ(valueOf(store.getDocument(id))->json, R"({"a":4,"c":3})");
+}
+
 TEST_F(Documents, AreListedByNameAndRemoved) {
     Store store = open();
     for (const char* name : {"b", "a"})

@@ -99,6 +99,21 @@ TEST_F(MoviePanelTest, AWayOfAFileHasItsTimesAndMayBeStretched) {
     EXPECT_FALSE(panel_->pathFrom(at(0.0)));
 }
 
+// Before hundreds of pictures are drawn for nothing.
+TEST_F(MoviePanelTest, SaysThatThereIsNoEncoderBeforeAnythingIsDrawn) {
+    const auto* says = panel_->findChild<QLabel*>(QStringLiteral("movie-no-encoder"));
+    ASSERT_NE(says, nullptr);
+    panel_->setHasEncoder(true);
+    EXPECT_FALSE(says->isVisibleTo(&*panel_));
+    EXPECT_TRUE(panel_->wantsVideo());
+    panel_->setHasEncoder(false);
+    EXPECT_TRUE(says->isVisibleTo(&*panel_));
+    EXPECT_TRUE(says->text().contains(QStringLiteral("ffmpeg")));
+    EXPECT_FALSE(panel_->wantsVideo());
+    panel_->setHasEncoder(true);
+    EXPECT_TRUE(panel_->wantsVideo()) << "it was installed meanwhile";
+}
+
 TEST_F(MoviePanelTest, LettersStandAtTheirEdges) {
     const app::EdgeLetters letters = app::edgeLetters(app::OrbitCamera{});
     for (const glm::ivec2& size : {glm::ivec2(640, 480), glm::ivec2(16, 16), glm::ivec2(4096, 64)}) {

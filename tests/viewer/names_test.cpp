@@ -43,14 +43,15 @@ TEST_F(NamesTest, StandOverThePictureAndInTheTitleUntilAKeyHidesThem) {
     auto* shown = window_->findChild<QAction*>(QStringLiteral("names"));
     ASSERT_TRUE(shown != nullptr && shown->isChecked());
 
-    // At once, with no other picture; and the title stays.
+    // At once, with no other picture.
     const int before = frames_;
     pressKey(Qt::Key_N);
     EXPECT_TRUE(waitUntil([&] { return !isNamed(kDoe); }));
     EXPECT_FALSE(shown->isChecked());
-    EXPECT_TRUE(title().startsWith(QStringLiteral("DOE, JOHN")));
+    EXPECT_EQ(title(), QStringLiteral("Macula"));
     shown->trigger();
     EXPECT_TRUE(waitUntil([&] { return isNamed(kDoe); }));
+    EXPECT_TRUE(title().startsWith(QStringLiteral("DOE, JOHN")));
     EXPECT_EQ(frames_, before);
 
     // Another size of window, another width of the text.
@@ -66,7 +67,7 @@ TEST_F(NamesTest, GoWithThePicture) {
     window_->showStudy(studyThatCannotBeShown());
     ASSERT_TRUE(waitUntil([&] { return !window_->message().isEmpty(); }));
     EXPECT_TRUE(waitUntil([&] { return !isNamed(kDoe); }));
-    EXPECT_EQ(title(), QStringLiteral("Macula"));
+    EXPECT_TRUE(title().startsWith(QStringLiteral("Second"))) << "that is what is open";
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
     EXPECT_TRUE(waitUntil([&] { return isNamed(kPhantom); }));

@@ -144,6 +144,21 @@ TEST_F(OpeningTest, APresetForOtherValuesIsWarnedOfWhenItIsChosen) {
     EXPECT_TRUE(window_->notes().contains(QStringLiteral("made for MR"))) << window_->notes().toStdString();
 }
 
+// What somebody chose in one study says nothing about the next one, nor about one that comes back.
+TEST_F(OpeningTest, APresetThatWasChosenIsOfThatStudyAlone) {
+    const auto presetNow = [&] { return window_->state().preset->name; };
+    window_->showStudy(ofUnit(Unit::hounsfield, "CT"));
+    const std::string automatic = presetNow();
+    ASSERT_NE(automatic, "cinematic-soft-tissue");
+    choosePreset("cinematic-soft-tissue");
+    window_->findChild<QAction*>(QStringLiteral("look-mip"))->trigger();
+    EXPECT_EQ(presetNow(), "cinematic-soft-tissue");
+    window_->showStudy(smallStudy(Unit::hounsfield));
+    EXPECT_EQ(presetNow(), automatic);
+    EXPECT_EQ(window_->state().settings.look, trace::Look::cinematic);
+    EXPECT_EQ(box("Preset")->currentData(Qt::ToolTipRole).toString().toStdString(), automatic);
+}
+
 TEST_F(OpeningTest, TheWindowOfAProjectionDoesNotDependOnHowThePresetWasChosen) {
     window_->showStudy(ofUnit(Unit::hounsfield, "CT"));
     pictureOf("look-mip");

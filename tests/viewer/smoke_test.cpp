@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 #include <QImage>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -10,7 +11,10 @@
 #include <QSet>
 #include <QTemporaryDir>
 
+#include <csignal>
+
 #include "viewer/display.h"
+#include "viewer/wait_until.h"
 
 namespace macula::viewer {
 namespace {
@@ -147,6 +151,34 @@ TEST_F(ViewerProgram, LooksForTheDisplayWithoutLosingIt) {
 
     EXPECT_EQ(outcome.exitCode, 2) << outcome.errors.toStdString();
     EXPECT_TRUE(server.waitForFinished()) << "it was no display of the kind that this is about";
+}
+
+// Signals that the process catches: a bit each, of /proc.
+quint64 caughtBy(qint64 process) {
+    QFile status(QStringLiteral("/proc/%1/status").arg(process));
+    if (!status.open(QIODevice::ReadOnly)) return 0;
+    for (const QByteArray& line : status.readAll().split('\n'))
+        if (line.startsWith("SigCgt:")) return line.mid(7).trimmed().toULongLong(nullptr, 16);
+    return 0;
+}
+
+// A shutdown: it ends in order, which saves, and does not fall over.
+TEST_F(ViewerProgram, EndsInOrderWhenASignalAsksForIt) {
+    const QTemporaryDir folder;
+    for (const int number : {SIGTERM, SIGHUP, SIGINT}) {
+        QProcess process;
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("XDG_DATA_HOME"), folder.path());
+        process.setProcessEnvironment(environment);
+        process.start(QStringLiteral(MACULA_VIEWER_PROGRAM),
+                      {"--sessions", folder.path(), "--no-model", "--size", "320x240"});
+        ASSERT_TRUE(process.waitForStarted());
+        ASSERT_TRUE(waitUntil([&] { return (caughtBy(process.processId()) >> (number - 1) & 1) != 0; }));
+        ASSERT_EQ(::kill(pid_t(process.processId()), number), 0);
+        ASSERT_TRUE(process.waitForFinished(250'000));
+        EXPECT_EQ(process.exitStatus(), QProcess::NormalExit) << number;
+        EXPECT_EQ(process.exitCode(), 130) << process.readAllStandardError().toStdString();
+    }
 }
 
 }  // namespace

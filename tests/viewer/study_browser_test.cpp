@@ -451,6 +451,32 @@ TEST_F(StudyBrowserTest, ShowsAFolderWhileItIsReadAndKeepsTheSearch) {
     EXPECT_TRUE(search_->text().isEmpty());
 }
 
+// As after an open that failed: what is on screen is of another folder, and no row here is lit for it.
+TEST_F(StudyBrowserTest, OfAFolderThatNothingIsOpenOfNoRowIsLit) {
+    const auto* elsewhere = browser_->findChild<QLabel*>(QStringLiteral("elsewhere"));
+    ASSERT_NE(elsewhere, nullptr);
+    browser_->setFound(app::test::twoPatients(), 0);
+    EXPECT_TRUE(tree_->selectionModel()->hasSelection());
+    EXPECT_FALSE(elsewhere->isVisible());
+    browser_->setFound(glimpseOf(3), std::nullopt);
+    EXPECT_FALSE(tree_->selectionModel()->hasSelection());
+    EXPECT_FALSE(elsewhere->isVisible()) << "it may be on its way";
+    const auto found = app::test::manySeries(3);
+    browser_->setFound(found, std::nullopt);
+    EXPECT_FALSE(tree_->selectionModel()->hasSelection());
+    EXPECT_EQ(browser_->selectedOther(), std::nullopt);
+    EXPECT_TRUE(elsewhere->isVisible());
+    for (const QModelIndex& index : allRows()) EXPECT_FALSE(isOpen(index));
+    // What a person selects is lit.
+    QTest::mouseClick(tree_->viewport(), Qt::LeftButton, {},
+                      middleOf(rowTitled(QStringLiteral("Series 2: Thorax 1"))));
+    EXPECT_TRUE(tree_->selectionModel()->hasSelection());
+    EXPECT_EQ(browser_->selectedOther(), std::optional<std::size_t>(1));
+    browser_->setFound(found, 1);
+    EXPECT_FALSE(elsewhere->isVisible());
+    EXPECT_TRUE(isOpen(tree_->currentIndex()));
+}
+
 TEST_F(StudyBrowserTest, WhatIsLookedAtStaysInItsPlaceWhileMoreIsFound) {
     browser_->setFound(glimpseOf(60), std::nullopt);
     settle();

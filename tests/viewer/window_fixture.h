@@ -34,9 +34,15 @@ class WindowTest : public testing::Test {
     void makeWindow() {
         auto instance = createInstanceForWindows();
         if (!instance) FAIL() << "packaging/bootstrap installs a Vulkan driver: " << instance.error().message;
-        auto catalogue = app::builtInCatalogue();
-        ASSERT_TRUE(catalogue.ok()) << catalogue.error().message;
-        MainWindowOptions options{.catalogue = *catalogue};
+        window_.emplace(*std::move(instance), windowOptions());
+        QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const app::FrameShown& frame) {
+            last_ = frame;
+            ++frames_;
+        });
+        window_->show();
+    }
+    MainWindowOptions windowOptions() const {
+        MainWindowOptions options{.catalogue = app::builtInCatalogue().value()};
         // Not used for CT; and refused by the device's side of the program for all else.
         if (refusesRaw_)
             options.preset = std::make_shared<const TransferFunction>(
@@ -47,12 +53,7 @@ class WindowTest : public testing::Test {
         options.usesModel = usesModel_;
         options.sessions = sessions_;
         options.showsInHeadset = showsInHeadset_;
-        window_.emplace(*std::move(instance), std::move(options));
-        QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const app::FrameShown& frame) {
-            last_ = frame;
-            ++frames_;
-        });
-        window_->show();
+        return options;
     }
     void TearDown() override {
         macula::test::loseDeviceAt(macula::test::VulkanCall::submit, 1, 0);

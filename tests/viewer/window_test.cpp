@@ -115,10 +115,13 @@ TEST_F(WindowTest, AViewComesBackAsItWas) {
     EXPECT_FALSE(window_->setState(ofAnother).ok());
     EXPECT_EQ(window_->state().settings.look, trace::Look::average);
 
-    // The next study keeps what the menus show, and no number that nobody sees.
+    // How the next study is drawn nobody has chosen yet; how the window is arranged stays.
+    window_->session().change(QStringLiteral("Panes"),
+                              [](app::StudyState& next) { next.layout = app::Layout::coronal; });
     window_->open(std::nullopt);
     ASSERT_TRUE(waitUntil([&] { return window_->state().settings.exposure == 1.0; }));
-    EXPECT_EQ(window_->state().settings.look, trace::Look::average);
+    EXPECT_EQ(window_->state().settings.look, trace::Look::cinematic);
+    EXPECT_EQ(window_->state().layout, app::Layout::coronal);
     EXPECT_FALSE(window_->state().leavesTableOut);
     EXPECT_EQ(window_->state().windows.at(std::size_t(trace::Look::average)), std::nullopt);
 }
@@ -197,11 +200,12 @@ TEST_F(WindowTest, NothingOfTheStudyBeforeStaysWhenTheNextOneCannotBeShown) {
     const int before = frames_;
     window_->showStudy(studyThatCannotBeShown());
     // From the first moment on, the device has not even heard of it.
-    EXPECT_TRUE(window_->description().isEmpty());
+    EXPECT_EQ(window_->description(), QStringLiteral("Second"));
     EXPECT_TRUE(window_->viewport().letters().left.empty());
     ASSERT_TRUE(waitUntil([&] { return error.has_value(); }));
     EXPECT_EQ(frames_, before);
-    EXPECT_TRUE(window_->description().isEmpty());
+    EXPECT_EQ(window_->description(), QStringLiteral("Second"));
+    EXPECT_EQ(window_->fidelity(), QStringLiteral("No picture"));
     EXPECT_TRUE(window_->viewport().letters().right.empty());
     EXPECT_TRUE(waitUntil([&] { return coloursInTheMiddle() == 1; }));
 

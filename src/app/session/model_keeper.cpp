@@ -12,6 +12,7 @@
 #include "app/session/scene_key.h"
 #include "app/session/seen_before.h"
 #include "app/state/state_keys.h"
+#include "app/state/state_merge.h"
 #include "app/state/study_state.h"
 #include "base/check.h"
 #include "base/give_way.h"
@@ -83,13 +84,16 @@ session::DocumentId stateIdOf(const Volume& volume, const std::string& digest) {
             .name = digest + " " + kStateName};
 }
 
-// What this program cannot read, that of a newer one or one that a fault has kept, stays under a name of its
-// own before another state takes its place; nothing of it is taken into that.
-Result<void> setAsideIfUnreadable(session::Store& store, const session::DocumentId& id,
-                                  const session::Document& before) {
-    if (studyStateFromJson(before.json, {})) return {};
+// What cannot be taken into the new state stays under a name of its own before that takes its place: what
+// this program cannot read, of a newer one or of a fault, and what would be too much together.
+Result<void> setAsideIfNotMerged(session::Store& store, const session::DocumentId& id,
+                                 const session::Document& before, const std::string* base,
+                                 const std::string& json) {
+    const bool isReadable = studyStateFromJson(before.json, {}).ok();
+    if (isReadable && (base == nullptr || mergedState(*base, json, before.json))) return {};
     session::DocumentId aside = id;
-    aside.name += ", unreadable " + sha256Hex(before.json).substr(0, 16);
+    aside.name +=
+        (isReadable ? ", of another window " : ", unreadable ") + sha256Hex(before.json).substr(0, 16);
     MACULA_TRY_VOID(store.putDocument(aside, before.version, before.json, {}));
     MACULA_TRY_VOID(store.removeDocument(id));
     return {};
@@ -235,6 +239,13 @@ void ModelKeeper::withStore(StoreUse use) {
     post(Urgency::isWaitedFor, [once = std::make_shared<Once>(std::move(use))](session::Store& store) {
         std::exchange(once->use, nullptr)(&store);
     });
+}
+
+bool ModelKeeper::waitUntilStatesAreKept(std::chrono::milliseconds patience) {
+    auto kept = std::make_shared<std::promise<void>>();
+    const auto future = kept->get_future();
+    withStore([kept](session::Store*) { kept->set_value(); });
+    return future.wait_for(patience) == std::future_status::ready;
 }
 
 void ModelKeeper::waitUntilIdle() {
@@ -485,7 +496,7 @@ std::optional<std::string> ModelKeeper::stateOf(const std::shared_ptr<const Volu
             tell({ErrorCode::inputNotUsable,
                   "How this study was left was not found in time.",
                   {},
-                  "It is kept until something is changed: open the study again to see it."});
+                  "It is kept: open the study again to see it."});
         });
     } catch (const std::exception&) {
         // The promise was dropped, or there is no memory.
@@ -504,26 +515,39 @@ void ModelKeeper::askWhatWasSeen(std::shared_ptr<const FoundVolumes> found,
          });
 }
 
-void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string json) {
+void ModelKeeper::keepState(std::shared_ptr<const Volume> volume, std::string json,
+                            std::shared_ptr<std::string> base) {
     // Before whoever asks for it next.
-    post(Urgency::isWaitedFor,
-         [this, volume = std::move(volume), json = std::move(json)](session::Store& store) {
-             const std::string digest = digests_.of(volume);
-             record(store, openedVolume(*volume, digest));
-             const session::DocumentId id = stateIdOf(*volume, digest);
-             const auto before = store.getDocument(id);
-             if (!before) {
-                 tell(before.error());  // a damaged one the store has set aside by itself
-             } else if (*before) {
-                 const auto aside = setAsideIfUnreadable(store, id, **before);
-                 if (!aside) return tell(aside.error());
-             }
-             // A clip that was taken back is in the older text still.
-             const std::vector<std::string> keys = stateKeys();
-             const std::vector<std::string_view> known(keys.begin(), keys.end());
-             const auto done = store.putDocument(id, kStateVersion, json, known);
-             if (!done) tell(done.error());
-         });
+    post(Urgency::isWaitedFor, [this, volume = std::move(volume), json = std::move(json),
+                                base = std::move(base)](session::Store& store) {
+        const std::string digest = digests_.of(volume);
+        record(store, openedVolume(*volume, digest));
+        const session::DocumentId id = stateIdOf(*volume, digest);
+        const auto before = store.getDocument(id);
+        if (!before) {
+            tell(before.error());  // a damaged one the store has set aside by itself
+        } else if (*before) {
+            const auto aside = setAsideIfNotMerged(store, id, **before, base.get(), json);
+            if (!aside) return tell(aside.error());
+        }
+        bool holdsMore = false;
+        const auto merge = [&](const std::optional<std::string>& stored) {
+            const auto merged = stored && base ? mergedState(*base, json, *stored) : std::nullopt;
+            holdsMore = merged && merged->holdsMore;
+            return merged ? merged->json : json;
+        };
+        // A clip that was taken back is in the older text still.
+        const std::vector<std::string> keys = stateKeys();
+        const std::vector<std::string_view> known(keys.begin(), keys.end());
+        if (const auto done = store.changeDocument(id, kStateVersion, merge, known); !done)
+            return tell(done.error());  // the next one is still made of what was kept before
+        if (base) *base = json;
+        if (holdsMore)
+            tell({ErrorCode::inputNotUsable,
+                  "More was measured on this study than is shown here: another window has it open, or had.",
+                  {},
+                  "All of it is kept; open the study again to see it."});
+    });
 }
 
 }  // namespace macula::app

@@ -56,7 +56,15 @@ class ModelKeeper final : public SceneKeeper {
     // `patience` and for the digest of the volume. Throws nothing.
     std::optional<std::string> stateOf(const std::shared_ptr<const Volume>& volume,
                                        std::chrono::milliseconds patience);
-    void keepState(std::shared_ptr<const Volume> volume, std::string json);
+    // In place of the one that is kept, of which stays what another window has put there since `base` was
+    // kept or read: mergedState. `base` is a text like `json`, which follows what could be kept: the same one
+    // for as long as a window has the study open, and the keeper's alone from the first call on. Null:
+    // nothing stays.
+    void keepState(std::shared_ptr<const Volume> volume, std::string json,
+                   std::shared_ptr<std::string> base = {});
+    // Until states that were handed over are kept, but at most so long: false where one is not by then.
+    // Models may follow.
+    bool waitUntilStatesAreKept(std::chrono::milliseconds patience);
     // See volumesSeenBefore. `answer` is called on the keeper's thread, and not at all where nothing can be
     // told.
     void askWhatWasSeen(std::shared_ptr<const FoundVolumes> found,

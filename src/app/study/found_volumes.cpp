@@ -80,6 +80,22 @@ Result<FoundVolumes::Choice> FoundVolumes::best(const std::filesystem::path& fol
     return Choice{*index, choice.why};
 }
 
+std::optional<std::size_t> FoundVolumes::bestWithout(const std::vector<std::size_t>& failed) const {
+    std::vector<const dicom::Stack*> without;
+    for (const std::size_t index : failed) without.push_back(volumes_.at(index).stack);
+    std::vector<const dicom::Stack*> orOfOthers = without;
+    for (std::size_t index = 0; index < volumes_.size(); ++index) {
+        if (!areOfOnePatient(index, failed.front())) orOfOthers.push_back(volumes_[index].stack);
+    }
+    if (const auto own = indexOf(dicom::bestVolume(scan_, orOfOthers).stack)) return own;
+    return indexOf(dicom::bestVolume(scan_, without).stack);
+}
+
+// As the scan told them apart.
+bool FoundVolumes::areOfOnePatient(std::size_t a, std::size_t b) const {
+    return volumes_.at(a).study->patient == volumes_.at(b).study->patient;
+}
+
 Result<FoundVolumes::Choice> FoundVolumes::ofSeries(const std::string& wanted,
                                                     const std::filesystem::path& folder) const {
     const auto all = dicom::findAllSeries(scan_, wanted);

@@ -43,6 +43,10 @@ class FoundVolumes {
     };
     // The best volume. inputNotUsable when there is none; the error's place is `folder`.
     Result<Choice> best(const std::filesystem::path& folder) const;
+    // The best volume but for those that failed, of the patient of the first of them where there is one;
+    // nothing where none is left.
+    std::optional<std::size_t> bestWithout(const std::vector<std::size_t>& failed) const;
+    bool areOfOnePatient(std::size_t a, std::size_t b) const;  // indices
     // The best volume of the series with that UID, or of that number in the list of `macula info`;
     // inputNotUsable when there is none, or when several studies have one.
     Result<Choice> ofSeries(const std::string& wanted, const std::filesystem::path& folder) const;

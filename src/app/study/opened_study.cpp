@@ -1,8 +1,11 @@
 #include "app/study/opened_study.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <new>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -103,6 +106,41 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     return study;
 }
 
+// Names nobody: descriptions of series may.
+std::string notOpened(const FoundVolume& volume, const std::string& why) {
+    const std::size_t images = volume.stack->frames.size();
+    if (const auto number = volume.series->number)
+        return fmt::format("Series {} ({} images) could not be opened: {}", *number, images, why);
+    return fmt::format("A series without a number ({} images) could not be opened: {}", images, why);
+}
+
+// The best volume that can be decoded. What comes before it, and cannot, is told; where nothing can, the
+// error is that of the first.
+Result<OpenedStudy> loadBest(const std::shared_ptr<const FoundVolumes>& found,
+                             const FoundVolumes::Choice& best, Progress& progress) {
+    Result<OpenedStudy> first = loadFound(found, best.index, progress);
+    if (first) first->whyThisSeries = best.why;
+    if (first || first.error().code == ErrorCode::cancelled) return first;
+    std::vector<std::size_t> failed{best.index};
+    std::vector<std::string> told{notOpened(found->volumes().at(best.index), first.error().message)};
+    while (const auto index = found->bestWithout(failed)) {
+        Result<OpenedStudy> study = loadFound(found, *index, progress);
+        if (!study && study.error().code == ErrorCode::cancelled) return study;
+        if (study) {
+            study->whyThisSeries = "The best volume that can be opened.";
+            told.emplace_back(
+                found->areOfOnePatient(*index, best.index)
+                    ? "The best of the other volumes is shown instead."
+                    : "The best of the other volumes is shown instead, which is of another patient.");
+            study->messages.insert(study->messages.begin(), told.begin(), told.end());
+            return study;
+        }
+        told.push_back(notOpened(found->volumes().at(*index), study.error().message));
+        failed.push_back(*index);
+    }
+    return first;
+}
+
 // Only images of DICOM have one.
 Error hasNoSeries(const std::filesystem::path& path) {
     return {ErrorCode::usage, "A series was asked for of what is no folder of DICOM images.", path.string(),
@@ -133,9 +171,11 @@ Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progr
     if (how.asksWhichPatient && how.series.empty() && !isOneImage) {
         if (auto question = whichPatient(*found, path)) return *std::move(question);
     }
+    const bool isAsked = !how.series.empty() || isOneImage;  // that one, and no other in its place
     MACULA_TRY(const FoundVolumes::Choice choice, !how.series.empty() ? found->ofSeries(how.series, path)
                                                   : isOneImage        ? found->holding(path)
                                                                       : found->best(path));
+    if (!isAsked) return loadBest(found, choice, progress);
     MACULA_TRY(OpenedStudy study, loadFound(found, choice.index, progress));
     study.whyThisSeries = choice.why;
     return study;

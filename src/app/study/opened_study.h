@@ -60,7 +60,8 @@ struct OpenOptions {
     bool asksWhichPatient = false;
 };
 
-// Scans, chooses the series and decodes it. Blocks; a file at a time sees a cancellation. Throws nothing.
+// Scans, chooses the series and decodes it; of a folder the best one that can be decoded, and says which
+// could not. Blocks; a file at a time sees a cancellation. Throws nothing.
 Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenOptions& how = {});
 // Decodes another volume of the folder.
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,

@@ -38,6 +38,7 @@ StudyBrowser::StudyBrowser(QWidget* parent)
       tree_(new QTreeView),
       nothing_(new QLabel),
       reading_(new QLabel(tr("The folder is still being read. What is in it can be opened then."))),
+      elsewhere_(new QLabel(tr("Nothing of this folder is open."))),
       model_(new StudyTreeModel(this)),
       pictures_(this, {.progressed = [](const ProgressUpdate&) {},
                        .ended = [this](const Result<app::Thumbnail>& made) { takePicture(made); }}) {
@@ -46,12 +47,15 @@ StudyBrowser::StudyBrowser(QWidget* parent)
     column->addWidget(search_);
     column->addWidget(nothing_);
     column->addWidget(reading_);
+    column->addWidget(elsewhere_);
     column->addWidget(tree_, 1);
     column->addStretch();
     makeSearch();
     makeTree();
     reading_->setObjectName(QStringLiteral("reading"));
     reading_->setWordWrap(true);
+    elsewhere_->setObjectName(QStringLiteral("elsewhere"));
+    elsewhere_->setWordWrap(true);
     nothing_->setObjectName(QStringLiteral("nothing"));
     nothing_->setTextFormat(Qt::PlainText);
     nothing_->setWordWrap(true);
@@ -106,7 +110,8 @@ void StudyBrowser::makeTree() {
 
 std::optional<std::size_t> StudyBrowser::selectedOther() const {
     const std::size_t row = currentRow();
-    if (row >= model_->tree().rows.size()) return std::nullopt;
+    if (row >= model_->tree().rows.size() || !tree_->selectionModel()->isSelected(tree_->currentIndex()))
+        return std::nullopt;
     const std::optional<std::size_t> volume = model_->tree().rows[row].volume;
     return volume && volume != model_->open() ? volume : std::nullopt;
 }
@@ -127,6 +132,8 @@ void StudyBrowser::setFound(std::shared_ptr<const app::FoundVolumes> found, std:
     model_->setOpen(open);
     layOut(app::kNoRow);
     revealOpen();
+    // A row that is lit is taken for that of what is on screen, which is of another folder.
+    if (!open) tree_->selectionModel()->clearSelection();
     tellWhatIsMissing();
     // What somebody looks at stays in its place while more is found below.
     if (goesOn && !open) tree_->verticalScrollBar()->setValue(scrolledTo);
@@ -136,6 +143,7 @@ void StudyBrowser::setShown(std::optional<std::size_t> open) {
     if (open == model_->open()) return;
     model_->setOpen(open);
     revealOpen();
+    tellWhatIsMissing();
 }
 
 void StudyBrowser::showNames(bool shown) {
@@ -258,6 +266,7 @@ void StudyBrowser::tellWhatIsMissing() {
     }
     nothing_->setVisible(isEmpty);
     reading_->setVisible(found_ && !found_->isWhole());
+    elsewhere_->setVisible(found_ && found_->isWhole() && !isEmpty && !model_->open());
     tree_->setVisible(!isEmpty);
     search_->setEnabled(!model_->tree().rows.empty());
 }

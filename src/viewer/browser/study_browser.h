@@ -31,8 +31,10 @@ class StudyBrowser : public QWidget {
     // So wide that most descriptions of series have room beside their pictures.
     QSize sizeHint() const override { return {340, 400}; }
 
-    // Null: there is no folder. `open` is in FoundVolumes::volumes(). The search starts anew with a folder,
-    // but for one that was shown while it was being read (FoundVolumes::isWhole): that is the same one.
+    // Null: there is no folder. `open` is in FoundVolumes::volumes(); without it no row is selected until a
+    // person selects one, and the browser says that nothing of the folder is open. The search starts anew
+    // with a folder, but for one that was shown while it was being read (FoundVolumes::isWhole): that is the
+    // same one.
     void setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open);
     const std::shared_ptr<const app::FoundVolumes>& found() const { return found_; }
     void setShown(std::optional<std::size_t> open);
@@ -76,7 +78,8 @@ class StudyBrowser : public QWidget {
     QLineEdit* search_;
     QTreeView* tree_;
     QLabel* nothing_;
-    QLabel* reading_;  // the folder is not read to its end
+    QLabel* reading_;    // the folder is not read to its end
+    QLabel* elsewhere_;  // what is open is of another folder
     StudyTreeModel* model_;
 
     std::shared_ptr<const app::FoundVolumes> found_;

@@ -28,6 +28,7 @@ class ModelExport : public QObject {
     void expect(Wish wish, std::uint64_t number);
     void onTaken(const app::ModelTaken& taken);
     void cancel();
+    bool running() const { return expected_ != 0 || job_.running(); }
 
   signals:
     void began();

@@ -28,7 +28,6 @@ QString leftText(qint64 elapsedMs, double fraction) {
 MovieExport::MovieExport(std::string preferredDevice, QObject* parent)
     : QObject(parent),
       preferredDevice_(std::move(preferredDevice)),
-      program_(VideoEncoder::find()),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
                           const qint64 elapsed = QDateTime::currentMSecsSinceEpoch() - stageBeganMs_;
@@ -87,14 +86,15 @@ void MovieExport::onDrawn(const Result<app::WrittenSequence>& outcome) {
     told_ << tr("%Ln pictures are in %1.", nullptr, int(outcome->files.size())).arg(folder_);
     for (const std::string& sentence : outcome->sentences) told_ << inWindowsLanguage(sentence);
     if (!wantsVideo_) return finish({});
-    if (program_.isEmpty())
+    const QString program = VideoEncoder::find();
+    if (program.isEmpty())
         return finish(tr("No video was made of them: there is no encoder. Install ffmpeg, and draw again."));
     if (QFileInfo::exists(QDir(folder_).filePath(kVideo)))
         return finish(tr("No video was made of them: %1 is there already.").arg(kVideo));
-    encoder_.start(program_, {.folder = folder_,
-                              .frames = int(outcome->files.size()),
-                              .picturesPerS = picturesPerS_,
-                              .fileName = kVideo});
+    encoder_.start(program, {.folder = folder_,
+                             .frames = int(outcome->files.size()),
+                             .picturesPerS = picturesPerS_,
+                             .fileName = kVideo});
 }
 
 void MovieExport::finish(const QString& aboutVideo) {

@@ -30,8 +30,6 @@ class MovieExport : public QObject {
     void start(MovieWish wish);
     void cancel();
     bool running() const { return job_.running() || encoder_.running(); }
-    // For tests: another program than that of the machine; empty: none.
-    void setEncoder(const QString& program) { program_ = program; }
 
   signals:
     void began();
@@ -45,7 +43,6 @@ class MovieExport : public QObject {
     void finish(const QString& aboutVideo);
 
     std::string preferredDevice_;
-    QString program_;
     // Of the last wish; the volume and names are the job's alone, and go with it.
     QString folder_;
     double picturesPerS_ = 0.0;

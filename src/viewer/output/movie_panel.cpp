@@ -91,6 +91,13 @@ void MoviePanel::addChoices() {
                    false);
     video_ =
         check(this, tr("&Video of them"), tr("An MP4 file beside them, by ffmpeg if it is installed"), true);
+    noEncoder_ =
+        new QLabel(tr("This machine has no encoder: install ffmpeg for a video. Pictures are drawn to "
+                      "the folder all the same."),
+                   this);
+    noEncoder_->setObjectName(QStringLiteral("movie-no-encoder"));
+    noEncoder_->setWordWrap(true);
+    noEncoder_->hide();
     count_ = new QLabel(this);
     count_->setObjectName(QStringLiteral("movie-count"));
     auto* form = new QFormLayout;
@@ -102,6 +109,7 @@ void MoviePanel::addChoices() {
     form->addRow(tr("&Height"), height_);
     form->addRow(tr("&Quality"), qualities_);
     for (QCheckBox* box : {letters_, names_, video_}) form->addRow(box);
+    form->addRow(noEncoder_);
     form->addRow(count_);
     static_cast<QVBoxLayout*>(layout())->addLayout(form);
     connect(kinds_, &QComboBox::currentIndexChanged, this, &MoviePanel::showViews);
@@ -211,6 +219,11 @@ void MoviePanel::showViews() {
     save_->setEnabled(!views_.stops.empty());
     degrees_->setEnabled(isTurntable());
     draw_->setEnabled(isTurntable() || !views_.stops.empty());
+}
+
+void MoviePanel::setHasEncoder(bool hasEncoder) {
+    video_->setEnabled(hasEncoder);
+    noEncoder_->setVisible(!hasEncoder);
 }
 
 void MoviePanel::showFrames() {

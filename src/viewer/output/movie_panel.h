@@ -35,7 +35,9 @@ class MoviePanel : public QWidget {
     std::string quality() const;  // by name: app::EffortWish
     bool withLetters() const { return letters_->isChecked(); }
     bool withNames() const { return names_->isChecked(); }  // of patient and study
-    bool wantsVideo() const { return video_->isChecked(); }
+    bool wantsVideo() const { return video_->isEnabled() && video_->isChecked(); }
+    // Whether the machine can make one: where it cannot, the panel says so before anything is drawn.
+    void setHasEncoder(bool hasEncoder);
 
     // Of what is chosen, from that camera; nothing for a way without views. Its time is seconds().
     std::optional<app::CameraPath> pathFrom(const Camera& camera) const;
@@ -71,6 +73,7 @@ class MoviePanel : public QWidget {
     QCheckBox* letters_ = nullptr;
     QCheckBox* names_ = nullptr;
     QCheckBox* video_ = nullptr;
+    QLabel* noEncoder_ = nullptr;  // says that there is none
     QLabel* count_ = nullptr;
     QListWidget* list_ = nullptr;
     QPushButton* remove_ = nullptr;

@@ -28,6 +28,8 @@ QSpinBox* side(QWidget* parent, int px, const QString& name) {
 
 PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     : QDialog(parent),
+      hidden_(new QLabel(
+          tr("The view in 3D is drawn, which is not shown now. Slices are not saved as pictures."), this)),
       sizes_(new QComboBox(this)),
       width_(side(this, onScreenPx.width(), tr("Width"))),
       height_(side(this, onScreenPx.height(), tr("Height"))),
@@ -35,6 +37,9 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
       overlays_(new QCheckBox(tr("With &cube, scale and letters"), this)),
       deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
     setWindowTitle(tr("Save Picture"));
+    hidden_->setObjectName(QStringLiteral("3d-is-hidden"));
+    hidden_->setWordWrap(true);
+    hidden_->hide();
     sizes_->setAccessibleName(tr("Size"));
     sizes_->setToolTip(tr("A usual size in pixels; any other below"));
     addSize(tr("As on screen"), onScreenPx);
@@ -85,6 +90,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* form = new QFormLayout(this);
+    form->addRow(hidden_);
     form->addRow(tr("&Size"), sizes_);
     form->addRow(tr("&Width"), width_);
     form->addRow(tr("&Height"), height_);
@@ -102,6 +108,10 @@ void PictureDialog::addSize(const QString& title, QSize pixels) {
 void PictureDialog::beginWith(const QString& quality, bool isDeidentified) {
     if (const int index = qualities_->findData(quality); index >= 0) qualities_->setCurrentIndex(index);
     deidentified_->setChecked(isDeidentified);
+}
+
+void PictureDialog::tellThat3dIsHidden() {
+    hidden_->show();
 }
 
 QSize PictureDialog::sizePx() const {

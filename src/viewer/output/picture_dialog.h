@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QLabel>
 #include <QSize>
 #include <QSpinBox>
 #include <string>
@@ -21,6 +22,9 @@ class PictureDialog : public QDialog {
     // Instead of what it begins with by itself; a quality that there is not changes nothing.
     void beginWith(const QString& quality, bool isDeidentified);
 
+    // Says that the view in 3D is drawn all the same.
+    void tellThat3dIsHidden();
+
     QSize sizePx() const;
     std::string quality() const;  // by name: app::EffortWish
     bool isDeidentified() const { return deidentified_->isChecked(); }
@@ -29,6 +33,7 @@ class PictureDialog : public QDialog {
   private:
     void addSize(const QString& title, QSize pixels);
 
+    QLabel* hidden_;
     QComboBox* sizes_;
     QSpinBox* width_;
     QSpinBox* height_;

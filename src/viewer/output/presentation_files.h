@@ -25,6 +25,8 @@ class PresentationFiles : public QObject {
     explicit PresentationFiles(QObject* parent = nullptr);
 
     void save(const std::filesystem::path& path, app::PresentationWish wish);
+    void cancelSaving() { saving_.cancel(); }
+    bool saving() const { return saving_.running(); }
     // For the volume that is open, of these images (app::imagesOf); what the file does not say is as in
     // `usual`. All of its view is seen in a picture of that aspect; 0: not known.
     void open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,

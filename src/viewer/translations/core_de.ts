@@ -77,8 +77,8 @@
         <translation>Sichtbares einpassen</translation>
     </message>
     <message>
-        <source>Patient, study and series over the picture, or not</source>
-        <translation>Patient, Studie und Serie über dem Bild, oder nicht</translation>
+        <source>Patient, study and series over the picture, in title and lists, or not</source>
+        <translation>Patient, Studie und Serie über dem Bild, in Titel und Listen, oder nicht</translation>
     </message>
     <message>
         <source>Ctrl+1 to Ctrl+6</source>
@@ -3215,8 +3215,16 @@
         <translation>Wie diese Studie verlassen wurde, wurde nicht rechtzeitig gefunden.</translation>
     </message>
     <message>
-        <source>It is kept until something is changed: open the study again to see it.</source>
-        <translation>Es bleibt aufbewahrt, bis etwas geändert wird: öffnen Sie die Studie noch einmal, um es zu sehen.</translation>
+        <source>It is kept: open the study again to see it.</source>
+        <translation>Es bleibt aufbewahrt: öffnen Sie die Studie noch einmal, um es zu sehen.</translation>
+    </message>
+    <message>
+        <source>More was measured on this study than is shown here: another window has it open, or had.</source>
+        <translation>An dieser Studie wurde mehr gemessen, als hier gezeigt wird: ein anderes Fenster hat sie offen oder hatte sie offen.</translation>
+    </message>
+    <message>
+        <source>All of it is kept; open the study again to see it.</source>
+        <translation>Alles davon bleibt aufbewahrt; öffnen Sie die Studie noch einmal, um es zu sehen.</translation>
     </message>
     <message>
         <source>Soft tissue</source>
@@ -3317,6 +3325,26 @@
     <message>
         <source>The volume that was chosen.</source>
         <translation>Das gewählte Volumen.</translation>
+    </message>
+    <message>
+        <source>Series %1 (%2 images) could not be opened: %3</source>
+        <translation>Serie %1 (%2 Bilder) konnte nicht geöffnet werden: %3</translation>
+    </message>
+    <message>
+        <source>A series without a number (%1 images) could not be opened: %2</source>
+        <translation>Eine Serie ohne Nummer (%1 Bilder) konnte nicht geöffnet werden: %2</translation>
+    </message>
+    <message>
+        <source>The best of the other volumes is shown instead.</source>
+        <translation>Stattdessen wird das beste der anderen Volumen gezeigt.</translation>
+    </message>
+    <message>
+        <source>The best of the other volumes is shown instead, which is of another patient.</source>
+        <translation>Stattdessen wird das beste der anderen Volumen gezeigt, das von einem anderen Patienten ist.</translation>
+    </message>
+    <message>
+        <source>The best volume that can be opened.</source>
+        <translation>Das beste Volumen, das sich öffnen lässt.</translation>
     </message>
     <message>
         <source>%1 file was left out; the list of studies and `macula info` on the folder say why.</source>

@@ -364,6 +364,21 @@
     </message>
 </context>
 <context>
+    <name>Picture</name>
+    <message>
+        <source>Axial slices; 3D is not shown</source>
+        <translation>Axiale Schichten; 3D wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Coronal slices; 3D is not shown</source>
+        <translation>Koronale Schichten; 3D wird nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>Sagittal slices; 3D is not shown</source>
+        <translation>Sagittale Schichten; 3D wird nicht gezeigt</translation>
+    </message>
+</context>
+<context>
     <name>Preset</name>
     <message>
         <source>The preset %1 is made for values in %2; those of this volume are %3. What it shows here, and in which colours, means nothing.</source>
@@ -391,6 +406,25 @@
     <message>
         <source>%1 in pixels, 1 to %2</source>
         <translation>%1 in Pixeln, 1 bis %2</translation>
+    </message>
+</context>
+<context>
+    <name>QuitQuestion</name>
+    <message>
+        <source>Quit?</source>
+        <translation>Beenden?</translation>
+    </message>
+    <message>
+        <source>If you quit now, no file of it is left.</source>
+        <translation>Wenn Sie jetzt beenden, bleibt keine Datei davon übrig.</translation>
+    </message>
+    <message>
+        <source>&amp;Finish, Then Quit</source>
+        <translation>&amp;Fertigstellen, dann beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Quit Now</source>
+        <translation>&amp;Jetzt beenden</translation>
     </message>
 </context>
 <context>
@@ -2183,6 +2217,26 @@
         <source>In the headset</source>
         <translation>Im Headset</translation>
     </message>
+    <message>
+        <source>The picture in 3D is being made…</source>
+        <translation>Das Bild in 3D entsteht…</translation>
+    </message>
+    <message>
+        <source>A picture is still being drawn.</source>
+        <translation>Ein Bild wird noch gezeichnet.</translation>
+    </message>
+    <message>
+        <source>A movie is still being drawn.</source>
+        <translation>Ein Film wird noch gezeichnet.</translation>
+    </message>
+    <message>
+        <source>A model is still being written.</source>
+        <translation>Ein Modell wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>A presentation state is still being written.</source>
+        <translation>Ein Presentation State wird noch geschrieben.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::MessageBar</name>
@@ -2436,6 +2490,10 @@
             <numerusform>%Ln Bilder</numerusform>
         </translation>
     </message>
+    <message>
+        <source>This machine has no encoder: install ffmpeg for a video. Pictures are drawn to the folder all the same.</source>
+        <translation>Dieser Rechner hat keinen Encoder: für ein Video installieren Sie ffmpeg. Die Bilder werden trotzdem in den Ordner gezeichnet.</translation>
+    </message>
 </context>
 <context>
     <name>macula::viewer::NamedClips</name>
@@ -2661,6 +2719,10 @@
     <message>
         <source>From where the patient is seen, and how many mm or cm something is long, over the picture. Pictures of light (EXR) have none. Nobody is named</source>
         <translation>Von wo der Patient gesehen wird, und wie viele mm oder cm etwas lang ist, über dem Bild. Bilder aus Licht (EXR) haben keine. Niemand wird genannt</translation>
+    </message>
+    <message>
+        <source>The view in 3D is drawn, which is not shown now. Slices are not saved as pictures.</source>
+        <translation>Gezeichnet wird die Ansicht in 3D, die gerade nicht gezeigt wird. Schichten werden nicht als Bilder gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -3740,6 +3802,10 @@
     <message>
         <source>What is in the folder; sizes of voxels are in mm. One click selects; a double click or Enter opens, be it a volume or a view of one that was kept. The files are only read, and stay where they are.</source>
         <translation>Was im Ordner ist; Voxelgrößen sind in mm. Ein Klick wählt aus; ein Doppelklick oder Eingabe öffnet, sei es ein Volumen oder eine Ansicht davon, die aufgehoben wurde. Die Dateien werden nur gelesen und bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>Nothing of this folder is open.</source>
+        <translation>Aus diesem Ordner ist nichts geöffnet.</translation>
     </message>
 </context>
 <context>
