@@ -8,12 +8,11 @@
 
 #include "base/available_memory.h"
 #include "dicom/pixels/frame_decoder.h"
+#include "dicom/read/image_size.h"
 
 namespace macula::dicom {
 
 namespace {
-
-constexpr int kMostRows = 65535;
 
 Error asError(const Message& why) {
     return {ErrorCode::inputNotUsable, why.sentence, {}, why.action};

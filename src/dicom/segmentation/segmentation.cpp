@@ -5,6 +5,7 @@
 #include <map>
 
 #include "dicom/read/dataset.h"
+#include "dicom/read/image_size.h"
 #include "dicom/read/sop_class.h"
 
 namespace macula::dicom {
@@ -24,7 +25,6 @@ constexpr Tag kReferencedSegmentNumber{0x0062, 0x000B};
 constexpr Tag kRecommendedCieLab{0x0062, 0x000D};
 constexpr Tag kMaximumFractionalValue{0x0062, 0x000E};
 constexpr Tag kContentLabel{0x0070, 0x0080};
-constexpr int kMostRows = 65535;
 
 Error notUsable(const fs::path& file, std::string message,
                 std::string hint = "Choose another segmentation.") {

@@ -30,8 +30,6 @@ class MovieExport : public QObject {
     void start(MovieWish wish);
     void cancel();
     bool running() const { return job_.running() || encoder_.running(); }
-    // For tests: another program than that of the machine; empty: none.
-    void setEncoder(const QString& program) { program_ = program; }
 
   signals:
     void began();
