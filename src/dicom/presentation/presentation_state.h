@@ -19,8 +19,9 @@ struct PresentationOwner {
     // An image of the series that is shown: patient and study are taken from it. It must still be that
     // instance. Not needed where deidentified.
     std::optional<SecondaryCapture::Source> image;
-    // Nothing of patient and study is taken over. UIDs of series, frame of reference and images are those
-    // that uidFrom makes of them: only who has the series can tell that it is meant (isSeries).
+    // Nothing of patient and study is taken over. UIDs of series, frame of reference and images are replaced
+    // by those that standInUid makes of them: only who has the series and the key of this installation, which
+    // is made where there is none, can tell that it is meant (isSeries).
     bool isDeidentified = false;
     std::string seriesDescription = "3D views";  // at most 64 characters, ASCII; no patient data
     std::string softwareVersion = "0";           // as that; not empty
