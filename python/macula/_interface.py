@@ -153,17 +153,21 @@ _OTHERS = {
 }
 
 
+# Where packages put this one, below a prefix. Anywhere else, as in a checkout, what lies above may be anybody's.
+_INSTALLED = ("lib", "python3", "dist-packages", "macula")
+
+
 def _places():
-    """Where the library may be: as told, under the prefix that this package is in, or where the system has it."""
+    """Where the library may be: as told, below the prefix that this was installed in, or where the system has it."""
     told = os.environ.get("MACULA_LIBRARY")
     if told:
         return [told]
-    found = []
-    for folder in list(pathlib.Path(__file__).resolve().parents)[2:6]:  # PREFIX/lib/python3/dist-packages/macula
-        for place in [folder / "lib" / _NAME, folder / "lib64" / _NAME, *sorted(folder.glob("lib/*-linux-gnu*/" + _NAME))]:
-            if place.is_file():
-                found.append(str(place))
-    return [*found, _NAME]
+    folder = pathlib.Path(__file__).resolve().parent
+    if folder.parts[-len(_INSTALLED):] != _INSTALLED:
+        return [_NAME]
+    prefix = folder.parents[len(_INSTALLED) - 1]
+    below = [prefix / "lib" / _NAME, prefix / "lib64" / _NAME, *sorted(prefix.glob("lib/*-linux-gnu*/" + _NAME))]
+    return [*(str(place) for place in below if place.is_file()), _NAME]
 
 
 def load():

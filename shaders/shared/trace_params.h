@@ -15,75 +15,85 @@ MACULA_SHARED_CONST int kCastMaximum = 1;
 MACULA_SHARED_CONST int kCastMinimum = 2;
 MACULA_SHARED_CONST int kCastMean = 3;
 
-// Voxel coordinates here have integers at voxel faces: the volume fills [0, volumeSize].
+// All that a picture is traced from, once: the struct below is made of it, and so is that of the tracer in
+// C++ that the device is held to (src/pipeline/trace/reference_host.inl), in its precision. Voxel coordinates
+// here have integers at voxel faces: the volume fills [0, volumeSize].
+#define MACULA_TRACE_PARAMS(FIELD, ARRAY)                                                                   \
+    FIELD(vec3, originVoxel)     /* the eye */                                                              \
+    FIELD(vec3, right)           /* world; half the width of the picture at distance 1 */                   \
+    FIELD(vec3, up)              /* world; half its height */                                               \
+    FIELD(vec3, forward)         /* world, unit */                                                          \
+    FIELD(vec3, voxelFromWorldX) /* columns of the linear part: voxels per mm along world x, y, z */        \
+    FIELD(vec3, voxelFromWorldY)                                                                            \
+    FIELD(vec3, voxelFromWorldZ)                                                                            \
+    FIELD(vec3, worldFromEnvironmentX) /* columns of a rotation */                                          \
+    FIELD(vec3, worldFromEnvironmentY)                                                                      \
+    FIELD(vec3, worldFromEnvironmentZ)                                                                      \
+    FIELD(ivec3, volumeSize)      /* voxels */                                                              \
+    FIELD(ivec3, gridSize)        /* bricks */                                                              \
+    FIELD(ivec2, imageSize)       /* pixels */                                                              \
+    FIELD(ivec2, environmentSize) /* texels */                                                              \
+    FIELD(int, bounces)           /* vertices of a path */                                                  \
+    FIELD(uint, seed)                                                                                       \
+    FIELD(float, anisotropy) /* Henyey-Greenstein g */                                                      \
+    /* What is clipped, see shaders/lib/clip.glsl. A plane keeps dot(xyz, p) + w >= 0, p in voxel           \
+     * coordinates. */                                                                                      \
+    ARRAY(vec4, clipPlanes,                                                                                 \
+          kMaxClipPlanes)       /* of the region that is kept, of a box that is cut out, of a corner */     \
+    FIELD(vec3, clipBallCentre) /* voxel coordinates */                                                     \
+    FIELD(vec3, clipBallX)      /* columns of the map from voxels to radii of the ball */                   \
+    FIELD(vec3, clipBallY)                                                                                  \
+    FIELD(vec3, clipBallZ)                                                                                  \
+    FIELD(int, clipKeepCount) /* planes */                                                                  \
+    FIELD(int, clipBoxCount)                                                                                \
+    FIELD(int, clipCornerCount)                                                                             \
+    FIELD(int, clipBall)    /* one of the three above */                                                    \
+    FIELD(int, clipShadows) /* 1: what is removed is hidden from the eye only, and still casts shadow */    \
+    FIELD(int, greyFaces)   /* 1: the faces of the clip show the values themselves; 2: and are black, not   \
+                               clear, below the window */                                                   \
+    FIELD(float, greyLow)   /* table entry that is black there */                                           \
+    FIELD(float, greyHigh)  /* table entry that is white there */                                           \
+    FIELD(float, exposure)  /* that will be applied: grey is divided by it */                               \
+    /* Where the picture is stored larger, see shaders/lib/fovea.glsl; magnification 1: nowhere. */         \
+    FIELD(vec2, planeHalfSize)                                                                              \
+    FIELD(vec2, gaze)                                                                                       \
+    FIELD(float, foveaRadius)                                                                               \
+    FIELD(float, foveaMagnification)                                                                        \
+    FIELD(float, parallelMm) /* above 0: rays are parallel, and the picture shows what an eye would at this \
+                                distance */                                                                 \
+    FIELD(float, lightStrength) /* multiplies what the environment sends */                                 \
+    /* Gradient opacity, see shaders/lib/gradient.glsl. */                                                  \
+    FIELD(float, gradientScale) /* steps of its table per (entry per mm) */                                 \
+    FIELD(int, gradientLast)    /* index of its last step; 0: none */                                       \
+    FIELD(float, unitDepthMm)   /* unit distance of the opacities, divided by the density */                \
+    /* Ray casting, see shaders/lib/cast.glsl. */                                                           \
+    FIELD(int, entryCount)      /* of the tables */                                                         \
+    FIELD(float, windowLow)     /* entry that is black */                                                   \
+    FIELD(float, windowHigh)    /* entry that is white */                                                   \
+    FIELD(float, paddingEntry)  /* what padding became; -1: there is none */                                \
+    FIELD(float, stepsPerEntry) /* integration steps for a change of the value by one entry */              \
+    FIELD(float, ambient)       /* of a headlight */                                                        \
+    FIELD(float, diffuse)                                                                                   \
+    /* What is beside the volume, see shaders/lib/mixture.glsl. */                                          \
+    FIELD(vec3, secondOrigin)     /* of voxel coordinates, in those of the second volume */                 \
+    FIELD(vec3, secondFromVoxelX) /* columns: its voxels per voxel */                                       \
+    FIELD(vec3, secondFromVoxelY)                                                                           \
+    FIELD(vec3, secondFromVoxelZ)                                                                           \
+    FIELD(ivec3, secondSize) /* voxels */                                                                   \
+    FIELD(ivec3, secondGrid) /* bricks */                                                                   \
+    FIELD(int,                                                                                              \
+          secondEntryCount) /* of its table; after it come the colours of segments, from the first on */    \
+    FIELD(float, secondStepsPerEntry) /* as stepsPerEntry */                                                \
+    FIELD(ivec3, tintLow)             /* the box that holds all voxels of segments */                       \
+    FIELD(ivec3, tintSize)
+
+#define MACULA_MEMBER(type, name) type name;
+#define MACULA_ARRAY_MEMBER(type, name, count) type name[count];
 struct TraceParams {
-    vec3 originVoxel;      // the eye
-    vec3 right;            // world; half the width of the picture at distance 1
-    vec3 up;               // world; half its height
-    vec3 forward;          // world, unit
-    vec3 voxelFromWorldX;  // columns of the linear part: voxels per mm along world x, y, z
-    vec3 voxelFromWorldY;
-    vec3 voxelFromWorldZ;
-    vec3 worldFromEnvironmentX;  // columns of a rotation
-    vec3 worldFromEnvironmentY;
-    vec3 worldFromEnvironmentZ;
-    ivec3 volumeSize;       // voxels
-    ivec3 gridSize;         // bricks
-    ivec2 imageSize;        // pixels
-    ivec2 environmentSize;  // texels
-    int bounces;            // vertices of a path
-    uint seed;
-    float anisotropy;  // Henyey-Greenstein g
-
-    // What is clipped, see shaders/lib/clip.glsl. A plane keeps dot(xyz, p) + w >= 0, p in voxel coordinates.
-    vec4 clipPlanes[kMaxClipPlanes];  // of the region that is kept, of a box that is cut out, of a corner
-    vec3 clipBallCentre;              // voxel coordinates
-    vec3 clipBallX;                   // columns of the map from voxels to radii of the ball
-    vec3 clipBallY;
-    vec3 clipBallZ;
-    int clipKeepCount;  // planes
-    int clipBoxCount;
-    int clipCornerCount;
-    int clipBall;     // one of the three above
-    int clipShadows;  // 1: what is removed is hidden from the eye only, and still casts shadow
-    int greyFaces;  // 1: the faces of the clip show the values themselves; 2: and are black, not clear, below
-                    // the window
-    float greyLow;  // table entry that is black there
-    float greyHigh;  // table entry that is white there
-    float exposure;  // that will be applied: grey is divided by it
-
-    // Where the picture is stored larger, see shaders/lib/fovea.glsl; magnification 1: nowhere.
-    vec2 planeHalfSize;
-    vec2 gaze;
-    float foveaRadius;
-    float foveaMagnification;
-    float parallelMm;  // above 0: rays are parallel, and the picture shows what an eye would at this distance
-
-    float lightStrength;  // multiplies what the environment sends
-    // Gradient opacity, see shaders/lib/gradient.glsl.
-    float gradientScale;  // steps of its table per (entry per mm)
-    int gradientLast;     // index of its last step; 0: none
-    float unitDepthMm;    // unit distance of the opacities, divided by the density
-    // Ray casting, see shaders/lib/cast.glsl.
-    int entryCount;       // of the tables
-    float windowLow;      // entry that is black
-    float windowHigh;     // entry that is white
-    float paddingEntry;   // what padding became; -1: there is none
-    float stepsPerEntry;  // integration steps for a change of the value by one entry
-    float ambient;        // of a headlight
-    float diffuse;
-    // What is beside the volume, see shaders/lib/mixture.glsl.
-    vec3 secondOrigin;      // of voxel coordinates, in those of the second volume
-    vec3 secondFromVoxelX;  // columns: its voxels per voxel
-    vec3 secondFromVoxelY;
-    vec3 secondFromVoxelZ;
-    ivec3 secondSize;           // voxels
-    ivec3 secondGrid;           // bricks
-    int secondEntryCount;       // of its table; after it come the colours of segments, from the first on
-    float secondStepsPerEntry;  // as stepsPerEntry
-    ivec3 tintLow;              // the box that holds all voxels of segments
-    ivec3 tintSize;
+    MACULA_TRACE_PARAMS(MACULA_MEMBER, MACULA_ARRAY_MEMBER)
 };
+#undef MACULA_MEMBER
+#undef MACULA_ARRAY_MEMBER
 
 MACULA_SHARED_CONST int kBlockEdge = 8;  // pixels; a work group traces such a square of the picture
 

@@ -11,6 +11,7 @@
 #include "app/choice/nearest_name.h"
 #include "app/exit_codes.h"
 #include "app/open_device.h"
+#include "base/core_dumps.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
@@ -118,6 +119,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    macula::switchCoreDumpsOff();
     occupyStandardStreams();
     try {
         return run(argc, argv);

@@ -19,6 +19,7 @@ struct Options : SessionsOptions {
     app::PurgeWish wish;
     int unusedDays = 0;  // 0: not given
     bool damagedToo = false;
+    bool trustClock = false;
     bool yes = false;
     bool dryRun = false;
 };
@@ -46,6 +47,7 @@ Result<void> check(const Options& options) {
 Result<void> purge(Options& options) {
     MACULA_TRY_VOID(check(options));
     if (options.unusedDays > 0) options.wish.unusedDays = options.unusedDays;
+    if (options.trustClock) options.wish.clock = session::Store::Clock::trusted;
     if (options.damagedToo) options.wish.damaged = session::DamagedFiles::remove;
     if (app::isNothingStored(options.folder)) {
         if (!options.wish.study.empty()) return app::nothingStored(options.folder);
@@ -82,6 +84,10 @@ void addSessionsPurge(CLI::App& sessions, Action& action) {
                                     "Every study, and file without one, not opened for so many days")
                        ->option_text("N")
                        ->check(CLI::Range(1, 36500));
+    command
+        ->add_flag("--trust-clock", o.trustClock,
+                   "Also where the time that is stored speaks against the clock of this machine")
+        ->needs(unused);
     study->excludes(all)->excludes(unused);
     all->excludes(unused);
     command->add_flag("--damaged-too", o.damagedToo, "Also damaged files that were set aside, all of them");

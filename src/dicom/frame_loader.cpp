@@ -10,12 +10,11 @@
 #include "base/exceptions.h"
 #include "dicom/pixels/cell_alignment.h"
 #include "dicom/pixels/frame_decoder.h"
+#include "dicom/read/image_size.h"
 
 namespace macula::dicom {
 
 namespace {
-
-constexpr int kMostRows = 65535;
 
 Error asError(const Message& why) {
     return {ErrorCode::inputNotUsable, why.sentence, {}, why.action};

@@ -15,6 +15,7 @@
 #include "dicom/pixels/image_checks.h"
 #include "dicom/pixels/slice_sources.h"
 #include "dicom/pixels/value_unit.h"
+#include "dicom/read/image_size.h"
 
 namespace macula::dicom {
 
@@ -30,7 +31,6 @@ Error notUsable(std::string message, std::string action = "Choose another series
 Result<void> check(const Stack& stack) {
     if (const Message* reason = stack.whyNoVolume()) return notUsable(reason->sentence, reason->action);
     if (stack.slices.empty() || !stack.worldFromVoxel) return notUsable("This series is no volume.");
-    constexpr int kMostRows = 65535;  // a header may use another VR than US, and then say anything
     if (std::min(stack.columns, stack.rows) < 1 || std::max(stack.columns, stack.rows) > kMostRows)
         return notUsable("The images of this series have no usable size.");
     for (const Frame& frame : stack.frames) {

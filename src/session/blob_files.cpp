@@ -135,6 +135,40 @@ Result<BlobFiles::Prepared> BlobFiles::prepare(std::span<const std::byte> bytes)
     return Prepared{digest, std::move(draft).value()};
 }
 
+Result<std::optional<BlobFiles::Prepared>> BlobFiles::prepareCopy(const BlobFiles& from,
+                                                                  std::string_view digest,
+                                                                  std::uint64_t bytes) const {
+    using Copied = std::optional<Prepared>;
+    const fs::path source = from.fileOf(digest);
+    const Descriptor in(source, O_RDONLY);
+    if (!in.isOpen() && errno == ENOENT) return Copied();
+    if (!in.isOpen()) return errorOf(troubleOfErrno(errno), source);
+    struct stat status {};
+    if (fstat(*in, &status) != 0) return errorOf(Trouble::diskError, source);
+    if (!S_ISREG(status.st_mode) || static_cast<std::uint64_t>(status.st_size) != bytes) return Copied();
+    auto draft = Draft::beside(fileOf(digest), Draft::Kind::file);
+    if (!draft) return errorOf(troubleOfErrno(errno), folder_);
+    const Descriptor out(draft->path(), O_WRONLY);
+    if (!out.isOpen() || (fchmod(*out, 0600) != 0 && errno != EPERM))
+        return errorOf(troubleOfErrno(errno), folder_);
+    Sha256 hash;
+    std::vector<std::byte> piece(std::size_t{1} << 20);
+    for (std::uint64_t left = bytes; left > 0;) {
+        const auto part =
+            std::span(piece).first(static_cast<std::size_t>(std::min<std::uint64_t>(left, piece.size())));
+        if (!readAll(*in, part)) {
+            if (errno != 0) return errorOf(Trouble::diskError, source);
+            return Copied();
+        }
+        hash.add(part);
+        if (!writeAll(*out, part)) return errorOf(troubleOfErrno(errno), folder_);
+        left -= part.size();
+    }
+    if (fsync(*out) != 0) return errorOf(troubleOfErrno(errno), folder_);
+    if (hash.hex() != digest) return Copied();
+    return Copied(Prepared{std::string(digest), std::move(draft).value()});
+}
+
 Result<void> BlobFiles::putInPlace(const Prepared& prepared) const {
     errno = 0;
     if (!macula::putInPlace(prepared.draft.path(), fileOf(prepared.digest)))

@@ -39,6 +39,10 @@ class BlobFiles {
         Draft draft;
     };
     Result<Prepared> prepare(std::span<const std::byte> bytes) const;
+    // Of a blob of another folder, a piece at a time: no more of it is in memory. Nothing where it has
+    // another size or digest there, or is missing. Fails when a disk does not read or write.
+    Result<std::optional<Prepared>> prepareCopy(const BlobFiles& from, std::string_view digest,
+                                                std::uint64_t bytes) const;
     // From here on the file has its name: on the disk, whole.
     Result<void> putInPlace(const Prepared& prepared) const;
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "base/draft.h"
+#include "session/age_clock.h"
 #include "session/migrations.h"
 #include "session/store.h"
 #include "session/store_state.h"
@@ -54,13 +55,12 @@ Result<void> copyBlobs(Connection& copy, const BlobFiles& from, const BlobFiles&
     for (const ModelInfo& info : models) {
         if (progress.cancelled()) return kCancelled;
         progress.advance();
-        MACULA_TRY(const ReadBlob blob, from.read(info.checksum, info.bytes));
-        if (blob.fault) {
+        MACULA_TRY(const auto prepared, to.prepareCopy(from, info.checksum, info.bytes));
+        if (!prepared) {
             ++report.damaged;
             continue;
         }
-        MACULA_TRY(const BlobFiles::Prepared prepared, to.prepare(blob.bytes));
-        MACULA_TRY_VOID(to.putInPlace(prepared));
+        MACULA_TRY_VOID(to.putInPlace(*prepared));
         kept += "," + std::to_string(info.id);
         ++report.models;
     }
@@ -139,15 +139,17 @@ Result<std::unique_ptr<Connection>> openForImport(const fs::path& file, const fs
 // All rows but those of models, which come with their blobs, and of the audit trail, which is this store's.
 Result<void> importRows(StoreState& state, Connection& other, SnapshotReport& report) {
     return inTransaction(*state.connection, [&]() -> Result<void> {
+        const std::int64_t latestMs = openingMs(state);
         for (const Table* table : allTables()) {
             if (table == &kModels || table == &kAudit) continue;
             SQLite::Statement rows = select(other, *table, "");
             while (rows.executeStep()) {
-                const auto row = readRow(rows, *table);
+                auto row = readRow(rows, *table);
                 if (!row) {
                     ++report.damaged;
                     continue;
                 }
+                setTimesBefore(*row, *table, latestMs);
                 const bool isTaken = mergeRow(*state.connection, *table, *row);
                 if (table == &kStudies && isTaken) ++report.studies;
                 if (table == &kDocuments) ++(isTaken ? report.documents : report.skipped);
@@ -158,20 +160,33 @@ Result<void> importRows(StoreState& state, Connection& other, SnapshotReport& re
     });
 }
 
-// Nothing where the store's own stays. The imported model is of its old time, so it may be the first to go.
-Result<bool> importModel(StoreState& state, const ModelInfo& info, std::span<const std::byte> bytes) {
-    if (bytes.size() > state.options.modelCapBytes) return false;
-    MACULA_TRY(const BlobFiles::Prepared prepared, state.blobs.prepare(bytes));
+// The imported model is of its old time, so it may be the first to go. The cap is asked before a byte is
+// read: a folder of somebody else may say what it likes of its sizes.
+Result<void> importModel(StoreState& state, const ModelInfo& info, const BlobFiles& from,
+                         SnapshotReport& report) {
+    if (info.bytes > state.options.modelCapBytes) {
+        ++report.skipped;
+        return {};
+    }
+    MACULA_TRY(const auto copied, state.blobs.prepareCopy(from, info.checksum, info.bytes));
+    if (!copied) {
+        ++report.damaged;
+        return {};
+    }
     std::vector<std::string> unused{info.checksum};
-    auto isTaken = inTransaction(*state.connection, [&]() -> Result<bool> {
-        MACULA_TRY_VOID(state.blobs.putInPlace(prepared));
-        const bool taken = mergeRow(*state.connection, kModels, rowOf(info));
+    const auto isTaken = inTransaction(*state.connection, [&]() -> Result<bool> {
+        MACULA_TRY_VOID(state.blobs.putInPlace(*copied));
+        Row row = rowOf(info);
+        setTimesBefore(row, kModels, openingMs(state));
+        const bool taken = mergeRow(*state.connection, kModels, row);
         const Evicted evicted = evictRows(state, state.options.modelCapBytes, 0);
         unused.insert(unused.end(), evicted.blobs.begin(), evicted.blobs.end());
         return taken;
     });
     static_cast<void>(removeBlobs(state, unused, BlobFiles::Removal::plain, {}));
-    return isTaken;
+    if (!isTaken) return isTaken.error();
+    ++(*isTaken ? report.models : report.skipped);
+    return {};
 }
 
 }  // namespace
@@ -210,13 +225,7 @@ Result<SnapshotReport> Store::importFrom(const fs::path& folder, Progress& progr
     for (const ModelInfo& info : models) {
         if (progress.cancelled()) return kCancelled;
         progress.advance();
-        MACULA_TRY(const ReadBlob blob, blobs.read(info.checksum, info.bytes));
-        if (blob.fault) {
-            ++report.damaged;
-            continue;
-        }
-        MACULA_TRY(const bool isTaken, importModel(state, info, blob.bytes));
-        ++(isTaken ? report.models : report.skipped);
+        MACULA_TRY_VOID(importModel(state, info, blobs, report));
     }
     return report;
 }

@@ -1,8 +1,6 @@
 #include "session/store.h"
 
-#include <pwd.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -10,6 +8,8 @@
 #include <string_view>
 #include <unordered_map>
 
+#include "base/user_folder.h"
+#include "session/age_clock.h"
 #include "session/damaged_file.h"
 #include "session/migrations.h"
 #include "session/store_state.h"
@@ -142,27 +142,35 @@ Value valueOf(const std::optional<std::string>& text) {
     return text ? Value(*text) : Value();
 }
 
-// First opened when it was first; all else as it is now.
-std::int64_t firstOpened(Connection& connection, const Table& table, const std::string& identity,
-                         std::size_t place, std::int64_t nowMs) {
+struct Opened {
+    std::int64_t firstMs;
+    std::int64_t lastMs;
+};
+
+// First opened when it was first, and last at no earlier time than before, whatever the clock shows now.
+Opened openedAt(Connection& connection, const Table& table, const std::string& identity, std::size_t first,
+                std::size_t last, std::int64_t nowMs) {
     const auto before = findRow(connection, table, identity);
-    return before ? before->number(place) : nowMs;
+    if (!before) return {nowMs, nowMs};
+    return {before->number(first), std::max(before->number(last), nowMs)};
 }
 
 void putOpened(StoreState& state, const OpenedVolume& opened) {
     Connection& connection = *state.connection;
-    const std::int64_t now = state.nowMs();
+    const std::int64_t now = openingMs(state);
     rememberVolume(connection, opened.volume, now);
     if (opened.study.empty()) {
         addAuditRow(state, AuditAction::opened, AuditKind::volume, opened.volume, 1);
         return;
     }
+    const Opened study =
+        openedAt(connection, kStudies, opened.study, column::studyFirstOpened, column::studyLastOpened, now);
     putRow(connection, kStudies,
-           {{opened.study, valueOf(opened.readableStudy),
-             firstOpened(connection, kStudies, opened.study, column::studyFirstOpened, now), now}});
+           {{opened.study, valueOf(opened.readableStudy), study.firstMs, study.lastMs}});
+    const Opened series = openedAt(connection, kSeries, opened.series, column::seriesFirstOpened,
+                                   column::seriesLastOpened, now);
     putRow(connection, kSeries,
-           {{opened.series, opened.study, valueOf(opened.readableSeries),
-             firstOpened(connection, kSeries, opened.series, column::seriesFirstOpened, now), now}});
+           {{opened.series, opened.study, valueOf(opened.readableSeries), series.firstMs, series.lastMs}});
     putRow(connection, kSeriesVolumes, {{opened.series, opened.volume}});
     addAuditRow(state, AuditAction::opened, AuditKind::study, opened.study, 1);
 }
@@ -197,16 +205,7 @@ std::vector<std::string> volumesOf(Connection& connection, const std::string& se
 fs::path defaultFolder() {
     if (const char* chosen = std::getenv("MACULA_SESSIONS"); chosen != nullptr && *chosen != '\0')
         return chosen;
-    const fs::path below = fs::path("macula") / "sessions";
-    // The specification says that a relative path there does not count.
-    if (const char* data = std::getenv("XDG_DATA_HOME"); data != nullptr && fs::path(data).is_absolute())
-        return data / below;
-    const char* home = std::getenv("HOME");
-    if (home == nullptr || *home == '\0') {
-        const passwd* user = getpwuid(geteuid());
-        home = user != nullptr ? user->pw_dir : "/";
-    }
-    return fs::path(home) / ".local" / "share" / below;
+    return userDataFolder() / "sessions";
 }
 
 std::int64_t StoreState::nowMs() const {

@@ -149,17 +149,23 @@ class Store {
     // Care. ----------------------------------------------------------------------------------------------
 
     // Deletes a study with its series, documents, and the volumes and models that no other study has; or a
-    // volume with its models, unless a study has it. Then the file is written anew and blobs are overwritten,
-    // so that no file of the folder holds any of it; the audit trail keeps its identity. What is damaged
-    // stays, unless it goes too. Fails with lockedByAnother where one of its models is open. Fails with
-    // purgeIncomplete where rows are deleted and another process keeps bytes from being overwritten: do it
-    // again, or collectGarbage(), which do what a purge that was stopped has left.
+    // volume with its models and documents, unless a study has it. Then the file is written anew and blobs
+    // are overwritten, so that no file of the folder holds any of it; the audit trail keeps its identity.
+    // What is damaged stays, unless it goes too. Fails with lockedByAnother where one of its models is open.
+    // Fails with purgeIncomplete where rows are deleted and another process keeps bytes from being
+    // overwritten: do it again, or collectGarbage(), which do what a purge that was stopped has left.
     Result<PurgeReport> purgeStudy(const std::string& study, DamagedFiles damaged);
     Result<PurgeReport> purgeVolume(const std::string& volume, DamagedFiles damaged);
-    // All studies, and volumes without one, that were not opened for so many days.
-    Result<PurgeReport> purgeUnused(std::chrono::days retention, DamagedFiles damaged);
+    // All studies, and volumes without one, that were not opened for so many days. Where the clock is doubted
+    // (age_clock.h) nothing is deleted, and the report and the audit trail say so; one that is `trusted` is
+    // not asked, and openings that are later than it are of now from then on.
+    enum class Clock { checked, trusted };
+    Result<PurgeReport> purgeUnused(std::chrono::days retention, DamagedFiles damaged,
+                                    Clock clock = Clock::checked);
+    // What purgeUnused would say of the clock.
+    Result<ClockDoubt> clockDoubt(std::chrono::days retention);
     // All studies, and volumes without one, but for those of which a model is open. The machine's documents
-    // and the audit trail stay.
+    // that are of no volume, and the audit trail, stay.
     Result<PurgeReport> purgeAll(DamagedFiles damaged);
 
     // Reads everything: pages, indexes, references, rows, blobs. Sets models and documents aside that do not

@@ -16,8 +16,8 @@ namespace {
 constexpr std::size_t kMostNameBytes = 200;
 constexpr std::array<std::string_view, 8> kKindNames{"preset",  "favourite", "clip",        "view",
                                                      "session", "layout",    "measurement", "calibration"};
-constexpr std::array<std::string_view, 5> kActionNames{"opened", "exported", "deleted", "imported",
-                                                       "expired"};
+constexpr std::array<std::string_view, 6> kActionNames{"opened",   "exported", "deleted",
+                                                       "imported", "expired",  "held"};
 constexpr std::array<std::string_view, 7> kAuditKindNames{"study",    "series",  "volume", "model",
                                                           "document", "picture", "store"};
 
@@ -62,8 +62,20 @@ std::string_view nameOf(DocumentKind kind) {
 std::string_view nameOf(AuditAction action) {
     return kActionNames.at(static_cast<std::size_t>(action));
 }
+std::string_view nameOf(ClockDoubt doubt) {
+    constexpr std::array<std::string_view, 3> kNames{"none", "behind", "ahead"};
+    return kNames.at(static_cast<std::size_t>(doubt));
+}
 std::string_view nameOf(AuditKind kind) {
     return kAuditKindNames.at(static_cast<std::size_t>(kind));
+}
+
+bool isOfVolume(const DocumentId& id) {
+    const bool isOfAStudy = id.kind == DocumentKind::session || id.kind == DocumentKind::view ||
+                            id.kind == DocumentKind::layout || id.kind == DocumentKind::measurement;
+    constexpr std::size_t kDigestLength = 64;
+    return isOfAStudy && id.study.empty() && id.name.size() > kDigestLength &&
+           id.name[kDigestLength] == ' ' && isDigest(std::string_view(id.name).substr(0, kDigestLength));
 }
 
 void addAuditRow(StoreState& state, AuditAction action, AuditKind kind, const std::string& subject,

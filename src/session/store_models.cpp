@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <chrono>
 
+#include "session/age_clock.h"
 #include "session/store.h"
 #include "session/store_state.h"
 #include "session/trouble.h"
@@ -70,7 +71,7 @@ ModelInfo infoToSave(StoreState& state, const ModelKey& key, std::optional<Model
 Result<void> saveRow(StoreState& state, const ModelKey& key, const BlobFiles::Prepared& prepared,
                      std::uint64_t bytes, SaveReport& report, std::vector<std::string>& unused) {
     Connection& connection = *state.connection;
-    rememberVolume(connection, key.volume, state.nowMs());
+    rememberVolume(connection, key.volume, openingMs(state));
     Found before = findByKey(connection, key.digest());
     if (before.damagedId) setRowAside(connection, kModels, *before.damagedId);
     if (before.info) unused.push_back(before.info->checksum);

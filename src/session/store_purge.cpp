@@ -1,6 +1,7 @@
 // What a Store deletes for good.
 #include <SQLiteCpp/Column.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +10,8 @@
 #include <limits>
 
 #include "base/draft.h"
+#include "session/age_clock.h"
+#include "session/model_key.h"
 #include "session/store.h"
 #include "session/store_state.h"
 #include "session/trouble.h"
@@ -37,6 +40,11 @@ std::vector<std::string> volumesOfStudy(Connection& connection, const std::strin
         texts);
 }
 
+// Documents of volumes without a study, and the digest of the volume (DocumentId::name).
+constexpr std::string_view kAreOfVolumes =
+    "study IS NULL AND kind IN ('view', 'session', 'layout', 'measurement') AND substr(name, 65, 1) = ' '";
+constexpr std::string_view kTheirVolume = "substr(name, 1, 64)";
+
 // A volume that some study still has stays.
 void deleteVolume(StoreState& state, const std::string& volume, PurgeReport& report) {
     Connection& connection = *state.connection;
@@ -46,6 +54,10 @@ void deleteVolume(StoreState& state, const std::string& volume, PurgeReport& rep
         static_cast<std::size_t>(numberOf(connection, "SELECT count(*) FROM models WHERE volume = ?", texts));
     report.volumes += static_cast<std::size_t>(
         numberOf(connection, "SELECT count(*) FROM volumes WHERE digest = ?", texts));
+    const std::string documents =
+        fmt::format("FROM documents WHERE {} AND {} = ?", kAreOfVolumes, kTheirVolume);
+    report.documents += static_cast<std::size_t>(numberOf(connection, "SELECT count(*) " + documents, texts));
+    execute(connection, "DELETE " + documents, texts);
     execute(connection, "DELETE FROM volumes WHERE digest = ?", texts);
 }
 
@@ -114,6 +126,7 @@ struct Targets {
     std::vector<std::string> studies;
     std::vector<std::string> volumes;
     std::size_t skippedOpen = 0;
+    ClockDoubt clock = ClockDoubt::none;
 };
 
 Result<void> deleteTargets(StoreState& state, const Targets& targets, AuditAction action,
@@ -144,6 +157,7 @@ Result<PurgeReport> purge(StoreState& state, const std::function<Targets()>& tar
     MACULA_TRY(const bool hasTraces, inTransaction(*state.connection, [&]() -> Result<bool> {
                    const Targets targets = targetsNow();
                    report.skippedOpen = targets.skippedOpen;
+                   report.clock = targets.clock;
                    if (targets.studies.empty() && targets.volumes.empty() && damaged == DamagedFiles::keep)
                        return isPurgeBegun(state);
                    MACULA_TRY_VOID(beginPurge(state));
@@ -155,6 +169,18 @@ Result<PurgeReport> purge(StoreState& state, const std::function<Targets()>& tar
     if (damaged == DamagedFiles::remove) MACULA_TRY_VOID(eraseDamagedFiles(damagedFolder));
     report.damagedFolders = foldersIn(damagedFolder);
     return report;
+}
+
+// Earlier versions deleted volumes without their documents. `before` is compared with the time of a change.
+std::vector<std::string> volumesOfDocumentsAlone(Connection& connection, const std::string& before) {
+    std::vector<std::string> volumes = textsOf(
+        connection,
+        fmt::format(
+            "SELECT DISTINCT {0} FROM documents WHERE {1} AND changed{2} AND {0} NOT IN (SELECT digest "
+            "FROM volumes)",
+            kTheirVolume, kAreOfVolumes, before));
+    std::erase_if(volumes, [](const std::string& volume) { return !isDigest(volume); });
+    return volumes;
 }
 
 Targets unusedSince(StoreState& state, std::int64_t timeMs) {
@@ -174,6 +200,19 @@ Targets unusedSince(StoreState& state, std::int64_t timeMs) {
         targets.skippedOpen += isOpen ? 1 : 0;
         if (!isOpen) targets.volumes.push_back(std::move(volume));
     }
+    for (std::string& volume : volumesOfDocumentsAlone(connection, before))
+        targets.volumes.push_back(std::move(volume));
+    return targets;
+}
+
+// What is old by the clock, as far as it is believed.
+Targets unusedFor(StoreState& state, std::chrono::days retention) {
+    const AgeClock clock = ageClock(state, retention);
+    if (clock.doubt != ClockDoubt::none && !clock.isOnTheTrail)
+        addAuditRow(state, AuditAction::held, AuditKind::store, {}, 1);
+    if (!clock.countsToMs) return {.clock = clock.doubt};
+    Targets targets = unusedSince(state, *clock.countsToMs - std::chrono::milliseconds(retention).count());
+    targets.clock = clock.doubt;
     return targets;
 }
 
@@ -212,11 +251,20 @@ Result<PurgeReport> Store::purgeVolume(const std::string& volume, DamagedFiles d
         *state_, [&] { return Targets{.volumes = {volume}}; }, damaged, AuditAction::deleted);
 }
 
-Result<PurgeReport> Store::purgeUnused(std::chrono::days retention, DamagedFiles damaged) {
+Result<PurgeReport> Store::purgeUnused(std::chrono::days retention, DamagedFiles damaged, Clock clock) {
     MACULA_CHECK(retention.count() >= 0);
-    const std::int64_t since = state_->nowMs() - std::chrono::milliseconds(retention).count();
+    const auto byTheClock = [&] {
+        setOpeningsToTheClock(*state_);
+        return unusedSince(*state_, state_->nowMs() - std::chrono::milliseconds(retention).count());
+    };
     return purge(
-        *state_, [&] { return unusedSince(*state_, since); }, damaged, AuditAction::expired);
+        *state_, [&] { return clock == Clock::trusted ? byTheClock() : unusedFor(*state_, retention); },
+        damaged, AuditAction::expired);
+}
+
+Result<ClockDoubt> Store::clockDoubt(std::chrono::days retention) {
+    return inReading(*state_->connection,
+                     [&]() -> Result<ClockDoubt> { return ageClock(*state_, retention).doubt; });
 }
 
 Result<PurgeReport> Store::purgeAll(DamagedFiles damaged) {

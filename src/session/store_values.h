@@ -106,8 +106,14 @@ std::string_view nameOf(DocumentKind kind);
 struct DocumentId {
     DocumentKind kind = DocumentKind::session;
     std::string study;  // identity; empty: of the machine, for all studies
-    std::string name;   // 1 to 200 bytes; others are found nowhere, and refused where one is put
+    // 1 to 200 bytes; others are found nowhere, and refused where one is put. A view, session, layout or
+    // measurement without a study whose name begins with the digest of a volume and a space is of that
+    // volume, and is purged with it.
+    std::string name;
 };
+
+// As `name` says above.
+bool isOfVolume(const DocumentId& id);
 
 struct DocumentEntry {
     DocumentId id;
@@ -120,7 +126,8 @@ struct Document : DocumentEntry {
     std::string json;
 };
 
-enum class AuditAction { opened, exported, deleted, imported, expired };
+// `held`: nothing was deleted for its age, as the clock was doubted.
+enum class AuditAction { opened, exported, deleted, imported, expired, held };
 enum class AuditKind { study, series, volume, model, document, picture, store };
 std::string_view nameOf(AuditAction action);
 std::string_view nameOf(AuditKind kind);
@@ -138,13 +145,19 @@ struct AuditEntry {
 // can tell of which study it is.
 enum class DamagedFiles { keep, remove };
 
+// Why the clock of the machine is not believed: it shows less than an opening has stored, or so much more
+// than the last one that all of them would be old.
+enum class ClockDoubt { none, behind, ahead };
+std::string_view nameOf(ClockDoubt doubt);
+
 struct PurgeReport {
     std::size_t studies = 0;
     std::size_t volumes = 0;
     std::size_t models = 0;  // damaged ones too, where they are removed; of documents as well
     std::size_t documents = 0;
-    std::size_t skippedOpen = 0;     // of purgeUnused and purgeAll: a model of theirs is open
-    std::size_t damagedFolders = 0;  // that are still there
+    std::size_t skippedOpen = 0;          // of purgeUnused and purgeAll: a model of theirs is open
+    std::size_t damagedFolders = 0;       // that are still there
+    ClockDoubt clock = ClockDoubt::none;  // of purgeUnused: why what seems to be old has stayed
 };
 
 struct VerifyReport {

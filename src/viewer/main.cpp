@@ -24,6 +24,7 @@
 #include "app/open_device.h"
 #include "app/quality/calibration.h"
 #include "app/quality/quality_front.h"
+#include "base/core_dumps.h"
 #include "session/store.h"
 #include "viewer/changes_script.h"
 #include "viewer/command_line.h"
@@ -247,6 +248,7 @@ int runSession(QApplication& application, CommandLine line, const ReadSettings& 
 }  // namespace
 
 int main(int argc, char** argv) {
+    switchCoreDumpsOff();
     returnFreedMemory();
     // The loader of headsets is not to write to the terminal (xr/loader.cpp); later, other threads would read
     // the environment meanwhile.

@@ -127,8 +127,7 @@ class MainWindow : public QMainWindow {
     SegmentationKeeper& segments() { return *segments_; }
     bool searchingTable() const { return table_->searching(); }
     bool cutting() const;  // with the scissors
-    // Where a clip is taken hold of; and the scissors over the 3D picture.
-    ClipEditing& clipEditing() { return *clipEditing_; }
+    // Over the 3D picture.
     ScissorTool& scissors() { return *scissors_; }
     bool loaderAtRest() const { return loader_.atRest(); }
 

@@ -46,7 +46,6 @@ class Viewport : public QWidget {
     void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, app::Drawing drawing,
                   ViewDirection from);
     void showNames(bool shown);
-    bool namesShown() const { return namesShown_; }
     void setDrawing(app::Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
     // What counts as converged at rest, and whether the model waits for it: see app::FrameInput.
@@ -65,7 +64,6 @@ class Viewport : public QWidget {
     PictureGeometry geometry() const;
     // Cube and scale over each picture: of the camera that it was seen by, whatever is asked for meanwhile.
     void showMarks(bool shown);
-    bool marksShown() const { return marksShown_; }
     // Whether rays are parallel; as much is shown of what the camera turns around.
     void setParallel(bool isParallel);
 

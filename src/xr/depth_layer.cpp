@@ -45,7 +45,7 @@ Result<void> DepthLayer::add(const EyePictures& eyes, std::span<const gpu::Buffe
         MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
         return {};
     };
-    const Result<void> copied = copy();
+    Result<void> copied = copy();
     MACULA_TRY_VOID(pair_.release());  // in any case
     if (!copied) return copied;
     for (std::size_t i = 0; i < depths.size(); ++i) {

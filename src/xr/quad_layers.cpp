@@ -31,7 +31,7 @@ Result<void> QuadLayers::send(Sent& sent, const PanelPicture& picture) {
         MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
         return {};
     };
-    const Result<void> copied = copy();
+    Result<void> copied = copy();
     MACULA_TRY_VOID(sent.images->release());  // in any case
     return copied;
 }

@@ -118,7 +118,7 @@ Result<void> useOnce(std::shared_ptr<Runtime> runtime, const ShowWish& wish, Kep
         ++kept.figures.sessions;
         kept.figures.eyePx = headset.eyePx();
         kept.statistics.pause();
-        const Result<void> done = goOn(headset, wish, kept, progress);
+        Result<void> done = goOn(headset, wish, kept, progress);
         kept.figures.unsubmitted += headset.session().unsubmitted();
         kept.figures.stepsDown += headset.governor().stepsDown();
         kept.figures.stepsUp += headset.governor().stepsUp();

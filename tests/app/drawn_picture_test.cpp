@@ -15,6 +15,7 @@
 #include "app/picture/picture_file.h"
 #include "app/picture/preset_sheet.h"
 #include "app/picture/render_record.h"
+#include "base/installation_key.h"
 #include "base/phantom.h"
 #include "gpu/gpu_test.h"
 #include "support.h"
@@ -212,10 +213,15 @@ TEST_F(DrawnPictureTest, TellsNothingOfThePatient) {
     record.lights = publicLightsName(folder.string() + "/roentgen.hdr");
     record.notes = study->notes;
     record.add(asked, draw(asked));
-    std::string told = toJson(record).dump();
-    for (const auto& [key, value] : metadata(record)) told += key + " " + value + "\n";
+    std::string inPictures;
+    for (const auto& [key, value] : metadata(record)) inPictures += key + " " + value + "\n";
     for (const auto& [key, value] : metadata(SheetRequest{.volume = study->volume, .presets = {{}}}, *study))
-        told += key + " " + value + "\n";
+        inPictures += key + " " + value + "\n";
+    const auto key = InstallationKey::find();
+    ASSERT_TRUE(key);
+    EXPECT_NE(inPictures.find("macula:series " + key->digestOf(study->seriesDigest)), std::string::npos);
+    EXPECT_EQ(inPictures.find(study->seriesDigest), std::string::npos) << "whose UID can be guessed";
+    std::string told = toJson(record).dump() + inPictures;
     std::ranges::transform(told, told.begin(), [](unsigned char c) { return std::tolower(c); });
     EXPECT_NE(told.find(study->seriesDigest), std::string::npos);
     for (const char* word : {"roentgen", "anna"})

@@ -14,6 +14,7 @@
 
 #include "app/choice/preset_choice.h"
 #include "app/found_by_hand.h"
+#include "app/session/purge_plan.h"
 #include "app/session/scene_key.h"
 #include "app/state/study_state.h"
 #include "base/fingerprint.h"
@@ -392,6 +393,28 @@ TEST_F(ModelKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
     ASSERT_EQ(audit->entries.size(), 1u);
     EXPECT_EQ(audit->entries.front().action, session::nameOf(session::AuditAction::expired));
     EXPECT_EQ(audit->entries.front().subject, session::studyIdentity("old"));
+}
+
+TEST_F(ModelKeeperTest, AClockThatJumpedDeletesNothingAndIsTold) {
+    constexpr std::int64_t kDayMs = 86'400'000;
+    std::int64_t nowMs = 1'700'000'000'000;
+    const session::StoreOptions options{.folder = folder_ / "sessions", .nowMs = [&nowMs] { return nowMs; }};
+    ASSERT_TRUE(session::Store::open(options)->recordOpened({.volume = sha256Hex("a file")}).ok());
+    nowMs += 5000 * kDayMs;
+    const KeeperListener listener = [this](const Error& error) { told_.push_back(error.message); };
+    { const ModelKeeper keeper(options, listener, std::chrono::days(30)); }
+    ASSERT_EQ(told_.size(), 1u);
+    EXPECT_EQ(told_.front(), keptForClock(session::ClockDoubt::ahead).message);
+    nowMs -= 5010 * kDayMs;
+    { const ModelKeeper keeper(options, listener, std::chrono::days(30)); }
+    ASSERT_EQ(told_.size(), 2u);
+    EXPECT_EQ(told_.back(), keptForClock(session::ClockDoubt::behind).message);
+    nowMs += 11 * kDayMs;
+    { const ModelKeeper keeper(options, listener, std::chrono::days(30)); }
+    EXPECT_EQ(told_.size(), 2u) << "it is right again";
+    const auto report = session::Store::open(options)->purgeVolume(sha256Hex("a file"), {});
+    ASSERT_TRUE(report.ok());
+    EXPECT_EQ(report->volumes, 1u) << "it was there to the end";
 }
 
 TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {

@@ -455,6 +455,19 @@ TEST_F(APresentation, deidentifiedHasNoWordsOfAPerson) {
     EXPECT_EQ(presented.state.clip->clip, state_.clip->clip);
 }
 
+// UIDs can be guessed: a digest that anybody can make of one leads to the study.
+TEST_F(APresentation, deidentifiedHasNoDigestsOfUids) {
+    state_.beside.emplace().seriesDigest = sha256Hex("1.2.3");
+    state_.segmentations = {{.digest = sha256Hex("1.2.4"), .isShown = true}};
+    const std::string named = said(*straight_, true).presentation.ownState;
+    const std::string ofNobody = said(*straight_, true, true).presentation.ownState;
+    EXPECT_FALSE(leftOut_.empty()) << "that they are not found again is told";
+    for (const std::string& digest : {sha256Hex(kSeries), sha256Hex("1.2.3"), sha256Hex("1.2.4")}) {
+        EXPECT_NE(named.find(digest), std::string::npos) << "with the patient";
+        EXPECT_EQ(ofNobody.find(digest), std::string::npos) << digest;
+    }
+}
+
 // From a folder to a file and back, as the programs do it.
 TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
     dicom::test::write(*oblique_, folder_ / "study");

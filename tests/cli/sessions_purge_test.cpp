@@ -93,6 +93,24 @@ TEST_F(SessionsPurge, OfTheUnusedLeavesWhatWasJustOpened) {
     EXPECT_EQ(jsonOf({"audit", "--last", "1"})["entries"][0]["action"], "expired");
 }
 
+// All was opened in 2023, and nothing since: that may be a clock that was put forward.
+TEST_F(SessionsPurge, OfTheUnusedIsHeldWhereTheClockMayBeWrong) {
+    fill();
+    const Ran held = sessions({"purge", "--unused-days", "30", "--yes"});
+    EXPECT_EQ(held.exitCode, 0) << held.err;
+    EXPECT_NE(held.err.find("warning: The clock of this machine is so far ahead"), std::string::npos)
+        << held.err;
+    EXPECT_EQ(held.out, "Deleted 0 studies, 0 volumes, 0 models and 0 stored states.\n");
+    EXPECT_EQ(studies(), 2u);
+    EXPECT_EQ(jsonOf({"audit", "--last", "1"})["entries"][0]["action"], "held");
+    EXPECT_EQ(jsonOf({"purge", "--unused-days", "30", "--dry-run"})["clock"], "ahead");
+    expectRefused({"purge", "--all", "--trust-clock", "--yes"}, 2, "--trust-clock");
+    const json report = jsonOf({"purge", "--unused-days", "30", "--trust-clock", "--yes"});
+    EXPECT_EQ(report["clock"], "none");
+    EXPECT_EQ(report["studies"], 2);
+    EXPECT_EQ(studies(), 0u);
+}
+
 TEST_F(SessionsPurge, OnlySaysWhatWouldGo) {
     fill();
     const json study = jsonOf({"purge", anna(), "--dry-run"});

@@ -1,5 +1,5 @@
-// The fixture of all tests that need a device: validation on, and not one message of it at the end of any
-// test.
+// The fixture of all tests that need a device: validation on where it is installed, and not one message of it
+// at the end of any test.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "gpu/validation.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
 
@@ -30,7 +31,7 @@ inline void expectOk(Result<void> result) {
 class GpuTest : public ::testing::Test {
   protected:
     void SetUp() override {
-        instance_ = expectOk(Instance::create({.validation = Validation::on}));
+        instance_ = expectOk(Instance::create({.validation = validationOfTests()}));
         device_ = expectOk(Device::create(*instance_));
     }
 

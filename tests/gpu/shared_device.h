@@ -1,10 +1,12 @@
-// One instance and device for a whole test program, with validation on. gpu_test.h has one for each test.
+// One instance and device for a whole test program, with validation on where it is installed. gpu_test.h has
+// one for each test.
 #pragma once
 
 #include <gtest/gtest.h>
 
 #include <memory>
 
+#include "gpu/validation.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
 
@@ -16,7 +18,7 @@ class SharedDeviceTest : public ::testing::Test {
     static Instance& instance() {
         static Instance made = [] {
             auto result =
-                Instance::create({.extensions = {}, .validation = Validation::on, .createInstance = {}});
+                Instance::create({.extensions = {}, .validation = validationOfTests(), .createInstance = {}});
             return std::move(result).value();
         }();
         return made;

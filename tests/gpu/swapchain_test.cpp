@@ -69,7 +69,7 @@ class SwapchainTest : public ::testing::Test {
         roundTrip();
 
         instance_ = expectOk(Instance::create(
-            {.extensions = {"VK_KHR_surface", "VK_KHR_xcb_surface"}, .validation = Validation::on}));
+            {.extensions = {"VK_KHR_surface", "VK_KHR_xcb_surface"}, .validation = validationOfTests()}));
         VkXcbSurfaceCreateInfoKHR info{VK_STRUCTURE_TYPE_XCB_SURFACE_CREATE_INFO_KHR};
         info.connection = connection_;
         info.window = window_;

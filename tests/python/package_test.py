@@ -1,10 +1,12 @@
 """The Python package: what it takes, gives back and refuses."""
 
 import ctypes
+import importlib.util
 import os
 import pathlib
 import pickle
 import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -20,7 +22,7 @@ import numpy
 from macula import _interface
 
 AFFINE = [[4, 0, 0, -46], [0, 4, 0, -46], [0, 0, 4, -46], [0, 0, 0, 1]]
-HEADER = pathlib.Path(__file__).parents[2] / "src/c/include/macula.h"
+HEADERS = pathlib.Path(__file__).parents[2] / "src/c/include/macula"
 
 
 def balls():
@@ -86,6 +88,28 @@ class Interface(unittest.TestCase):
         library = pathlib.Path(os.environ["MACULA_LIBRARY"]).resolve()
         self.assertEqual((library.parent / _interface._NAME).resolve(), library)
 
+    def test_only_an_installed_package_looks_below_its_prefix(self):
+        library = pathlib.Path("lib") / _interface._NAME
+        with tempfile.TemporaryDirectory() as name:
+            top = pathlib.Path(name).resolve()
+            places = {}
+            for folder in ("checkout/python/macula", "usr/lib/python3/dist-packages/macula"):
+                (top / folder).mkdir(parents=True)
+                module = shutil.copy(_interface.__file__, top / folder)
+                for above in (top / folder).parents:  # whoever may write there may have put it there
+                    if above == top.parent:
+                        break
+                    (above / library).parent.mkdir(exist_ok=True)
+                    (above / library).touch()
+                spec = importlib.util.spec_from_file_location("looked_at", module)
+                looked_at = importlib.util.module_from_spec(spec)
+                spec.loader.exec_module(looked_at)
+                with unittest.mock.patch.dict(os.environ):
+                    os.environ.pop("MACULA_LIBRARY")
+                    places[folder.split("/")[0]] = looked_at._places()
+            self.assertEqual(places["checkout"], [_interface._NAME])
+            self.assertEqual(places["usr"], [str(top / "usr" / library), _interface._NAME])
+
     def test_another_library_is_no_macula(self):
         told = subprocess.run([sys.executable, "-c", "import macula"], capture_output=True, text=True, check=False,
                               env={**os.environ, "MACULA_LIBRARY": "libc.so.6"})
@@ -94,7 +118,8 @@ class Interface(unittest.TestCase):
         self.assertIn("libmacula0", told.stderr)
 
     def test_every_function_that_is_called_is_in_the_header(self):
-        declared = set(re.findall(r"(macula_\w+)\(", HEADER.read_text()))
+        text = "".join(header.read_text() for header in HEADERS.glob("*.h"))
+        declared = set(re.findall(r"(macula_\w+)\(", text))
         self.assertLessEqual(set(_interface._STATUS) | set(_interface._OTHERS), declared)
 
 

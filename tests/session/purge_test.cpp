@@ -88,6 +88,45 @@ TEST_F(Purges, OfAVolumeThatBelongsToNoStudy) {
     EXPECT_TRUE(fs::is_empty(folder_ / "models"));
 }
 
+// What was set for a file without a study, labels that somebody typed among it, goes with the file's volume.
+TEST_F(Purges, OfAVolumeThatBelongsToNoStudyTakeItsStates) {
+    Store store = open();
+    const auto stateOf = [](std::string_view volume) {
+        return DocumentId{DocumentKind::session, "", digestOf(volume) + " as it was left"};
+    };
+    const auto put = [&](const DocumentId& id, std::string_view text) {
+        EXPECT_TRUE(isOk(store.putDocument(id, 1, "{\"label\": \"" + std::string(text) + "\"}", {})));
+    };
+    ASSERT_TRUE(isOk(store.recordOpened({.volume = digestOf("nifti")})));
+    ASSERT_TRUE(isOk(store.recordOpened({.volume = digestOf("other")})));
+    put(stateOf("nifti"), kMarker);
+    put({DocumentKind::session, "", digestOf("nifti") + " as it was left, unreadable 0123"}, kMarker);
+    put(stateOf("other"), "of another");
+    put({DocumentKind::preset, "", digestOf("nifti") + " is a name"}, "of the machine");
+    put({DocumentKind::layout, "", "usual"}, "of the machine");
+    const PurgeReport report = valueOf(store.purgeVolume(digestOf("nifti"), DamagedFiles::keep));
+    EXPECT_EQ(report.documents, 2u);
+    EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+    EXPECT_EQ(valueOf(store.getDocument(stateOf("nifti"))), std::nullopt);
+    EXPECT_TRUE(valueOf(store.getDocument(stateOf("other"))));
+    EXPECT_TRUE(valueOf(store.getDocument({DocumentKind::preset, "", digestOf("nifti") + " is a name"})));
+    nowMs_ += std::int64_t{31} * 86'400'000;
+    ASSERT_TRUE(isOk(store.recordOpened(opened("new", "1", "foot"))));
+    EXPECT_EQ(valueOf(store.purgeUnused(std::chrono::days(30), DamagedFiles::keep)).documents, 1u);
+    EXPECT_EQ(valueOf(store.getDocument(stateOf("other"))), std::nullopt);
+    EXPECT_TRUE(valueOf(store.getDocument({DocumentKind::layout, "", "usual"})));
+}
+
+// Earlier versions left them behind.
+TEST_F(Purges, OfAllTakeStatesWhoseVolumeIsGone) {
+    Store store = open();
+    const DocumentId left{DocumentKind::session, "", digestOf("gone") + " as it was left"};
+    ASSERT_TRUE(isOk(store.putDocument(left, 1, "{\"label\": \"" + std::string(kMarker) + "\"}", {})));
+    EXPECT_FALSE(filesWith(kMarker).empty());
+    EXPECT_EQ(valueOf(store.purgeAll(DamagedFiles::keep)).documents, 1u);
+    EXPECT_EQ(filesWith(kMarker), std::vector<fs::path>{});
+}
+
 TEST_F(Purges, RefuseWhatIsOpen) {
     Store store = open();
     Store other = open();

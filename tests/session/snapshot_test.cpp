@@ -1,6 +1,8 @@
 // Export and import.
+#include <SQLiteCpp/SQLiteCpp.h>
 #include <sys/stat.h>
 
+#include "session/database.h"
 #include "session/rows.h"
 #include "session/store.h"
 #include "session/support.h"
@@ -100,6 +102,58 @@ TEST_F(Snapshots, LeaveOutWhatIsDamaged) {
     EXPECT_EQ(in.models, 0u);
     EXPECT_EQ(in.damaged, 1u);
     EXPECT_EQ(numberIn(other, keyOf("chest", "lung")), std::nullopt);
+}
+
+// 64 GB that take no room on the disk: an import that read them first would need that much memory.
+TEST_F(Snapshots, AskTheCapBeforeTheyRead) {
+    Store store = open();
+    fill(store);
+    ASSERT_TRUE(isOk(store.exportTo(target(), progress_)));
+    constexpr std::int64_t kBytes = std::int64_t{64} << 30;
+    const ModelInfo model = *valueOf(store.findModel(keyOf("chest")));
+    {
+        SQLite::Database sqlite((target() / "sessions.db").string(), SQLite::OPEN_READWRITE);
+        addCheckFunction(sqlite);
+        EXPECT_EQ(sqlite.exec("UPDATE models SET bytes = " + std::to_string(kBytes) + " WHERE blob = '" +
+                              model.checksum + "'"),
+                  1);
+        EXPECT_EQ(
+            sqlite.exec("UPDATE models SET row_check = macula_check('models', id, key, volume, trainer, "
+                        "parts, bytes, blob, created, saved, used, aside)"),
+            2);
+    }
+    fs::resize_file(target() / "models" / (model.checksum + ".model"), kBytes);
+    Store other = openOther();
+    const SnapshotReport in = valueOf(other.importFrom(target(), progress_));
+    EXPECT_EQ(in.skipped, 1u) << "above the cap";
+    EXPECT_EQ(in.models, 1u);
+    EXPECT_EQ(in.damaged, 0u);
+    EXPECT_EQ(numberIn(other, keyOf("chest", "lung")), 2u);
+}
+
+// Under the cap each blob is read a piece at a time, and taken only where all of it is as it was written.
+TEST_F(Snapshots, TakeNoBlobThatChangedBehindItsFirstPiece) {
+    Store store = open();
+    ASSERT_TRUE(isOk(store.recordOpened(opened("1", "1", "chest"))));
+    ASSERT_TRUE(isOk(store.saveModel(keyOf("chest"), blobOf(1, 3'000'001))));
+    ASSERT_TRUE(isOk(store.exportTo(target(), progress_)));
+    const ModelInfo model = *valueOf(store.findModel(keyOf("chest")));
+    const fs::path file = target() / "models" / (model.checksum + ".model");
+    std::string text = test::textOf(file);
+    ASSERT_EQ(text.size(), 3'000'001u);
+    {
+        Store other = openOther();
+        EXPECT_EQ(valueOf(other.importFrom(target(), progress_)).models, 1u);
+        EXPECT_EQ(numberIn(other, keyOf("chest")), 1u);
+    }
+    fs::remove_all(folder_.parent_path() / "other");
+    text.back() = static_cast<char>(text.back() + 1);
+    test::putText(file, text);
+    Store other = openOther();
+    const SnapshotReport in = valueOf(other.importFrom(target(), progress_));
+    EXPECT_EQ(in.models, 0u);
+    EXPECT_EQ(in.damaged, 1u);
+    EXPECT_TRUE(fs::is_empty(folder_.parent_path() / "other" / "models"));
 }
 
 TEST_F(Snapshots, ReplaceNothingAndLeaveNothing) {

@@ -89,7 +89,7 @@ class ScriptedRoom : public ::testing::Test {
         xr_script::follow(std::move(script));
         runtime_ = expectOk(Runtime::connect());
         expectOk(runtime_->findHeadset());
-        opened_.emplace(expectOk(openDevice(*runtime_, gpu::Validation::on)));
+        opened_.emplace(expectOk(openDevice(*runtime_, gpu::validationOfTests())));
     }
     void show(const RoomOptions& options = {.model = {}, .learns = false}) {
         view_.emplace(expectOk(RoomView::create(opened_->device, scene(),

@@ -8,6 +8,7 @@
 
 #include "app/camera/view_directions.h"
 #include "app/choice/lights_choice.h"
+#include "app/picture/public_series.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/volume/window.h"
 
@@ -117,7 +118,7 @@ image::Metadata metadata(const SheetRequest& request, const StudyInput& study) {
                             trace::kLooks[static_cast<std::size_t>(look)].name);
     }
     return {{"Software", "Macula " MACULA_VERSION},
-            {"macula:series", study.seriesDigest},
+            {"macula:series", publicSeries(study.seriesDigest)},
             {"macula:view", nameOf(request.view)},
             {"macula:samples", fmt::to_string(request.samplesPerPixel)},
             {"macula:tilePx", fmt::to_string(request.tilePx)},

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/camera/camera_file.h"
+#include "app/picture/public_series.h"
 
 namespace macula::app {
 
@@ -40,7 +41,7 @@ void RenderRecord::add(const PictureRequest& request, const DrawnPicture& pictur
 image::Metadata metadata(const RenderRecord& record) {
     const trace::Settings& settings = record.settings;
     return {{"Software", "Macula " MACULA_VERSION},
-            {"macula:series", record.seriesDigest},
+            {"macula:series", publicSeries(record.seriesDigest)},
             {"macula:look", std::string(trace::nameOf(record.settings.look))},
             {"macula:preset", record.preset},
             {"macula:lights", record.lights},

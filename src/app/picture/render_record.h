@@ -39,7 +39,7 @@ struct RenderRecord {
     void add(const PictureRequest& request, const DrawnPicture& picture);
 };
 
-// For the picture itself: keys "macula:…" and "Software".
+// For the picture itself: keys "macula:…" and "Software"; of the series what publicSeries says.
 image::Metadata metadata(const RenderRecord& record);
 
 // The whole record, with times; the error is null when it is not known.

@@ -160,6 +160,8 @@ void sayClip(SaidState& said, const StudyState& state, const Volume& volume) {
         said.leftOut.emplace_back("Grey faces and shadows of what is cut off are for Macula alone.");
 }
 
+constexpr const char* kNobodys = "nobody's";  // in place of the digest of a series
+
 void removeNames(std::shared_ptr<const TransferFunction>& named) {
     if (!named) return;
     TransferFunction preset = *named;
@@ -172,7 +174,8 @@ void removeNames(std::shared_ptr<const TransferFunction>& named) {
     named = std::make_shared<const TransferFunction>(std::move(preset));
 }
 
-// What a person has named or written may say whose it is.
+// What a person has named or written may say whose it is, and so may the digest of a UID, which can be
+// guessed.
 StudyState withoutNames(StudyState state) {
     removeNames(state.preset);
     if (state.beside) removeNames(state.beside->preset);
@@ -186,6 +189,12 @@ StudyState withoutNames(StudyState state) {
         lights.title = "Custom";
         state.lights = std::make_shared<const trace::LightRig>(std::move(lights));
     }
+    state.seriesDigest.clear();  // that of the object counts
+    if (state.beside) {
+        state.beside->seriesDigest = kNobodys;
+        state.beside->volumeKey.clear();
+    }
+    state.segmentations.clear();
     for (slices::Measurement& measurement : state.measurements) measurement.label.clear();
     state.namedClips.clear();
     state.otherKeys.clear();
@@ -214,6 +223,9 @@ Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, 
     MACULA_TRY_VOID(say(said, state, volume, axes));
     sayClip(said, state, volume);
     said.presentation.ownState = ownStateOf(state, isDeidentified);
+    if (isDeidentified && (state.beside || !state.segmentations.empty()))
+        said.leftOut.emplace_back(
+            "Without patient and study, the second volume and segmentations are not found again.");
     if (said.presentation.ownState.size() > kLongestOwnState) {
         said.presentation.ownState.clear();
         said.leftOut.emplace_back(

@@ -18,7 +18,8 @@ struct SaidState {
 
 // Needs a preset and a camera; the volume in 16 bits. The state as a whole goes into
 // VolumePresentation::ownState, so that Macula draws the same picture; `isDeidentified` leaves out of it
-// what a person has named or written. usage without preset or camera, or for a camera that is none.
+// digests of UIDs, by which a second volume and segmentations are found, and what a person has named or
+// written. usage without preset or camera, or for a camera that is none.
 Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, double aspectWidthOverHeight,
                                  bool isDeidentified = false);
 

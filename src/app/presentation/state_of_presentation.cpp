@@ -8,7 +8,7 @@
 
 #include "app/presentation/cropping_clip.h"
 #include "app/presentation/palette_of_transfer.h"
-#include "dicom/uid.h"
+#include "dicom/presentation/stand_in_uid.h"
 
 namespace macula::app {
 
@@ -140,11 +140,15 @@ ImagesShown imagesShown(const std::vector<dicom::ReferencedImage>& referenced,
             std::ranges::lower_bound(wanted, uid, {}, &dicom::ReferencedFrames::sopInstanceUid);
         return found != wanted.end() && found->sopInstanceUid == uid ? found : wanted.end();
     };
+    const dicom::StandInUids standIns;
     std::size_t both = 0;
     bool areSame = true;
     for (const dicom::ReferencedFrames& image : images) {
         auto found = find(image.sopInstanceUid);
-        if (found == wanted.end()) found = find(dicom::uidFrom(image.sopInstanceUid));
+        if (found == wanted.end()) {
+            for (const std::string& uid : standIns.of(image.sopInstanceUid))
+                if (found == wanted.end()) found = find(uid);
+        }
         // A file of one frame is that frame.
         const std::vector<int> own = image.numbers.empty() ? std::vector{1} : image.numbers;
         const auto isMeant = [&](int number) { return found->holds(number - 1); };

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/session/purge_plan.h"
 #include "app/session/scene_key.h"
 #include "app/session/seen_before.h"
 #include "app/state/state_keys.h"
@@ -212,6 +213,7 @@ void ModelKeeper::forgetUnused() {
         if (purged->studies + purged->volumes > 0)
             log::info("Stored sessions: {} studies and {} volumes were not opened for {} days, and deleted.",
                       purged->studies, purged->volumes, retention_->count());
+        if (purged->clock != session::ClockDoubt::none) tell(keptForClock(purged->clock));
     } catch (const std::exception&) {
         tellOfNoMemory("What was not opened for long could not be deleted.");
     } catch (const CheckFailure& failure) {

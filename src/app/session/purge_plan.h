@@ -17,7 +17,8 @@ namespace macula::app {
 struct PurgeWish {
     std::string study;  // first digits of its identity
     bool all = false;
-    std::optional<int> unusedDays;  // all that was not opened for so many days
+    std::optional<int> unusedDays;                                 // all that was not opened for so many days
+    session::Store::Clock clock = session::Store::Clock::checked;  // of unusedDays
     session::DamagedFiles damaged = session::DamagedFiles::keep;
 };
 
@@ -28,10 +29,14 @@ struct PurgePlan {
     std::vector<session::StudyEntry> studies;
     ModelSum models;  // that go with them: those of volumes that no other study has
     std::size_t documents = 0;
+    session::ClockDoubt clock = session::ClockDoubt::none;  // then the purge deletes less than is told here
 };
 
 // `nowMs`: milliseconds since 1970 (UTC). Fails as studyOfPrefix does.
 Result<PurgePlan> planPurge(session::Store& store, const PurgeWish& wish, std::int64_t nowMs);
+
+// Why what seems to be old was not deleted, and what to do; of a doubt alone.
+Error keptForClock(session::ClockDoubt doubt);
 
 // Does it. Fails as Store::purgeStudy does.
 Result<session::PurgeReport> purge(session::Store& store, const PurgePlan& plan);

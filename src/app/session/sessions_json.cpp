@@ -139,13 +139,15 @@ Json toJson(const PurgePlan& plan) {
             {"studies", std::move(identities)},
             {"models", plan.models.models},
             {"modelBytes", plan.models.bytes},
-            {"documents", plan.documents}};
+            {"documents", plan.documents},
+            {"clock", nameOf(plan.clock)}};
 }
 
 Json toJson(const session::PurgeReport& purged) {
     return {{"studies", purged.studies},         {"volumes", purged.volumes},
             {"models", purged.models},           {"documents", purged.documents},
-            {"skippedOpen", purged.skippedOpen}, {"damagedFolders", purged.damagedFolders}};
+            {"skippedOpen", purged.skippedOpen}, {"damagedFolders", purged.damagedFolders},
+            {"clock", nameOf(purged.clock)}};
 }
 
 Json toJson(const session::Listing<session::AuditEntry>& trail) {

@@ -70,6 +70,11 @@ std::string_view uncounted(const PurgePlan& plan) {
     return plan.wish.unusedDays ? ", and models of files without a study that were not opened either" : "";
 }
 
+std::string sentencesOf(session::ClockDoubt doubt) {
+    const Error error = keptForClock(doubt);
+    return error.message + " " + error.hint;
+}
+
 }  // namespace
 
 std::string nothingStoredText(const std::filesystem::path& folder) {
@@ -171,6 +176,7 @@ std::string textOf(const PurgePlan& plan) {
     for (const session::StudyEntry& study : plan.studies)
         text += fmt::format("  {}  {}{}\n", shortOf(study.identity), localTime(study.lastOpenedMs),
                             readable(study.readable));
+    if (plan.clock != session::ClockDoubt::none) text += sentencesOf(plan.clock) + "\n";
     return text;
 }
 
@@ -198,6 +204,7 @@ std::vector<std::string> warningsOf(const session::PurgeReport& purged) {
             fmt::format("{} of damaged files may hold parts of what was deleted; "
                         "--damaged-too deletes them as well.",
                         counted(purged.damagedFolders, "folder", "folders")));
+    if (purged.clock != session::ClockDoubt::none) warnings.push_back(sentencesOf(purged.clock));
     return warnings;
 }
 

@@ -11,6 +11,7 @@
 #include "dicom/pixels/rle.h"
 #include "dicom/read/byte_source.h"
 #include "dicom/read/dataset.h"
+#include "dicom/read/image_size.h"
 #include "dicom/read/outline.h"
 #include "dicom/read/values.h"
 
@@ -22,7 +23,6 @@ namespace {
 
 constexpr Tag kExtendedOffsetTable{0x7FE0, 0x0001};
 constexpr std::string_view kBigEndian = "1.2.840.10008.1.2.2";
-constexpr int kMostRows = 65535;
 
 Tag pixelTagOf(CellKind kind) {
     switch (kind) {

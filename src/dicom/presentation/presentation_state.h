@@ -20,8 +20,9 @@ struct PresentationOwner {
     // instance. Where deidentified it may be left out, and tells only which objects are of one patient
     // (pseudonyms.h).
     std::optional<SecondaryCapture::Source> image;
-    // Nothing of patient and study is taken over. UIDs of series, frame of reference and images are those
-    // that uidFrom makes of them: only who has the series can tell that it is meant (isSeries).
+    // Nothing of patient and study is taken over. UIDs of series, frame of reference and images are replaced
+    // by those that standInUid makes of them: only who has the series and the key of this installation, which
+    // is made where there is none, can tell that it is meant (isSeries).
     bool isDeidentified = false;
     std::string seriesDescription = "3D views";  // at most 64 characters, ASCII; no patient data
     std::string softwareVersion = "0";           // as that; not empty

@@ -12,10 +12,10 @@
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/presentation_tags.h"
 #include "dicom/presentation/srgb_profile.h"
+#include "dicom/presentation/stand_in_uid.h"
 #include "dicom/read/dataset.h"
 #include "dicom/read/referenced_frames.h"
 #include "dicom/read/sop_class.h"
-#include "dicom/uid.h"
 
 namespace macula::dicom {
 
@@ -379,8 +379,9 @@ bool isSeries(const PresentedSeries& series, std::string_view seriesDigest) {
     if (seriesDigest.size() != kDigits ||
         seriesDigest.find_first_not_of("0123456789abcdef") != std::string_view::npos)
         return false;
-    return sha256Hex(series.seriesInstanceUid) == seriesDigest ||
-           series.seriesInstanceUid == uidFromSha256(seriesDigest);
+    if (sha256Hex(series.seriesInstanceUid) == seriesDigest) return true;
+    const std::vector<std::string> standIns = StandInUids().ofDigest(seriesDigest);
+    return std::ranges::find(standIns, series.seriesInstanceUid) != standIns.end();
 }
 
 }  // namespace macula::dicom

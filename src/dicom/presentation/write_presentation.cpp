@@ -19,6 +19,7 @@
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/presentation_tags.h"
 #include "dicom/presentation/srgb_profile.h"
+#include "dicom/presentation/stand_in_uid.h"
 #include "dicom/read/examination.h"
 #include "dicom/read/quiet_toolkit.h"
 #include "dicom/read/sop_class.h"
@@ -370,10 +371,10 @@ ValueRange asWritten(const ValueRange& values) {
 }
 
 // What may be told of it where nobody is to be named.
-PresentedSeries withoutUids(PresentedSeries series) {
-    series.seriesInstanceUid = uidFrom(series.seriesInstanceUid);
-    series.frameOfReferenceUid = uidFrom(series.frameOfReferenceUid);
-    for (ReferencedImage& image : series.images) image.sopInstanceUid = uidFrom(image.sopInstanceUid);
+PresentedSeries withStandIns(PresentedSeries series, const InstallationKey& key) {
+    series.seriesInstanceUid = standInUid(key, series.seriesInstanceUid);
+    series.frameOfReferenceUid = standInUid(key, series.frameOfReferenceUid);
+    for (ReferencedImage& image : series.images) image.sopInstanceUid = standInUid(key, image.sopInstanceUid);
     return series;
 }
 
@@ -391,8 +392,9 @@ Result<void> writePresentationState(const fs::path& path, const VolumePresentati
     written.palette.values = asWritten(presentation.palette.values);
     bool ok = true;
     if (owner.isDeidentified) {
+        MACULA_TRY(const InstallationKey key, InstallationKey::ofUser());
         ok = writePseudonym(dataset, owner.image).has_value();
-        written.series = withoutUids(std::move(written.series));
+        written.series = withStandIns(std::move(written.series), key);
     } else {
         if (const Result<Origin> origin = copyOwner(dataset, *owner.image); !origin) return origin.error();
     }

@@ -376,11 +376,6 @@ void dropControls(std::string& text) {
 
 }  // namespace
 
-bool isValidUtf8(std::string_view text) {
-    // Checked by converting to UTF-16, which has no codes above U+10FFFF; the C library's UTF-8 has.
-    return converted(text, kUtf8, "UTF-16LE").has_value();
-}
-
 DecodedText decodeText(std::string_view bytes, std::string_view declared, Delimiters delimiters) {
     const auto isPlain = [](char c) { return c >= ' ' && c < 0x7F; };
     if (std::all_of(bytes.begin(), bytes.end(), isPlain)) return {std::string(bytes), false};

@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/utf8.h"
+
 namespace macula::dicom {
 
 // What ends the effect of an escape sequence, besides the end of a line (PS3.5 6.1.2.5.3).
@@ -22,7 +24,5 @@ struct DecodedText {
 
 // `declared` is SpecificCharacterSet as in the file, its values separated by backslashes. Thread-safe.
 DecodedText decodeText(std::string_view bytes, std::string_view declared, Delimiters delimiters);
-
-bool isValidUtf8(std::string_view text);
 
 }  // namespace macula::dicom

@@ -7,6 +7,7 @@
 
 #include "base/exceptions.h"
 #include "dicom/read/dataset.h"
+#include "dicom/read/image_size.h"
 #include "dicom/read/sop_class.h"
 
 namespace macula::dicom {
@@ -29,7 +30,6 @@ constexpr Tag kSegmentedPropertyType{0x0062, 0x000F};
 constexpr Tag kCodeValue{0x0008, 0x0100};
 constexpr Tag kCodingScheme{0x0008, 0x0102};
 constexpr Tag kContentLabel{0x0070, 0x0080};
-constexpr int kMostRows = 65535;
 
 Error notUsable(const fs::path& file, std::string message,
                 std::string hint = "Choose another segmentation.") {

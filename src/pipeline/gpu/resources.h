@@ -57,8 +57,6 @@ class Buffer {
     friend class StagingPool;
 
     Buffer() = default;
-    static Result<Buffer> createUnchecked(const std::shared_ptr<Device>& device,
-                                          const BufferOptions& options);
 
     Handle<VkDeviceMemory> memory_;
     Handle<VkBuffer> buffer_;  // dropped before its memory

@@ -18,48 +18,30 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     static constexpr int kCastMean = shared::kCastMean;
     static constexpr uint kNetSamples = shared::kNetSamples;
 
+    // As in the shaders, in this precision.
+#define float MACULA_REAL
+#define MEMBER(type, name) type name;
+#define ARRAY_MEMBER(type, name, count) std::array<type, shared::count> name;
     struct Params {
-        vec3 originVoxel, right, up, forward;
-        vec3 voxelFromWorldX, voxelFromWorldY, voxelFromWorldZ;
-        vec3 worldFromEnvironmentX, worldFromEnvironmentY, worldFromEnvironmentZ;
-        ivec3 volumeSize, gridSize;
-        ivec2 imageSize, environmentSize;
-        int bounces;
-        uint seed;
-        Real anisotropy;
-        std::array<vec4, shared::kMaxClipPlanes> clipPlanes;
-        vec3 clipBallCentre, clipBallX, clipBallY, clipBallZ;
-        int clipKeepCount, clipBoxCount, clipCornerCount, clipBall, clipShadows, greyFaces;
-        Real greyLow, greyHigh, exposure;
-        vec2 planeHalfSize, gaze;
-        Real foveaRadius, foveaMagnification, parallelMm;
-        Real lightStrength, gradientScale;
-        int gradientLast;
-        Real unitDepthMm;
-        int entryCount;
-        Real windowLow, windowHigh, paddingEntry, stepsPerEntry, ambient, diffuse;
-        vec3 secondOrigin, secondFromVoxelX, secondFromVoxelY, secondFromVoxelZ;
-        ivec3 secondSize, secondGrid;
-        int secondEntryCount;
-        Real secondStepsPerEntry;
-        ivec3 tintLow, tintSize;
+        MACULA_TRACE_PARAMS(MEMBER, ARRAY_MEMBER)
     };
-    // A field added to the shared block must be added above and below.
-    static_assert(sizeof(shared::TraceParams) ==
-                  4 * (10 * 3 + 2 * 3 + 2 * 2 + 3 + 4 * shared::kMaxClipPlanes + 4 * 3 + 6 + 3 + 2 * 2 + 3 + 11 + 26));
+#undef MEMBER
+#undef ARRAY_MEMBER
+
+    static Params paramsOf(const shared::TraceParams& from) {
+        Params to;
+#define CONVERT(type, name) to.name = type(from.name);
+#define CONVERT_ARRAY(type, name, count) \
+    for (std::size_t i = 0; i < to.name.size(); ++i) to.name[i] = type(from.name[i]);
+        MACULA_TRACE_PARAMS(CONVERT, CONVERT_ARRAY)
+#undef CONVERT
+#undef CONVERT_ARRAY
+        return to;
+    }
+#undef float
 
     MACULA_HOST(const ReferenceTracer::Tables& tables, const shared::TraceParams& p, Filter filter)
-        : params{p.originVoxel, p.right, p.up, p.forward, p.voxelFromWorldX, p.voxelFromWorldY,
-                 p.voxelFromWorldZ, p.worldFromEnvironmentX, p.worldFromEnvironmentY, p.worldFromEnvironmentZ,
-                 p.volumeSize, p.gridSize, p.imageSize, p.environmentSize, p.bounces, p.seed,
-                 Real(p.anisotropy), {}, p.clipBallCentre, p.clipBallX, p.clipBallY,
-                 p.clipBallZ, p.clipKeepCount, p.clipBoxCount, p.clipCornerCount, p.clipBall, p.clipShadows,
-                 p.greyFaces, Real(p.greyLow), Real(p.greyHigh), Real(p.exposure), p.planeHalfSize,
-                 p.gaze, Real(p.foveaRadius), Real(p.foveaMagnification), Real(p.parallelMm), Real(p.lightStrength),
-                 Real(p.gradientScale), p.gradientLast, Real(p.unitDepthMm), p.entryCount, Real(p.windowLow),
-                 Real(p.windowHigh), Real(p.paddingEntry), Real(p.stepsPerEntry), Real(p.ambient), Real(p.diffuse),
-                 p.secondOrigin, p.secondFromVoxelX, p.secondFromVoxelY, p.secondFromVoxelZ, p.secondSize, p.secondGrid,
-                 p.secondEntryCount, Real(p.secondStepsPerEntry), p.tintLow, p.tintSize},
+        : params(paramsOf(p)),
           entries_(tables.entries.data()),
           extinction_(tables.extinctionPerMm.data()),
           gradientOpacity_(tables.gradientOpacity.data()),
@@ -68,7 +50,6 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
           environment_(tables.environment.data()),
           cumulative_(tables.cumulative.data()),
           trilinear_(filter == Filter::trilinear) {
-        for (std::size_t i = 0; i < params.clipPlanes.size(); ++i) params.clipPlanes[i] = p.clipPlanes[i];
         clip_ = isClipped(p);
         mask_ = tables.mask;
         secondEntries_ = tables.secondEntries;

@@ -3707,6 +3707,50 @@
         <translation>Die Ansicht ist zu groß, um ganz bewahrt zu werden: auch Macula zeigt nur, was andere zeigen.</translation>
     </message>
     <message>
+        <source>The clock of this machine shows an earlier time than an opening of a study that is stored, so nothing was deleted for its age.</source>
+        <translation>Die Uhr dieses Rechners zeigt eine frühere Zeit, als beim Öffnen einer Studie gespeichert wurde. Deshalb wurde nichts seines Alters wegen gelöscht.</translation>
+    </message>
+    <message>
+        <source>The clock of this machine is so far ahead of the last opening that every stored study would be deleted for its age; those that were not old then were kept.</source>
+        <translation>Die Uhr dieses Rechners ist der letzten Öffnung so weit voraus, dass jede gespeicherte Studie ihres Alters wegen gelöscht würde; was damals nicht alt war, wurde behalten.</translation>
+    </message>
+    <message>
+        <source>Set the clock.</source>
+        <translation>Stellen Sie die Uhr.</translation>
+    </message>
+    <message>
+        <source>Where it is right, run `macula sessions purge --unused-days N --trust-clock`.</source>
+        <translation>Wenn sie stimmt, rufen Sie `macula sessions purge --unused-days N --trust-clock` auf.</translation>
+    </message>
+    <message>
+        <source>Where the clock is right there is nothing to do: from tomorrow on it is believed.</source>
+        <translation>Wenn die Uhr stimmt, ist nichts zu tun: ab morgen wird ihr geglaubt.</translation>
+    </message>
+    <message>
+        <source>To delete now, run `macula sessions purge --unused-days N --trust-clock`.</source>
+        <translation>Um jetzt zu löschen, rufen Sie `macula sessions purge --unused-days N --trust-clock` auf.</translation>
+    </message>
+    <message>
+        <source>Without patient and study, the second volume and segmentations are not found again.</source>
+        <translation>Ohne Patient und Studie werden das zweite Volumen und Segmentierungen nicht wiedergefunden.</translation>
+    </message>
+    <message>
+        <source>The key that makes identifiers unreadable for others could not be kept.</source>
+        <translation>Der Schlüssel, der Kennungen für andere unlesbar macht, konnte nicht aufbewahrt werden.</translation>
+    </message>
+    <message>
+        <source>Check free space and permissions of that folder.</source>
+        <translation>Prüfen Sie freien Platz und Rechte dieses Ordners.</translation>
+    </message>
+    <message>
+        <source>The file with the key that makes identifiers unreadable for others cannot be read, or holds none.</source>
+        <translation>Die Datei mit dem Schlüssel, der Kennungen für andere unlesbar macht, kann nicht gelesen werden oder enthält keinen.</translation>
+    </message>
+    <message>
+        <source>Bring it back from a backup, or remove it: then a new one is made.</source>
+        <translation>Holen Sie sie aus einer Sicherung zurück, oder löschen Sie sie: dann wird ein neuer gemacht.</translation>
+    </message>
+    <message>
         <source>The colours of this projection are shown as greys.</source>
         <translation>Die Farben dieser Projektion werden als Graustufen gezeigt.</translation>
     </message>

@@ -1,0 +1,30 @@
+/* What is built in: presets, clips, lights, looks and qualities. */
+#ifndef MACULA_NAMES_H
+#define MACULA_NAMES_H
+
+#include <stdint.h>
+
+#include "status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+    MACULA_PRESETS = 0,  /* of macula_view_set_preset */
+    MACULA_CLIPS = 1,    /* of macula_view_set_clip */
+    MACULA_LIGHTS = 2,   /* of macula_view_set_lights */
+    MACULA_LOOKS = 3,    /* of macula_view_set_look */
+    MACULA_QUALITIES = 4 /* of macula_picture */
+};
+/* What is built in. Null for an index that is too large; names live as long as the library is loaded. */
+MACULA_API const char* macula_name(int32_t kind, uint32_t index);
+/* All that is built in, with titles, and what presets are for (modality, unit), as JSON: what `macula presets
+ * --json` writes. Lives as long as the library is loaded. */
+MACULA_API macula_status macula_built_in(const char** json);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
