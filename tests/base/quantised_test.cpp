@@ -60,7 +60,8 @@ TEST(Quantised, AFewThatAreNotFarAwayKeepTheirValues) {
 
 TEST(Quantised, SaysWhetherAllValuesAreAsBefore) {
     const auto exact = [](std::vector<float> voxels) {
-        auto made = Volume::createFloat({.size = {int(voxels.size()), 1, 1}}, std::move(voxels));
+        const auto count = int(voxels.size());
+        auto made = Volume::createFloat({.size = {count, 1, 1}}, std::move(voxels));
         return quantised(std::make_shared<const Volume>(*std::move(made)));
     };
     const float nan = std::numeric_limits<float>::quiet_NaN();

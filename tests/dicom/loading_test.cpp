@@ -389,6 +389,10 @@ TEST(ValueUnit, isATermOrAnother) {
                 Frame frame = ctFrame();
                 (inUnits ? frame.units : frame.rescaleType) = text;
                 const ValueUnit unit = valueUnit(modality, std::vector<Frame>(2, frame));
+                if (inUnits && modality == std::string_view("CT")) {  // which has no such attribute
+                    EXPECT_EQ(unit.unit, Unit::hounsfield) << text;
+                    continue;
+                }
                 EXPECT_EQ(unit.unit, Unit::other) << modality << text;
                 EXPECT_EQ(unit.name, "another unit") << modality << text;
             }

@@ -223,7 +223,8 @@ std::string whyNoHounsfield(std::span<const Frame> frames) {
 
 std::string unitTerm(std::string_view modality, const Frame& frame) {
     // PET says it in an attribute of its own (PS3.3 C.8.9.1.1.3), real world values in a code of UCUM.
-    const std::string& name = frame.realWorld || frame.units.empty() ? frame.rescaleType : frame.units;
+    const bool hasUnits = modality != "CT" && !frame.realWorld && !frame.units.empty();
+    const std::string& name = hasUnits ? frame.units : frame.rescaleType;
     if (name.empty() && modality == "CT" && whyNoHounsfield(std::span(&frame, 1)).empty()) return "HU";
     // US is "unspecified", CNTS counts of the scanner.
     if (isOneOf(name, {"US", "CNTS", "1", "[arb'U]"})) return {};

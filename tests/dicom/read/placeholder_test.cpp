@@ -58,7 +58,8 @@ TEST(Placeholder, NamesAndIdsThatAreOfNobody) {
                              "Anonyme",
                              "Unbekannt",
                              "ANONIMO",
-                             "Patient ID unknown", "Patient"})
+                             "Patient ID unknown",
+                             "Patient"})
         EXPECT_TRUE(isPlaceholder(text)) << '"' << text << '"';
 }
 
@@ -66,7 +67,7 @@ TEST(Placeholder, NamesAndIdsThatAreOfNobody) {
 TEST(Placeholder, NamesAndIdsThatAreOfSomebody) {
     for (const char* text :
          {"DOE^JANE", "17", "0042", "LIDC-IDRI-0001", "ANON0017", "ANONYMOUS 3", "Anon-1", "Null^Jennifer",
-          "Anon^Somchai", "Nobody^Henry", "Patient^17",  "SUBJECT-4", "XXX1", "Xu^X", "100000",
+          "Anon^Somchai", "Nobody^Henry", "Patient^17", "SUBJECT-4", "XXX1", "Xu^X", "100000",
           "\xE7\x8E\x8B^\xE5\xB0\x8F\xE6\x9D\xB1", "Nonemann", "MACULA-3f9a2c7d01e4b856"})
         EXPECT_FALSE(isPlaceholder(text)) << '"' << text << '"';
 }
