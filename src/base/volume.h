@@ -163,8 +163,8 @@ class Volume {
     std::optional<ValueRange> valueRange_;
 };
 
-// For what draws, and needs 16 bits: the volume itself when it has them, else a copy, quantised, in which a few
-// values may be brought to the ends of the range of the others; what that cost is among its assumptions
+// For what draws, and needs 16 bits: the volume itself when it has them, else a copy, quantised, in which a
+// few values may be brought to the ends of the range of the others; what that cost is among its assumptions
 // (base/quantised.h). Nobody measures on it. May throw std::bad_alloc.
 std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume);
 

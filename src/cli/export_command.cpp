@@ -111,9 +111,8 @@ Result<void> exportSeries(const Options& options) {
         }
         return exportSegmentation(options, scan, *series, progress);
     }
-    MACULA_TRY(app::StudyInput study,
-               app::loadStudy(scan, options.path, options.series, progress, options.volume,
-                              app::PetUnit::asInImages));
+    MACULA_TRY(app::StudyInput study, app::loadStudy(scan, options.path, options.series, progress,
+                                                     options.volume, app::PetUnit::asInImages));
     return exportVolume(options, std::move(study), app::secondsSince(start), progress);
 }
 

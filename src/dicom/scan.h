@@ -48,7 +48,7 @@ struct Scan {
     std::size_t mediaDirectories = 0;         // DICOMDIR
     std::size_t listedFilesMissing = 0;       // by the media directories
     std::size_t unreadableFolders = 0;
-    int patients = 0;  // see patient.h for what tells them apart
+    int patients = 0;          // see patient.h for what tells them apart
     int namelessPatients = 0;  // of those: studies that do not say whose they are
 
     std::size_t imageCount() const;   // files that hold images

@@ -79,7 +79,8 @@ bool Viewport::moveFocus(const QKeyEvent& event) {
     if ((event.modifiers() & ~Qt::ShiftModifier) != Qt::NoModifier) return false;
     QWidget* next = nextInTabOrder(*container_, !isBack);
     if (next == nullptr) return true;
-    QWidget::window()->activateWindow();  // keys go on to the native window until its parent is the active one
+    QWidget::window()
+        ->activateWindow();  // keys go on to the native window until its parent is the active one
     next->setFocus(isBack ? Qt::BacktabFocusReason : Qt::TabFocusReason);
     return true;
 }

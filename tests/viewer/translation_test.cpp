@@ -198,11 +198,12 @@ TEST_F(GermanTest, OneThingIsNotToldAsSeveral) {
 
 TEST_F(GermanTest, WindowsOfSlicesAndTheErrorOf16BitsArriveInGerman) {
     EXPECT_EQ(titleInWindowsLanguage("Soft tissue"), QStringLiteral("Weichteile"));
+    EXPECT_EQ(
+        inWindowsLanguage(
+            std::string("The 3D picture has values of 16 bits, with an error of at most 0.25 SUV bw.")),
+        QStringLiteral("Das 3D-Bild hat Werte von 16 Bit, mit einem Fehler von höchstens 0,25 SUV bw."));
     EXPECT_EQ(inWindowsLanguage(
-                  std::string("The 3D picture has values of 16 bits, with an error of at most 0.25 SUV bw.")),
-              QStringLiteral("Das 3D-Bild hat Werte von 16 Bit, mit einem Fehler von höchstens 0,25 SUV bw."));
-    EXPECT_EQ(inWindowsLanguage(std::string(
-                  "The 3D picture shows values below -2800 Bq/mL or above 6799 Bq/mL as these.")),
+                  std::string("The 3D picture shows values below -2800 Bq/mL or above 6799 Bq/mL as these.")),
               QStringLiteral("Das 3D-Bild zeigt Werte unter -2800 Bq/mL oder über 6799 Bq/mL wie diese."));
     EXPECT_EQ(titleInWindowsLanguage("SUV 0 to 15"), QStringLiteral("SUV 0 bis 15"));
 }

@@ -40,6 +40,7 @@ class ByteSource {
     bool inflating() const { return stream_ != nullptr; }
 
     std::uint64_t position() const { return position_; }
+    std::uint64_t fileBytes() const { return fileBytes_; }
     // Bytes left in the file, as they are stored: not inflated.
     std::uint64_t bytesLeft() const { return position_ < fileBytes_ ? fileBytes_ - position_ : 0; }
 

@@ -316,8 +316,10 @@ void tellRepairedNumbers(Stack& stack) {
 void assessGeometry(Stack& stack) {
     tellContradictions(stack);
     tellRepairedNumbers(stack);
-    if (any(stack, [](const Frame& f) { return f.isInVolumeFrame; })) tell(stack, message(key::kSidesUnknown));
-    if (any(stack, [](const Frame& f) { return f.isPlacedByOrder; })) tell(stack, message(key::kFramesInARow));
+    if (any(stack, [](const Frame& f) { return f.isInVolumeFrame; }))
+        tell(stack, message(key::kSidesUnknown));
+    if (any(stack, [](const Frame& f) { return f.isPlacedByOrder; }))
+        tell(stack, message(key::kFramesInARow));
     if (any(stack, [](const Frame& f) { return isProjection(f.instance->sopClassUid); })) {
         tell(stack, message(key::kUnsupportedSeries,
                             {{"kind", describeSopClass(stack.frames.front().instance->sopClassUid)}}));
