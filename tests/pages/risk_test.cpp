@@ -55,14 +55,16 @@ TEST(Risk, EveryTestThatItNamesExists) {
         EXPECT_TRUE(tests.contains(name)) << name << " shows nothing: it is gone";
 }
 
-// Each hazard has a control and a test.
-TEST(Risk, EveryHazardHasAControlAndATest) {
+// Each hazard has a severity, a probability, a control and a test.
+TEST(Risk, EveryHazardIsRatedAndHasAControlAndATest) {
     std::ifstream page(projectFolder() / "docs/risk.md");
     std::size_t hazards = 0;
     for (std::string line; std::getline(page, line);) {
         if (!line.starts_with("| ") || line.starts_with("| hazard") || line.starts_with("|---")) continue;
         ++hazards;
-        static const std::regex kRow(R"(\| [^|]+ \| [^|]+ \| [^|]{40,} \| `\w+\.\w+`[^|]* \|)");
+        static const std::regex kRow(
+            R"(\| [^|]+ \| [^|]+ \| (minor|serious|critical) \| (improbable|remote|occasional) )"
+            R"(\| [^|]{40,} \| `\w+\.\w+`[^|]* \|)");
         EXPECT_TRUE(std::regex_match(line, kRow)) << line;
     }
     EXPECT_GE(hazards, 7u);
