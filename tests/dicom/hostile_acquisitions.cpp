@@ -218,15 +218,16 @@ std::vector<HostileStudy> hostileAcquisitions() {
              return Truths{};
          }});
     add({"orientation-drifts",
-         "directions that differ by up to 0.00024 rad from slice to slice",
+         "directions that differ by up to 0.00014 rad from slice to slice",
          "one volume",
          {},
          1,
          [](const fs::path& folder) {
              SyntheticSeries series;
+             series.ramp = Ramp{.throughMm = series.rampOf().throughMm, .perMm = {1.1, 2.3, 4.7}};
              auto slices = slicesOf(series);
              for (Slice& s : slices) {
-                 const double angle = 0.00012 * ((s.place * 5) % 7 - 3) / 3.0;
+                 const double angle = 0.00007 * ((s.place * 5) % 7 - 3) / 3.0;
                  const glm::dvec3 row = s.rowDirection;
                  s.rowDirection = std::cos(angle) * row + std::sin(angle) * s.columnDirection;
                  s.columnDirection = std::cos(angle) * s.columnDirection - std::sin(angle) * row;

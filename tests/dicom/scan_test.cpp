@@ -339,7 +339,7 @@ TEST(Scan, anImageThatDoesNotFitIsSetApart) {
     };
     const std::vector<Case> cases{
         {key::kNoPosition, [](const fs::path& f) { remove(f, tag::kImagePositionPatient); }},
-        {key::kNoPosition,
+        {key::kMalformedNumbers,
          [](const fs::path& f) { setText(f, tag::kImageOrientationPatient, "1\\0\\0\\0\\1"); }},
         {key::kNoPixelSpacing, [](const fs::path& f) { remove(f, tag::kPixelSpacing); }},
         {key::kInvalidOrientation, [](const fs::path& f) { setText(f, tag::kPixelSpacing, "0\\1"); }},

@@ -286,11 +286,10 @@ std::vector<RescaleStep> findRescaleSteps(std::span<const std::size_t> slices, c
     for (std::size_t i = 1; i < slices.size(); ++i) {
         if (changes(i)) places.push_back(i);
     }
-    if (places.empty()) return {};
-    // Where each slice has its own rescale, as of PET, nothing says how far a median moves by itself.
-    const bool isKnown = 2 * places.size() <= slices.size();
+    // Where each slice has its own rescale, as of PET, nothing says how far values move by themselves.
+    if (places.empty() || 2 * places.size() > slices.size()) return {};
     std::vector<double> usual;
-    for (std::size_t i = 1; i < slices.size() && isKnown; ++i) {
+    for (std::size_t i = 1; i < slices.size(); ++i) {
         if (!changes(i))
             usual.push_back(std::abs(medianDifference(samples[slices[i - 1]], samples[slices[i]])));
     }
@@ -302,7 +301,7 @@ std::vector<RescaleStep> findRescaleSteps(std::span<const std::size_t> slices, c
         const std::vector<float> shared =
             withRescaleOf(intensities[slices[i - 1]], intensities[slices[i]], own);
         const double apart = distance(below, own);
-        const double moved = isKnown ? std::abs(medianDifference(below, own)) : 0.0;
+        const double moved = std::abs(medianDifference(below, own));
         const bool isShift =
             moved > kFarLess * std::abs(medianDifference(below, shared)) && moved > kFarLess * typical;
         if (isShift || apart > kFarLess * distance(below, shared))

@@ -43,7 +43,7 @@ struct RescaleStep {
 
 // Where rescale slope or intercept change from one slice to the next, and stored values do not make up for
 // it: with the rescale of the slice before, values go on smoothly. A scanner that changes its rescale changes
-// what it stores along with it.
+// what it stores along with it. Nothing where it changes at more than half of the slices.
 std::vector<RescaleStep> findRescaleSteps(std::span<const std::size_t> slices, const SliceSamples& samples,
                                           std::span<const SliceIntensity> intensities);
 

@@ -32,18 +32,6 @@ bool isAcquiredInterleaved(const Stack& whole) {
     });
 }
 
-// Whether the times of the frames run one way along the stack: then it was acquired in one go.
-bool runOneWay(const Stack& whole, const SplitRules& rules) {
-    for (const std::size_t attribute : rules.runs) {
-        const auto times = orderValues(whole.frames, rules, attribute);
-        const auto isKnown = [](const std::optional<double>& time) { return time.has_value(); };
-        if (!std::ranges::all_of(times, isKnown)) continue;
-        if (std::ranges::all_of(times, [&](const auto& time) { return time == times.front(); })) continue;
-        return std::ranges::is_sorted(times) || std::ranges::is_sorted(times, std::greater<>());
-    }
-    return false;
-}
-
 // Maps the parts of `finer`, which divide the frames of `coarse`, to frames of the whole.
 Partition within(const Part& coarse, const Partition& finer) {
     Partition result = finer;
@@ -52,6 +40,16 @@ Partition within(const Part& coarse, const Partition& finer) {
         for (std::size_t& index : part.frames) index = coarse.frames[index];
     }
     return result;
+}
+
+// Whether frames of one time are slices side by side, as those of the largest part are, and not some images
+// of here and there.
+bool isAcquisition(const Trial& run, const Trial& largest) {
+    constexpr std::size_t kLeastSlices = 4;
+    constexpr double kMostTimesStep = 1.5;
+    const auto stepMm = [](const Trial& t) { return (t.highMm - t.lowMm) / double(t.frames - 1); };
+    return run.frames >= kLeastSlices && run.grade != Grade::none &&
+           stepMm(run) <= kMostTimesStep * stepMm(largest);
 }
 
 void tellSplit(std::vector<Message>& messages, const std::vector<std::string>& names, std::size_t count) {
@@ -218,35 +216,57 @@ Splitter::Stacks Splitter::bySoftAttributes(const Stack& whole, Grade least, Mes
 
 // Two or more acquisitions at interleaved positions, or that overlap, one after the other.
 Splitter::Stacks Splitter::byRuns(const Stack& whole, Grade least, Messages& messages) const {
+    for (const std::size_t attribute : rules_.runs) {
+        Partition runs = runsOf(whole, attribute, least);
+        if (!runs.empty()) return asAcquisitions(whole, std::move(runs), attribute, messages);
+    }
+    return {};
+}
+
+// The fewest runs that are better than the stack as one, each divided again where it is several itself: two
+// of three acquisitions may make an even volume together.
+Partition Splitter::runsOf(const Stack& whole, std::size_t attribute, Grade least) const {
     constexpr std::size_t kMostRuns = 12;
     // Odd and even slices of MR are often acquired in turn.
     if (whole.modality == "MR" && gradeOf(whole) >= Grade::gapped) return {};
-    for (const std::size_t attribute : rules_.runs) {
-        const auto times = orderValues(whole.frames, rules_, attribute);
-        for (std::size_t count = 2; count <= kMostRuns; ++count) {
-            Partition partition = partitionByRuns(times, count);
-            if (partition.empty() || partition.size() > whole.frames.size() / 2) break;
-            if (!spend(whole.frames.size())) return {};
-            const bool alternate = 2 * alternations(whole.frames, partition) > whole.frames.size();
-            if (gradeOf(whole) >= Grade::gapped && !alternate) continue;
-            if (!isBetter(whole, partition, least)) continue;
-            if (!interleave(tryOut(whole.frames, partition))) continue;
-            return asAcquisitions(whole, std::move(partition), attribute, messages);
+    const auto times = orderValues(whole.frames, rules_, attribute);
+    for (std::size_t count = 2; count <= kMostRuns; ++count) {
+        const Partition partition = partitionByRuns(times, count);
+        if (partition.empty() || partition.size() > whole.frames.size() / 2) return {};
+        if (!spend(whole.frames.size())) return {};
+        const bool alternate = 2 * alternations(whole.frames, partition) > whole.frames.size();
+        if (gradeOf(whole) >= Grade::gapped && !alternate) continue;
+        if (!isBetter(whole, partition, least) || !interleave(tryOut(whole.frames, partition))) continue;
+        Partition all;
+        for (const Part& part : partition) {
+            const Partition finer = runsWithin(whole, part, attribute);
+            all.insert(all.end(), finer.begin(), finer.end());
         }
+        return all;
     }
     return {};
+}
+
+// The runs of one run, or it alone.
+Partition Splitter::runsWithin(const Stack& whole, const Part& run, std::size_t attribute) const {
+    // Frames of a volume keep the order that they have along the whole stack.
+    if (tryOut(whole.frames, {run}).front().grade == Grade::none) return {run};
+    std::vector<Frame> frames;
+    for (const std::size_t index : run.frames) frames.push_back(whole.frames[index]);
+    const Partition finer = runsOf(makeStack(std::move(frames), {}, modality_), attribute, Grade::gapped);
+    return finer.empty() ? Partition{run} : within(run, finer);
 }
 
 // Stacks of runs. Images that were made once more, one by one, are a run of nothing.
 std::vector<Stack> Splitter::asAcquisitions(const Stack& whole, Partition runs, std::size_t attribute,
                                             Messages& messages) const {
-    constexpr std::size_t kLeastSlices = 3;
+    const std::vector<Trial> trials = tryOut(whole.frames, runs);
+    const auto largest = std::ranges::max_element(trials, {}, &Trial::frames);
     std::vector<std::size_t> unclear;
     Partition acquisitions;
-    for (Part& run : runs) {
-        const bool isVolume =
-            run.frames.size() >= kLeastSlices && tryOut(whole.frames, {run}).front().grade != Grade::none;
-        if (!isVolume) {
+    for (std::size_t n = 0; n < runs.size(); ++n) {
+        Part& run = runs[n];
+        if (!isAcquisition(trials[n], *largest)) {
             unclear.insert(unclear.end(), run.frames.begin(), run.frames.end());
             continue;
         }
@@ -267,11 +287,10 @@ std::vector<Stack> Splitter::asAcquisitions(const Stack& whole, Partition runs, 
     return stacks;
 }
 
-// Acquisitions of which only the order of the image numbers tells. An even stack whose times run one way is
-// none.
+// Acquisitions of which only the order of the image numbers tells.
 Splitter::Stacks Splitter::byWays(const Stack& whole, Messages& messages) const {
     const bool isVolume = gradeOf(whole) >= Grade::gapped;
-    if (whole.modality == "MR" || (isVolume && runOneWay(whole, rules_))) return {};
+    if (whole.modality == "MR") return {};
     Partition partition = partitionByWays(whole.frames);
     if (partition.empty() || partition.size() > whole.frames.size() / 3) return {};
     if (isVolume && 2 * alternations(whole.frames, partition) <= whole.frames.size()) return {};

@@ -48,6 +48,8 @@ class Splitter {
     Stacks byRepetition(const Stack& whole, Messages& messages) const;
     Stacks atGaps(const Stack& whole, Messages& messages) const;
 
+    Partition runsOf(const Stack& whole, std::size_t attribute, Grade least) const;
+    Partition runsWithin(const Stack& whole, const Part& run, std::size_t attribute) const;
     std::vector<Stack> asAcquisitions(const Stack& whole, Partition runs, std::size_t attribute,
                                       Messages& messages) const;
     Stacks asPhases(const Stack& whole, const SplitRules::Phase& rule, Phases phases,

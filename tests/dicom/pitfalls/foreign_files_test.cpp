@@ -114,7 +114,8 @@ TEST_F(ForeignFiles, aRelativeDoseSaysWhatItIsRelativeTo) {
         put(item, DCM_DoseUnits, "RELATIVE");
     });
     writeFiles(folder.path(), series);
-    const Message* told = open().find(key::kDose);
+    const Opened opened = open();
+    const Message* told = opened.find(key::kDose);
     ASSERT_NE(told, nullptr);
     EXPECT_EQ(told->sentence,
               "These values are a dose distribution (unit: × reference dose), and no anatomy.");

@@ -82,7 +82,7 @@ std::vector<const Message*> Opened::messages() const {
     return result;
 }
 
-const Message* Opened::find(std::string_view key) const {
+const Message* Opened::find(std::string_view key) const& {
     for (const Message* message : messages()) {
         if (message->key == key) return message;
     }

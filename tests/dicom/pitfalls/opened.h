@@ -32,7 +32,8 @@ class Opened {
     std::shared_ptr<const Volume> onlyVolume() const;
 
     // Anywhere: about the folder, a file, a series, a stack.
-    const Message* find(std::string_view key) const;
+    const Message* find(std::string_view key) const&;
+    const Message* find(std::string_view key) && = delete;
     std::vector<const Message*> messages() const;
     bool says(std::string_view key) const { return find(key) != nullptr; }
     std::string keys() const;  // to print

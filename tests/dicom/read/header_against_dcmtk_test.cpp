@@ -99,8 +99,10 @@ TEST(HeaderAgainstDcmtk, everyElementOfEveryRealFile) {
         ASSERT_TRUE(theirs);
         ++files;
         const std::string uid = DcmXfer(format.getDataset()->getOriginalXfer()).getXferID();
-        // DCMTK takes a syntax that it does not know for the one that the data set looks like.
+        // DCMTK takes a syntax that it does not know for the one that the data set looks like, and one that
+        // the pixels contradict for the right one.
         if (DcmXfer(read.header->transferSyntaxUid().c_str()).getXfer() == EXS_Unknown) continue;
+        if (!read.contradictedSyntaxUid.empty()) continue;
         EXPECT_EQ(read.header->transferSyntaxUid(), uid);
         compareItem(*format.getDataset(), *read.header, done);
         if (HasFailure()) break;

@@ -110,13 +110,13 @@ std::vector<Image> imagesOf(const Recipe& recipe, Chance& chance) {
     for (int n = 0; n < recipe.late; ++n) images[any()].seconds = last + 1.0 + chance.upTo(60.0);
     for (int n = 0; n < recipe.reacquired; ++n) {
         Image& image = images[any()];
-        image.seconds = last + 10.0 + chance.upTo(60.0);
+        image.seconds = last + 40.0 + chance.upTo(60.0);
         image.number = ++number;
     }
     for (int n = 0; n < recipe.repeated; ++n) {
         Image image = images[any()];
         image.acquisition = recipe.acquisitions + n;
-        image.seconds = last + 10.0 + chance.upTo(60.0);
+        image.seconds = last + 40.0 + chance.upTo(60.0);
         image.number = ++number;
         images.push_back(image);
     }
