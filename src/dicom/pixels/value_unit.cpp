@@ -27,7 +27,7 @@ bool isCtImage(const Instance& instance) {
 // Terms that say what a value is measured in, between blanks: RescaleType (PS3.3 C.11.1.1.2), Units of PET
 // (C.8.9.1.1.3), DoseUnits, and the codes of UCUM that maps use (PS3.16 CID 82, 83, 84, 3000, 7180 and
 // others).
-constexpr std::string_view kTerms =
+constexpr std::string_view kUnitTerms =
     " "
     "OD HU_MOD MGML Z_EFF ED EDW PCT NONE CM2 CM2ML PCNT CPS MGMINML UMOLMINML MLMING MLG 1CM "
     "UMOLML PROPCNTS PROPCPS MLMINML MLML STDDEV GY RELATIVE mg/ml mg/mL g/ml g/mL ug/ml kg/m3 "
@@ -42,7 +42,7 @@ constexpr std::string_view kTerms =
 
 bool isKnownTerm(std::string_view name) {
     return !name.empty() && name.find(' ') == std::string_view::npos &&
-           kTerms.find(" " + std::string(name) + " ") != std::string_view::npos;
+           kUnitTerms.find(" " + std::string(name) + " ") != std::string_view::npos;
 }
 
 // The words of a value of ImageType, in capitals.
