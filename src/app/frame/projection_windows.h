@@ -18,7 +18,10 @@ class SeriesWindows {
   public:
     DisplayWindow of(trace::Look look, const Volume& volume) const;
     // Must be called before another volume is asked for.
-    void forget() { series_ = maximum_ = std::nullopt; }
+    void forget() {
+        series_.reset();
+        maximum_.reset();
+    }
 
   private:
     mutable std::optional<DisplayWindow> series_;  // of the volume; both take a while to find
