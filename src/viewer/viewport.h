@@ -46,6 +46,7 @@ class Viewport : public QWidget {
     void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, app::Drawing drawing,
                   ViewDirection from);
     void showNames(bool shown);
+    bool namesShown() const { return namesShown_; }
     void setDrawing(app::Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
     // What counts as converged at rest, and whether the model waits for it: see app::FrameInput.

@@ -395,6 +395,7 @@ TEST_F(APresentation, deidentifiedHasNoWordsOfAPerson) {
 
 // UIDs can be guessed: a digest that anybody can make of one leads to the study.
 TEST_F(APresentation, deidentifiedHasNoDigestsOfUids) {
+    state_.seriesDigest = sha256Hex(kSeries);
     state_.beside.emplace().seriesDigest = sha256Hex("1.2.3");
     state_.segmentations = {{.digest = sha256Hex("1.2.4"), .isShown = true}};
     const std::string named = said(*straight_, true).presentation.ownState;

@@ -167,7 +167,7 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     }));
     EXPECT_TRUE(differs([](auto& s) { s.namedClips[0].name = "lung"; }));
     EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].isShown = false; }));
-    EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[0].in3d = In3d::hidden; }));
+    EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[1].in3d = In3d::hidden; }));
     EXPECT_TRUE(differs([](auto& s) { s.beside.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.beside->opacity = 0.4; }));
     EXPECT_TRUE(differs([](auto& s) { s.beside->in3d = false; }));
