@@ -24,7 +24,6 @@ constexpr qsizetype kMostLines = 4;           // of one text that must not be cu
 constexpr double kNamesOfHeight = 0.2;        // of the pane
 constexpr QSizeF kPaneOfUsualFont{200, 160};  // in smaller ones no font is larger than usual
 const QColor kInk(235, 235, 235);
-const QColor kNoteInk(255, 190, 90);
 
 double widthOf(const QFont& font, const QString& text) {
     return QFontMetricsF(font).horizontalAdvance(text);

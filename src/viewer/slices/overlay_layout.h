@@ -16,6 +16,8 @@
 
 namespace macula::viewer {
 
+inline const QColor kNoteInk(255, 190, 90);  // of notes and warnings, and of what they are about
+
 // By importance. Sides, notes and tags always stand, in however small a pane; of the others those go first
 // that are named last here.
 enum class OverlayPart { side, note, tag, fact, name, scale };
