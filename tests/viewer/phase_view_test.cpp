@@ -41,6 +41,17 @@ class PhaseViewTest : public BesideTest {
         return study;
     }
 
+    // Texts may lie over some of it.
+    static int brightestOfBlock(SliceView& view) {
+        int brightest = 0;
+        for (const double x : {-2.0, 0.0, 2.0}) {
+            for (const double y : {-2.0, 0.0, 2.0})
+                brightest =
+                    std::max(brightest, qGray(colourAt(view, test::kBlockCentreMm + glm::dvec3(x, y, 0))));
+        }
+        return brightest;
+    }
+
     std::shared_ptr<const app::FoundVolumes> found_;
 };
 
@@ -70,7 +81,7 @@ TEST_F(PhaseViewTest, BesideEachOtherTheyHaveOneWindowUntilSomebodyPartsThem) {
         next.slices.crosshairMm = test::kBlockCentreMm;
     });
     ASSERT_TRUE(settled());
-    EXPECT_EQ(colourOfBlock(second()), colourOfBlock(study())) << "its own window would make it grey";
+    EXPECT_EQ(brightestOfBlock(second()), brightestOfBlock(study())) << "its own window would make it grey";
     QTest::keyClick(&second(), Qt::Key_4);
     ASSERT_TRUE(state().slices.window);
     EXPECT_DOUBLE_EQ(state().slices.window->center, 400.0);
