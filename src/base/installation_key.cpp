@@ -60,7 +60,7 @@ std::optional<InstallationKey> InstallationKey::find(const fs::path& folder) {
 Result<InstallationKey> InstallationKey::ofUser(const fs::path& folder) {
     const fs::path file = folder / kName;
     MACULA_TRY(auto before, read(file));
-    if (before) return *std::move(before);
+    if (before) return *before;
     MACULA_TRY_VOID(makePrivate(folder));
     Bytes bytes{};
     if (getentropy(bytes.data(), bytes.size()) != 0) return notKept(file);
@@ -81,7 +81,7 @@ Result<InstallationKey> InstallationKey::ofUser(const fs::path& folder) {
     }
     MACULA_TRY(auto made, read(file));
     if (!made) return notKept(file);
-    return *std::move(made);
+    return *made;
 }
 
 std::string InstallationKey::digestOf(std::string_view text) const {

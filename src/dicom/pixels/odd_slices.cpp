@@ -202,7 +202,7 @@ class OddSlices {
             }
         }
         std::ranges::sort(unlike);
-        unlike.erase(std::ranges::unique(unlike).begin(), unlike.end());
+        unlike.erase(std::unique(unlike.begin(), unlike.end()), unlike.end());
         if (unlike.size() > few()) return;
         for (const std::size_t i : unlike) faults_[i] = SliceFault::unlike;
     }

@@ -132,8 +132,9 @@ class Resolver {
                     added.push_back(onDisk);
                 }
                 // Of several that differ in their ending, the one that says that it is DICOM.
-                std::ranges::stable_partition(
-                    added, [](const std::string& onDisk) { return comparable(onDisk).ends_with(".dcm"); });
+                std::stable_partition(added.begin(), added.end(), [](const std::string& onDisk) {
+                    return comparable(onDisk).ends_with(".dcm");
+                });
                 for (const std::string& onDisk : added)
                     entry->second.try_emplace(withoutEnding(comparable(onDisk)), onDisk);
             }
