@@ -57,7 +57,8 @@ class Profile {
   private:
     double at(int n) const {
         if (std::abs(n) > kStepsEachWay) return -std::numeric_limits<double>::infinity();
-        return scores_[std::size_t(n + kStepsEachWay)];
+        const int place = n + kStepsEachWay;
+        return scores_[std::size_t(place)];
     }
     Parameters movedBy(int n) const {
         Parameters moved = answer_;
