@@ -13,7 +13,6 @@ namespace {
 // hundreds.
 constexpr double kFarLess = 4.0;
 constexpr std::array kReadings{SliceFault::otherSign, SliceFault::swappedBytes};
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 double median(std::vector<double> values) {
     if (values.empty()) return 0.0;
