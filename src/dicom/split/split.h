@@ -20,12 +20,15 @@ struct Split {
 //     their own;
 //   - hard attributes separate, and frames without a position from those with one; see hard_split.h;
 //   - images that cannot be what they say (odd_images.h) are stacks of their own, and gaps in the others;
+//   - frames at the same positions that name their phase are told apart by it;
 //   - soft attributes separate, one or two of them, when the parts are volumes; a volume only into volumes
-//     that interleave, and an even one only by the attributes that the rules name for it;
-//   - interleaved volumes of which one was acquired after the other, or that alternate between two distances,
-//     are separated;
-//   - what is a volume then is kept whole, and warned of where it changes along its slices;
-//   - frames at the same positions are told apart as phases, by value or by rank;
+//     that interleave or overlap, and an even one only by the attributes that the rules name for it;
+//   - volumes that interleave or overlap are separated by runs of their times, by the ways of their image
+//     numbers along the normal, or by the lattices they lie on (acquisitions.h);
+//   - what is a volume then is kept whole, and warned of where it changes along its slices, or where part of
+//     it was acquired apart;
+//   - frames at the same positions are told apart as phases, by value, or by ranks that agree along the stack
+//     (phases.h); frames of which nothing says where they belong are a stack of their own and no volume;
 //   - of a few repeated positions the frames with the lowest number make the volume, and the rest are a stack
 //     of their own;
 //   - far apart blocks are separated where the gap is;
