@@ -7,6 +7,7 @@
 #include <itkNrrdImageIO.h>
 
 #include <array>
+#include <fstream>
 
 namespace macula::formats {
 
@@ -44,6 +45,13 @@ itk::ImageIORegion wholeOf(const glm::ivec3& size) {
     return region;
 }
 
+Error notWritten() {
+    return {ErrorCode::outputNotWritable,
+            "The file could not be written.",
+            {},
+            "Check free space and permissions."};
+}
+
 Result<void> write(itk::ImageIOBase& io, const fs::path& path, const RawImage& image) try {
     io.SetFileName(path.string());
     io.SetNumberOfDimensions(3);
@@ -69,20 +77,33 @@ Result<void> write(itk::ImageIOBase& io, const fs::path& path, const RawImage& i
     std::uint64_t written = 0;
     for (const auto& file : fs::directory_iterator(path.parent_path(), error))
         written += file.file_size(error);
-    if (error || written <= image.data.size()) {
-        return Error{ErrorCode::outputNotWritable,
-                     "The file could not be written.",
-                     {},
-                     "Check free space and permissions."};
-    }
+    if (error || written <= image.data.size()) return notWritten();
     return {};
 } catch (const std::bad_alloc&) {
     throw;
 } catch (const std::exception&) {
-    return Error{ErrorCode::outputNotWritable,
-                 "The file could not be written.",
-                 {},
-                 "Check free space and permissions."};
+    return notWritten();
+}
+
+// The file becomes two: a header that names the values, and they.
+Result<void> detachValues(const fs::path& whole, const fs::path& headerPath, const RawImage& image) {
+    constexpr std::string_view kValuesFollow = "LOCAL\n";
+    std::error_code error;
+    std::string header(fs::file_size(whole, error) - image.data.size(), '\0');
+    if (!std::ifstream(whole, std::ios::binary)
+             .read(header.data(), static_cast<std::streamsize>(header.size())) ||
+        !header.ends_with(kValuesFollow))
+        return notWritten();
+    fs::remove(whole, error);
+    header.resize(header.size() - kValuesFollow.size());
+    const fs::path valuesPath = fs::path(headerPath).replace_extension(".raw");
+    std::ofstream(headerPath, std::ios::binary) << header << valuesPath.filename().string() << '\n';
+    std::ofstream values(valuesPath, std::ios::binary);
+    values.write(reinterpret_cast<const char*>(image.data.data()),
+                 static_cast<std::streamsize>(image.data.size()));
+    values.close();
+    if (!values) return notWritten();
+    return {};
 }
 
 }  // namespace
@@ -92,7 +113,11 @@ Result<void> writeNrrd(const fs::path& path, const RawImage& image) {
 }
 
 Result<void> writeMetaImage(const fs::path& path, const RawImage& image) {
-    return write(*itk::MetaImageIO::New(), path, image);
+    if (path.extension() != ".mhd") return write(*itk::MetaImageIO::New(), path, image);
+    // MetaIO takes a percent sign anywhere in the path of separate values for a pattern of many files.
+    const fs::path whole = fs::path(path).replace_extension(".mha");
+    MACULA_TRY_VOID(write(*itk::MetaImageIO::New(), whole, image));
+    return detachValues(whole, path, image);
 }
 
 }  // namespace macula::formats

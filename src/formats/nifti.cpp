@@ -225,7 +225,10 @@ Result<Opened> open(const fs::path& path) {
     const GzFile file(gzopen(path.c_str(), "rb"));
     if (!file) return notUsable("The file cannot be read.", "Check the path and its permissions.");
     std::array<char, kHeader2Bytes> bytes{};
-    const int got = gzread(file.get(), bytes.data(), kHeader2Bytes);
+    int got = gzread(file.get(), bytes.data(), kHeaderBytes);
+    // What follows a small file may be no gzip, which fails.
+    if (got == static_cast<int>(kHeaderBytes))
+        got += std::max(gzread(file.get(), bytes.data() + kHeaderBytes, kHeader2Bytes - kHeaderBytes), 0);
     std::int32_t first = 0;
     std::memcpy(&first, bytes.data(), sizeof first);
     const auto isSize = [&](std::size_t size) {

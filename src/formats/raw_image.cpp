@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr double kMost16 = 65535.0;
-constexpr double kMostExact = 9007199254740992.0;  // 2^53: a double holds every whole number up to it
+constexpr double kMostExact = 9007199254740992.0;  // 2^53: the next whole number is rounded to it
 
 // As in the notes that valueNote makes.
 constexpr std::array<std::pair<Unit, std::string_view>, 3> kUnitNames{
@@ -163,7 +163,7 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
     const double slope = image.slope;
     const double intercept = image.intercept;
     const bool hasManyBits = image.type == ScalarType::int64 || image.type == ScalarType::uint64;
-    if (hasManyBits && std::max(std::abs(values.low), std::abs(values.high)) > kMostExact)
+    if (hasManyBits && std::max(std::abs(values.low), std::abs(values.high)) >= kMostExact)
         image.assumptions.emplace_back("Whole numbers beyond 2^53 were rounded.");
 
     if (values.whole && values.high - values.low <= kMost16) {

@@ -130,7 +130,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
         resize(options_.pictureSize);
     } else {
         viewport_->setPictureSizeHint(options_.pictureSize);
-        resize(sizeHint());
+        resize(minimumSizeHint());  // sizeHint() is never narrower than the tool bar
     }
     if (!options_.choosesSize) placeWindow(*this, options_.settings.windowPlace);
     new WindowPlace(*this, [this](const QString& place) {

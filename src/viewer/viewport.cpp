@@ -2,6 +2,7 @@
 
 #include <QGuiApplication>
 #include <QKeyEvent>
+#include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
@@ -227,6 +228,12 @@ void Viewport::setUsesModel(bool uses) {
 
 void Viewport::setPictureSizeHint(QSize pixels) {
     container_->setMinimumSize(pixels / devicePixelRatioF());
+    // Before the window is shown, Qt tells no layout but the next one.
+    for (QWidget* above = this; above != nullptr; above = above->parentWidget()) {
+        if (above->layout() != nullptr) above->layout()->invalidate();
+        if (auto* splitter = qobject_cast<QSplitter*>(above)) splitter->refresh();
+        above->updateGeometry();
+    }
     // Once the window has taken it over, the user may make it smaller again.
     QTimer::singleShot(0, container_,
                        [container = container_] { container->setMinimumSize(kSmallestPicture); });

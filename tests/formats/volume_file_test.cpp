@@ -299,14 +299,15 @@ TEST(VolumeFile, DetachedValuesKeepTheirName) {
 TEST(VolumeFile, NamesMayHaveAPercentSignAndBlanks) {
     for (const std::string ending : kEndings) {
         const TemporaryFolder folder;
-        const fs::path file = folder / ("50% dose %d" + ending);
+        const fs::path file = folder / "20% %s" / ("50% dose %d" + ending);
+        fs::create_directory(file.parent_path());
         expectWritten(smallVolume(), file);
         const auto files = filesOfVolumeFile(file);
         ASSERT_TRUE(files.ok());
         EXPECT_EQ(files->front(), file);
         EXPECT_EQ(files->back().stem().string().find('%') == std::string::npos, files->size() == 2) << ending;
         for (const fs::path& each : *files) EXPECT_TRUE(fs::is_regular_file(each)) << each;
-        EXPECT_EQ(filesIn(folder.path()), files->size());
+        EXPECT_EQ(filesIn(file.parent_path()), files->size());
         ASSERT_NE(readBack(file), nullptr) << ending;
     }
 }

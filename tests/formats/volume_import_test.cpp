@@ -427,7 +427,8 @@ TEST_F(Import, MetaImageThatIsNoVolume) {
         "100000 axes");
     EXPECT_SAYS(says(kMetaCore + "ElementNumberOfChannels = 3\n"), "several values");
     EXPECT_SAYS(says("DimSize = 2 3 2\nElementType = MET_USHORT_ARRAY\n"), "several values");
-    EXPECT_SAYS(says("DimSize = 2 3 2\nElementType = MET_LONG_LONG\n"), "neither");
+    EXPECT_SAYS(says("DimSize = 2 3 2\nElementType = MET_STRING\n"), "neither");
+    EXPECT_SAYS(says("DimSize = 2 3 2\nElementType = MET_LONG_LONG\n"), "cut off");
     EXPECT_SAYS(says(kMetaCore + "DimSize = 2 3 2\n"), "damaged");
     EXPECT_SAYS(says("DimSize = 60000 60000 60000\nElementType = MET_SHORT\n"), "cut off");
     EXPECT_SAYS(says(kMetaCore + "CompressedData = True\nCompressedDataSize = 1152921504606846976\n"),

@@ -418,7 +418,12 @@ TEST(Pixels, damagedAnywhere) {
                 bytes[whole.find(fragment) + random() % fragment.size()] = static_cast<char>(random());
             }
             auto reader = PixelReader::open(save(folder, bytes), layout);
-            ASSERT_TRUE(reader) << round << ": " << reader.error().message;
+            if (!reader) {  // the damage made it a stream of another kind
+                EXPECT_NE(reader.error().message.find("has changed"), std::string::npos)
+                    << reader.error().message;
+                ++refused;
+                continue;
+            }
             std::vector<std::uint16_t> cells(kCells + 16, 0xABCD);
             const auto read = reader->read(0, std::span(cells).first(kCells));
             refused += read.ok() ? 0 : 1;
