@@ -104,7 +104,7 @@ struct Options {
                                   "DIRECTION", "anterior"};
     const QCommandLineOption device{"device", "Index or part of the name of the Vulkan device.", "NAME"};
     const QCommandLineOption size{
-        "size", "Of the picture in pixels, e.g. 800x600; of the window, with four panes.", "WxH"};
+        "size", "Of the 3D picture in pixels, e.g. 800x600; of the window, where slices are shown.", "WxH"};
     const QCommandLineOption layout{
         "layout", "Which panes: fourPanes, volume, axial, coronal or sagittal; volume with a script.", "NAME",
         "fourPanes"};

@@ -126,7 +126,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     showNames(options_.namesPatient && options_.settings.showsNames);
     showPanes();
     redraw();
-    if (options_.layout == app::Layout::fourPanes) {
+    if (options_.layout != app::Layout::volume) {
         resize(options_.pictureSize);
     } else {
         viewport_->setPictureSizeHint(options_.pictureSize);

@@ -93,7 +93,7 @@ struct MainWindowOptions {
     std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
     ViewDirection firstView = ViewDirection::anterior;
     app::Layout layout = app::Layout::fourPanes;
-    QSize pictureSize{960, 720};  // of the volume alone; with four panes of the window
+    QSize pictureSize{960, 720};  // of the volume alone; with slices, of the window
     std::uint32_t sampleLimit = 512;
     bool usesModel = true;  // of splats, while a hand moves
     bool namesPatient =
