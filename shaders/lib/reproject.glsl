@@ -15,7 +15,8 @@
 #define HALVINGS 4
 // A depth is met when the ray passes within so many footprints of a pixel: a surface of which the eye sees 1 in 4.
 #define MET_FOOTPRINTS 4.0
-// The part of a distance by which splats may be wrong about it: no surface is sought beyond that.
+// The part of a distance by which splats may be wrong about it: a surface is sought there first. Where they mix what lies
+// behind one another, it may be anywhere on the ray.
 #define EXPECTED_WITHIN 0.06
 // Pixels by which a place may be wrong, for the uncertainty of its depth: from full weight to none.
 #define SURE_PX 0.75
@@ -99,14 +100,15 @@ struct EpipolarLine {
     float middleMm;   // where it passes the middle of what can be seen
     vec2 last;        // image of its end
     float lengthPx;   // of its image
+    bool isPart;      // of what the ray crosses: around where splats show something
 };
 
 vec3 towardsAt(EpipolarLine line, float nearness) {
     return line.ray + reproject.oursMm * nearness;
 }
 
-// False where the picture before has nothing of it.
-bool findLine(ivec2 pixel, OUT(EpipolarLine) line) {
+// All of it, or the part around where splats show something, where they do. False where the picture before has nothing of it.
+bool findLine(ivec2 pixel, bool isAll, OUT(EpipolarLine) line) {
     vec2 p = vec2(float(2 * pixel.x + 1) / float(reproject.size.x) - float(1.0),
                   float(1.0) - float(2 * pixel.y + 1) / float(reproject.size.y));
     line.ray = normalize(reproject.forward + reproject.right * p.x + reproject.up * p.y);
@@ -118,7 +120,8 @@ bool findLine(ivec2 pixel, OUT(EpipolarLine) line) {
     float nearMm = max(line.middleMm - halfMm, float(1e-3) * reproject.radiusMm);
     float farMm = line.middleMm + halfMm;
     float expectedMm = fetchExpected(pixel.y * reproject.size.x + pixel.x) / max(dot(line.ray, reproject.forward), float(1e-3));
-    if (expectedMm > float(0.0)) {
+    line.isPart = !isAll && expectedMm > float(0.0);
+    if (line.isPart) {
         nearMm = max(nearMm, expectedMm * float(1.0 - EXPECTED_WITHIN));
         farMm = min(farMm, expectedMm * float(1.0 + EXPECTED_WITHIN));
     }
@@ -168,17 +171,24 @@ Reprojected reprojectedAt(ivec2 pixel) {
     unknown.light = vec4(0.0);
     unknown.weight = float(0.0);
     EpipolarLine line;
-    if (!findLine(pixel, line)) return unknown;
+    if (!findLine(pixel, false, line)) return unknown;
     float behind = firstBehind(line);
+    // What begins behind the height field has met it before.
+    if (line.isPart && (behind < float(0.0) || behind >= line.nearest)) {
+        if (!findLine(pixel, true, line)) return unknown;
+        behind = firstBehind(line);
+    }
     bool meets = behind > float(0.0);
+    // Where the eye has not moved the line is a point, and shows what the picture has there, at whatever depth.
+    bool isPoint = !line.isPart && line.lengthPx < float(0.5);
     if (!meets && !isBefore(line.last)) return unknown;  // it may have met something outside of the picture
     float nearness = meets ? behind : min(float(1.0) / max(line.middleMm, float(1e-20)), line.nearest);
     vec3 towards = towardsAt(line, nearness);
     vec2 place;
     if (!placeBefore(towards, place) || !isBefore(place)) return unknown;
     float reachedMm = sqrt(dot(towards, towards)) / nearness;
-    // Where the eye has not moved the line is a point, and every depth on it is right.
     float ownMm = vec2(fetchSurface(indexBefore(ivec2(floor(place))))).x;
+    if (isPoint) meets = ownMm >= float(0.0);
     if (line.lengthPx < float(0.5) && ownMm >= float(0.0)) reachedMm = ownMm;
     float pixelAngle = float(2.0) * sqrt(dot(reproject.beforeUp, reproject.beforeUp)) / float(reproject.beforeSize.y);
     float placesPerMm = line.lengthPx / max(line.nearest - line.farthest, float(1e-30)) * nearness * nearness;

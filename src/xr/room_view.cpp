@@ -162,7 +162,7 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkWish& wish,
         isSameKind && isOverModel && glm::length(aimed_->gaze - gaze) > kLooksElsewhere;
     if (!hybrid_.isTracing() || !isSameKind || looksElsewhere || hybrid_.hasLeftAim(eyes.centre)) {
         const bool isSame = isSameKind && aimed_->aim.whole.camera == eyes.centre && aimed_->gaze == gaze &&
-                            hybrid_.isFoveaOf(eyes.centre);
+                            hybrid_.isFoveaOf(eyes.centre, aimed_->aim.gaze);
         Aimed next{
             .aim = isSame ? aimed_->aim : newFovea(eyes, wish), .gaze = gaze, .isOverModel = isOverModel};
         if (isSame) {

@@ -287,13 +287,13 @@ TEST_F(PictureCourseTest, AYoungModelIsNeverShownAndLearnsBesideTheFirstTracedPi
         learnt += step == Step::learn ? 1 : 0;
     }
     EXPECT_EQ(traced + learnt, 30);
-    EXPECT_NEAR(learnt, PictureCourse::kYoungShare * traced, 2.0) << "a person waits for the picture";
+    EXPECT_NEAR(learnt, PictureCourse::kYoungShare * traced, 2.0) << "the picture is not forgotten";
     while (next() == Step::learn) go();
     EXPECT_EQ(go(true), Step::trace);
     EXPECT_EQ(course_.onScreen(), OnScreen::traced) << "there is nothing that could fade";
     int turns = 0;
-    for (int i = 0; i < 20; ++i) turns += go() == Step::learn ? 1 : 0;
-    EXPECT_NEAR(turns, 10, 1);
+    for (int i = 0; i < 30; ++i) turns += go() == Step::learn ? 1 : 0;
+    EXPECT_NEAR(turns, 20, 1);
 }
 
 TEST_F(PictureCourseTest, WhileAHandMovesAYoungModelLearnsInTurnsWithSmallPictures) {

@@ -83,15 +83,15 @@ double FrameRenderer::foveaMsPerSample() const {
 // At rest a small one at once, and larger ones after it, where all pixels take longer still.
 bool FrameRenderer::wantsFovea() const {
     if (!canDrawModel() || !foveaHasRoom_ || isParallel(input_.camera)) return false;
-    if (input_.interacting) return input_.live.hasFovea && hybrid_->wantsFovea(input_.camera);
+    if (input_.interacting) return input_.live.hasFovea && hybrid_->wantsFovea(input_.camera, input_.gaze);
     const double wholeMs = double(input_.width) * input_.height * foveaMsPerSample();
     return wholeMs > hybrid::kRestFoveaBudgetMs &&
-           hybrid_->wouldGrow(input_.camera, hybrid::kRestFoveaBudgetMs);
+           hybrid_->wouldGrow(input_.camera, hybrid::kRestFoveaBudgetMs, input_.gaze);
 }
 
 hybrid::FoveaAim FrameRenderer::nextFovea() const {
     const trace::View whole{.camera = input_.camera, .width = input_.width, .height = input_.height};
-    const bool isLarger = !input_.interacting && hybrid_->isFoveaOf(input_.camera);
+    const bool isLarger = !input_.interacting && hybrid_->isFoveaOf(input_.camera, input_.gaze);
     if (input_.interacting)
         return hybrid::affordableFovea(whole, input_.gaze, foveaMsPerSample(),
                                        hybrid_->foveaBudgetMs(input_.live.foveaMs), input_.live.fovea);

@@ -76,8 +76,8 @@ bool PictureCourse::isLearningsTurn() const {
     const bool isYoung = model_ == ModelState::young;
     if (!learns_ || (!isYoung && model_ != ModelState::ready)) return false;
     if (onScreen_ == OnScreen::traced && hasConverged_) return true;
-    if (isYoung && isQuick_) return learntMs_ < kYoungShareWhereQuick * tracedMs_;
-    return learntMs_ < (onScreen_ == OnScreen::traced ? 1.0 : kYoungShare) * tracedMs_;
+    const double share = !isYoung ? kReadyShare : isQuick_ ? kYoungShareWhereQuick : kYoungShare;
+    return learntMs_ < share * tracedMs_;
 }
 
 void PictureCourse::showedModel() {

@@ -61,12 +61,13 @@ class PictureCourse {
     // Samples of a small picture beside which a model is searched for while nothing moves: with fewer it is
     // all noise for as long as the search takes, and with more the search takes longer.
     static constexpr std::uint64_t kRefinedWhileSearching = 8;
-    // Of the time that a young model may have beside the first pass of a traced picture: a person waits for
-    // that.
-    static constexpr double kYoungShare = 0.5;
-    // The same while a picture of all pixels is soon there, at any time: what a hand will want next is a
-    // model that can be shown, and the picture gets better fast enough.
+    // Of the time of tracing that a young model may have beside it: as soon as it is fit it is the first
+    // picture with all pixels, and what a hand will want next.
+    static constexpr double kYoungShare = 2.0;
+    // The same while a picture of all pixels is soon there, at any time: that gets better fast enough.
     static constexpr double kYoungShareWhereQuick = 3.0;
+    // Of one that is fit, over a traced picture.
+    static constexpr double kReadyShare = 1.0;
 
     // Another picture from now on, of the same scene or of another one. `isTraced`: of exactly this there is
     // a traced one with all pixels, which has converged or can go on.

@@ -208,6 +208,22 @@ TEST_F(HybridFrameTest, WhatWasTracedAtRestIsShownInMotion) {
     };
     EXPECT_FALSE(frame.wantsFovea(eyeAt(0.5 * HybridFrame::kGoodForDeg)));
     EXPECT_TRUE(frame.wantsFovea(eyeAt(1.5 * HybridFrame::kGoodForDeg)));
+    // It is of the middle, and an eye that looks aside sees its end; and of one distance.
+    EXPECT_FALSE(frame.wantsFovea(view().camera, {0.1, -0.1}));
+    EXPECT_TRUE(frame.wantsFovea(view().camera, {0.9, 0.0}));
+    EXPECT_TRUE(frame.wouldGrow(view().camera, 0.0, {0.0, 0.9}));
+    const auto nearer = [&](double share) {
+        Camera eye = view().camera;
+        const glm::dvec3 middle = screen.seenMm()->centre();
+        eye.positionMm = middle + (eye.positionMm - middle) * share;
+        return eye;
+    };
+    EXPECT_FALSE(frame.wantsFovea(nearer(0.9)));
+    EXPECT_TRUE(frame.wantsFovea(nearer(0.7)));
+    EXPECT_FALSE(frame.wantsFovea(nearer(1.5))) << "smaller is as sharp";
+    Camera zoomed = view().camera;
+    zoomed.verticalFovDeg *= 0.5;
+    EXPECT_TRUE(frame.wantsFovea(zoomed));
     // One that was traced for motion is coarse: another place, another one.
     ASSERT_TRUE(frame.aim(wholeView(1)).ok());
     traceFovea(frame);

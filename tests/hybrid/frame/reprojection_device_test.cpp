@@ -83,6 +83,18 @@ ReferenceReprojection reprojected(const ReferenceCapture& picture, const Camera&
     return reproject(*reprojectionOf(before, kSize, now, kSize, kSeen, edgeFade), picture);
 }
 
+// Along the middle of the view, as splats of the scene would tell it, but for errors of some millimetres.
+std::vector<double> depthsAlongView(const Camera& now) {
+    const glm::dvec3 forward = basis(now)->forward;
+    std::vector<double> depths;
+    for (const glm::dvec3& ray : raysOf(now, kSize)) {
+        const double error = 8.0 * std::sin(0.1 * double(depths.size()));
+        const double depthMm = Scene::from(now.positionMm, ray).depthMm;
+        depths.push_back(depthMm < 0.0 ? -1.0 : depthMm * glm::dot(ray, forward) + error);
+    }
+    return depths;
+}
+
 // How a reprojected picture compares with what is there.
 struct Comparison {
     std::size_t known = 0;    // pixels of weight above one half
@@ -175,10 +187,18 @@ TEST(Feather, KeepsWhatIsKnownAndSoftensItsBorder) {
 TEST(Reproject, TheSameEyeSeesTheSamePicture) {
     const Camera eye = cameraAt({20, -420, 35});
     const ReferenceCapture picture = captureOf(eye, kSize);
-    const ReferenceReprojection seen = reprojected(picture, eye, eye);
-    for (std::size_t i = 0; i < picture.lights.size(); ++i) {
-        ASSERT_NEAR(seen.weights[i], 1.0, 1e-5) << i;  // of 1e-6 that keep from dividing by 0
-        for (int k = 0; k < 4; ++k) ASSERT_NEAR(seen.lights[i][k], picture.lights[i][k], 1e-5) << i;
+    // Whatever splats show: they mix the depths of what lies behind one another.
+    const auto push = *reprojectionOf(eye, kSize, eye, kSize, kSeen, 0.0);
+    for (const double share : {0.0, 0.5, 0.93, 1.0, 1.07, 1.4}) {
+        std::vector<double> expectedMm = depthsAlongView(eye);
+        for (double& mm : expectedMm) mm *= share;
+        const ReferenceReprojection seen =
+            share == 0.0 ? reproject(push, picture) : reproject(push, picture, expectedMm);
+        for (std::size_t i = 0; i < picture.lights.size(); ++i) {
+            ASSERT_NEAR(seen.weights[i], 1.0, 1e-5) << i << ", " << share;  // of 1e-6 against dividing by 0
+            for (int k = 0; k < 4; ++k)
+                ASSERT_NEAR(seen.lights[i][k], picture.lights[i][k], 1e-5) << i << ", " << share;
+        }
     }
 }
 
@@ -297,18 +317,6 @@ TEST(Reproject, ItsRegionHoldsAllThatIsKnown) {
         0);
 }
 
-// Along the middle of the view, as splats of the scene would tell it, but for errors of some millimetres.
-std::vector<double> depthsAlongView(const Camera& now) {
-    const glm::dvec3 forward = basis(now)->forward;
-    std::vector<double> depths;
-    for (const glm::dvec3& ray : raysOf(now, kSize)) {
-        const double error = 8.0 * std::sin(0.1 * double(depths.size()));
-        const double depthMm = Scene::from(now.positionMm, ray).depthMm;
-        depths.push_back(depthMm < 0.0 ? -1.0 : depthMm * glm::dot(ray, forward) + error);
-    }
-    return depths;
-}
-
 // Depths of splats spare the search, and change next to nothing.
 TEST(Reproject, SplatsTellWhereToSeek) {
     const Camera before = cameraAt({0, -420, 0});
@@ -327,6 +335,26 @@ TEST(Reproject, SplatsTellWhereToSeek) {
         const Comparison found = compare(with, now);
         EXPECT_LE(double(found.wrong), 0.002 * double(with.weights.size())) << now.positionMm.x;
         EXPECT_EQ(found.through, 0u) << now.positionMm.x;
+    }
+}
+
+// Where splats show another depth than what was traced has, that is found as without them.
+TEST(Reproject, SplatsThatAreWrongHideNothing) {
+    const Camera before = cameraAt({0, -420, 0});
+    const ReferenceCapture picture = captureOf(before, kSize);
+    for (const Camera& now : {cameraAt({0, -420, 0.5}), cameraAt({5, -420, 3}), cameraAt({-20, -430, 10})}) {
+        const auto push = *reprojectionOf(before, kSize, now, kSize, kSeen, 0.0);
+        const ReferenceReprojection without = reproject(push, picture);
+        for (const double share : {0.8, 1.25}) {
+            std::vector<double> expectedMm = depthsAlongView(now);
+            for (double& mm : expectedMm) mm *= share;
+            const ReferenceReprojection with = reproject(push, picture, expectedMm);
+            std::size_t less = 0;
+            for (std::size_t i = 0; i < with.weights.size(); ++i)
+                less += with.weights[i] < without.weights[i] - 0.1 ? 1 : 0;
+            EXPECT_LT(double(less), 0.02 * double(with.weights.size())) << now.positionMm.z << ", " << share;
+            EXPECT_EQ(compare(with, now).through, 0u) << now.positionMm.z << ", " << share;
+        }
     }
 }
 

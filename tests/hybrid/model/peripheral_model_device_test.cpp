@@ -102,6 +102,21 @@ TEST_F(Peripheral, LearnsOutlines) {
     ASSERT_TRUE(model.step(10.0).ok());
 }
 
+// A vessel, or a few nodules far apart.
+TEST_F(Peripheral, WantsViewsOfWhatCoversLittleOfAny) {
+    ModelStart sparse = start();
+    for (glm::vec3& scale : sparse.splats.logScale) scale -= 4.0f;
+    PeripheralModel model = std::move(PeripheralModel::begin(device(), sparse, options())).value();
+    const TracedView seen = picture(sparse.splats, cameraAt(0.0));
+    double covered = 0.0;
+    for (const glm::vec4& pixel : seen.rgba) covered += pixel.a;
+    ASSERT_GT(covered, 0.0);
+    ASSERT_LT(covered, 0.04 * double(seen.rgba.size()));
+    giveWanted(model, sparse.splats, 6);
+    EXPECT_GT(model.report().views, 1u);
+    EXPECT_GT(model.report().heldOut, 0u);
+}
+
 TEST_F(Peripheral, JudgesAtTheCostThatIsStated) {
     PeripheralModel model = begun(neverPaused());
     // Held-out pictures are larger than what it learns from.

@@ -98,12 +98,9 @@ Result<void> HybridFrame::adopt(trace::PathTracer& tracer, const FoveaAim& aim) 
     fovea_.reset();
     aim_.reset();  // what was under way is of an earlier motion
     const trace::View& view = aim.whole;
-    const double halfOfFrame = std::tan(0.5 * glm::radians(view.camera.verticalFovDeg));
-    const double fovea = std::tan(0.5 * glm::radians(aim.fieldDeg)) / halfOfFrame;  // of half of the height
     const glm::dvec2 wholePx(view.width, view.height);
-    const glm::dvec2 share = glm::min(glm::abs(aim.gaze) + fovea * wholePx.y / wholePx, glm::dvec2(1.0));
     // As many pixels on both sides.
-    const glm::ivec2 besidePx((glm::dvec2(1.0) - share) * wholePx * 0.5);
+    const glm::ivec2 besidePx((glm::dvec2(1.0) - extentOf(aim, true).half) * wholePx * 0.5);
     MACULA_TRY(
         CapturedPicture picture,
         reprojection_.capture(tracer, view, seenMm_, glm::ivec2(view.width, view.height) - 2 * besidePx));
@@ -111,16 +108,51 @@ Result<void> HybridFrame::adopt(trace::PathTracer& tracer, const FoveaAim& aim) 
     return {};
 }
 
-bool HybridFrame::wantsFovea(const Camera& eye) const {
-    if (!fovea_) return true;
-    if (isFoveaOf(eye)) return false;
-    return !fovea_->isAdopted ||
-           degreesAround(fovea_->picture.camera.positionMm, eye.positionMm) > kGoodForDeg;
+// What was adopted lies around the middle of the picture, and reaches to the fovea's end on the side of the
+// gaze.
+HybridFrame::Extent HybridFrame::extentOf(const FoveaAim& aim, bool isAdopted) {
+    const double halfOfFrame = std::tan(0.5 * glm::radians(aim.whole.camera.verticalFovDeg));
+    const double fovea = std::tan(0.5 * glm::radians(aim.fieldDeg)) / halfOfFrame;  // of half of the height
+    const glm::dvec2 half = fovea * glm::dvec2(double(aim.whole.height) / aim.whole.width, 1.0);
+    if (!isAdopted) return {.middle = aim.gaze, .half = half};
+    return {.middle = glm::dvec2(0.0), .half = glm::min(glm::abs(aim.gaze) + half, glm::dvec2(1.0))};
 }
 
-bool HybridFrame::wouldGrow(const Camera& eye, double budgetMs) const {
+// Half of a fovea away from where it was traced for, an eye sees its end.
+bool HybridFrame::isWithinFovea(const glm::dvec2& gaze) const {
+    const Extent there = extentOf(fovea_->aim, fovea_->isAdopted);
+    const glm::dvec2 spare = glm::min(0.5 * extentOf(fovea_->aim, false).half, there.half);
+    const glm::dvec2 reaches = glm::abs(gaze - there.middle) + spare;
+    // No picture goes on beyond the frame's own edge.
+    return glm::all(glm::lessThanEqual(glm::min(reaches, glm::dvec2(1.0)), there.half + 1e-9));
+}
+
+bool HybridFrame::isFoveaOf(const Camera& eye, const glm::dvec2& gaze) const {
+    return fovea_ && fovea_->aim.whole.camera == eye && isWithinFovea(gaze);
+}
+
+// How many times as large as it was traced an eye sees the middle of the scene.
+double HybridFrame::magnificationFor(const Camera& eye) const {
+    const Camera& traced = fovea_->aim.whole.camera;
+    const auto sizeFrom = [this](const Camera& from) {
+        const double leastMm = 0.05 * seenMm_.diagonal();  // inside of it all is near
+        return 1.0 / (std::tan(0.5 * glm::radians(from.verticalFovDeg)) *
+                      std::max({glm::length(from.positionMm - seenMm_.centre()), leastMm, 1e-6}));
+    };
+    return sizeFrom(eye) / sizeFrom(traced);
+}
+
+bool HybridFrame::wantsFovea(const Camera& eye, const glm::dvec2& gaze) const {
+    if (!fovea_ || !isWithinFovea(gaze)) return true;
+    if (isFoveaOf(eye, gaze)) return false;
+    return !fovea_->isAdopted ||
+           degreesAround(fovea_->picture.camera.positionMm, eye.positionMm) > kGoodForDeg ||
+           magnificationFor(eye) > kMostMagnified;
+}
+
+bool HybridFrame::wouldGrow(const Camera& eye, double budgetMs, const glm::dvec2& gaze) const {
     const bool isWhole = fovea_ && fovea_->aim.fieldDeg > trace::kFovealFieldDeg - 1e-6;
-    return !isFoveaOf(eye) || (!fovea_->isAdopted && !isWhole && fovea_->tracingMs < 0.5 * budgetMs);
+    return !isFoveaOf(eye, gaze) || (!fovea_->isAdopted && !isWhole && fovea_->tracingMs < 0.5 * budgetMs);
 }
 
 double HybridFrame::degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) const {

@@ -2,9 +2,9 @@
 // in slices from where the eye was; every frame shows it as the eye sees it now (reprojection.h), over splats
 // that are drawn for that eye.
 //
-//     frame.setScene(settings);                     // whenever the tracer's scene or look was
-//     changed if (!frame.isTracing()) frame.aim({.whole = view, .gaze = gaze, .sidePx = 300});
-//     frame.traceFovea(keepGoing);                          // a slice
+//     frame.setScene(settings);     // whenever the tracer's scene or look was changed
+//     if (!frame.isTracing()) frame.aim({.whole = view, .gaze = gaze, .sidePx = 300});
+//     frame.traceFovea(keepGoing);  // a slice
 //     frame.draw({.eyes = {left, right}, .sizePx = sizePx}, periphery);
 #pragma once
 
@@ -100,16 +100,18 @@ class HybridFrame {
     // is ignored. Fails with outOfMemory, and there is no fovea then.
     Result<void> adopt(trace::PathTracer& tracer, const FoveaAim& aim);
     // Whether a picture traced from there would be better than the one that frames show: one that was adopted
-    // is good for kGoodForDeg around what can be seen.
+    // is good for kGoodForDeg around what can be seen, where it is seen at most kMostMagnified times as large
+    // and the eye looks at what it shows.
     static constexpr double kGoodForDeg = 8.0;
-    bool wantsFovea(const Camera& eye) const;
+    static constexpr double kMostMagnified = 1.25;
+    bool wantsFovea(const Camera& eye, const glm::dvec2& gaze = glm::dvec2(0.0)) const;
     // Whether the picture that is under way could not be shown to that eye any more.
     bool hasLeftAim(const Camera& eye) const;
-    // Whether the fovea that frames show was traced from just there.
-    bool isFoveaOf(const Camera& eye) const { return fovea_ && fovea_->aim.whole.camera == eye; }
+    // Whether the fovea that frames show was traced from just there, and the eye looks well within it.
+    bool isFoveaOf(const Camera& eye, const glm::dvec2& gaze = glm::dvec2(0.0)) const;
     // Whether a fovea that is traced from just there in `budgetMs` would show more than the one there is:
-    // that is from elsewhere, or has not its whole field and took less than half of that.
-    bool wouldGrow(const Camera& eye, double budgetMs) const;
+    // that is of something else, or has not its whole field and took less than half of that.
+    bool wouldGrow(const Camera& eye, double budgetMs, const glm::dvec2& gaze = glm::dvec2(0.0)) const;
     // While it is tracing: goes on; `keepGoing` is asked between dispatches of some 40 ms. Whether the
     // picture is there: from then on frames show it.
     Result<bool> traceFovea(const std::function<bool()>& keepGoing);
@@ -142,8 +144,15 @@ class HybridFrame {
         bool isAdopted = false;
         double tracingMs = 0.0;
     };
+    struct Extent {  // in the whole of an aim, -1 to 1: the middle, and from there to where the fovea ends
+        glm::dvec2 middle{0.0};
+        glm::dvec2 half{1.0};
+    };
+    static Extent extentOf(const FoveaAim& aim, bool isAdopted);
 
     double degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) const;
+    double magnificationFor(const Camera& eye) const;
+    bool isWithinFovea(const glm::dvec2& gaze) const;
     void noteTurn(const glm::dvec3& eyeMm);
 
     HybridFrame(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer, Reprojection reprojection)

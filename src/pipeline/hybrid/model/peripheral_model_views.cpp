@@ -57,8 +57,16 @@ Result<std::optional<CandidatePose>> PeripheralModel::wantedView() {
     MACULA_TRY(const splat::Splats now, trainer_.snapshot());
     const glm::dvec2 size(options_.wanted.sizePx);
     const glm::ivec2 small = glm::max(glm::ivec2(size * (kLookSidePx / std::max(size.x, size.y))), 1);
+    const auto ask = [&](const CandidatePose& view) {
+        ++notes_.asked;
+        asked_.push_back(view.camera);
+        if (asked_.size() > kMostAsked) asked_.erase(asked_.begin());
+        return Wanted(view);
+    };
     // The best candidates are of what no view has seen yet, where there may be nothing: then the next ones
     // are looked at.
+    const CandidatePose* fullest = nullptr;
+    double most = 0.0;
     std::size_t count = 1;  // mostly the best is right
     for (std::size_t first = 0; first < wanted.size(); first += std::exchange(count, kLooks)) {
         const std::span looks = std::span(wanted).subspan(first, std::min(count, wanted.size() - first));
@@ -69,13 +77,16 @@ Result<std::optional<CandidatePose>> PeripheralModel::wantedView() {
         for (std::size_t i = 0; i < looks.size(); ++i) {
             const double sum = std::accumulate(drawn.pictures[i].begin(), drawn.pictures[i].end(), 0.0,
                                                [](double s, const glm::vec4& p) { return s + double(p.a); });
-            if (now.size() > 0 && sum < kLeastCoverage * double(drawn.pictures[i].size())) continue;
-            ++notes_.asked;
-            asked_.push_back(looks[i].camera);
-            if (asked_.size() > kMostAsked) asked_.erase(asked_.begin());
-            return Wanted(looks[i]);
+            if (now.size() == 0 || sum >= kLeastCoverage * double(drawn.pictures[i].size()))
+                return ask(looks[i]);
+            if (sum > most) {
+                most = sum;
+                fullest = &looks[i];
+            }
         }
     }
+    // A vessel or a nodule covers little of any view.
+    if (fullest != nullptr) return ask(*fullest);
     ++notes_.asked;  // others are drawn the next time
     return Wanted();
 }
