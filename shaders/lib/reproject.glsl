@@ -173,7 +173,7 @@ Reprojected reprojectedAt(ivec2 pixel) {
     EpipolarLine line;
     if (!findLine(pixel, false, line)) return unknown;
     float behind = firstBehind(line);
-    // What begins behind the height field has met it before.
+    // A line that begins behind the height field has passed the surface before it begins.
     if (line.isPart && (behind < float(0.0) || behind >= line.nearest)) {
         if (!findLine(pixel, true, line)) return unknown;
         behind = firstBehind(line);

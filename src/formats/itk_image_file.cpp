@@ -85,11 +85,13 @@ Result<void> write(itk::ImageIOBase& io, const fs::path& path, const RawImage& i
     return notWritten();
 }
 
-// The file becomes two: a header that names the values, and they.
+// Splits a file into a header, which names the file of the values, and that file.
 Result<void> detachValues(const fs::path& whole, const fs::path& headerPath, const RawImage& image) {
     constexpr std::string_view kValuesFollow = "LOCAL\n";
     std::error_code error;
-    std::string header(fs::file_size(whole, error) - image.data.size(), '\0');
+    const std::uintmax_t bytes = fs::file_size(whole, error);
+    if (error || bytes <= image.data.size()) return notWritten();
+    std::string header(bytes - image.data.size(), '\0');
     if (!std::ifstream(whole, std::ios::binary)
              .read(header.data(), static_cast<std::streamsize>(header.size())) ||
         !header.ends_with(kValuesFollow))
@@ -97,12 +99,14 @@ Result<void> detachValues(const fs::path& whole, const fs::path& headerPath, con
     fs::remove(whole, error);
     header.resize(header.size() - kValuesFollow.size());
     const fs::path valuesPath = fs::path(headerPath).replace_extension(".raw");
-    std::ofstream(headerPath, std::ios::binary) << header << valuesPath.filename().string() << '\n';
+    std::ofstream headerFile(headerPath, std::ios::binary);
+    headerFile << header << valuesPath.filename().string() << '\n';
+    headerFile.close();
     std::ofstream values(valuesPath, std::ios::binary);
     values.write(reinterpret_cast<const char*>(image.data.data()),
                  static_cast<std::streamsize>(image.data.size()));
     values.close();
-    if (!values) return notWritten();
+    if (!headerFile || !values) return notWritten();
     return {};
 }
 

@@ -226,7 +226,7 @@ Result<Opened> open(const fs::path& path) {
     if (!file) return notUsable("The file cannot be read.", "Check the path and its permissions.");
     std::array<char, kHeader2Bytes> bytes{};
     int got = gzread(file.get(), bytes.data(), kHeaderBytes);
-    // What follows a small file may be no gzip, which fails.
+    // A small file ends within that. Reading on fails where stray bytes follow its gzip stream.
     if (got == static_cast<int>(kHeaderBytes))
         got += std::max(gzread(file.get(), bytes.data() + kHeaderBytes, kHeader2Bytes - kHeaderBytes), 0);
     std::int32_t first = 0;

@@ -228,7 +228,7 @@ void Viewport::setUsesModel(bool uses) {
 
 void Viewport::setPictureSizeHint(QSize pixels) {
     container_->setMinimumSize(pixels / devicePixelRatioF());
-    // Before the window is shown, Qt tells no layout but the next one.
+    // Until the window is shown, Qt invalidates only the layout that holds the widget, and none above it.
     for (QWidget* above = this; above != nullptr; above = above->parentWidget()) {
         if (above->layout() != nullptr) above->layout()->invalidate();
         if (auto* splitter = qobject_cast<QSplitter*>(above)) splitter->refresh();

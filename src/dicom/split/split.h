@@ -21,8 +21,8 @@ struct Split {
 //   - hard attributes separate, and frames without a position from those with one; see hard_split.h;
 //   - images that cannot be what they say (odd_images.h) are stacks of their own, and gaps in the others;
 //   - frames at the same positions that name their phase are told apart by it;
-//   - soft attributes separate, one or two of them, when the parts are volumes; a volume only into volumes
-//     that interleave or overlap, and an even one only by the attributes that the rules name for it;
+//   - one or two soft attributes separate a stack when the parts are volumes. They separate a volume only
+//     into volumes that interleave or overlap, and an even one only when the rules name them for that;
 //   - volumes that interleave or overlap are separated by runs of their times, by the ways of their image
 //     numbers along the normal, or by the lattices they lie on (acquisitions.h);
 //   - what is a volume then is kept whole, and warned of where it changes along its slices, or where part of

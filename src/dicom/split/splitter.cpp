@@ -223,8 +223,8 @@ Splitter::Stacks Splitter::byRuns(const Stack& whole, Grade least, Messages& mes
     return {};
 }
 
-// The fewest runs that are better than the stack as one, each divided again where it is several itself: two
-// of three acquisitions may make an even volume together.
+// Divides a stack by gaps between its times into the fewest runs that make better volumes than the whole
+// does, and each run again: two of three acquisitions may make an even volume together.
 Partition Splitter::runsOf(const Stack& whole, std::size_t attribute, Grade least) const {
     constexpr std::size_t kMostRuns = 12;
     // Odd and even slices of MR are often acquired in turn.
@@ -287,7 +287,7 @@ std::vector<Stack> Splitter::asAcquisitions(const Stack& whole, Partition runs, 
     return stacks;
 }
 
-// Acquisitions of which only the order of the image numbers tells.
+// Separates acquisitions that only the order of their image numbers tells apart.
 Splitter::Stacks Splitter::byWays(const Stack& whole, Messages& messages) const {
     const bool isVolume = gradeOf(whole) >= Grade::gapped;
     if (whole.modality == "MR") return {};
