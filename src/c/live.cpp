@@ -14,6 +14,7 @@
 #include "app/choice/lights_choice.h"
 #include "app/frame/fidelity.h"
 #include "app/frame/projection_windows.h"
+#include "app/frame/times_report.h"
 #include "app/hosted/hosted_loop.h"
 #include "app/output/output_files.h"
 #include "app/state/drawing_of.h"
@@ -38,6 +39,7 @@ struct macula_live {
     std::vector<std::string> notes;
     std::string fidelity;
     std::string device;
+    std::string times;
     bool isLent = false;    // the device, so that images on it can be drawn to
     bool isBroken = false;  // a check failed while it worked: nobody knows what it holds
 };
@@ -302,6 +304,16 @@ macula_status macula_live_frame(macula_live* live, const macula_frame* frame, co
 const char* macula_live_note(const macula_live* live, std::uint32_t index) {
     return textAt(
         live, index, [](const macula_live& of) -> const auto& { return of.notes; });
+}
+
+macula_status macula_live_times(macula_live* live, const char** json) {
+    return with(live, [&](macula_live& of) -> Result<void> {
+        if (json == nullptr)
+            return badArgument("There is no place for the times.", "Give the address of a pointer.");
+        of.times = app::toJson(of.loop->timesSpent()).dump();
+        *json = of.times.c_str();
+        return {};
+    });
 }
 
 macula_status macula_live_model(const macula_live* live, macula_model* model) {

@@ -18,20 +18,27 @@ namespace macula::cli {
 
 namespace {
 
-Result<void> record(const app::RecordingWish& wish) {
+struct Options {
+    app::RecordingWish wish;
+    bool tellsTimes = false;
+};
+
+Result<void> record(const Options& options) {
+    const app::RecordingWish& wish = options.wish;
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const app::LiveRecording recording, app::recordStudy(wish, printNote, printWarning, progress));
     const std::size_t frames = recording.frames.size();
     fmt::print("Wrote {}: {} {} on {}.\n{}\n", wish.folder.string(), frames, frames == 1 ? "frame" : "frames",
                recording.device, textOf(app::motionFigures(recording)));
+    if (options.tellsTimes) fmt::print("{}", timesText(recording));
     return {};
 }
 
 }  // namespace
 
 void addHybrid(CLI::App& app, Action& action) {
-    auto wish = std::make_shared<app::RecordingWish>();
-    app::RecordingWish& o = *wish;
+    auto options = std::make_shared<Options>();
+    app::RecordingWish& o = options->wish;
     app::RecordingOptions& r = o.recording;
     auto* command = app.add_subcommand("hybrid", "Record the live picture while a camera moves");
     addStudyAsOfRender(*command, o.path, o.series, o.how);
@@ -63,9 +70,11 @@ void addHybrid(CLI::App& app, Action& action) {
     addNumber("--learn", r.learningS, 0.0, "Seconds for the model to learn before the camera moves");
     addNumber("--rest", r.restingS, 0.0, "Seconds after it has stopped");
     addNumber("--pictures", r.picturesPerS, 0.0, "PNG files for each second");
+    command->add_flag("--times", options->tellsTimes,
+                      "Tell where the time of the render thread went, as times.json does");
     addSessionChoice(*command, o.sessions);
     command->add_option("--device", r.device, "Number or part of the name, see macula devices");
-    command->callback([wish, &action] { action = [wish] { return record(*wish); }; });
+    command->callback([options, &action] { action = [options] { return record(*options); }; });
 }
 
 }  // namespace macula::cli

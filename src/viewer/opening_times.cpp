@@ -1,7 +1,11 @@
 #include "viewer/opening_times.h"
 
+#include <QJsonArray>
+#include <QJsonDocument>
 #include <cmath>
+#include <string>
 
+#include "app/frame/times_report.h"
 #include "viewer/slices/slice_view.h"
 
 namespace macula::viewer {
@@ -18,6 +22,8 @@ OpeningTimes::OpeningTimes(MainWindow& window, QObject* parent) : QObject(parent
     });
     // At rest it is not on screen, but a hand would see it now.
     connect(&window.viewport(), &Viewport::rendered, this, [this](const app::RenderEvent& event) {
+        const auto* spent = std::get_if<app::TimeSpent>(&event);
+        if (spent != nullptr && modelMs_ < 0.0) spent_ = spent->stages;
         const auto* changed = std::get_if<app::ModelChanged>(&event);
         if (changed != nullptr && hybrid::isFitToBeShown(changed->model)) noteModel(changed->model);
     });
@@ -34,9 +40,11 @@ void OpeningTimes::note(double& ms) const {
 }
 
 QJsonObject OpeningTimes::toJson() const {
+    const std::string times = app::toJson(spent_).dump();
     return {{"windowMs", std::round(windowMs_)}, {"studyReadMs", std::round(studyReadMs_)},
             {"sliceMs", std::round(sliceMs_)},   {"pictureMs", std::round(pictureMs_)},
-            {"modelMs", std::round(modelMs_)},   {"modelOrigin", modelOrigin_}};
+            {"modelMs", std::round(modelMs_)},   {"modelOrigin", modelOrigin_},
+            {"renderThread", QJsonDocument::fromJson(QByteArray::fromStdString(times)).array()}};
 }
 
 }  // namespace macula::viewer

@@ -20,7 +20,7 @@ class OpeningTimes : public QObject {
     void start() { clock_.start(); }  // before the window is shown
     // Milliseconds since then, -1 for what has not come: "windowMs", "studyReadMs" (decoded), "sliceMs",
     // "pictureMs" (any of the volume), "modelMs" (splats fit to be shown), and how that model came
-    // ("modelOrigin").
+    // ("modelOrigin"). "renderThread" is where its time went until then, or until now (times_report.h).
     QJsonObject toJson() const;
 
   private:
@@ -34,6 +34,7 @@ class OpeningTimes : public QObject {
     double pictureMs_ = -1.0;
     double modelMs_ = -1.0;
     QString modelOrigin_;
+    std::vector<StageTimes> spent_;
 };
 
 }  // namespace macula::viewer

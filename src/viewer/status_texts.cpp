@@ -102,9 +102,7 @@ QString modelText(const hybrid::ModelNews& model) {
         case ModelStage::learning:
             return hybrid::isFitToBeShown(model)
                        ? ModelWords::tr("Preview sharpening, %n steps", nullptr, steps)
-                       : ModelWords::tr("Preview not sharp yet, %1 of %2 steps")
-                             .arg(model.steps)
-                             .arg(hybrid::kStepsToBeShown);
+                       : ModelWords::tr("Preview not sharp yet, %n steps", nullptr, steps);
         case ModelStage::resting:
             return hybrid::isFitToBeShown(model) ? ModelWords::tr("Preview sharp, %n steps", nullptr, steps)
                                                  : ModelWords::tr("Preview not sharp enough to be shown");

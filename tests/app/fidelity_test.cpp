@@ -29,11 +29,11 @@ TEST(Fidelity, SaysWhyAPictureInMotionIsNoModel) {
 TEST(Fidelity, SaysWhyASmallPictureStandsWhereAModelIs) {
     FrameShown frame{.picture = OnScreen::preview, .stage = Stage::converged};
     frame.model = {.stage = hybrid::ModelStage::learning, .steps = 56};
-    EXPECT_EQ(fidelityOf(frame).because, Because{"the preview is not sharp enough: 56 of 120 steps"});
-    frame.model.steps = hybrid::kStepsToBeShown;
+    EXPECT_EQ(fidelityOf(frame).because, Because{"the preview is not sharp enough after 56 steps"});
+    frame.model.isSharp = true;
     EXPECT_EQ(fidelityOf(frame).because, Because{}) << "it is shown next";
     frame.model = {.stage = hybrid::ModelStage::resting, .steps = 56};
-    EXPECT_EQ(fidelityOf(frame).because, Because{"the preview is not sharp enough: 56 of 120 steps"});
+    EXPECT_EQ(fidelityOf(frame).because, Because{"the preview is not sharp enough after 56 steps"});
     frame.model = {.stage = hybrid::ModelStage::noRoom, .steps = 56};
     EXPECT_EQ(fidelityOf(frame).because, Because{}) << "it will never be shown";
     frame.picture = OnScreen::traced;
@@ -45,11 +45,11 @@ TEST(Fidelity, OfAModelIsOneFact) {
     using hybrid::ModelStage;
     for (const auto stage : {ModelStage::none, ModelStage::searching, ModelStage::nothingToSee,
                              ModelStage::noRoom, ModelStage::failed})
-        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .steps = 10'000})) << nameOf(stage);
+        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .isSharp = true})) << nameOf(stage);
     for (const auto stage : {ModelStage::resuming, ModelStage::learning, ModelStage::resting}) {
-        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .steps = hybrid::kStepsToBeShown - 1}))
+        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .steps = 10'000}))
             << nameOf(stage);
-        EXPECT_TRUE(hybrid::isFitToBeShown({.stage = stage, .steps = hybrid::kStepsToBeShown}))
+        EXPECT_TRUE(hybrid::isFitToBeShown({.stage = stage, .steps = 1, .isSharp = true}))
             << nameOf(stage);
     }
 }

@@ -31,6 +31,7 @@ class PictureCourseTest : public testing::Test {
                 break;
             case Step::search:
                 course_.searched();
+                course_.spent(step, 20.0);
                 break;
             case Step::trace:
                 course_.spent(step, 20.0);
@@ -127,6 +128,10 @@ TEST_F(PictureCourseTest, WhereItIsQuickThePictureOfAllPixelsWaitsForNothing) {
         EXPECT_EQ(go(true), Step::trace);
         EXPECT_EQ(course_.onScreen(), OnScreen::traced);
         EXPECT_EQ(next(), state == ModelState::searching ? Step::search : Step::trace);
+        int searched = 0;
+        for (int i = 0; i < 60; ++i) searched += go() == Step::search ? 1 : 0;
+        EXPECT_NEAR(searched, state == ModelState::searching ? 40 : 0, 2)
+            << "nor does the picture for the search";
     }
     // In motion small pictures come as ever.
     course_.setHand(true);
@@ -278,6 +283,12 @@ TEST_F(PictureCourseTest, AYoungModelIsNeverShownAndLearnsBesideTheFirstTracedPi
     course_.setModel(ModelState::young, true);
     want();
     while (next() == Step::showPreview) go();
+    // Nothing comes before it for a while.
+    double firstMs = 0.0;
+    for (; next() == Step::learn && firstMs < 60000.0; go()) firstMs += 20.0;
+    EXPECT_NEAR(firstMs, PictureCourse::kYoungFirstMs, 20.0);
+    const double owedMs = PictureCourse::kYoungFirstMs / PictureCourse::kYoungShare;
+    for (double ms = 0.0; ms < owedMs; ms += 20.0) EXPECT_EQ(go(), Step::trace);
     int traced = 0;
     int learnt = 0;
     for (int i = 0; i < 30; ++i) {

@@ -14,7 +14,7 @@ FrameShown early() {
     frame.look = trace::Look::cinematic;
     frame.latencyMs = 20.0;
     frame.model.stage = hybrid::ModelStage::learning;
-    frame.model.steps = hybrid::kStepsToBeShown - 1;
+    frame.model.isSharp = false;
     return frame;
 }
 
@@ -42,7 +42,7 @@ TEST(RecordedStudy, SaysThatTheModelCameTooLateForAnyFovea) {
 
     FrameShown withFovea = early();
     withFovea.picture = OnScreen::model;
-    withFovea.model.steps = hybrid::kStepsToBeShown;
+    withFovea.model.isSharp = true;
     withFovea.foveaAgeMs = 40.0;
     EXPECT_EQ(told({early(), withFovea}).find("--learn"), std::string::npos) << "one had a fovea";
 }
@@ -53,7 +53,7 @@ TEST(RecordedStudy, AdvisesNothingThatWouldNotHelp) {
     FrameShown parallel = early();
     parallel.camera.parallelHeightMm = 200.0;
     FrameShown fit = early();
-    fit.model.steps = hybrid::kStepsToBeShown;
+    fit.model.isSharp = true;
     FrameShown failed = early();
     failed.model.stage = hybrid::ModelStage::failed;
     FrameShown noRoom = early();

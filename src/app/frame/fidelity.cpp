@@ -31,8 +31,7 @@ Fidelity fidelityOf(const FrameShown& frame) {
     std::vector<std::string>& because = fidelity.because;
     if (frame.picture == OnScreen::model) addModel(frame, because);
     if (frame.picture == OnScreen::preview && isNotFit(frame.model))
-        because.push_back(fmt::format("the preview is not sharp enough: {} of {} steps", frame.model.steps,
-                                      hybrid::kStepsToBeShown));
+        because.push_back(fmt::format("the preview is not sharp enough after {} steps", frame.model.steps));
     if (frame.picture == OnScreen::fading) because.emplace_back("preview fades out");
     if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
     if (frame.picture != OnScreen::model && frame.stage != Stage::converged)

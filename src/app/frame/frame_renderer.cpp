@@ -15,6 +15,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kModelToldEvery{500};
+constexpr milliseconds kTimeToldEvery{250};
 constexpr double kQuickMs = 250.0;  // a picture of all pixels that is there sooner has no need of small ones
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
 
@@ -77,6 +78,8 @@ void FrameRenderer::dropModelAfter(void (hybrid::LiveModel::*keep)()) {
 }
 
 void FrameRenderer::accept(FrameInput input) {
+    const Timeline::Watch watch(timeline_);
+    const TimelineStage stage("input");
     rhythm_.input(input.published, input.interacting);
     hasLearntBesideHand_ = false;
     if (!(input.noiseTarget > 0.0)) input.noiseTarget = kUnseenNoise;
@@ -218,8 +221,11 @@ bool FrameRenderer::isComplete() const {
 
 void FrameRenderer::step(const Interrupts& interrupts) {
     if (!hasWork()) return;
+    const Timeline::Watch watch(timeline_);
     try {
+        const TimelineStage stage("between");
         if (const Result<void> done = tryStep(interrupts); !done) handle(done.error());
+        tellOfTime();
     } catch (const std::bad_alloc&) {
         fail(ErrorCode::outOfMemory, "There is not enough memory to show this study.",
              "Close other programs, or open a smaller series.");
@@ -304,6 +310,7 @@ Result<void> FrameRenderer::withoutModel(const Error& error) {
 
 Result<void> FrameRenderer::ensureDevice() {
     if (device_ && traced_) return {};
+    const TimelineStage stage("start device");
     listener_(Preparing{"Starting the graphics device"});
     if (!device_) {
         gpu::DeviceOptions options = deviceOptions_;
@@ -363,6 +370,7 @@ Result<void> FrameRenderer::clearWindow() {
 }
 
 Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
+    const TimelineStage stage("set scene");
     const Drawing& drawing = input_.drawing;
     // Each part may take long. Whoever waits for the surface, or has changed something, waits for one of
     // them; what is done stays done, so that a hand that never rests does not keep the scene from being
@@ -436,6 +444,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
 
 // From here on no picture of the model of before is drawn any more.
 Result<void> FrameRenderer::applyModel() {
+    const TimelineStage stage("set model");
     whyNoModel_ = hybrid::ModelStage::none;
     if (!canHaveModel(input_)) {
         if (model_) model_->hide();
@@ -484,6 +493,13 @@ void FrameRenderer::tellOfModel() {
     modelTold_ = news;
     modelToldAt_ = now;
     listener_(ModelChanged{input_.study, news});
+}
+
+void FrameRenderer::tellOfTime() {
+    const Clock::time_point now = Clock::now();
+    if (now - timeToldAt_ < kTimeToldEvery) return;
+    timeToldAt_ = now;
+    listener_(TimeSpent{timeline_.stages()});
 }
 
 void FrameRenderer::handle(Error error) {

@@ -18,6 +18,7 @@
 #include "app/frame/scene_names.h"
 #include "app/frame/screen.h"
 #include "app/frame/traced_pictures.h"
+#include "base/timeline.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
 #include "pipeline/gpu/recovery.h"
@@ -63,6 +64,8 @@ class FrameRenderer {
     hybrid::ModelNews modelNews() const;
     // Of the model that learns; nothing while there is none.
     std::optional<hybrid::PeripheralReport> modelReport() const;
+    // Where the time of step() and accept() went.
+    const std::vector<StageTimes>& timesSpent() const { return timeline_.stages(); }
 
   private:
     using Clock = std::chrono::steady_clock;
@@ -106,12 +109,15 @@ class FrameRenderer {
     void doWithoutFovea();
     Result<void> show(const gpu::Image& picture);
     void tellOfModel();
+    void tellOfTime();
     Result<void> giveModel();
     Result<void> takeModel(ModelTaken& taken);
     void handle(Error error);
     void dropDevice();
     double framesPerSecond() const;
 
+    Timeline timeline_;
+    Clock::time_point timeToldAt_{};
     gpu::Instance instance_;
     gpu::DeviceOptions deviceOptions_;
     RenderListener listener_;

@@ -28,6 +28,7 @@ double millisecondsBetween(std::chrono::steady_clock::time_point from,
 }  // namespace
 
 Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
+    const TimelineStage stage(nameOf(step));
     switch (step) {
         case Step::none:
             return {};
@@ -101,6 +102,7 @@ hybrid::FoveaAim FrameRenderer::nextFovea() const {
 
 // For a slice, and longer until a new input comes. Whether a new fovea is there.
 Result<bool> FrameRenderer::traceFovea(const Interrupts& interrupts) {
+    const TimelineStage stage(nameOf(Step::traceFovea));
     const Clock::time_point start = Clock::now();
     const auto keepGoing = [&] {
         return !interrupts.stopping() && (!interrupts.newInput() || millisecondsBetween(start, Clock::now()) <
@@ -155,6 +157,7 @@ Result<void> FrameRenderer::trace(const Interrupts& interrupts) {
 // What is traced while nothing moves is the fovea of the first frames of the next motion. Where it is not
 // denoised any more its guides may be gone; the one of before was of fewer samples, and does.
 Result<void> FrameRenderer::keepForMotion() {
+    const TimelineStage stage("keep for motion");
     // A fovea is reprojected, and a model learns, for an eye; with parallel rays splats alone are shown.
     if (!canDrawModel() || !foveaHasRoom_ || isParallel(input_.camera)) return {};
     MACULA_TRY(const trace::Statistics statistics, traced_->statistics());
@@ -202,7 +205,9 @@ Result<void> FrameRenderer::workOnModel(const std::function<Result<void>()>& wor
 Result<void> FrameRenderer::search(const Interrupts& interrupts) {
     const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
     course_.searched();
+    const Clock::time_point start = Clock::now();
     const Result<void> done = workOnModel([&] { return model_->work(kSliceMs, keepGoing); });
+    course_.spent(Step::search, millisecondsBetween(start, Clock::now()));
     if (!done) return withoutModel(done.error());
     tellOfModel();
     return {};
@@ -279,6 +284,7 @@ Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
 }
 
 Result<void> FrameRenderer::show(const gpu::Image& picture) {
+    const TimelineStage stage("show");
     screen_->setMarks(input_.marks);
     kept_ = {input_.camera, input_.width, input_.height};
     MACULA_TRY(const bool visible, screen_->show(picture));

@@ -77,6 +77,10 @@ class Tape {
         const std::lock_guard lock(mutex_);
         notices_.push_back({secondsSinceStart(), std::move(what)});
     }
+    void spent(std::vector<StageTimes> stages) {
+        const std::lock_guard lock(mutex_);
+        spent_ = std::move(stages);
+    }
     void fail(const Error& error) {
         const std::lock_guard lock(mutex_);
         if (!failure_) failure_ = error;
@@ -85,6 +89,7 @@ class Tape {
     // Who moves the camera. Inputs are numbered from 1, without gaps: told before each is published.
     void sends(RecordingPhase phase, const Camera& camera) {
         const std::lock_guard lock(mutex_);
+        if (!inputs_.empty() && inputs_.back().phase != phase) endPhase();
         inputs_.push_back({secondsSinceStart(), phase, camera});
     }
     std::optional<Error> failure() const {
@@ -110,10 +115,12 @@ class Tape {
     // Ends the recording: what is shown from then on is of no input.
     LiveRecording result() {
         const std::lock_guard lock(mutex_);
+        if (!inputs_.empty()) endPhase();
         return {.device = device_,
                 .inputs = std::exchange(inputs_, {}),
                 .frames = std::exchange(frames_, {}),
                 .notices = std::exchange(notices_, {}),
+                .times = std::exchange(times_, {}),
                 .seconds = secondsSinceStart(),
                 .isFull = isFull_};
     }
@@ -121,6 +128,12 @@ class Tape {
   private:
     static constexpr std::uint64_t kLastOnes = 2;  // of the rest, and of the changed drawing
 
+    void endPhase() {
+        const double nowS = secondsSinceStart();
+        times_.push_back({inputs_.back().phase, nowS - phaseBeganAtS_, since(spentBefore_, spent_)});
+        spentBefore_ = spent_;
+        phaseBeganAtS_ = nowS;
+    }
     double secondsSinceStart() const { return secondsBetween(start_, Clock::now()); }
 
     const Clock::time_point start_ = Clock::now();
@@ -131,6 +144,10 @@ class Tape {
     std::vector<RecordedInput> inputs_;
     std::vector<RecordedFrame> frames_;
     std::vector<RecordedNotice> notices_;
+    std::vector<RecordedTimes> times_;     // of phases that have ended
+    std::vector<StageTimes> spent_;        // since the start
+    std::vector<StageTimes> spentBefore_;  // when this phase began
+    double phaseBeganAtS_ = 0.0;
     std::vector<glm::u8vec4> pixels_;  // of the picture whose frame comes next
     glm::ivec2 sizePx_{0};
     std::optional<Clock::time_point> lastKept_;
@@ -188,6 +205,7 @@ class TapePlace final : public ScreenPlace {
 RenderListener listenerOf(const std::shared_ptr<Tape>& tape) {
     return [tape](const RenderEvent& event) {
         if (const auto* frame = std::get_if<FrameShown>(&event)) tape->add(*frame);
+        if (const auto* spent = std::get_if<TimeSpent>(&event)) tape->spent(spent->stages);
         if (const auto* ready = std::get_if<DeviceReady>(&event)) tape->setDevice(ready->name);
         if (const auto* outline = std::get_if<OutlineFound>(&event)) tape->setOutline(outline->pointsMm);
         if (const auto* preparing = std::get_if<Preparing>(&event)) tape->note(preparing->what);

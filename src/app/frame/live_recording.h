@@ -16,6 +16,7 @@
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
+#include "base/timeline.h"
 
 namespace macula::app {
 
@@ -63,12 +64,20 @@ struct RecordedNotice {
     std::string what;  // for a person
 };
 
+// Where the time of the render thread went in a phase, to a quarter of a second or so.
+struct RecordedTimes {
+    RecordingPhase phase = RecordingPhase::opening;
+    double watchedS = 0.0;
+    std::vector<StageTimes> stages;
+};
+
 // Each list is in order of time.
 struct LiveRecording {
     std::string device;
     std::vector<RecordedInput> inputs;
     std::vector<RecordedFrame> frames;
     std::vector<RecordedNotice> notices;
+    std::vector<RecordedTimes> times;
     double seconds = 0.0;  // from when the volume was handed over to the end
     // Pictures were left out because of their number.
     bool isFull = false;

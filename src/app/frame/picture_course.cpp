@@ -20,6 +20,30 @@ std::string_view nameOf(OnScreen picture) {
     return "nothing";
 }
 
+std::string_view nameOf(Step step) {
+    switch (step) {
+        case Step::none:
+            return "nothing";
+        case Step::showModel:
+            return "draw model";
+        case Step::traceFovea:
+            return "trace fovea";
+        case Step::showPreview:
+            return "small picture";
+        case Step::search:
+            return "search";
+        case Step::trace:
+            return "trace picture";
+        case Step::showTraced:
+            return "show traced";
+        case Step::fade:
+            return "fade";
+        case Step::learn:
+            return "learn";
+    }
+    return "nothing";
+}
+
 void PictureCourse::want(bool isTraced) {
     onScreen_ = OnScreen::nothing;
     isTraced_ = isTraced;
@@ -63,7 +87,7 @@ Step PictureCourse::next(TimePoint now) const {
         case OnScreen::traced: {
             // While a hand holds the picture the model does not learn: the hand will move soon.
             const bool searches = model_ == ModelState::searching && !handMoves_;
-            if (searches) return Step::search;
+            if (searches && (hasConverged_ || learntMs_ <= kYoungShare * tracedMs_)) return Step::search;
             if (!handMoves_ && isLearningsTurn()) return Step::learn;
             return hasConverged_ ? Step::none : Step::trace;
         }
@@ -76,6 +100,7 @@ bool PictureCourse::isLearningsTurn() const {
     const bool isYoung = model_ == ModelState::young;
     if (!learns_ || (!isYoung && model_ != ModelState::ready)) return false;
     if (onScreen_ == OnScreen::traced && hasConverged_) return true;
+    if (isYoung && !isQuick_ && onScreen_ == OnScreen::preview && learntMs_ < kYoungFirstMs) return true;
     const double share = !isYoung ? kReadyShare : isQuick_ ? kYoungShareWhereQuick : kYoungShare;
     return learntMs_ < share * tracedMs_;
 }
@@ -121,6 +146,7 @@ void PictureCourse::faded(TimePoint now) {
 
 void PictureCourse::spent(Step step, double ms) {
     if (step == Step::trace) tracedMs_ += ms;
+    if (step == Step::search) learntMs_ += ms;
     if (step != Step::learn) return;
     learntMs_ += ms;
     hasSearched_ = true;  // a small picture is next, where one is worth it

@@ -51,6 +51,9 @@ enum class Step {
     learn,        // a slice of training the model
 };
 
+// The name as in reports; a literal.
+std::string_view nameOf(Step step);
+
 class PictureCourse {
   public:
     using TimePoint = std::chrono::steady_clock::time_point;
@@ -61,8 +64,10 @@ class PictureCourse {
     // Samples of a small picture beside which a model is searched for while nothing moves: with fewer it is
     // all noise for as long as the search takes, and with more the search takes longer.
     static constexpr std::uint64_t kRefinedWhileSearching = 8;
-    // Of the time of tracing that a young model may have beside it: as soon as it is fit it is the first
-    // picture with all pixels, and what a hand will want next.
+    // As soon as a young model is fit it is the first picture with all pixels, and what a hand will want
+    // next: where tracing one takes long, so much of search and learning comes before that.
+    static constexpr double kYoungFirstMs = 15000.0;
+    // After that, of the time of tracing, what it may have beside it.
     static constexpr double kYoungShare = 2.0;
     // The same while a picture of all pixels is soon there, at any time: that gets better fast enough.
     static constexpr double kYoungShareWhereQuick = 3.0;
@@ -122,7 +127,7 @@ class PictureCourse {
     bool hasSearched_ = false;  // or learnt, since the last small picture
     std::optional<TimePoint> fadingSince_;
     double tracedMs_ = 0.0;
-    double learntMs_ = 0.0;
+    double learntMs_ = 0.0;  // and searched
 };
 
 }  // namespace macula::app

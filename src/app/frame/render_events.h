@@ -13,6 +13,7 @@
 #include "app/frame/picture_course.h"
 #include "base/message.h"
 #include "base/result.h"
+#include "base/timeline.h"
 #include "pipeline/hybrid/model/model_news.h"
 #include "pipeline/hybrid/model/peripheral_state.h"
 #include "pipeline/splat/model/splats.h"
@@ -100,8 +101,14 @@ struct RenderFailure {
     bool pictureRemains = false;
 };
 
+// Where the time of the render thread went, since it began; told a few times a second while it works. What
+// the stages do not add up to, it waited for an input.
+struct TimeSpent {
+    std::vector<StageTimes> stages;
+};
+
 using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, OutlineFound,
-                                 FrameShown, PictureRemoved, RenderFailure, ModelTaken>;
+                                 FrameShown, PictureRemoved, RenderFailure, ModelTaken, TimeSpent>;
 using RenderListener = std::function<void(RenderEvent)>;
 
 }  // namespace macula::app

@@ -90,6 +90,7 @@ class HostedLoop {
     // Of what was shown or trained last.
     hybrid::ModelNews model() const { return renderer_->modelNews(); }
     std::optional<hybrid::PeripheralReport> report() const { return renderer_->modelReport(); }
+    const std::vector<StageTimes>& timesSpent() const { return renderer_->timesSpent(); }
     // To the store, and returns when it is there. usage without one; inputNotUsable when there is nothing to
     // keep yet; fails as the store, and `cancelled`: then it is saved later.
     Result<void> save(Progress& progress);

@@ -12,6 +12,7 @@
 #include "app/choice/typed_values.h"
 #include "app/frame/frame_json.h"
 #include "app/frame/projection_windows.h"
+#include "app/frame/times_report.h"
 #include "app/output/output_files.h"
 #include "app/session/model_keeper.h"
 #include "app/state/drawing_of.h"
@@ -29,6 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kFramesFile = "frames.jsonl";
+constexpr const char* kTimesFile = "times.json";
 
 // Whether it can be made, or is there and empty. Before the study is read, which takes time.
 Result<void> checkFolder(const RecordingWish& wish) {
@@ -139,7 +141,8 @@ Result<void> write(const fs::path& folder, const Drawing& drawing, const LiveRec
         }
         lines += line.dump() + "\n";
     }
-    return writeTextAtomically(folder / kFramesFile, lines);
+    MACULA_TRY_VOID(writeTextAtomically(folder / kFramesFile, lines));
+    return writeTextAtomically(folder / kTimesFile, timesOf(recording).dump(4) + "\n");
 }
 
 // Small pictures stood where a model would, and with it a fovea, had it learnt for longer.
@@ -177,6 +180,23 @@ Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, 
     if (recording.isFull) note("Pictures left out: there were too many. Lower --pictures or --size.");
     MACULA_TRY_VOID(write(wish.folder, drawing, recording));
     return recording;
+}
+
+nlohmann::ordered_json timesOf(const LiveRecording& recording) {
+    auto json = nlohmann::ordered_json::array();
+    for (const RecordedTimes& of : recording.times)
+        json.push_back({{"phase", nameOf(of.phase)},
+                        {"seconds", of.watchedS},
+                        {"stages", toJson(of.stages, 1000.0 * of.watchedS)}});
+    return json;
+}
+
+std::string timesText(const LiveRecording& recording) {
+    std::string text;
+    for (const auto& of : timesOf(recording))
+        text += fmt::format("\n{}, {:.1f} s\n{}", of.at("phase").get<std::string>(),
+                            of.at("seconds").get<double>(), tableOf(of.at("stages")));
+    return text;
 }
 
 MotionFigures motionFigures(const LiveRecording& recording) {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -30,11 +31,15 @@ struct RecordingWish {
     RecordingOptions recording;
 };
 
-// Writes frames.jsonl, a line for each frame that was shown, and frame-0001.png and so on for those that were
-// kept. `warn` hears what changes what is seen, `note` the rest.
+// Writes frames.jsonl, a line for each frame that was shown, times.json (timesOf), and frame-0001.png and so
+// on for frames that were kept. `warn` hears what changes what is seen, `note` the rest.
 using Hears = std::function<void(const std::string&)>;
 Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
                                   Progress& progress);
+
+// Where the time of the render thread went: a list of {phase, seconds, stages}, stages as in times_report.h.
+nlohmann::ordered_json timesOf(const LiveRecording& recording);
+std::string timesText(const LiveRecording& recording);  // for a person
 
 // Of the frames in motion: how many a second, how late they were (median and 95th percentile), how many
 // had a fovea, and how many were small pictures because the model was not fit to be shown yet.

@@ -6,6 +6,7 @@
 #include "base/check.h"
 #include "base/give_way.h"
 #include "base/log.h"
+#include "base/timeline.h"
 #include "pipeline/gpu/instance_state.h"
 #include "pipeline/gpu/physical_device.h"
 #include "pipeline/gpu/pipeline_cache.h"
@@ -232,7 +233,10 @@ Result<bool> Device::waitFor(Ticket ticket, std::uint64_t timeoutNs) {
     info.semaphoreCount = 1;
     info.pSemaphores = &timeline_;
     info.pValues = &ticket;
-    const VkResult result = vkWaitSemaphores(device_, &info, timeoutNs);
+    const VkResult result = [&] {
+        const TimelineWait wait;
+        return vkWaitSemaphores(device_, &info, timeoutNs);
+    }();
     if (result < 0) return failed(result, "wait for the graphics device");
     collect();
     return result == VK_SUCCESS;

@@ -21,6 +21,7 @@ TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
     PeripheralReport report = model.report();
     EXPECT_EQ(report.heldOut, 3u);
     ASSERT_TRUE(report.error);
+    EXPECT_EQ(report.isSharp, std::optional(false)) << "its splats are not where they belong";
     const double before = *report.error;
     const std::uint64_t steps = run(model);
     report = model.report();
@@ -32,6 +33,10 @@ TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
     EXPECT_GT(model.shown().generation, 2u);
     EXPECT_FALSE(model.shown().isOfBefore);
     EXPECT_GT(psnrOf(*model.shown().splats), psnrOf(TrainingTest::start()) + 3.0);
+    EXPECT_EQ(report.isSharp, std::optional(true));
+    auto resumed = PeripheralModel::resume(device(), *model.state(), options());
+    ASSERT_TRUE(resumed.ok());
+    EXPECT_EQ(resumed->report().isSharp, std::optional(true)) << "it is judged at once";
 
     // Paused, it costs nothing and changes nothing.
     const auto submitted = test::countOf(VulkanCall::submit);
@@ -65,6 +70,7 @@ TEST_F(Peripheral, IsWokenByThePictureThatItCanBeJudgedBy) {
     EXPECT_EQ(*model.offer(picture(truth(), cameraAt(40.0))), Offered::learnt);
     const std::uint64_t steps = run(model);
     EXPECT_EQ(model.report().pause, Pause::notJudged);
+    EXPECT_EQ(model.report().isSharp, std::nullopt);
     EXPECT_EQ(*model.offer(picture(truth(), cameraAt(60.0))), Offered::heldOut);
     EXPECT_FALSE(model.isPaused());
     EXPECT_GT(run(model), steps);

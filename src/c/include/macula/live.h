@@ -91,6 +91,10 @@ MACULA_API macula_status macula_live_frame(macula_live* live, const macula_frame
  * Live until the next call for this handle but this. */
 MACULA_API const char* macula_live_note(const macula_live* live, uint32_t index);
 
+/* Where the time of the calls for this handle went, as JSON: a list of {"stage", "times", "ms", "waitedMs",
+ * "longestMs"}, the longest first. Lives until the next call for this handle but macula_live_note. */
+MACULA_API macula_status macula_live_times(macula_live* live, const char** json);
+
 #ifdef __cplusplus
 }
 #endif

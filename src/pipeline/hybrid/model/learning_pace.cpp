@@ -12,6 +12,22 @@ constexpr double kForgottenByRefusal = 0.97;  // a frame each: half of it in a t
 
 }  // namespace
 
+std::string_view nameOf(LearningPart part) {
+    switch (part) {
+        case LearningPart::step:
+            return "model: training steps";
+        case LearningPart::show:
+            return "model: make drawable";
+        case LearningPart::ask:
+            return "model: choose view";
+        case LearningPart::trace:
+            return "model: trace view";
+        case LearningPart::take:
+            return "model: take view";
+    }
+    return {};
+}
+
 void LearningPace::took(LearningPart part, double ms) {
     if (!std::isfinite(ms) || ms < 0.0) return;
     std::optional<double>& expected = expectedMs_.at(std::size_t(part));

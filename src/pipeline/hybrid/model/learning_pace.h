@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 
 namespace macula::hybrid {
 
@@ -17,6 +18,9 @@ enum class LearningPart {
     take,   // it is read back, and given to the trainer
 };
 inline constexpr std::size_t kLearningParts = 5;
+
+// The name as in reports; a literal.
+std::string_view nameOf(LearningPart part);
 
 class LearningPace {
   public:

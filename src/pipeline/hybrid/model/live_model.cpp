@@ -8,6 +8,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/timeline.h"
 #include "pipeline/hybrid/model/initial_splats.h"
 #include "pipeline/hybrid/model/model_start.h"
 #include "pipeline/hybrid/views/view_tracing.h"
@@ -19,7 +20,10 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kStoreIsAskedEvery{2};
-constexpr int kSideOnCpuPx = 384;  // a view of 2 samples is traced in half a second on two cores
+constexpr int kSideOnCpuPx = 384;  // a view of 2 samples is traced in half a second to one on two cores
+constexpr int kRoughSideOnCpuPx = 192;
+// Of a model that is sharp, as most are: where nothing is held out that could tell.
+constexpr std::uint64_t kStepsOfSharpModels = 120;
 
 double msSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -45,7 +49,11 @@ LiveModelOptions liveModelOptions(const gpu::Device& device) {
     LiveModelOptions options;
     if (device.isCpu()) {
         options.model.wanted.sizePx = glm::ivec2(kSideOnCpuPx);
-        options.points.candidatesPerPoint = 2;  // a person waits for the points
+        // A person waits for what comes before the model is sharp.
+        options.points.count = 5000;
+        options.points.candidatesPerPoint = 2;
+        options.roughSidePx = kRoughSideOnCpuPx;
+        options.roughSteps = 160;
     }
     return options;
 }
@@ -121,6 +129,7 @@ void LiveModel::beginWithPoints(ModelOrigin origin) {
 
 // Waits for the answer, as long as it may; whoever calls has other work in between.
 Result<void> LiveModel::askStore(const std::function<bool()>& goesOn) {
+    const TimelineStage stage("model: store");
     while (true) {
         const StoredModel stored = whole_ ? *whole_ : store_->find(key_);
         const bool isLate = Clock::now() - *askingSince_ > options_.mostWaitForStore;
@@ -257,6 +266,7 @@ void LiveModel::end(ModelStage stage) {
     gauge_.reset();
     views_ = 0;
     stepsAtLastView_ = 0;
+    lastViewMs_ = trainedMs_ = 0.0;
     origin_ = ModelOrigin::none;
     askingSince_.reset();
     whole_.reset();
@@ -306,6 +316,7 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
     if (!seenMm_) return {};  // there is nothing to be seen
     if (startWith_ && !gauge_) gauge_.emplace(*seenMm_);
     if (!startWith_ && !points_) {
+        const TimelineStage stage("model: points");
         MACULA_TRY(points_, tracer_.someSurfacePoints(options_.points, goesOn));
         if (!points_) return {};
         if (points_->points.empty()) {
@@ -316,12 +327,16 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
         if (!goesOn()) return {};
     }
     if (!gauge_->isWhole()) {
+        const TimelineStage stage("model: gauge");
         MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
         // What follows cannot be interrupted, and takes long where it compiles: a picture may come between.
         if (!gauge_->isWhole() || !goesOn()) return {};
     }
-    const ModelStart start{
-        .splats = startWith_ ? *startWith_ : initialSplats(*points_), .seenMm = *seenMm_, .key = key_};
+    const TimelineStage stage("model: begin");
+    const ModelStart start{.splats = startWith_ ? *startWith_ : initialSplats(*points_),
+                           .seenMm = *seenMm_,
+                           .isTaught = startWith_ != nullptr,
+                           .key = key_};
     MACULA_TRY(model_, PeripheralModel::begin(device_, start, options_.model));
     points_.reset();
     startWith_.reset();
@@ -334,7 +349,12 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
 }
 
 Result<void> LiveModel::takeFirstSteps(double budgetMs, const std::function<bool()>& goesOn) {
-    const auto isDone = [&] { return model_->report().training.steps >= options_.stepsBeforeShown; };
+    const TimelineStage stage("model: first steps");
+    // The model of other lights is right in most already.
+    const bool isWarm = origin_ == ModelOrigin::otherLights || origin_ == ModelOrigin::otherTrainer;
+    const auto isDone = [&] {
+        return isWarm || model_->report().training.steps >= options_.stepsBeforeShown;
+    };
     if (!isDone() && !model_->isPaused())
         MACULA_TRY_VOID(model_->step(budgetMs, [&] { return goesOn() && !isDone(); }));
     if (!isDone() && !model_->isPaused()) return {};
@@ -361,12 +381,15 @@ Result<void> LiveModel::makeDrawable() {
 bool LiveModel::wantsView() const {
     if (views_ >= options_.views) return false;
     const PeripheralReport report = model_->report();
+    const std::uint64_t since = report.training.steps - std::min(report.training.steps, stepsAtLastView_);
+    const bool isDue = since >= options_.mostStepsBetweenViews || trainedMs_ >= lastViewMs_;
     return report.pause == Pause::noViews ||
-           report.training.steps >= stepsAtLastView_ + options_.stepsBetweenViews;
+           (since >= options_.stepsBetweenViews && (isDue || model_->isPaused()));
 }
 
 Result<void> LiveModel::learnSome(const std::function<bool()>& goesOn) {
     if (!gauge_->isWhole()) {
+        const TimelineStage stage("model: gauge");
         MACULA_TRY_VOID(gauge_->traceSome(tracer_, settings_, goesOn));
         if (gauge_->isWhole()) painter_.reset();
         return gauge_->isWhole() ? makeDrawable() : Result<void>();
@@ -387,14 +410,22 @@ Result<void> LiveModel::learnSome(const std::function<bool()>& goesOn) {
 }
 
 Result<void> LiveModel::doPart(LearningPart part, const std::function<bool()>& goesOn) {
+    const TimelineStage stage(nameOf(part));
     const auto start = Clock::now();
     switch (part) {
         // Of these, what is done between two questions cannot be interrupted.
-        case LearningPart::step:
+        case LearningPart::step: {
             // `goesOn` alone says when it ends: it has to be asked after a step that took too long.
-            return model_->step(std::numeric_limits<double>::infinity(), measuredBy(pace_, part, goesOn));
-        case LearningPart::trace:
-            return traceWanted(measuredBy(pace_, part, goesOn));
+            const Result<void> done =
+                model_->step(std::numeric_limits<double>::infinity(), measuredBy(pace_, part, goesOn));
+            trainedMs_ += msSince(start);
+            return done;
+        }
+        case LearningPart::trace: {
+            const Result<void> done = traceWanted(measuredBy(pace_, part, goesOn));
+            lastViewMs_ += msSince(start);
+            return done;
+        }
         case LearningPart::show: {
             if (isShownDrawn()) return {};
             MACULA_TRY_VOID(makeDrawable());
@@ -454,10 +485,12 @@ Result<void> LiveModel::askForView() {
     settings.seed += static_cast<std::uint32_t>(views_);
     tracer_.forgetViews();
     MACULA_TRY_VOID(tracer_.setSettings(settings));
-    const glm::ivec2 sizePx = options_.model.wanted.sizePx;
+    const bool isRough = model_->report().training.steps < options_.roughSteps;
+    const glm::ivec2 sizePx = isRough ? glm::ivec2(options_.roughSidePx) : options_.model.wanted.sizePx;
     MACULA_TRY_VOID(tracer_.setView({.camera = wanted->camera, .width = sizePx.x, .height = sizePx.y}));
     wanted_ = wanted->camera;
     isWantedTraced_ = false;
+    lastViewMs_ = 0.0;
     return {};
 }
 
@@ -479,6 +512,7 @@ Result<void> LiveModel::takeWanted() {
     ++views_;
     MACULA_TRY([[maybe_unused]] const Offered offered, model_->offer(std::move(view)));
     stepsAtLastView_ = model_->report().training.steps;
+    trainedMs_ = 0.0;
     return {};
 }
 
@@ -487,6 +521,7 @@ Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const trace::View& 
     if (!model_) return {};  // it is resuming
     if (lookedAt_ == view.camera || std::int64_t(view.width) * view.height > kMostPixelsToLearn) return {};
     lookedAt_ = view.camera;
+    const TimelineStage stage("model: learn from screen");
     const auto tryToLearn = [&]() -> Result<void> {
         MACULA_TRY(TracedView picture, readToLearnFrom(tracer, view.camera));
         MACULA_TRY(const Offered offered, model_->offer(std::move(picture), false));
@@ -530,13 +565,22 @@ ModelNews LiveModel::news() const {
     if (stage_ == ModelStage::resuming) {
         news.splats = static_cast<std::uint32_t>(drawn_->size());
         news.steps = stepsOfStored_;
+        news.isSharp = isSharp();
     }
     if (!model_) return news;
     const PeripheralReport report = model_->report();
     news.splats = static_cast<std::uint32_t>(model_->shown().splats->size());
     news.steps = report.training.steps;
     news.views = report.views + report.heldOut;
+    news.isSharp = isSharp();
     return news;
+}
+
+bool LiveModel::isSharp() const {
+    if (!canBeDrawn()) return false;
+    if (!model_) return stepsOfStored_ >= kStepsOfSharpModels;
+    const PeripheralReport report = model_->report();
+    return report.isSharp.value_or(report.training.steps >= kStepsOfSharpModels);
 }
 
 }  // namespace macula::hybrid

@@ -32,11 +32,15 @@
 namespace macula::hybrid {
 
 struct LiveModelOptions {
-    PeripheralOptions model;                           // wanted.sizePx: of the pictures that it learns from
-    trace::SurfacePointOptions points;                 // count: at most model.firstCapacity
-    std::uint32_t samplesPerPixel = 2;                 // of these pictures
-    std::size_t views = 48;                            // pictures in all
-    std::uint64_t stepsBetweenViews = 8;               // of training
+    PeripheralOptions model;            // wanted.sizePx: of the pictures that it learns from
+    trace::SurfacePointOptions points;  // count: at most model.firstCapacity
+    std::uint32_t samplesPerPixel = 2;  // of these pictures
+    std::uint64_t roughSteps = 0;       // first steps of training, which take
+    int roughSidePx = 0;                // pictures of such sides
+    std::size_t views = 48;             // pictures in all
+    // Of training: at least so many, and so many more that training takes as long as tracing does.
+    std::uint64_t stepsBetweenViews = 8;
+    std::uint64_t mostStepsBetweenViews = 24;
     std::uint64_t stepsBeforeShown = 40;               // of training, on the small pictures of the gauge
     std::chrono::milliseconds mostWaitForStore{2000};  // then it begins without
     std::chrono::milliseconds leastBetweenKeeping{20000};
@@ -143,6 +147,7 @@ class LiveModel {
     std::optional<LearningPart> nextWithin(double leftMs) const;
     Result<void> withoutRoom(Result<void> done);
     bool wantsView() const;
+    bool isSharp() const;
     bool isShownDrawn() const { return painter_ && model_->shown().splats == drawn_; }
 
     std::shared_ptr<gpu::Device> device_;
@@ -171,6 +176,8 @@ class LiveModel {
     LearningPace pace_;
     std::size_t views_ = 0;  // views that the model was given, or asked for in vain
     std::uint64_t stepsAtLastView_ = 0;
+    double lastViewMs_ = 0.0;                     // that tracing took
+    double trainedMs_ = 0.0;                      // since that
     std::shared_ptr<const splat::Splats> drawn_;  // what the painter has
     std::optional<splat::ModelPainter> painter_;
     double gain_ = 1.0;  // of the painter's model, see gain()

@@ -97,19 +97,18 @@ struct ModelNews {
     std::uint64_t steps = 0;
     std::size_t views = 0;  // it has learnt from, or is judged by
 
+    // It shows more than a coarse picture would (coarse_picture.h), or has learnt for as long as that takes
+    // where nothing is held out that could tell.
+    bool isSharp = false;
+
     bool operator==(const ModelNews&) const = default;
 };
-
-// With so many steps of training a model is fit to be shown in place of a small traced picture. After its
-// first 40 it is mottled, as if the patient were ill: it knows six pictures of 128 x 128 pixels. After these
-// it has learnt from some ten views of its own wish besides (live_model.h).
-inline constexpr std::uint64_t kStepsToBeShown = 120;
 
 // The one place that says so. A model that is not fit is shown nowhere where there can be another picture.
 constexpr bool isFitToBeShown(const ModelNews& model) {
     const bool isThere = model.stage == ModelStage::resuming || model.stage == ModelStage::learning ||
                          model.stage == ModelStage::resting;
-    return isThere && model.steps >= kStepsToBeShown;
+    return isThere && model.isSharp;
 }
 
 }  // namespace macula::hybrid

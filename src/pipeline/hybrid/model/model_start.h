@@ -12,9 +12,10 @@
 namespace macula::hybrid {
 
 struct ModelStart {
-    splat::Splats splats;  // valid; may be none
-    Box seenMm;            // box of visible matter (TracedScene)
-    std::string key;       // of volume, preset, clip and lights; the caller's
+    splat::Splats splats;   // valid; may be none
+    Box seenMm;             // box of visible matter (TracedScene)
+    bool isTaught = false;  // the splats are those of an older model, not of points
+    std::string key;        // of volume, preset, clip and lights; the caller's
 };
 
 // A splat for each of the points that `tracer` finds (surface_points.h). The tracer has its volume, transfer

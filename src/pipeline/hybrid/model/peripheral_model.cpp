@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/timeline.h"
 #include "pipeline/hybrid/model/refinement.h"
 #include "pipeline/hybrid/model/training_rounds.h"
 #include "pipeline/hybrid/views/held_out.h"
@@ -20,6 +21,7 @@ double secondsSince(Clock::time_point start) {
 }
 
 constexpr std::size_t kFewViews = 12;      // so few may not be enough to learn from
+constexpr std::uint64_t kManySteps = 120;  // after which a model of points is mottled no more
 constexpr std::uint64_t kLeastSteps = 10;  // between judging: a few steps make no measurable difference
 
 }  // namespace
@@ -92,6 +94,7 @@ Result<void> PeripheralModel::learn(const std::function<bool()>& goesOn) {
 // until all are compared.
 Result<void> PeripheralModel::judgeNext() {
     if (judged_ < heldOut_.size()) {
+        const TimelineStage stage("model: judging");
         const auto start = Clock::now();
         HeldOut& h = heldOut_[judged_++];
         MACULA_TRY(const double difference, trainer_.differenceTo(*h.picture));
@@ -103,6 +106,7 @@ Result<void> PeripheralModel::judgeNext() {
     isJudging_ = false;
     if (!heldOut_.empty()) trend_.add(trainingSeconds_, meanErrors().trained);
     MACULA_TRY_VOID(showIfBetter());
+    noteSharpness();
     return pauseOrSettle();
 }
 
@@ -156,6 +160,7 @@ PeripheralModel::Errors PeripheralModel::meanErrors() const {
         mean.trained += h.errors.trained / double(heldOut_.size());
         mean.shown += h.errors.shown / double(heldOut_.size());
         mean.best += h.errors.best / double(heldOut_.size());
+        mean.coarse += h.errors.coarse / double(heldOut_.size());
     }
     return mean;
 }
@@ -183,6 +188,17 @@ Result<void> PeripheralModel::showIfBetter() {
         if (isBest) h.errors.best = h.errors.trained;
     }
     return {};
+}
+
+// What was sharp stays it: pictures that are held out later are no reason to take it off a screen. A model of
+// points is mottled, as if the patient were ill, until it has learnt from views of its own wish; then more
+// are held out than of the first ones.
+void PeripheralModel::noteSharpness() {
+    const Errors mean = meanErrors();
+    const bool hasLearnt =
+        isTaught_ || heldOut_.size() > kLeastHeldOut || trainer_.report().steps >= kManySteps;
+    if (heldOut_.size() >= kLeastHeldOut && hasLearnt && !isOfBefore_ && mean.shown <= mean.coarse)
+        wasSharp_ = true;
 }
 
 Result<void> PeripheralModel::pauseOrSettle() {
@@ -217,6 +233,7 @@ PeripheralReport PeripheralModel::report() const {
     const Errors mean = meanErrors();
     report.error = mean.trained;
     report.shownError = mean.shown;
+    if (heldOut_.size() >= kLeastHeldOut) report.isSharp = wasSharp_;
     return report;
 }
 

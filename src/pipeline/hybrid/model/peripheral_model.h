@@ -86,8 +86,11 @@ struct PeripheralReport {
     double judgingSeconds = 0.0;   // the part of trainingSeconds that judging took
     std::size_t views = 0;         // learnt
     std::size_t heldOut = 0;
-    std::optional<double> error;          // mean over the held-out pictures, as they are now
-    std::optional<double> shownError;     // of the shown model, over the same pictures
+    std::optional<double> error;       // mean over the held-out pictures, as they are now
+    std::optional<double> shownError;  // of the shown model, over the same pictures
+    // Since one that was shown had a smaller error than coarse pictures have (coarse_picture.h); nothing
+    // while too few are held out.
+    std::optional<bool> isSharp;
     std::optional<double> fallPerSecond;  // ErrorTrend
     std::uint64_t rounds = 0;
     bool noRoom = false;  // the device had no memory for more splats; training goes on with those there are
@@ -151,7 +154,8 @@ class PeripheralModel {
     struct Errors {
         double trained = 0.0;  // of the model, when it was last judged
         double shown = 0.0;
-        double best = 0.0;  // of the best that was shown since the last change
+        double best = 0.0;    // of the best that was shown since the last change
+        double coarse = 0.0;  // of the picture itself, as a coarse one would show it
     };
     struct HeldOut {
         std::shared_ptr<const splat::TrainingView> picture;
@@ -179,6 +183,7 @@ class PeripheralModel {
     Result<void> learn(const std::function<bool()>& goesOn);
     Result<void> judgeNext();
     Result<void> showIfBetter();
+    void noteSharpness();
     Result<void> pauseOrSettle();
     void wake();
 
@@ -199,6 +204,8 @@ class PeripheralModel {
     Pause pause_ = Pause::noViews;
     std::uint64_t rounds_ = 1;
     bool noRoom_ = false;
+    bool isTaught_ = false;  // it did not begin as points
+    bool wasSharp_ = false;
     bool isTorn_ = false;                   // a step failed: the trainer has to go back
     mutable std::vector<double> coverage_;  // of the views of the trainer, as far as it was needed
     double trainingSeconds_ = 0.0;

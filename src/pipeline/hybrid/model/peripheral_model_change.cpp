@@ -59,7 +59,9 @@ Result<PeripheralModel> PeripheralModel::begin(const std::shared_ptr<gpu::Device
     MACULA_TRY(splat::Trainer trainer, beginTrainer(device, start, options));
     PeripheralState notes{.seenMm = start.seenMm};
     notes.first = trainer.lastGood().options;
-    return PeripheralModel(device, options, std::move(trainer), std::move(notes));
+    PeripheralModel model(device, options, std::move(trainer), std::move(notes));
+    model.isTaught_ = start.isTaught;
+    return model;
 }
 
 Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Device>& device,
@@ -90,6 +92,7 @@ void PeripheralModel::goOnShowing(const std::shared_ptr<const splat::Splats>& sp
     shown_ = best_ = splats;
     shownKey_ = key;
     isOfBefore_ = true;
+    wasSharp_ = false;
 }
 
 Result<void> PeripheralModel::change(const ModelStart& start) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pipeline/hybrid/model/peripheral_model.h"
+#include "pipeline/hybrid/views/coarse_picture.h"
 #include "pipeline/hybrid/views/drawn_views.h"
 #include "pipeline/hybrid/views/held_out.h"
 
@@ -22,6 +23,10 @@ constexpr double kLeastCoverage = 0.04;  // as PoseLimits
 // The least coverage that an error is divided by: the error of a view that shows hardly anything is not that
 // of its few pixels.
 constexpr double kLeastShare = 0.02;
+
+// Of the picture that the window traces while a hand moves and there is no model, on two cores.
+constexpr int kCoarseLines = 42;
+constexpr int kCoarserThanPicture = 3;  // at least so many times
 
 double coverageOf(const splat::TrainingView& view) {
     return std::max(meanCoverage(view), kLeastShare);
@@ -153,9 +158,12 @@ Result<void> PeripheralModel::takeHeldOut(
         h.coverage = coverageOf(*picture);
         MACULA_TRY(const double error, trainer_.differenceTo(*picture));
         h.errors.trained = error / h.coverage;
+        const int lines = std::min(kCoarseLines, picture->view.sizePx.y / kCoarserThanPicture);
+        h.errors.coarse = coarseDifference(*picture, std::max(lines, 1), notes_.first.loss) / h.coverage;
     }
     MACULA_TRY_VOID(judgeShown(taken));
     heldOut_.insert(heldOut_.end(), taken.begin(), taken.end());
+    noteSharpness();
     trend_.forget();
     return {};
 }
