@@ -393,6 +393,14 @@ class Live(_Handle):
             return Frame(rgba, shown, width, height, _texts(_library.macula_live_note, handle))
 
     @property
+    def times(self):
+        """Where the time of the calls went: a list of dicts of "stage", "times", "ms", "waitedMs" and "longestMs", the
+        longest first."""
+        told = ctypes.c_char_p()
+        _check(_library.macula_live_times(self._open(), told))
+        return json.loads(told.value)
+
+    @property
     def model(self):
         told = _interface.Model()
         _check(_library.macula_live_model(self._open(), told))

@@ -131,6 +131,7 @@ _STATUS = {
     "macula_live_open": [c_void_p, c_void_p, POINTER(LiveOptions), POINTER(Progress), POINTER(c_void_p)],
     "macula_live_show": [c_void_p, c_void_p, POINTER(Progress)],
     "macula_live_frame": [c_void_p, POINTER(Frame), POINTER(Progress), POINTER(Shown)],
+    "macula_live_times": [c_void_p, POINTER(c_char_p)],
     "macula_live_model": [c_void_p, POINTER(Model)],
     "macula_live_train": [c_void_p, POINTER(Training), POINTER(Progress), POINTER(Model)],
     "macula_live_save": [c_void_p, POINTER(Progress)],

@@ -139,6 +139,11 @@ TEST_F(CLive, ATrainedModelIsDrawnWhileAHandMovesAndIsResumed) {
         EXPECT_TRUE(std::isnan(model.error));
         expectError(macula_live_save(live.get(), nullptr), MACULA_INPUT);  // nothing to keep yet
 
+        const char* times = nullptr;
+        ASSERT_EQ(macula_live_times(live.get(), &times), MACULA_DONE) << lastError().message;
+        EXPECT_NE(std::string(times).find("\"stage\""), std::string::npos) << times;
+        expectError(macula_live_times(live.get(), nullptr), MACULA_USAGE);
+
         auto training = sized<macula_training>();
         training.steps = 6;
         ASSERT_EQ(macula_live_train(live.get(), &training, nullptr, &model), MACULA_DONE)

@@ -292,9 +292,12 @@
             <numerusform>Vorschau wird schärfer, %n Schritte</numerusform>
         </translation>
     </message>
-    <message>
-        <source>Preview not sharp yet, %1 of %2 steps</source>
-        <translation>Vorschau noch unscharf, %1 von %2 Schritten</translation>
+    <message numerus="yes">
+        <source>Preview not sharp yet, %n steps</source>
+        <translation>
+            <numerusform>Vorschau noch unscharf, %n Schritt</numerusform>
+            <numerusform>Vorschau noch unscharf, %n Schritte</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Preview sharp, %n steps</source>

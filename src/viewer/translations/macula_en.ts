@@ -35,6 +35,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>Preview not sharp yet, %n steps</source>
+        <translation>
+            <numerusform>Preview not sharp yet, %n step</numerusform>
+            <numerusform>Preview not sharp yet, %n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Preview sharp, %n steps</source>
         <translation>
             <numerusform>Preview sharp, %n step</numerusform>

@@ -60,7 +60,6 @@ TEST_F(PeripheralFileTest, GoesOnAsIfItHadNeverStopped) {
     PeripheralModel again = resumed(fileOf(whole));
     EXPECT_EQ(again.report().heldOut, 2u);
     EXPECT_TRUE(sameBits(*again.shown().splats, *whole.shown().splats));
-    EXPECT_FALSE(again.shown().isOfBefore);
     EXPECT_GT(again.shown().generation, whole.shown().generation);
     expectSame(again.state()->training, whole.state()->training, "read");
     judgeAt(whole, kJudgedAt);

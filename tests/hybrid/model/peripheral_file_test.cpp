@@ -125,7 +125,6 @@ TEST(PeripheralFile, GivesBackEveryBit) {
             EXPECT_FALSE(read->isTrainingOnly);
             expectSameModel(read->state, state);
             EXPECT_EQ(read->state.shown != nullptr, isApart);
-            EXPECT_EQ(read->state.shelf, nullptr);
             EXPECT_EQ(fileOf(read->state), bytes);
             std::istringstream stream(bytes);
             const auto training = splat::readTraining(stream, bytes.size());
@@ -147,15 +146,6 @@ TEST(PeripheralFile, HoldsNoModelTwice) {
     EXPECT_TRUE(sameBits(bestOf(read->state), state.training.splats)) << "the best need not be what is shown";
     state.best = state.shown;
     EXPECT_EQ(parse(fileOf(state))->state.best, nullptr);
-}
-
-// It is of another key.
-TEST(PeripheralFile, LeavesWhatIsShownOfBeforeOut) {
-    PeripheralState state = randomPeripheral(20, 0, false, 15);
-    const std::string bytes = fileOf(state);
-    state.before = std::make_shared<const Splats>(randomModel(9, 0, 16));
-    state.beforeKey = "another preset";
-    EXPECT_EQ(fileOf(state), bytes);
 }
 
 TEST(PeripheralFile, WhatIsNotValidIsNotWritten) {

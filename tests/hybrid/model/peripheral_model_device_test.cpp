@@ -31,7 +31,6 @@ TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
     EXPECT_LT(*report.error, 0.6 * before);
     EXPECT_LE(*report.shownError, 1.01 * *report.error);
     EXPECT_GT(model.shown().generation, 2u);
-    EXPECT_FALSE(model.shown().isOfBefore);
     EXPECT_GT(psnrOf(*model.shown().splats), psnrOf(TrainingTest::start()) + 3.0);
     EXPECT_EQ(report.isSharp, std::optional(true));
     auto resumed = PeripheralModel::resume(device(), *model.state(), options());
@@ -91,21 +90,6 @@ TEST_F(Peripheral, DoesOneThingAtATimeWhenThereIsNoTime) {
     }
     // Three pictures every 15 steps.
     EXPECT_EQ(compared, 9);
-}
-
-TEST_F(Peripheral, LearnsOutlines) {
-    PeripheralModel model = begun();
-    giveWanted(model, truth(), 3);
-    const auto wanted = model.wantedView().value();
-    ASSERT_TRUE(wanted);
-    TracedView outline = picture(truth(), wanted->camera);
-    for (glm::vec4& pixel : outline.rgba) pixel = {0, 0, 0, pixel.a};
-    EXPECT_EQ(*model.offerOutline(outline), Offered::learnt);
-    EXPECT_EQ(model.report().views, 3u);
-    EXPECT_EQ(*model.offer(picture(truth(), wanted->camera)), Offered::heldOut) << "an outline is no picture";
-    outline.rgba.clear();
-    EXPECT_EQ(model.offerOutline(outline).error().code, ErrorCode::inputNotUsable);
-    ASSERT_TRUE(model.step(10.0).ok());
 }
 
 // A vessel, or a few nodules far apart.
@@ -292,12 +276,10 @@ TEST_F(Peripheral, ReducesPicturesThatAreLargerThanOfUse) {
     ASSERT_EQ(*model.offer(picture(truth(), cameraAt(0.0))), Offered::heldOut);
     ASSERT_EQ(*model.offer(picture(truth(), cameraAt(40.0), {181, 160})), Offered::learnt);
     ASSERT_EQ(*model.offer(picture(truth(), cameraAt(80.0), {90, 80})), Offered::learnt);
-    ASSERT_EQ(*model.offerOutline(picture(truth(), cameraAt(120.0), {400, 90})), Offered::learnt);
     const splat::TrainingState state = model.lastGood().training;
-    ASSERT_EQ(state.views.size(), 3u);
+    ASSERT_EQ(state.views.size(), 2u);
     EXPECT_EQ(state.views[0].given->view.sizePx, glm::ivec2(90, 80));
     EXPECT_EQ(state.views[1].given->view.sizePx, glm::ivec2(90, 80));
-    EXPECT_EQ(state.views[2].given->view.sizePx, glm::ivec2(50, 11));
     ASSERT_TRUE(model.step(10.0).ok());
 }
 

@@ -73,15 +73,6 @@ TEST_F(PeripheralTraced, LearnsWhatTheTracerShowsAndThenWhatAClipLeaves) {
     const splat::Splats learnt = *model.shown().splats;
     EXPECT_GT(model.shown().generation, 1u);
     EXPECT_LT(differenceTo(learnt, ofWhole), 0.9 * differenceTo(whole.splats, ofWhole));
-
-    Clip clip;
-    clip.planes.push_back({.normal = {0, 0, 1}, .offsetMm = whole.seenMm.centre().z});
-    ASSERT_TRUE(model.change(startOf(tracer, clip, "upper half")).ok());
-    EXPECT_TRUE(model.shown().isOfBefore);
-    lookAround(model, tracer, 9);
-    EXPECT_FALSE(model.shown().isOfBefore);
-    const TracedView ofHalf = traced(tracer, front, 99);
-    EXPECT_LT(differenceTo(*model.shown().splats, ofHalf), 0.3 * differenceTo(learnt, ofHalf));
 }
 
 TEST_F(PeripheralTraced, NothingToBeSeenOrCancelledIsNoStart) {

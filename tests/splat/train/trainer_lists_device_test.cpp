@@ -118,16 +118,5 @@ TEST_F(TrainerLists, AViewWithoutRoomDoesNotStopTheOthers) {
     EXPECT_TRUE(alone.step(1).ok());
 }
 
-// As if they had never been away.
-TEST_F(TrainerLists, PicturesThatWereReleasedComeBack) {
-    Trainer trainer = std::move(Trainer::create(device(), start(), options(4), ListMaker::fast)).value();
-    for (const TrainingView& view : truthViews()) ASSERT_TRUE(trainer.addView(view).ok());
-    ASSERT_TRUE(trainer.step(3).ok());
-    trainer.releasePictures();
-    ASSERT_TRUE(trainer.step(7).ok());
-    testing::expectSame(trainer.state().value(),
-                        after(10, ListMaker::fast, start(), options(4), truthViews()), "after 10 steps");
-}
-
 }  // namespace
 }  // namespace macula::splat

@@ -366,7 +366,6 @@ Result<void> LiveModel::takeFirstSteps(double budgetMs, const std::function<bool
 // Makes the shown model drawable, as bright as traced pictures are.
 Result<void> LiveModel::makeDrawable() {
     const ShownModel shown = model_->shown();
-    MACULA_CHECK(!shown.isOfBefore);
     if (painter_ && shown.splats == drawn_) return {};
     painter_.reset();
     drawn_ = shown.splats;

@@ -21,7 +21,7 @@ std::uint64_t numbersOf(const splat::Splats& splats) {
 std::uint64_t bytesOf(const PeripheralState& state) {
     // Parameters, two moments, steps and statistics.
     std::uint64_t bytes = 12 * numbersOf(state.training.splats) + 20 * state.training.splats.size();
-    for (const auto& shown : {state.before, state.shown, state.best})
+    for (const auto& shown : {state.shown, state.best})
         if (shown) bytes += 4 * numbersOf(*shown);
     for (const auto& view : state.training.views) bytes += bytesOf(*view.given);
     for (const auto& view : state.heldOut) bytes += bytesOf(*view);

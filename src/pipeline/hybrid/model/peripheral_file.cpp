@@ -117,8 +117,8 @@ Result<void> writePeripheral(std::ostream& stream, const PeripheralState& state,
                              splat::PackedPictures& packed) {
     MACULA_TRY_VOID(state.validate());
     // The bindings count the members: one more, and this does not compile until it is written.
-    const auto& [training, heldOut, before, beforeKey, shown, best, generation, seenMm, gain, offered, asked,
-                 roundViews, first, shelf] = state;
+    const auto& [training, heldOut, shown, best, generation, seenMm, gain, offered, asked, roundViews,
+                 first] = state;
     std::vector<std::shared_ptr<const splat::TrainingView>> pictures;
     std::vector<View> judges;
     for (const View& view : training.views) pictures.push_back(view.given);

@@ -33,15 +33,14 @@ inline constexpr std::array<splat::TrainingChunk, 7> kPeripheralChunks{{{"shown"
                                                                         {"heldout", 168},
                                                                         {"heldpix", 16}}};
 
-// Writes all but the shelf and what is shown of `before`: that is of another key, and a model in a file is
-// drawn for its own key only. Pictures that `packed` has from the last time are not packed again; it keeps
-// those of this state, and no others. The same state gives the same bytes. inputNotUsable for a state that is
-// not valid; outputNotWritable; outOfMemory.
+// Writes all of it. Pictures that `packed` has from the last time are not packed again; it keeps those of
+// this state, and no others. The same state gives the same bytes. inputNotUsable for a state that is not
+// valid; outputNotWritable; outOfMemory.
 Result<void> writePeripheral(std::ostream& stream, const PeripheralState& state,
                              splat::PackedPictures& packed);
 
 struct PeripheralFile {
-    // Bit for bit what was written, without `shelf` and `before`. Valid.
+    // Bit for bit what was written. Valid.
     PeripheralState state;
     // A training without any of the chunks above, as `macula train` writes: then only `training` is set and
     // valid. Resume goes on with it once `seenMm` is set to what can be seen of its scene; nothing is held

@@ -165,24 +165,20 @@ PeripheralModel::Errors PeripheralModel::meanErrors() const {
     return mean;
 }
 
-// What was shown before a change stays until the new model is nearer to what there is now; after that what is
-// shown follows the model, as long as that does not get worse.
+// What is shown follows the model, as long as that does not get worse.
 Result<void> PeripheralModel::showIfBetter() {
     const Errors mean = meanErrors();
     const bool areTooFew = heldOut_.size() < kLeastHeldOut;
-    if (isOfBefore_ && (areTooFew || !(mean.trained < mean.shown))) return {};
     // With few views the model overfits to them, and gets worse from elsewhere.
     if (areTooFew && trainer_.viewCount() < kFewViews) return {};
     // The comparison is with the best, not with the last that was shown: a little worse again and again would
     // add up.
-    if (!isOfBefore_ && mean.trained > (1.0 + options_.shownMayBeWorse) * mean.best) return {};
-    const bool isBest = isOfBefore_ || mean.trained <= mean.best;
+    if (mean.trained > (1.0 + options_.shownMayBeWorse) * mean.best) return {};
+    const bool isBest = mean.trained <= mean.best;
     MACULA_TRY(splat::Splats now, trainer_.snapshot());
     shown_ = std::make_shared<const splat::Splats>(std::move(now));
-    shownKey_ = trainer_.lastGood().options.key;
     ++generation_;
     if (isBest) best_ = shown_;
-    isOfBefore_ = false;
     for (HeldOut& h : heldOut_) {
         h.errors.shown = h.errors.trained;
         if (isBest) h.errors.best = h.errors.trained;
@@ -197,8 +193,7 @@ void PeripheralModel::noteSharpness() {
     const Errors mean = meanErrors();
     const bool hasLearnt =
         isTaught_ || heldOut_.size() > kLeastHeldOut || trainer_.report().steps >= kManySteps;
-    if (heldOut_.size() >= kLeastHeldOut && hasLearnt && !isOfBefore_ && mean.shown <= mean.coarse)
-        wasSharp_ = true;
+    if (heldOut_.size() >= kLeastHeldOut && hasLearnt && mean.shown <= mean.coarse) wasSharp_ = true;
 }
 
 Result<void> PeripheralModel::pauseOrSettle() {

@@ -1,11 +1,10 @@
 // The peripheral model as something that runs by itself: it learns for as long as that is of use, says from
-// where it wants to see more, takes in whatever picture it is offered, and goes on when what is shown is
-// changed. Whoever owns it has the device and the tracer, and does in turn:
+// where it wants to see more, and takes in whatever picture it is offered. Whoever owns it has the device and
+// the tracer, and does in turn:
 //
 //     model.step(20.0);                                // nothing while it is paused
 //     if (draw(model.shown()); ...)                    // a copy on the host, which no loss takes away
 //     if (wanted = model.wantedView()) model.offer(traced(wanted->camera));
-//     if (presetWasChosen) model.change(start);
 #pragma once
 
 #include <cstdint>
@@ -56,7 +55,6 @@ struct PeripheralOptions {
     ErrorTrendOptions trend;
     CandidateOptions wanted;
     std::uint32_t seed = 0;
-    std::uint64_t shelfBytes = std::uint64_t(1) << 30;  // on the host, for what was shown before
 };
 
 enum class Pause {
@@ -76,7 +74,6 @@ struct ShownModel {
     std::shared_ptr<const splat::Splats> splats;  // valid; never null
     // A larger one whenever `splats` are others, in a model that goes on with another one's state too.
     std::uint64_t generation = 0;
-    bool isOfBefore = false;  // the model is still that of before the last change
 };
 
 struct PeripheralReport {
@@ -130,19 +127,7 @@ class PeripheralModel {
     // Trainer::addView, and then nothing has changed.
     Result<Offered> offer(TracedView view, bool mayBeHeldOut = true);
 
-    // Takes a picture of coverage without light (coverage_views.h). It is always learnt from, whatever is
-    // known from there.
-    Result<Offered> offerOutline(TracedView view);
-
-    // What is shown was changed: everything that was learnt until now goes on the shelf, and it begins anew:
-    // with what is on the shelf for that key, else with `start`, else, if that has no splats or what is shown
-    // is of that key, with what is shown. Points (startFromPoints) are best for another preset or clip, what
-    // is shown for other lights: docs/peripheral-model.md. What was shown stays until the mean error of the
-    // new model is less over the held-out pictures of the new look, at least two. Pictures of the old model
-    // are not on the device while the new one is made. Fails as begin, and then it goes on as before.
-    Result<void> change(const ModelStart& start);
-
-    ShownModel shown() const { return {shown_, generation_, isOfBefore_}; }
+    ShownModel shown() const { return {shown_, generation_}; }
     PeripheralReport report() const;
 
     // What resume needs; waits. lastGood: at most two seconds of training older, and on the host already.
@@ -154,7 +139,7 @@ class PeripheralModel {
     struct Errors {
         double trained = 0.0;  // of the model, when it was last judged
         double shown = 0.0;
-        double best = 0.0;    // of the best that was shown since the last change
+        double best = 0.0;    // of the best that was shown
         double coarse = 0.0;  // of the picture itself, as a coarse one would show it
     };
     struct HeldOut {
@@ -168,7 +153,6 @@ class PeripheralModel {
 
     static Result<splat::Trainer> beginTrainer(const std::shared_ptr<gpu::Device>& device,
                                                const ModelStart& start, const PeripheralOptions& options);
-    void goOnShowing(const std::shared_ptr<const splat::Splats>& splats, const std::string& key);
     Errors meanErrors() const;  // zeros where nothing is held out
     Result<void> judgeShown(std::span<HeldOut> heldOut) const;
     Result<void> takeHeldOut(std::span<const std::shared_ptr<const splat::TrainingView>> pictures);
@@ -194,9 +178,7 @@ class PeripheralModel {
     std::vector<HeldOut> heldOut_;
     std::vector<Camera> asked_;  // views wanted that have not come yet
     std::shared_ptr<const splat::Splats> shown_;
-    std::shared_ptr<const splat::Splats> best_;  // of what was shown since the last change
-    bool isOfBefore_ = false;                    // shown_ is of before the last change
-    std::string shownKey_;                       // the key of shown_
+    std::shared_ptr<const splat::Splats> best_;  // of what was shown
     std::uint64_t generation_;
     ErrorTrend trend_;
     bool isJudging_ = false;

@@ -58,7 +58,6 @@ Result<std::optional<CandidatePose>> PeripheralModel::wantedView() {
     MACULA_TRY(std::vector<CandidatePose> wanted,
                candidatePoses(knownViews(), notes_.seenMm, trainer_.lastGood().splats.originMm, seed,
                               options_.wanted));
-    // The shown model may be that of before, so the trained one is drawn.
     MACULA_TRY(const splat::Splats now, trainer_.snapshot());
     const glm::dvec2 size(options_.wanted.sizePx);
     const glm::ivec2 small = glm::max(glm::ivec2(size * (kLookSidePx / std::max(size.x, size.y))), 1);
@@ -186,7 +185,6 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
                 reducedTo(std::move(picture), options_.heldOutSidePx));
             MACULA_TRY_VOID(takeHeldOut(std::span(&held, 1)));
             ++notes_.offered;
-            if (isOfBefore_) MACULA_TRY_VOID(showIfBetter());
             // Now it can be told whether more steps are worth it.
             if (pause_ == Pause::notJudged && heldOut_.size() >= kLeastHeldOut) wake();
             return Offered::heldOut;
@@ -196,14 +194,6 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
                admit(trainer_, std::move(picture), radiusMm, options_.wanted.admission));
     if (novelty == Novelty::none) return Offered::nothingNew;
     if (novelty == Novelty::pose) ++notes_.offered;
-    wake();
-    return Offered::learnt;
-}
-
-Result<Offered> PeripheralModel::offerOutline(TracedView view) {
-    if (isFull()) return Offered::full;
-    MACULA_TRY(splat::TrainingView outline, coverageTrainingView(trainer_, notes_.seenMm, std::move(view)));
-    MACULA_TRY_VOID(trainer_.addView(reducedTo(std::move(outline), options_.learntSidePx)));
     wake();
     return Offered::learnt;
 }

@@ -30,8 +30,8 @@ bool areUsable(const Box& seenMm, double gain) {
 
 Result<void> PeripheralState::validate() const {
     MACULA_TRY_VOID(training.validate());
-    if (std::all_of(heldOut.begin(), heldOut.end(), isPicture) && areValidOrNone(before) &&
-        areValidOrNone(shown) && areValidOrNone(best) && areUsable(seenMm, gain) &&
+    if (std::all_of(heldOut.begin(), heldOut.end(), isPicture) && areValidOrNone(shown) &&
+        areValidOrNone(best) && areUsable(seenMm, gain) &&
         (first.capacity == 0 || first.key == training.options.key))
         return {};
     return Error{ErrorCode::inputNotUsable,

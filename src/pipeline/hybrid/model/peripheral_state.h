@@ -12,19 +12,15 @@
 
 namespace macula::hybrid {
 
-class ModelShelf;
-
 // All that it goes on with, on the host. Pictures are shared. peripheral_file.h keeps it in a file; of a
 // .macula file that holds `training` only it goes on with that and `seenMm` of its scene, and other pictures
 // are held out than before.
 struct PeripheralState {
     splat::TrainingState training;                                    // its options.key says of what
     std::vector<std::shared_ptr<const splat::TrainingView>> heldOut;  // never learnt; it is judged by them
-    std::shared_ptr<const splat::Splats> before;  // still shown instead of it; null: it is shown itself
-    std::string beforeKey;                        // of what `before` is
     // What is shown of it itself, which training may have made worse since; null: the splats of `training`.
     std::shared_ptr<const splat::Splats> shown;
-    // The best that was shown since the last change; null: what is shown now.
+    // The best that was shown; null: what is shown now.
     std::shared_ptr<const splat::Splats> best;
     // Of the shown model; a model that goes on with this state shows a later one.
     std::uint64_t generation = 0;
@@ -35,7 +31,6 @@ struct PeripheralState {
     std::uint64_t asked = 0;       // views asked for
     std::uint64_t roundViews = 0;  // learnt when the last round began
     splat::TrainerOptions first;   // how the training began, of the same key; capacity 0: that is not known
-    std::shared_ptr<ModelShelf> shelf;  // models of what was shown before; null: none
 
     // Fails with inputNotUsable as training.validate(), and when its parts do not belong together.
     Result<void> validate() const;

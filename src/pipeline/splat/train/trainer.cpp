@@ -257,11 +257,6 @@ void Trainer::tryAllAgain() {
     for (View& view : views_) view.hasNoRoom = false;
 }
 
-void Trainer::releasePictures() {
-    for (View& view : views_) view.pictures.reset();
-    loss_.reset();
-}
-
 bool Trainer::isTimeToRegroup() const {
     const DensityOptions& density = options_.density;
     return steps_ >= density.firstStep && steps_ <= density.lastStep &&
@@ -309,11 +304,6 @@ Result<TrainingReport> Trainer::step(std::uint64_t steps, const std::function<bo
         if (keepGoing && !keepGoing()) break;
     }
     return report();
-}
-
-Result<TrainingReport> Trainer::stepFor(double budgetMs) {
-    const auto start = Clock::now();
-    return step(UINT64_MAX, [&] { return millisecondsSince(start) < budgetMs; });
 }
 
 Result<Splats> Trainer::snapshot() const {

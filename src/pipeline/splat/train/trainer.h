@@ -59,8 +59,6 @@ class Trainer {
     // outOfMemory when the device cannot hold it, or not what comparing it takes (loss.h). The picture stays
     // on the host as well, and is shared with states.
     Result<void> addView(TrainingView view);
-    // Frees what the views take on the device, most of all there is; each is made again when it is needed.
-    void releasePictures();
     // Drops all views but pictures (ViewKind): stand-ins and outlines, once pictures show the same.
     void forgetStandIns();
     std::size_t viewCount() const { return views_.size(); }
@@ -78,8 +76,6 @@ class Trainer {
     // views. A view for which the device has no room, of pairs most of all, is left out until splats are
     // regrouped or training goes on in another way; outOfMemory when there is room for none.
     Result<TrainingReport> step(std::uint64_t steps, const std::function<bool()>& keepGoing = {});
-    // Makes as many steps as fit `budgetMs`, at least one.
-    Result<TrainingReport> stepFor(double budgetMs);
 
     // The model as it is now. Waits.
     Result<Splats> snapshot() const;

@@ -1,9 +1,8 @@
-// How a peripheral model begins, and begins again when what is shown was changed.
+// How a peripheral model begins, and goes on with a state that was kept.
 #include <algorithm>
 #include <utility>
 
 #include "pipeline/hybrid/model/first_model.h"
-#include "pipeline/hybrid/model/model_shelf.h"
 #include "pipeline/hybrid/model/peripheral_model.h"
 #include "pipeline/hybrid/model/training_rounds.h"
 
@@ -34,12 +33,9 @@ PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, const Peri
       notes_(std::move(notes)),
       shown_(std::make_shared<const splat::Splats>(trainer_.lastGood().splats)),
       best_(shown_),
-      shownKey_(trainer_.lastGood().options.key),
       generation_(notes_.generation + 1),
       trend_(options_.trend),
-      pause_(trainer_.viewCount() > 0 ? Pause::none : Pause::noViews) {
-    if (!notes_.shelf) notes_.shelf = std::make_shared<ModelShelf>(options_.shelfBytes);
-}
+      pause_(trainer_.viewCount() > 0 ? Pause::none : Pause::noViews) {}
 
 Result<splat::Trainer> PeripheralModel::beginTrainer(const std::shared_ptr<gpu::Device>& device,
                                                      const ModelStart& start,
@@ -74,59 +70,12 @@ Result<PeripheralModel> PeripheralModel::resume(const std::shared_ptr<gpu::Devic
     if (notes.first.capacity == 0) notes.first = firstRound(state.training.options.key, options);
     notes.training = {};
     notes.heldOut.clear();
-    notes.before = notes.shown = notes.best = nullptr;
+    notes.shown = notes.best = nullptr;
     PeripheralModel model(device, options, std::move(trainer), std::move(notes));
-    if (state.before) {
-        model.goOnShowing(state.before, state.beforeKey);
-    } else {
-        if (state.shown) model.shown_ = state.shown;
-        model.best_ = state.best ? state.best : model.shown_;
-    }
+    if (state.shown) model.shown_ = state.shown;
+    model.best_ = state.best ? state.best : model.shown_;
     MACULA_TRY_VOID(model.takeHeldOut(state.heldOut));
     return model;
-}
-
-// Goes on showing a model of before, while the new one is not shown yet.
-void PeripheralModel::goOnShowing(const std::shared_ptr<const splat::Splats>& splats,
-                                  const std::string& key) {
-    shown_ = best_ = splats;
-    shownKey_ = key;
-    isOfBefore_ = true;
-    wasSharp_ = false;
-}
-
-Result<void> PeripheralModel::change(const ModelStart& start) {
-    MACULA_TRY(PeripheralState now, state());
-    const bool hasKey = !start.key.empty();
-    if (hasKey && start.key == now.training.options.key) return {};
-    now.before = nullptr;
-    now.beforeKey.clear();
-    // Changed back before anything else was shown: what is shown is of this already.
-    const bool isOwn = hasKey && start.key == shownKey_;
-    const std::shared_ptr<ModelShelf> shelf = std::exchange(now.shelf, nullptr);
-    const auto kept = hasKey ? shelf->find(start.key) : nullptr;
-    // A full card has no room for two models, let alone for the pictures of both.
-    trainer_.releasePictures();
-    const auto begun = [&]() -> Result<PeripheralModel> {
-        if (kept) return resume(device_, *kept, options_);
-        if (start.splats.size() > 0 && !isOwn) return begin(device_, start, options_);
-        ModelStart warm = start;
-        warm.splats = *shown_;
-        return begin(device_, warm, options_);
-    };
-    MACULA_TRY(PeripheralModel next, begun());
-    next.generation_ = generation_;
-    next.goOnShowing(shown_, shownKey_);
-    MACULA_TRY_VOID(next.judgeShown(next.heldOut_));
-    if (isOwn)
-        next.isOfBefore_ = false;
-    else
-        MACULA_TRY_VOID(next.showIfBetter());
-    if (!now.training.options.key.empty())
-        shelf->put(std::make_shared<const PeripheralState>(std::move(now)));
-    next.notes_.shelf = shelf;
-    *this = std::move(next);
-    return {};
 }
 
 Result<PeripheralState> PeripheralModel::state() const {
@@ -141,13 +90,8 @@ PeripheralState PeripheralModel::lastGood() const {
     state.generation = generation_;
     state.training = trainer_.lastGood();
     for (const HeldOut& h : heldOut_) state.heldOut.push_back(h.picture);
-    if (isOfBefore_) {
-        state.before = shown_;
-        state.beforeKey = shownKey_;
-    } else {
-        state.shown = shown_;
-        if (best_ != shown_) state.best = best_;
-    }
+    state.shown = shown_;
+    if (best_ != shown_) state.best = best_;
     return state;
 }
 
