@@ -415,13 +415,13 @@ Result<void> LiveModel::doPart(LearningPart part, const std::function<bool()>& g
         // Of these, what is done between two questions cannot be interrupted.
         case LearningPart::step: {
             // `goesOn` alone says when it ends: it has to be asked after a step that took too long.
-            const Result<void> done =
+            Result<void> done =
                 model_->step(std::numeric_limits<double>::infinity(), measuredBy(pace_, part, goesOn));
             trainedMs_ += msSince(start);
             return done;
         }
         case LearningPart::trace: {
-            const Result<void> done = traceWanted(measuredBy(pace_, part, goesOn));
+            Result<void> done = traceWanted(measuredBy(pace_, part, goesOn));
             lastViewMs_ += msSince(start);
             return done;
         }
