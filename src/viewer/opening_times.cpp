@@ -41,9 +41,12 @@ void OpeningTimes::note(double& ms) const {
 
 QJsonObject OpeningTimes::toJson() const {
     const std::string times = app::toJson(spent_).dump();
-    return {{"windowMs", std::round(windowMs_)}, {"studyReadMs", std::round(studyReadMs_)},
-            {"sliceMs", std::round(sliceMs_)},   {"pictureMs", std::round(pictureMs_)},
-            {"modelMs", std::round(modelMs_)},   {"modelOrigin", modelOrigin_},
+    return {{"windowMs", std::round(windowMs_)},
+            {"studyReadMs", std::round(studyReadMs_)},
+            {"sliceMs", std::round(sliceMs_)},
+            {"pictureMs", std::round(pictureMs_)},
+            {"modelMs", std::round(modelMs_)},
+            {"modelOrigin", modelOrigin_},
             {"renderThread", QJsonDocument::fromJson(QByteArray::fromStdString(times)).array()}};
 }
 

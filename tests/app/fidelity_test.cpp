@@ -47,10 +47,8 @@ TEST(Fidelity, OfAModelIsOneFact) {
                              ModelStage::noRoom, ModelStage::failed})
         EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .isSharp = true})) << nameOf(stage);
     for (const auto stage : {ModelStage::resuming, ModelStage::learning, ModelStage::resting}) {
-        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .steps = 10'000}))
-            << nameOf(stage);
-        EXPECT_TRUE(hybrid::isFitToBeShown({.stage = stage, .steps = 1, .isSharp = true}))
-            << nameOf(stage);
+        EXPECT_FALSE(hybrid::isFitToBeShown({.stage = stage, .steps = 10'000})) << nameOf(stage);
+        EXPECT_TRUE(hybrid::isFitToBeShown({.stage = stage, .steps = 1, .isSharp = true})) << nameOf(stage);
     }
 }
 
