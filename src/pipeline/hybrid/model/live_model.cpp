@@ -350,7 +350,7 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
 
 Result<void> LiveModel::takeFirstSteps(double budgetMs, const std::function<bool()>& goesOn) {
     const TimelineStage stage("model: first steps");
-    // The model of other lights is right in most already.
+    // A model that was trained in other lights has the right geometry: it needs no first steps.
     const bool isWarm = origin_ == ModelOrigin::otherLights || origin_ == ModelOrigin::otherTrainer;
     const auto isDone = [&] {
         return isWarm || model_->report().training.steps >= options_.stepsBeforeShown;

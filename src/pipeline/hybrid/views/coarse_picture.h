@@ -7,9 +7,9 @@
 
 namespace macula::hybrid {
 
-// The view as a picture of so many lines shows it that is scaled to the size of the view, linearly: of
-// every few pixels one, with the noise that it has. The view itself, where that has no more lines. What is
-// mixed with pixels that are not known is not known.
+// The view as a person sees it in a picture of `lines` lines that is scaled up: nearest-neighbour decimation,
+// which keeps the noise of each pixel, and bilinear magnification to the size of the view. A view of no more
+// lines stays as it is. A pixel that is mixed with unknown (not finite) ones is unknown too.
 splat::TrainingView coarselyShown(const splat::TrainingView& view, int lines);
 
 // Mean absolute difference between both, as Trainer::differenceTo measures that of a model; where the coarse
