@@ -1,4 +1,4 @@
-// A traced picture as it is kept for other eyes: what shines from each pixel, how far away that is, and how sure that is.
+// A traced picture as it is kept for other eyes: what shines from each pixel, how far away that is, and how sure both are.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -14,11 +14,20 @@ layout(binding = 1, scalar) readonly buffer Counts {
 };
 layout(binding = 2) uniform samplerBuffer surfaces;  // of the guides: normal, depth
 layout(binding = 3) uniform samplerBuffer motions;   // confidence in z
-layout(binding = 4, scalar) writeonly buffer Lights {
+layout(binding = 4, scalar) readonly buffer TracedVariances {
+    float tracedVariances[];
+};
+layout(binding = 5, scalar) writeonly buffer Lights {
     vec4 lights[];
 };
-layout(binding = 5, scalar) writeonly buffer Depths {
+layout(binding = 6, scalar) writeonly buffer Depths {
     vec2 depths[];  // mm, negative where there is none; uncertainty, mm
+};
+layout(binding = 7, scalar) writeonly buffer Variances {
+    float variances[];
+};
+layout(binding = 8, scalar) writeonly buffer Trusts {
+    float trusts[];  // whole, until it is compared with splats
 };
 layout(push_constant, scalar) uniform Push {
     CapturePush push;
@@ -54,6 +63,8 @@ void main() {
     ivec2 there = pixel + push.firstPx;
     int index = there.y * push.tracedSize.x + there.x;
     lights[kept] = lightAt(index);
+    variances[kept] = tracedVariances[index];
+    trusts[kept] = 1.0;
     float depthMm = texelFetch(surfaces, index).w;
     float confidence = texelFetch(motions, index).z;
     // The inverse of how guides.glsl makes a confidence of a spread.

@@ -17,6 +17,7 @@ layout(constant_id = 0) const bool kHasSplats = true;
 layout(constant_id = 1) const bool kHasFovea = true;
 layout(constant_id = 2) const bool kHasTraced = true;
 layout(constant_id = 3) const bool kKeepsCoverage = false;
+layout(constant_id = 4) const bool kHasTrusts = false;
 
 layout(binding = 0) uniform samplerBuffer splats;
 layout(binding = 1) uniform samplerBuffer fovea;
@@ -27,7 +28,8 @@ layout(binding = 3, scalar) readonly buffer Traced {
 layout(binding = 4, scalar) readonly buffer Counts {
     uint counts[];
 };
-layout(binding = 5, rgba8) uniform writeonly image2D picture;
+layout(binding = 5) uniform samplerBuffer trusts;
+layout(binding = 6, rgba8) uniform writeonly image2D picture;
 layout(push_constant, scalar) uniform Push {
     ComposePush push;
 };
@@ -49,9 +51,11 @@ void main() {
     int index = pixel.y * size.x + pixel.x;
     vec4 light = vec4(0.0);
     if (kHasSplats) light = texelFetch(splats, index) * vec4(vec3(push.splatGain), 1.0);
+    vec4 bare = light;
     if (kHasFovea) light = composed(light, texelFetch(fovea, index), texelFetch(weights, index).x);
     if (kHasTraced) {
         vec4 ofTracer = traced[index] / (push.tracedAreMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
+        if (kHasTrusts) ofTracer = composed(bare, ofTracer, texelFetch(trusts, index).x);
         light = composed(light, ofTracer, push.tracedShare);
     }
     imageStore(picture, pixel,

@@ -6,7 +6,7 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform samplerBuffer hardWeights;
+layout(binding = 0) uniform samplerBuffer hardWeights;  // and trust, which needs no softening
 layout(binding = 1, scalar) writeonly buffer Weights {
     float weights[];
 };
@@ -23,5 +23,6 @@ float fetchWeight(ivec2 pixel) {
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + push.firstPx;
     if (any(greaterThanEqual(pixel, push.size))) return;
-    weights[pixel.y * push.size.x + pixel.x] = feathered(pixel);
+    int index = pixel.y * push.size.x + pixel.x;
+    weights[index] = feathered(pixel) * texelFetch(hardWeights, index).y;
 }

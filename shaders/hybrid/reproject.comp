@@ -13,15 +13,16 @@ layout(push_constant, scalar) uniform Push {
 };
 layout(binding = 0) uniform samplerBuffer lights;
 layout(binding = 1) uniform samplerBuffer depths;
-layout(binding = 2) uniform samplerBuffer splats;  // of the picture that is made: coverage in w
-layout(binding = 3, scalar) readonly buffer DepthSums {
+layout(binding = 2) uniform samplerBuffer trusts;
+layout(binding = 3) uniform samplerBuffer splats;  // of the picture that is made: coverage in w
+layout(binding = 4, scalar) readonly buffer DepthSums {
     float depthSums[];  // of the splats: coverage times depth
 };
-layout(binding = 4, scalar) writeonly buffer Seen {
+layout(binding = 5, scalar) writeonly buffer Seen {
     vec4 seen[];
 };
-layout(binding = 5, scalar) writeonly buffer Weights {
-    float weights[];
+layout(binding = 6, scalar) writeonly buffer Weights {
+    vec2 weights[];  // and trust
 };
 
 vec4 fetchLight(int pixel) {
@@ -29,6 +30,9 @@ vec4 fetchLight(int pixel) {
 }
 vec2 fetchSurface(int pixel) {
     return texelFetch(depths, pixel).xy;
+}
+float fetchTrust(int pixel) {
+    return texelFetch(trusts, pixel).x;
 }
 float fetchExpected(int pixel) {
     if (!kHasSplats) return -1.0;
@@ -43,5 +47,5 @@ void main() {
     int index = pixel.y * reproject.size.x + pixel.x;
     Reprojected result = reprojectedAt(pixel);
     seen[index] = result.light;
-    weights[index] = result.weight;
+    weights[index] = vec2(result.weight, result.trust);
 }

@@ -87,8 +87,7 @@ Prepared preparePixel(ivec2 pixel) {
     float coverage = prepared.mass.w;
     float alpha2 = max(coverage * (float(1.0) - coverage), float(0.002)) / max(moments.y, float(1.0));
 
-    // The more is known of a picture, the less is left to neighbours: bias has to fall faster than noise.
-    float caution = float(1.0) / (float(1.0) + moments.y * float(1.0 / 32.0));
+    float caution = cautionOf(moments.y);
     light2 *= caution;
     alpha2 *= caution;
 

@@ -6,8 +6,8 @@
 // is known of what lies there, and the weight is 0. A ray that stays in front all along sees nothing, which is known too.
 //
 // Needs from its host: `reproject` (ReprojectPush), fetchLight (premultiplied, linear) and fetchSurface (distance from the eye
-// before in mm, negative where there is none; its uncertainty in mm), both by index of a pixel of the picture before; and
-// fetchExpected, by index of a pixel of the picture that is made: the depth in mm, along the middle of the view, at which
+// before in mm, negative where there is none; its uncertainty in mm) and fetchTrust (trust.glsl), all by index of a pixel of
+// the picture before; and fetchExpected, by index of a pixel of the picture that is made: the depth in mm, along the middle of the view, at which
 // splats show something there, negative where they do not tell.
 
 // Steps along an epipolar line, a pixel each where that is enough, and halvings of the last one.
@@ -25,6 +25,7 @@
 struct Reprojected {
     vec4 light;    // premultiplied, linear
     float weight;  // 0: not known, to 1
+    float trust;   // in the light, where it is known (trust.glsl): 0 to 1
 };
 
 // Where the direction `v` (any length) meets the picture before, in pixels. False behind its eye.
@@ -73,6 +74,7 @@ Reprojected gathered(vec2 place, float distanceMm, float footprintMm, float plac
     vec4 light = vec4(0.0);
     float agreed = float(0.0);
     float offPx = float(0.0);
+    float trust = float(0.0);
     for (int i = 0; i < 4; ++i) {
         int index = indexBefore(ivec2(low) + ivec2(i & 1, i >> 1));
         vec2 surface = vec2(fetchSurface(index));
@@ -82,10 +84,12 @@ Reprojected gathered(vec2 place, float distanceMm, float footprintMm, float plac
                        : surface.x < float(0.0) ? float(0.0) : fallingFrom(float(1.0), float(2.0), off);
         light += fetchLight(index) * (share * agrees);
         offPx += surface.y * placesPerMm * (share * agrees);
+        trust += fetchTrust(index) * (share * agrees);
         agreed += share * agrees;
     }
     Reprojected result;
     result.light = light / max(agreed, float(1e-6));
+    result.trust = trust / max(agreed, float(1e-6));
     result.weight = agreed * fallingFrom(float(SURE_PX), float(UNSURE_PX), offPx / max(agreed, float(1e-6)));
     return result;
 }
@@ -170,6 +174,7 @@ Reprojected reprojectedAt(ivec2 pixel) {
     Reprojected unknown;
     unknown.light = vec4(0.0);
     unknown.weight = float(0.0);
+    unknown.trust = float(0.0);
     EpipolarLine line;
     if (!findLine(pixel, false, line)) return unknown;
     float behind = firstBehind(line);

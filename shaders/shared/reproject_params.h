@@ -1,4 +1,4 @@
-// What shaders/hybrid/capture.comp, reproject.comp and feather.comp are told.
+// What shaders/hybrid/capture.comp, trust_rows.comp, trust.comp, reproject.comp and feather.comp are told.
 #ifndef MACULA_SHARED_REPROJECT_PARAMS_H
 #define MACULA_SHARED_REPROJECT_PARAMS_H
 #include "shared/shared.h"
@@ -11,6 +11,12 @@ struct CapturePush {
     float pixelAngle;  // radians, of a pixel in the middle of the picture
     float thinMm;      // uncertainty of the depth where matter shows, but is too thin to have one
     int areMeans;      // 1: light is means, and counts do not count; 0: it is sums of samples
+};
+
+struct TrustPush {
+    ivec2 size;       // pixels, of the traced picture and of that of the splats
+    int areMeans;     // 1: traced light is means, and counts do not count; 0: it is sums of samples
+    float splatGain;  // multiplies the light of splats, not their coverage
 };
 
 // Two eyes: the one that sees now, and the one that the picture was traced from. Axes as in TraceParams:

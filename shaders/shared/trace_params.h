@@ -122,6 +122,10 @@ struct NoisePush {
     float backdrop;  // see noise.glsl
 };
 
+struct VariancePush {
+    ivec2 imageSize;
+};
+
 struct DisplayPush {
     vec3 background;  // linear
     float exposure;

@@ -45,7 +45,7 @@ class Timeline {
         Timeline* outer_;
     };
 
-    // In the order in which they first ended.
+    // The stage that ended first is the first.
     const std::vector<StageTimes>& stages() const { return stages_; }
 
   private:

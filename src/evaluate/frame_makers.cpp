@@ -93,7 +93,7 @@ Result<MadeFrame> SplatFrames::withFovea(const Camera& camera, const glm::ivec2&
 
 Result<MadeFrame> SplatFrames::make(const Camera& camera, const glm::ivec2& sizePx,
                                     std::uint32_t samplesPerPixel) {
-    const hybrid::Periphery periphery = peripheryFor(painter_, splats_->originMm, camera);
+    const hybrid::Periphery periphery = peripheryFor(painter_, splats_->originMm, camera, camera);
     const hybrid::FoveaAim aim{.whole = {.camera = camera, .width = sizePx.x, .height = sizePx.y},
                                .sidePx = foveaSidePx(sizePx, camera.verticalFovDeg),
                                .samplesPerPixel = samplesPerPixel};

@@ -161,7 +161,7 @@ class Measurement {
     // Splats are always drawn for where the eye is `now`; the fovea for `foveaFor`.
     Result<FrameScore> scoreOf(hybrid::HybridFrame& frame, const Camera& foveaFor, const Camera& now,
                                const Truth& truth, double& drawMs) {
-        const hybrid::Periphery periphery = peripheryFor(*painter_, splats_.originMm, now);
+        const hybrid::Periphery periphery = peripheryFor(*painter_, splats_.originMm, foveaFor, now);
         std::vector<float> weights;
         Watch watch;
         const auto draw = [&](float background) -> Result<std::vector<std::uint8_t>> {

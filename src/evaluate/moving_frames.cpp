@@ -40,7 +40,7 @@ Result<double> MovingFrames::traceFovea(const Camera& eye, const TracedFovea& fo
 
 Result<MadeFrame> MovingFrames::draw(const Camera& now, bool isWarped) {
     const Camera& shownTo = isWarped || !fovea_ ? now : fovea_->eye;
-    const hybrid::Periphery periphery = peripheryFor(painter_, splats_->originMm, now);
+    const hybrid::Periphery periphery = peripheryFor(painter_, splats_->originMm, shownTo, now);
     const hybrid::FrameRequest request{.eyes = {shownTo}, .sizePx = sizePx_, .display = {}};
     MACULA_TRY([[maybe_unused]] const hybrid::Frame first, frame_.draw(request, periphery));
     MACULA_TRY_VOID(device_->waitForAll());

@@ -9,9 +9,10 @@
 
 namespace macula::evaluate {
 
-// Draws the splats always for the eye `now`, also in a frame that shows its fovea to another eye. To that one
-// it tells no depths, because those of `now` say nothing there. `painter`, whose model has the origin
-// `originMm`, must outlive it.
-hybrid::Periphery peripheryFor(splat::ModelPainter& painter, const glm::dvec3& originMm, const Camera& now);
+// Draws the splats for every eye as that sees them; but for `shownTo` as `now` sees them, also where these
+// are not the same: then it tells no depths, because those of `now` say nothing there. `painter`, whose model
+// has the origin `originMm`, must outlive it.
+hybrid::Periphery peripheryFor(splat::ModelPainter& painter, const glm::dvec3& originMm,
+                               const Camera& shownTo, const Camera& now);
 
 }  // namespace macula::evaluate

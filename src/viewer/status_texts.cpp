@@ -85,6 +85,7 @@ QString fidelityText(const app::FrameShown& frame) {
                 ? FidelityWords::tr(", %n samples", nullptr, int(frame.samplesPerPixel))
                 : FidelityWords::tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);
     if (frame.denoised) text += FidelityWords::tr(", denoised");
+    if (frame.mixesModel) text += FidelityWords::tr(", preview where it is less noisy");
     return text + (isComplete ? FidelityWords::tr(", complete") : FidelityWords::tr(", converging"));
 }
 

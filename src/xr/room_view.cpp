@@ -97,7 +97,8 @@ Result<hybrid::DrawnSplats> RoomView::drawSplats(const Camera& eye, const glm::i
 
 hybrid::Periphery RoomView::periphery() {
     return {.draw = [this](const Camera& eye, const glm::ivec2& sizePx) { return drawSplats(eye, sizePx); },
-            .gain = static_cast<float>(model_.gain())};
+            .gain = static_cast<float>(model_.gain()),
+            .isLikeness = drawsModel() && hybrid::isFitToBeShown(model_.news())};
 }
 
 RoomState RoomView::state() const {
@@ -124,10 +125,11 @@ Result<RoomPictures> RoomView::draw(const EyePictures& eyes, const EyePictures* 
     }
     RoomPictures pictures;
     hybrid::Periphery splats = periphery();
-    // Depths of splats are there until those of the next eye are drawn.
+    // Depths of splats are there until those of the next eye are drawn. A fovea is no eye.
     splats.draw = [&](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
         MACULA_TRY(const hybrid::DrawnSplats drawn, drawSplats(eye, sizePx));
-        if (look.depths && drawn.depthSums != nullptr) {
+        const bool isEye = std::find(request.eyes.begin(), request.eyes.end(), eye) != request.eyes.end();
+        if (look.depths && drawn.depthSums != nullptr && isEye) {
             MACULA_TRY(const gpu::Buffer* depths, depths_->make(pictures.depths.size(), drawn, *look.depths));
             pictures.depths.push_back(depths);
         }

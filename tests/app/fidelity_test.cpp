@@ -91,6 +91,11 @@ TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
         .picture = OnScreen::fading, .stage = Stage::converging, .samplesPerPixel = 2, .sampleLimit = 512};
     EXPECT_FALSE(fidelityOf(fading).isFinal);
     EXPECT_EQ(fidelityOf(fading).because, (Because{"preview fades out", "2 of 512 samples"}));
+
+    FrameShown mixed = fading;
+    mixed.picture = OnScreen::traced;
+    mixed.mixesModel = true;
+    EXPECT_EQ(fidelityOf(mixed).because, (Because{"preview where it is less noisy", "2 of 512 samples"}));
 }
 
 }  // namespace

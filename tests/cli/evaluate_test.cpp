@@ -203,12 +203,12 @@ TEST_F(Evaluate, TellsWhatTheLivePictureIsWorthOverTime) {
         for (const json& picture : rest["series"]) {
             EXPECT_GT(picture["atS"].get<double>(), lastS);
             lastS = picture["atS"];
-            EXPECT_LE(picture["flip"].get<double>(), 1.0);
+            // Reference and live picture are of the same thing, from the same place, over the same black, but
+            // not of the same random numbers. On a slow machine all of them are small.
+            const bool isSmall = picture["picture"] == "small, traced";
+            EXPECT_LT(picture["flip"].get<double>(), isSmall ? 0.6 : 0.35) << ran.out;
         }
         EXPECT_EQ(rest["lastFlip"], rest["series"].back()["flip"]);
-        // Reference and live picture are of the same thing, from the same place, over the same black, but not
-        // of the same random numbers.
-        EXPECT_LT(rest["lastFlip"].get<double>(), 0.3) << ran.out;
         EXPECT_GT(rest["lastFlip"].get<double>(), 0.0) << ran.out;
         EXPECT_GT(rest["referenceFlip"].get<double>(), 0.0);
         EXPECT_TRUE(rest.contains("toFlip002S"));

@@ -98,14 +98,17 @@ TEST_F(DenoiseOnDevice, SpecksAreThoseOfTheReference) {
         upload(film, noisy);
         ASSERT_TRUE(denoiser.run(film, guides, nullptr, picture.push().pixelAngle, Denoising::on).ok());
         const auto result = gpu::read<glm::vec4>(denoiser.result());
+        const auto variances = gpu::read<float>(**denoiser.variances(guides));
         std::vector<glm::dvec4> masses;
-        const DenoiseState state = filtered(
-            picture.push(), denoiseGather(picture.push(), noisy, values, values, {}), values, masses);
+        const DenoiseRecord record = denoiseGather(picture.push(), noisy, values, values, {});
+        const DenoiseState state = filtered(picture.push(), record, values, masses);
         const auto expected = denoiseSpecks(picture.push(), state, values, masses);
+        const auto expectedVariances = denoiseVariances(picture.push(), record, state, values, masses);
         int changed = 0;
         for (std::size_t i = 0; i < expected.size(); ++i) {
             for (int c = 0; c < 4; ++c)
                 EXPECT_NEAR((*result)[i][c], expected[i][c], 2e-4 * (1 + std::abs(expected[i][c]))) << i;
+            EXPECT_NEAR((*variances)[i], expectedVariances[i], 1e-3 * expectedVariances[i]) << i;
             changed += std::abs(expected[i].y - state.colours[i].y) > 0.02 ? 1 : 0;
         }
         EXPECT_GT(changed, 40) << samples;

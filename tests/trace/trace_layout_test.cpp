@@ -66,6 +66,10 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
         *noise->pushConstants->block.find("push"),
         {MACULA_FIELD(shared::NoisePush, imageSize), MACULA_FIELD(shared::NoisePush, firstBlock),
          MACULA_FIELD(shared::NoisePush, exposure), MACULA_FIELD(shared::NoisePush, backdrop)});
+    const auto variance = gpu::reflectSpirv(shaders::trace_variance_comp.words);
+    ASSERT_TRUE(variance.ok());
+    expectLayoutMatches<shared::VariancePush>(*variance->pushConstants->block.find("push"),
+                                              {MACULA_FIELD(shared::VariancePush, imageSize)});
     const auto guides = gpu::reflectSpirv(shaders::trace_guides_comp.words);
     ASSERT_TRUE(guides.ok());
     expectLayoutMatches<shared::GuidePush>(
@@ -75,8 +79,9 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
          MACULA_FIELD(shared::GuidePush, planeHalfSize), MACULA_FIELD(shared::GuidePush, gaze),
          MACULA_FIELD(shared::GuidePush, foveaRadius), MACULA_FIELD(shared::GuidePush, foveaMagnification),
          MACULA_FIELD(shared::GuidePush, parallelMm), MACULA_FIELD(shared::GuidePush, firstRow)});
-    for (const auto& code : {shaders::denoise_gather_comp, shaders::denoise_prepare_comp,
-                             shaders::denoise_filter_comp, shaders::denoise_specks_comp}) {
+    for (const auto& code :
+         {shaders::denoise_gather_comp, shaders::denoise_prepare_comp, shaders::denoise_filter_comp,
+          shaders::denoise_specks_comp, shaders::denoise_variance_comp}) {
         const auto denoise = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(denoise.ok());
         expectLayoutMatches<shared::DenoisePush>(

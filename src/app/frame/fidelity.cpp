@@ -33,6 +33,7 @@ Fidelity fidelityOf(const FrameShown& frame) {
     if (frame.picture == OnScreen::preview && isNotFit(frame.model))
         because.push_back(fmt::format("the preview is not sharp enough after {} steps", frame.model.steps));
     if (frame.picture == OnScreen::fading) because.emplace_back("preview fades out");
+    if (frame.mixesModel) because.emplace_back("preview where it is less noisy");
     if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
     if (frame.picture != OnScreen::model && frame.stage != Stage::converged)
         because.push_back(fmt::format("{} of {} samples", frame.samplesPerPixel, frame.sampleLimit));

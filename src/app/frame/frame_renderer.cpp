@@ -175,11 +175,12 @@ void FrameRenderer::tellCourse() {
     ModelState state = ModelState::none;
     const bool works = model_ && model_->hasWork() && !input_.convergesNow;
     if (canDrawModel())
-        state = hybrid::isFitToBeShown(model_->news()) ? ModelState::ready : ModelState::young;
+        state = hasGoodModel() ? ModelState::ready : ModelState::young;
     else if (works)
         state = ModelState::searching;
     course_.setModel(state, works);
     course_.setLearnsBesideHand(works && learnsBesideHand());
+    course_.setExpectedMs(expectedFullMs());
     course_.setQuick(isQuick());
 }
 
@@ -190,9 +191,17 @@ bool FrameRenderer::learnsBesideHand() const {
            rhythm_.leftMs(Clock::now()) > 0.0;
 }
 
+bool FrameRenderer::hasGoodModel() const {
+    return canDrawModel() && hybrid::isFitToBeShown(model_->news());
+}
+
+// 0 while there is nothing to trace.
+double FrameRenderer::expectedFullMs() {
+    return device_ && traced_ && input_.volume ? traced_->expectedFullMs(input_) : 0.0;
+}
+
 bool FrameRenderer::isQuick() {
-    return device_ && traced_ && !device_->isCpu() && input_.volume &&
-           traced_->expectedFullMs(input_) <= kQuickMs;
+    return device_ && traced_ && !device_->isCpu() && input_.volume && expectedFullMs() <= kQuickMs;
 }
 
 // The marks that are wanted are of the picture on screen, and are not there: they were hidden or are to be.
@@ -223,7 +232,7 @@ void FrameRenderer::step(const Interrupts& interrupts) {
     if (!hasWork()) return;
     const Timeline::Watch watch(timeline_);
     try {
-        const TimelineStage stage("between");
+        const TimelineStage stage("bookkeeping");
         if (const Result<void> done = tryStep(interrupts); !done) handle(done.error());
         tellOfTime();
     } catch (const std::bad_alloc&) {

@@ -95,12 +95,15 @@ class FrameRenderer {
     Result<void> workOnModel(const std::function<Result<void>()>& work);
     Result<void> learnBesideHand(const std::function<bool()>& keepGoing);
     bool learnsBesideHand() const;
+    double expectedFullMs();
     bool isQuick();
     Result<void> learn(const Interrupts& interrupts);
     Result<void> showAgain();
     bool canDrawModel() const { return hybrid_ && model_ && model_->canBeDrawn(); }
     bool hasOtherMarks() const;
     Result<const gpu::Image*> frame(float tracedShare);
+    Result<const gpu::Image*> tracedPicture();
+    bool hasGoodModel() const;
     double foveaMsPerSample() const;
     bool wantsFovea() const;
     hybrid::FoveaAim nextFovea() const;
@@ -129,6 +132,7 @@ class FrameRenderer {
     hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
     std::optional<hybrid::HybridFrame> hybrid_;                 // of what the model is of
     hybrid::Frame lastFrame_;                                   // without its pictures
+    bool mixesModel_ = false;   // the last traced picture, as FrameShown::mixesModel
     bool foveaHasRoom_ = true;  // for what one takes beside the model; false: until that changes
     // Models of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;

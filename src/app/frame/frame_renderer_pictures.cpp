@@ -175,9 +175,20 @@ Result<void> FrameRenderer::keepForMotion() {
 }
 
 Result<void> FrameRenderer::showTraced() {
-    MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+    MACULA_TRY(const gpu::Image* picture, tracedPicture());
     course_.showedTraced();
     return show(*picture);
+}
+
+// While it has few samples the model stays where it is better: what is shown does not get worse.
+Result<const gpu::Image*> FrameRenderer::tracedPicture() {
+    mixesModel_ = false;
+    if (!traced_->isNoisy() || !hasGoodModel()) return traced_->display(input_.background);
+    Result<const gpu::Image*> weighed = frame(1.0f);
+    if (weighed) return weighed;
+    // Without the memory for it the model may still do for frames in motion.
+    if (weighed.error().code != ErrorCode::outOfMemory) MACULA_TRY_VOID(withoutModel(weighed.error()));
+    return traced_->display(input_.background);
 }
 
 Result<void> FrameRenderer::fade() {
@@ -238,7 +249,9 @@ Result<void> FrameRenderer::learnBesideHand(const std::function<bool()>& keepGoi
 Result<void> FrameRenderer::showAgain() {
     if (course_.onScreen() == OnScreen::nothing) return {};
     if (course_.onScreen() != OnScreen::model && course_.onScreen() != OnScreen::fading) {
-        MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+        const bool isTraced = course_.onScreen() == OnScreen::traced;
+        MACULA_TRY(const gpu::Image* picture,
+                   isTraced ? tracedPicture() : traced_->display(input_.background));
         return show(*picture);
     }
     const bool isModel = course_.onScreen() == OnScreen::model;
@@ -258,6 +271,7 @@ Result<void> FrameRenderer::showAgain() {
 // given up while it fades, that picture alone: it is of what is wanted.
 Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
     lastFrame_ = {};
+    mixesModel_ = false;
     if (!canDrawModel()) return traced_->display(input_.background);
     const hybrid::Periphery periphery{
         .draw = [&](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
@@ -280,6 +294,7 @@ Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
         drawn = hybrid_->draw(request, periphery);
     }
     MACULA_TRY(lastFrame_, std::move(drawn));
+    mixesModel_ = request.fadingIn && request.fadingIn->light.variances != nullptr;
     return std::exchange(lastFrame_.pictures, {}).front();
 }
 
@@ -318,6 +333,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
     }
     frame.greyFacesAreCoarse = kind == OnScreen::model && input_.drawing.clip &&
                                input_.drawing.clip->hasShape() && input_.drawing.clip->greyFaces;
+    frame.mixesModel = kind == OnScreen::traced && mixesModel_;
     const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
     if (isTraced) frame.stage = course_.hasConverged() ? Stage::converged : Stage::converging;
     if (isTraced || kind == OnScreen::preview) {

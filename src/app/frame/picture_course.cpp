@@ -66,15 +66,17 @@ Step PictureCourse::next(TimePoint now) const {
         case OnScreen::preview: {
             if (model_ == ModelState::ready) return Step::showModel;
             if (isQuick_ && !handMoves_) return isLearningsTurn() ? Step::learn : Step::trace;
-            const bool canRefine = previewSamples_ < previewLimit_;
+            // Once the full one is begun, the small one is gone.
+            const bool canRefine = previewSamples_ < previewLimit_ && tracedMs_ <= 0.0;
+            const bool isSettled = !handMoves_ && now - previewSince_ >= kSettle;
             if (model_ == ModelState::searching) {
+                if (isSettled && !isSearchsTurn()) return Step::trace;
                 const bool isWorthIt = canRefine && (handMoves_ || previewSamples_ < kRefinedWhileSearching);
                 return hasSearched_ && isWorthIt ? Step::showPreview : Step::search;
             }
             const bool isYoung = learns_ && model_ == ModelState::young;
             if (isYoung && handMoves_) return hasSearched_ && canRefine ? Step::showPreview : Step::learn;
-            if (!handMoves_ && now - previewSince_ >= kSettle)
-                return isLearningsTurn() ? Step::learn : Step::trace;
+            if (isSettled) return isLearningsTurn() ? Step::learn : Step::trace;
             return canRefine ? Step::showPreview : handMoves_ ? Step::none : Step::trace;
         }
         case OnScreen::model:
@@ -86,8 +88,7 @@ Step PictureCourse::next(TimePoint now) const {
             return Step::fade;
         case OnScreen::traced: {
             // While a hand holds the picture the model does not learn: the hand will move soon.
-            const bool searches = model_ == ModelState::searching && !handMoves_;
-            if (searches && (hasConverged_ || learntMs_ <= kYoungShare * tracedMs_)) return Step::search;
+            if (model_ == ModelState::searching && !handMoves_ && isSearchsTurn()) return Step::search;
             if (!handMoves_ && isLearningsTurn()) return Step::learn;
             return hasConverged_ ? Step::none : Step::trace;
         }
@@ -95,12 +96,24 @@ Step PictureCourse::next(TimePoint now) const {
     return Step::none;
 }
 
+// While there is no traced picture of all pixels: whether search and learning still come before it.
+bool PictureCourse::isBeforeTraced() const {
+    return onScreen_ == OnScreen::preview &&
+           learntMs_ < std::min(kYoungFirstMs, kYoungFirstShare * expectedMs_);
+}
+
+// Likewise, beside or before a picture of all pixels.
+bool PictureCourse::isSearchsTurn() const {
+    if (onScreen_ == OnScreen::traced && hasConverged_) return true;
+    return isBeforeTraced() || learntMs_ <= kYoungShare * tracedMs_;
+}
+
 // While nothing moves, beside a picture of all pixels.
 bool PictureCourse::isLearningsTurn() const {
     const bool isYoung = model_ == ModelState::young;
     if (!learns_ || (!isYoung && model_ != ModelState::ready)) return false;
     if (onScreen_ == OnScreen::traced && hasConverged_) return true;
-    if (isYoung && !isQuick_ && onScreen_ == OnScreen::preview && learntMs_ < kYoungFirstMs) return true;
+    if (isYoung && !isQuick_ && isBeforeTraced()) return true;
     const double share = !isYoung ? kReadyShare : isQuick_ ? kYoungShareWhereQuick : kYoungShare;
     return learntMs_ < share * tracedMs_;
 }

@@ -77,6 +77,7 @@ struct FrameShown {
     std::uint32_t foveaSamples = 0;      // of each of its pixels
     double foveaShare = 0.0;             // of the pixels, at most
     bool greyFacesAreCoarse = false;     // of a clip, by splats
+    bool mixesModel = false;             // traced, but for where the model has less noise
     std::uint64_t samplesPerPixel = 0;   // on average: noise decides where they go
     std::uint64_t sampleLimit = 0;
     double noise = 0.0;        // estimated standard error of what is shown; +infinity before it is known
@@ -101,8 +102,8 @@ struct RenderFailure {
     bool pictureRemains = false;
 };
 
-// Where the time of the render thread went, since it began; told a few times a second while it works. What
-// the stages do not add up to, it waited for an input.
+// Where the time of the render thread went, since it began. It tells that a few times a second while it
+// works. In the rest of its time, which no stage has, it waited for an input.
 struct TimeSpent {
     std::vector<StageTimes> stages;
 };

@@ -13,6 +13,7 @@
 #include "app/frame/motion_scale.h"
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/frame/trust.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::app {
@@ -53,9 +54,12 @@ class TracedPictures {
     Result<Progress> traceFull(const FrameInput& input, const std::function<bool()>& keepGoing);
 
     // The picture that there is, small or full, as it is to be seen. It is on the device, see
-    // PathTracer::display and light.
+    // PathTracer::display.
     Result<const gpu::Image*> display(const glm::vec3& background);
-    Result<trace::TracedLight> light() { return tracer_.light(); }
+    // Whether it has too few samples to be shown beside a good model without being weighed against that; and
+    // what to weigh. It is on the device, see PathTracer::noisyLight.
+    bool isNoisy() const { return !isLast_ && samples_ < hybrid::kTrustedSamples; }
+    Result<trace::TracedLight> light() { return isNoisy() ? tracer_.noisyLight() : tracer_.light(); }
 
     int width() const { return view_.width; }
     int height() const { return view_.height; }

@@ -19,6 +19,10 @@ namespace {
 constexpr std::array kStrides{1, 2, 4, 8, 16, 1, 2, 4, 8};
 constexpr int kFirstSweep = 5;  // strides in the first sweep
 
+// In which of two buffers the filter leaves the noise, after one sweep as after both.
+constexpr std::size_t kNoiseIsIn = 1;
+static_assert(kFirstSweep % 2 == kNoiseIsIn && kStrides.size() % 2 == kNoiseIsIn);
+
 // Pixels of one dispatch for whoever may be interrupted: on a CPU device, where a pixel of a pass takes up to
 // 0.3 microseconds, some 40 ms.
 constexpr int kPixelsCpu = 1 << 17;
@@ -151,9 +155,8 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
                 {pass == 0 ? record.means : colours_[from], noises_[from], masses_, now.surfaces(),
                  stage_ + 1 == stages ? result_ : colours_[1 - from].buffer(), noises_[1 - from].buffer()});
         } else {
-            const auto from = static_cast<std::size_t>(passes % 2);
             recorder.dispatch(kernels_->specks, threads, push,
-                              {colours_[from], noises_[from], masses_, now.surfaces(), result_});
+                              {colours_[kNoiseIsIn], noises_[kNoiseIsIn], masses_, now.surfaces(), result_});
         }
         row_ += rows;
         if (row_ < height_) return;
@@ -182,6 +185,24 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     giveUp();
     ran_ = true;
     return true;
+}
+
+Result<const gpu::Buffer*> Denoiser::variances(const Guides& now) {
+    const std::shared_ptr<gpu::Device>& device = result_.device();
+    const std::uint64_t pixels = std::uint64_t(width_) * std::uint64_t(height_);
+    if (!variances_) {
+        MACULA_TRY(variances_, gpu::Buffer::create(device, {.label = "variances of filtered light",
+                                                            .bytes = pixels * sizeof(float)}));
+    }
+    // The device keeps what is compiled.
+    MACULA_TRY(const gpu::Kernel kernel, gpu::Kernel::create(device, shaders::denoise_variance_comp));
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device, "variances"));
+    recorder.dispatch(kernel, {static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_)},
+                      pushOf({width_, height_}, 0.0f, 0.0f, {}),
+                      {noises_[kNoiseIsIn], masses_, records_[current_].means, records_[current_].moments,
+                       now.surfaces(), now.matters(), now.motions(), *variances_});
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    return &*variances_;
 }
 
 void Denoiser::advance() {

@@ -11,6 +11,7 @@
 #include <array>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "base/result.h"
 #include "pipeline/gpu/kernel.h"
@@ -67,6 +68,9 @@ class Denoiser {
 
     // vec4 for each pixel: linear premultiplied radiance and alpha, row 0 on top; of the last run.
     const gpu::Buffer& result() const { return result_; }
+    // Of that: see shaders/lib/denoise_variance.glsl. float for each pixel, valid until the next call. `now`
+    // as for that run. outOfMemory.
+    Result<const gpu::Buffer*> variances(const Guides& now);
 
   private:
     struct Record {
@@ -90,6 +94,7 @@ class Denoiser {
     std::array<gpu::TexelBuffer, 2> noises_;
     std::array<gpu::TexelBuffer, 2> colours_;
     gpu::Buffer result_;
+    std::optional<gpu::Buffer> variances_;  // where somebody asked for them
 };
 
 }  // namespace macula::trace

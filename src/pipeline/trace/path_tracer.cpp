@@ -15,6 +15,7 @@
 #include "pipeline/trace/pixel_layers.h"
 #include "pipeline/trace/scene_view.h"
 #include "pipeline/trace/trace_kernels.h"
+#include "pipeline/trace/variance_map.h"
 #include "pipeline/trace/view_history.h"
 #include "shaders/trace.h"
 #include "shared/trace_params.h"
@@ -60,7 +61,8 @@ struct PathTracer::Impl {
           kernels(device),
           displayKernel(std::move(display)),
           accumulation(device),
-          history(device) {}
+          history(device),
+          variances(device) {}
 
     SceneView scene;
     std::shared_ptr<gpu::Device> device;
@@ -79,6 +81,7 @@ struct PathTracer::Impl {
     std::uint32_t mostSamples = UINT32_MAX;  // of one dispatch; lowered when paths turn out too long
     Accumulation accumulation;
     ViewHistory history;
+    VarianceMap variances;
     std::optional<SurfacePointSearch> search;  // under way, in what is looked at
 
     bool isStale() const { return stale || !scene.isCurrent(); }
@@ -374,6 +377,13 @@ Result<TracedLight> PathTracer::light() {
     if (light.areMeans) {
         MACULA_TRY(light.values, t.denoised());
     }
+    return light;
+}
+
+Result<TracedLight> PathTracer::noisyLight() {
+    MACULA_TRY(TracedLight light, this->light());
+    MACULA_TRY(light.variances,
+               light.areMeans ? impl_->history.variances() : impl_->variances.of(impl_->accumulation.film()));
     return light;
 }
 

@@ -75,6 +75,10 @@ struct TracedLight {
     const gpu::Buffer* values = nullptr;  // vec4 for each pixel: the mean, or the sum of its samples
     const gpu::Buffer* counts = nullptr;  // uint for each pixel: samples
     bool areMeans = false;                // then it is denoised, and counts do not count
+    // Of noisyLight() alone: float for each pixel, the mean square error of the luminance (Rec. 709) of the
+    // mean, as far as its samples tell; very large where there are none (shaders/lib/variance.glsl, of a
+    // filtered picture denoise_variance.glsl).
+    const gpu::Buffer* variances = nullptr;
 };
 
 // For previews of few samples that are not denoised: a binomial filter over the means of neighbouring pixels,
@@ -177,6 +181,8 @@ class PathTracer {
 
     // What display() shows, before background and tone map; valid until the next call.
     Result<TracedLight> light();
+    // The same with how noisy it is. outOfMemory.
+    Result<TracedLight> noisyLight();
 
     // The guides of the view that was set last, on the device: valid until the next call. Motion is towards
     // the last view before it that was traced. Normals need a few more voxels; where these make others

@@ -68,8 +68,10 @@ struct Host : GlslInCpp<double> {
 #include "lib/denoise_gather.glsl"
 #include "lib/denoise_prepare.glsl"
 #include "lib/denoise_specks.glsl"
+#include "lib/denoise_variance.glsl"
 #include "lib/fovea.glsl"
 #include "lib/picture.glsl"
+#include "lib/variance.glsl"
 #undef float
 };
 
@@ -151,6 +153,21 @@ std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const Den
         shown[index] = host.withoutSpeck(pixel);
     });
     return shown;
+}
+
+std::vector<double> denoiseVariances(const shared::DenoisePush& push, const DenoiseRecord& record,
+                                     const DenoiseState& state, const DenoiseGuides& now,
+                                     const std::vector<glm::dvec4>& masses) {
+    Host prototype(push);
+    prototype.record = &record;
+    prototype.state = &state;
+    prototype.now = &now;
+    prototype.masses = &masses;
+    std::vector<double> variances(state.colours.size());
+    forEachPixel(prototype, [&](Host& host, const glm::ivec2& pixel, std::size_t index) {
+        variances[index] = host.varianceOfFiltered(pixel);
+    });
+    return variances;
 }
 
 }  // namespace macula::trace

@@ -41,5 +41,9 @@ DenoiseState denoiseFilter(const shared::DenoisePush& push, const DenoiseState& 
 // The colours without specks, after the last pass.
 std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const DenoiseState& state,
                                       const DenoiseGuides& now, const std::vector<glm::dvec4>& masses);
+// How far that may be off: the mean square error of luminance; after the last pass.
+std::vector<double> denoiseVariances(const shared::DenoisePush& push, const DenoiseRecord& record,
+                                     const DenoiseState& state, const DenoiseGuides& now,
+                                     const std::vector<glm::dvec4>& masses);
 
 }  // namespace macula::trace

@@ -39,6 +39,8 @@ class ViewHistory {
     // the film's `edition` is another one, or `how` is. Valid until the next call.
     Result<const gpu::Buffer*> denoised(const Film& film, std::uint64_t edition, Denoising how,
                                         const SceneView& scene, TraceKernels& kernels);
+    // How noisy that is; right after it: Denoiser::variances.
+    Result<const gpu::Buffer*> variances() { return denoiser_->variances(*guides_); }
     // What denoised() has to do, in short dispatches that are waited for; `keepGoing` is asked after each,
     // and the next call goes on where it said no. Whether all is done.
     Result<bool> denoiseSome(const Film& film, std::uint64_t edition, Denoising how, const SceneView& scene,

@@ -3043,6 +3043,10 @@
         <translation>Vorschau blendet aus</translation>
     </message>
     <message>
+        <source>preview where it is less noisy</source>
+        <translation>Vorschau, wo sie weniger rauscht</translation>
+    </message>
+    <message>
         <source>1/%1 of the pixels each way</source>
         <translation>1/%1 der Pixel je Richtung</translation>
     </message>

@@ -84,6 +84,10 @@
             <numerusform>, %n Abtastungen</numerusform>
         </translation>
     </message>
+    <message>
+        <source>, preview where it is less noisy</source>
+        <translation>, Vorschau, wo sie weniger rauscht</translation>
+    </message>
 </context>
 <context>
     <name>HeadsetWords</name>

@@ -8,6 +8,7 @@
 #include "gpu/shared_layout.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/frame/compositor.h"
+#include "pipeline/hybrid/frame/texel_room.h"
 #include "shader/shader_lib.h"
 #include "shaders/hybrid.h"
 #include "shared/compose_params.h"
@@ -177,6 +178,38 @@ TEST_F(CompositorTest, TheFoveaTakesThePlaceOfSplatsByItsWeight) {
             const glm::dvec4 hybrid = glm::mix(bright, glm::dvec4(fovea[i]), double(weights[i]));
             const glm::dvec3 right =
                 expected(glm::mix(hybrid, glm::dvec4(traced[i]), double(share)), display);
+            for (int k = 0; k < 3; ++k) ASSERT_NEAR(shown[i][k], 255.0 * right[k], kRounding) << i;
+        }
+    }
+}
+
+// What is traced takes the place of splats by trust, and that of both by its share.
+TEST_F(CompositorTest, WhatIsTracedIsShownAsFarAsItIsTrusted) {
+    const auto splats = premultiplied(1.0f);
+    const auto traced = premultiplied(1.0f);
+    std::vector<float> trusts(kPixels);
+    for (std::size_t i = 0; i < kPixels; ++i) trusts[i] = float(i % 5) / 4.0f;
+    const OnDevice on = upload(splats, traced, std::vector<std::uint32_t>(kPixels, 1));
+    const gpu::TexelBuffer trustTexels =
+        std::move(*makeTexels(device(), "trusts", VK_FORMAT_R32_SFLOAT, kPixels));
+    ASSERT_TRUE(gpu::uploadTo<float>(trustTexels.buffer(), trusts).ok());
+    const trace::TracedLight light{.values = &on.traced, .counts = &on.counts, .areMeans = true};
+    const Display display{.background = {0.02f, 0.1f, 0.3f}, .exposure = 1.0f};
+    auto compositor = Compositor::create(device());
+    for (const float share : {0.0f, 0.5f, 1.0f}) {
+        const auto picture = compositor->compose({.splats = &on.splats,
+                                                  .traced = share > 0.0f ? &light : nullptr,
+                                                  .tracedTrusts = &trustTexels,
+                                                  .sizePx = kSize,
+                                                  .splatGain = float(kGain),
+                                                  .tracedShare = share},
+                                                 display);
+        ASSERT_TRUE(picture.ok());
+        const auto shown = gpu::read<glm::u8vec4>(**picture).value();
+        for (std::size_t i = 0; i < kPixels; ++i) {
+            const glm::dvec4 bright = glm::dvec4(splats[i]) * glm::dvec4(glm::dvec3(kGain), 1.0);
+            const glm::dvec4 trusted = glm::mix(bright, glm::dvec4(traced[i]), double(trusts[i]));
+            const glm::dvec3 right = expected(glm::mix(bright, trusted, double(share)), display);
             for (int k = 0; k < 3; ++k) ASSERT_NEAR(shown[i][k], 255.0 * right[k], kRounding) << i;
         }
     }

@@ -258,6 +258,83 @@ TEST_F(HybridFrameTest, AFoveaIsDenoisedAsItsAimSays) {
     EXPECT_EQ(shown(trace::Denoising::off), noisy);
 }
 
+// Over what it shows itself a fovea of few samples has no weight; over splats that show something else it has
+// all that its place gives it, and so it has where they know nothing.
+TEST_F(HybridFrameTest, AFoveaWeighsAsMuchAsItIsBetterThanTheSplats) {
+    trace::PathTracer screen = onScreen();
+    ASSERT_TRUE(*screen.trace(2));
+    const std::vector<glm::vec4> traced = screen.readback()->radiance;
+    const std::vector<glm::vec4> bright(traced.size(), glm::vec4(9.0f, 9.0f, 9.0f, 1.0f));
+    const gpu::Buffer depthSums =
+        std::move(*gpu::Buffer::create(device(), {.bytes = traced.size() * sizeof(float)}));
+    ASSERT_TRUE(gpu::uploadTo<float>(depthSums, std::vector<float>(traced.size())).ok());
+    const auto showing = [&](const std::vector<glm::vec4>& pixels, bool isLikeness = true) {
+        return Periphery{.draw = [&](const Camera&, const glm::ivec2& sizePx) -> Result<DrawnSplats> {
+                             EXPECT_EQ(sizePx, kSize);
+                             MACULA_TRY(splats_, splat::DevicePicture::upload(device(), "known", sizePx.x,
+                                                                              sizePx.y, pixels));
+                             return DrawnSplats{&*splats_, &depthSums};
+                         },
+                         .isLikeness = isLikeness};
+    };
+    HybridFrame frame = beside(screen);
+    const FrameRequest request{.eyes = {view().camera}, .sizePx = kSize, .display = {}};
+    const auto weightOfMarker = [&](const Periphery& periphery) {
+        const Frame drawn = frame.draw(request, periphery).value();
+        const auto weights = gpu::read<float>(*drawn.foveaWeights).value();
+        double most = 0.0;
+        for (std::size_t i = 0; i < traced.size(); ++i)
+            if (traced[i].w > 0.5f) most = std::max(most, double(weights[i]));
+        return most;
+    };
+    ASSERT_TRUE(frame.adopt(screen, wholeView(2)).ok());
+    EXPECT_GT(weightOfMarker(showing(traced, false)), 0.95) << "they are no likeness yet";
+    EXPECT_LT(weightOfMarker(showing(traced)), 0.01);
+    EXPECT_LT(weightOfMarker(showing(bright)), 0.01) << "it is weighed once";
+    EXPECT_GT(weightOfMarker(showing(bright, false)), 0.95) << "the model was given up";
+    EXPECT_GT(weightOfMarker(showing(bright)), 0.95) << "they are something else";
+    ASSERT_TRUE(frame.adopt(screen, wholeView(kTrustedSamples)).ok());
+    EXPECT_GT(weightOfMarker(showing(traced)), 0.95) << "it is right, and not weighed";
+}
+
+// With all pixels, what is traced is shown as far as it is better, and the fovea of before is not.
+TEST_F(HybridFrameTest, WhatFadesInIsWeighedAgainstTheSplats) {
+    trace::PathTracer screen = onScreen();
+    ASSERT_TRUE(*screen.trace(2));
+    const std::vector<glm::vec4> traced = screen.readback()->radiance;
+    HybridFrame frame = beside(screen);
+    ASSERT_TRUE(frame.adopt(screen, wholeView(2)).ok());
+    const glm::vec4 green(0.0f, 0.5f, 0.0f, 1.0f);
+    const auto drawn = [&](const trace::TracedLight& light, float share) {
+        const Frame made = frame
+                               .draw({.eyes = {view().camera},
+                                      .sizePx = kSize,
+                                      .display = {},
+                                      .fadingIn = FadingIn{.light = light, .share = share}},
+                                     plain(green))
+                               .value();
+        EXPECT_EQ(made.foveaWeights == nullptr, share >= 1.0f);
+        return pictureOf(made);
+    };
+    const auto displayed = gpu::read<glm::u8vec4>(*screen.display(glm::vec3(0.0f)).value()).value();
+    const trace::TracedLight plainly = screen.light().value();
+    EXPECT_EQ(plainly.variances, nullptr);
+    const std::vector<glm::u8vec4> whole = drawn(plainly, 1.0f);
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        for (int k = 0; k < 3; ++k) ASSERT_NEAR(whole[i][k], displayed[i][k], 2) << i;
+    // Green splats are wrong everywhere: nothing of them is left where there is no noise, and little beside
+    // the marker, whose samples differ.
+    const std::vector<glm::u8vec4> weighed = drawn(screen.noisyLight().value(), 1.0f);
+    EXPECT_EQ(weighed[0], displayed[0]);
+    EXPECT_NE(weighed, whole);
+    for (std::size_t i = 0; i < weighed.size(); ++i) {
+        if (traced[i].w == 0.0f) {
+            ASSERT_NEAR(weighed[i].y, displayed[i].y, 120) << i;
+        }
+    }
+    drawn(plainly, 0.5f);
+}
+
 TEST_F(HybridFrameTest, AFarEyeIsNotShownTheFovea) {
     trace::PathTracer screen = onScreen();
     HybridFrame frame = beside(screen);

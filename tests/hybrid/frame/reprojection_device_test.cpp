@@ -12,6 +12,7 @@
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/frame/reference_reprojection.h"
 #include "pipeline/hybrid/frame/reprojection.h"
+#include "pipeline/hybrid/frame/texel_room.h"
 #include "shaders/hybrid.h"
 
 namespace macula::hybrid {
@@ -373,13 +374,13 @@ class ReprojectionOnDevice : public gpu::SharedDeviceTest {
             .camera = before,
             .sizePx = kSize,
             .lights = std::move(*splat::DevicePicture::upload(device(), "lights", kSize.x, kSize.y, lights)),
-            .depths = std::move(*gpu::TexelBuffer::create(
-                device(),
-                {.label = "depths",
-                 .elements = depths.size(),
-                 .format = VK_FORMAT_R32G32_SFLOAT,
-                 .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}))};
+            .depths = std::move(*makeTexels(device(), "depths", VK_FORMAT_R32G32_SFLOAT, depths.size())),
+            .variances = std::move(*gpu::Buffer::create(device(), {.bytes = depths.size() * sizeof(float)})),
+            .trusts = std::move(*makeTexels(device(), "trusts", VK_FORMAT_R32_SFLOAT, depths.size()))};
         EXPECT_TRUE(gpu::uploadTo<glm::vec2>(captured.depths.buffer(), depths).ok());
+        std::vector<float> trusts(picture.trusts.begin(), picture.trusts.end());
+        trusts.resize(depths.size(), 1.0f);
+        EXPECT_TRUE(gpu::uploadTo<float>(captured.trusts.buffer(), trusts).ok());
         auto reprojection = Reprojection::create(device());
         // As a rasterizer leaves them: three quarters of a pixel are covered, or nothing.
         std::optional<DrawnSplats> splats;
@@ -408,12 +409,17 @@ TEST_F(ReprojectionOnDevice, IsThatOfTheReference) {
     const Camera before = cameraAt({0, -420, 0});
     ReferenceCapture picture = captureOf(before, kSize);
     for (std::size_t i = 0; i < picture.depths.size(); i += 3) picture.depths[i].y = 7.0;
+    // Trust has soft borders.
+    for (std::size_t i = 0; i < picture.lights.size(); ++i)
+        picture.trusts.push_back(0.5 + 0.5 * std::sin(0.1 * double(i % std::size_t(kSize.x))));
     for (const Camera& now : {before, cameraAt({5, -420, 3}), cameraAt({-20, -430, 10}),
                               cameraAt({0, -420, 0}, {7.3, 0, 0}), cameraAt({200, -300, 0})}) {
         for (const std::vector<double>& depths : {std::vector<double>(), depthsAlongView(now)}) {
             ReferenceReprojection expected =
                 reproject(*reprojectionOf(before, kSize, now, kSize, kSeen, 0.1), picture, depths);
             expected.weights = feather(kSize, expected.weights);
+            for (std::size_t i = 0; i < expected.weights.size(); ++i)
+                expected.weights[i] *= expected.trusts[i];
             const Seen seen = onDevice(picture, before, now, kSize, 0.1, depths);
             std::size_t off = 0;
             for (std::size_t i = 0; i < expected.weights.size(); ++i) {

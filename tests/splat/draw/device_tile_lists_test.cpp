@@ -115,6 +115,7 @@ class DeviceLists : public gpu::SharedDeviceTest {
         EXPECT_TRUE(drawn.ok()) << (drawn.ok() ? "" : drawn.error().message);
         seen.picture = *rasterizer.picture().read();
         seen.depths = *gpu::read<float>(rasterizer.depths());
+        seen.depths.resize(seen.picture.size());
         seen.pairCount = drawn->pairCount();
         const TileBuffers& lists = rasterizer.tileLists();
         const glm::ivec2 tiles = (view.sizePx + glm::ivec2(7, 15)) / glm::ivec2(8, 16);

@@ -19,16 +19,19 @@ Result<Compositor> Compositor::create(const std::shared_ptr<gpu::Device>& device
 
 // The device keeps what is compiled.
 Result<gpu::Kernel> Compositor::kernelFor(const Layers& layers, const Display& display) const {
+    const bool isMixed = layers.tracedShare < 1.0f;
+    const bool isTrusted = layers.tracedTrusts == nullptr || layers.tracedShare <= 0.0f;
     return gpu::Kernel::create(
         device_, shaders::hybrid_compose_comp,
-        {.specializations = {{"kHasSplats", layers.splats != nullptr && layers.tracedShare < 1.0f},
-                             {"kHasFovea", layers.fovea != nullptr && layers.tracedShare < 1.0f},
+        {.specializations = {{"kHasSplats", layers.splats != nullptr && (isMixed || !isTrusted)},
+                             {"kHasFovea", layers.fovea != nullptr && isMixed},
                              {"kHasTraced", layers.tracedShare > 0.0f},
+                             {"kHasTrusts", !isTrusted},
                              {"kKeepsCoverage", display.keepsCoverage}}});
 }
 
 Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Display& display) {
-    MACULA_CHECK(layers.splats != nullptr || layers.tracedShare >= 1.0f);
+    MACULA_CHECK(layers.splats != nullptr || (layers.tracedShare >= 1.0f && layers.tracedTrusts == nullptr));
     MACULA_CHECK(layers.traced != nullptr || layers.tracedShare <= 0.0f);
     const auto width = static_cast<std::uint32_t>(layers.sizePx.x);
     const auto height = static_cast<std::uint32_t>(layers.sizePx.y);
@@ -49,6 +52,7 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
     const gpu::TexelBuffer& splats = layers.splats != nullptr ? layers.splats->texels : nothing_;
     const gpu::TexelBuffer& fovea = layers.fovea != nullptr ? *layers.fovea->lights : nothing_;
     const gpu::TexelBuffer& weights = layers.fovea != nullptr ? *layers.fovea->weights : nothing_;
+    const gpu::TexelBuffer& trusts = layers.tracedTrusts != nullptr ? *layers.tracedTrusts : nothing_;
     const gpu::Buffer& values = layers.traced != nullptr ? *layers.traced->values : nothing_.buffer();
     const gpu::Buffer& counts = layers.traced != nullptr ? *layers.traced->counts : nothing_.buffer();
     const shared::ComposePush push{
@@ -59,7 +63,8 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
         .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0};
     MACULA_TRY(const gpu::Kernel kernel, kernelFor(layers, display));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compose"));
-    recorder.dispatch(kernel, {width, height}, push, {splats, fovea, weights, values, counts, *picture_});
+    recorder.dispatch(kernel, {width, height}, push,
+                      {splats, fovea, weights, values, counts, trusts, *picture_});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     return &*picture_;
 }

@@ -21,9 +21,13 @@ struct Layers {
     const splat::DevicePicture* splats = nullptr;
     const ReprojectedPicture* fovea = nullptr;   // over the splats, by its weights
     const trace::TracedLight* traced = nullptr;  // with all pixels
+    // float for each pixel: how far what is traced is to be trusted over the splats (trust.h). Null: wholly.
+    const gpu::TexelBuffer* tracedTrusts = nullptr;
     glm::ivec2 sizePx{0};
-    float splatGain = 1.0f;    // multiplies their light, not their coverage
-    float tracedShare = 0.0f;  // 0 to 1; must be 1 without splats, and 0 without what is traced
+    float splatGain = 1.0f;  // multiplies their light, not their coverage
+    // 0 to 1: of what is traced, over splats as far as it is trusted; the rest is of splats and fovea. Must
+    // be 1 without splats, and 0 without what is traced.
+    float tracedShare = 0.0f;
 };
 
 struct Display {

@@ -1,10 +1,14 @@
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "base/check.h"
+#include "pipeline/gpu/recorder.h"
+#include "pipeline/hybrid/frame/texel_room.h"
 
 namespace macula::hybrid {
 
@@ -26,7 +30,8 @@ Result<HybridFrame> HybridFrame::create(const std::shared_ptr<gpu::Device>& devi
     MACULA_TRY(trace::PathTracer tracer, beside.ofSameScene());
     tracer.setDispatchMs(kDispatchMs);
     MACULA_TRY(Reprojection reprojection, Reprojection::create(device));
-    return HybridFrame(device, std::move(tracer), std::move(reprojection));
+    MACULA_TRY(Trust trust, Trust::create(device));
+    return HybridFrame(device, std::move(tracer), std::move(reprojection), std::move(trust));
 }
 
 Result<void> HybridFrame::setScene(const trace::Settings& settings) {
@@ -186,6 +191,41 @@ double HybridFrame::foveaBudgetMs(double mostMs) const {
     return std::min(mostMs, leftMs / wallPerTracing_);
 }
 
+// Once for each fovea: the splats change little while it is shown.
+Result<void> HybridFrame::weighFovea(const Periphery& periphery) {
+    if (fovea_->isWeighed || fovea_->aim.samplesPerPixel >= kTrustedSamples) return {};
+    const CapturedPicture& picture = fovea_->picture;
+    MACULA_TRY(const DrawnSplats splats, periphery.draw(picture.camera, picture.sizePx));
+    if (splats.depthSums == nullptr) return {};
+    const gpu::Buffer& lights = picture.lights.texels.buffer();
+    const trace::TracedLight light{
+        .values = &lights, .counts = &lights, .areMeans = true, .variances = &picture.variances};
+    MACULA_TRY_VOID(trust_.weigh(light, *splats.picture, periphery.gain, picture.trusts));
+    fovea_->isWeighed = true;
+    return {};
+}
+
+// There is nothing any more that it would be weighed against.
+Result<void> HybridFrame::trustFovea() {
+    if (!fovea_->isWeighed) return {};
+    MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "trust"));
+    recorder.fill(fovea_->picture.trusts.buffer(), std::bit_cast<std::uint32_t>(1.0f));
+    MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
+    fovea_->isWeighed = false;
+    return {};
+}
+
+Result<void> HybridFrame::addFadingIn(Layers& layers, const FadingIn& fadingIn) {
+    layers.traced = &fadingIn.light;
+    layers.tracedShare = fadingIn.share;
+    if (fadingIn.light.variances == nullptr) return {};
+    const std::uint64_t pixels = std::uint64_t(layers.sizePx.x) * std::uint64_t(layers.sizePx.y);
+    MACULA_TRY_VOID(makeRoom(trusts_, device_, "trust in a traced picture", VK_FORMAT_R32_SFLOAT, pixels));
+    MACULA_TRY_VOID(trust_.weigh(fadingIn.light, *layers.splats, layers.splatGain, *trusts_));
+    layers.tracedTrusts = &*trusts_;
+    return {};
+}
+
 Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& periphery) {
     MACULA_CHECK(!request.eyes.empty());
     MACULA_CHECK(request.eyes.size() == 1 || !request.fadingIn);
@@ -195,6 +235,10 @@ Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& pe
         compositors_.push_back(std::move(compositor));
     }
     noteTurn(request.eyes.front().positionMm);
+    const bool hidesFovea = request.fadingIn && request.fadingIn->share >= 1.0f;
+    const auto showsFovea = [&](const Camera& eye) { return !hidesFovea && showsFoveaTo(eye); };
+    if (std::any_of(request.eyes.begin(), request.eyes.end(), showsFovea))
+        MACULA_TRY_VOID(periphery.isLikeness ? weighFovea(periphery) : trustFovea());
     Frame frame;
     for (std::size_t i = 0; i < request.eyes.size(); ++i) {
         const Camera& eye = request.eyes[i];
@@ -202,21 +246,18 @@ Result<Frame> HybridFrame::draw(const FrameRequest& request, const Periphery& pe
         MACULA_TRY(const DrawnSplats splats, periphery.draw(eye, sizePx));
         Layers layers{.splats = splats.picture, .sizePx = sizePx, .splatGain = periphery.gain};
         ReprojectedPicture fovea;
-        if (showsFoveaTo(eye)) {
+        if (showsFovea(eye)) {
             MACULA_TRY(fovea, reprojection_.reproject(
                                   fovea_->picture, eye, sizePx, seenMm_, kEdgeFade,
                                   splats.depthSums != nullptr ? std::optional(splats) : std::nullopt));
             layers.fovea = &fovea;
             frame.foveaWeights = &fovea.weights->buffer();
         }
-        if (request.fadingIn) {
-            layers.traced = &request.fadingIn->light;
-            layers.tracedShare = request.fadingIn->share;
-        }
+        if (request.fadingIn) MACULA_TRY_VOID(addFadingIn(layers, *request.fadingIn));
         MACULA_TRY(const gpu::Image* picture, compositors_[i].compose(layers, request.display));
         frame.pictures.push_back(picture);
     }
-    if (showsFoveaTo(request.eyes.front())) {
+    if (showsFovea(request.eyes.front())) {
         frame.foveaAgeMs = msBetween(fovea_->begun, Clock::now());
         frame.foveaSamples = fovea_->aim.samplesPerPixel;
         const glm::ivec2 firstPx = request.sizesPx.empty() ? request.sizePx : request.sizesPx.front();

@@ -23,6 +23,7 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/frame/compositor.h"
 #include "pipeline/hybrid/frame/reprojection.h"
+#include "pipeline/hybrid/frame/trust.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::hybrid {
@@ -31,7 +32,8 @@ namespace macula::hybrid {
 struct Periphery {
     // Linear, premultiplied; valid until the next call.
     std::function<Result<DrawnSplats>(const Camera& eye, const glm::ivec2& sizePx)> draw;
-    float gain = 1.0f;  // of their light: LiveModel::gain
+    float gain = 1.0f;       // of their light: LiveModel::gain
+    bool isLikeness = true;  // they are what is there, or nearly: a noisy fovea is weighed against them
 };
 
 // The next picture for the fovea.
@@ -54,8 +56,8 @@ struct FoveaTimes {
 
 // A traced picture of all pixels, of exactly what the eye sees, that takes the frame's place by and by.
 struct FadingIn {
-    trace::TracedLight light;
-    float share = 0.0f;  // of it, 0 to 1
+    trace::TracedLight light;  // without variances it is trusted wholly
+    float share = 0.0f;        // of it, 0 to 1; the rest is of splats and fovea
 };
 
 struct FrameRequest {
@@ -143,6 +145,7 @@ class HybridFrame {
         Clock::time_point begun{};
         bool isAdopted = false;
         double tracingMs = 0.0;
+        bool isWeighed = false;  // against the splats
     };
     struct Extent {  // in the whole of an aim, -1 to 1: the middle, and from there to where the fovea ends
         glm::dvec2 middle{0.0};
@@ -150,18 +153,27 @@ class HybridFrame {
     };
     static Extent extentOf(const FoveaAim& aim, bool isAdopted);
 
+    Result<void> weighFovea(const Periphery& periphery);
+    Result<void> trustFovea();
+    Result<void> addFadingIn(Layers& layers, const FadingIn& fadingIn);
     double degreesAround(const glm::dvec3& aMm, const glm::dvec3& bMm) const;
     double magnificationFor(const Camera& eye) const;
     bool isWithinFovea(const glm::dvec2& gaze) const;
     void noteTurn(const glm::dvec3& eyeMm);
 
-    HybridFrame(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer, Reprojection reprojection)
-        : device_(std::move(device)), tracer_(std::move(tracer)), reprojection_(std::move(reprojection)) {}
+    HybridFrame(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer, Reprojection reprojection,
+                Trust trust)
+        : device_(std::move(device)),
+          tracer_(std::move(tracer)),
+          reprojection_(std::move(reprojection)),
+          trust_(std::move(trust)) {}
 
     std::shared_ptr<gpu::Device> device_;
     trace::PathTracer tracer_;
     Reprojection reprojection_;
-    std::vector<Compositor> compositors_;  // for each eye
+    Trust trust_;
+    std::optional<gpu::TexelBuffer> trusts_;  // in what fades in; there may be room for more
+    std::vector<Compositor> compositors_;     // for each eye
     Box seenMm_;
     trace::Settings settings_;
     std::uint32_t count_ = 0;      // of pictures: each has other noise

@@ -9,6 +9,8 @@ namespace macula::hybrid {
 namespace {
 
 #define OUT(type) type&
+#define INOUT(type) type&
+#define PRECISE
 
 // A class, because the shader functions read their tables as globals.
 struct Host : GlslInCpp<double> {
@@ -31,12 +33,35 @@ struct Host : GlslInCpp<double> {
     vec4 fetchLight(int pixel) const { return before->lights[static_cast<std::size_t>(pixel)]; }
     vec2 fetchSurface(int pixel) const { return before->depths[static_cast<std::size_t>(pixel)]; }
 
+    double fetchTrust(int pixel) const {
+        return before->trusts.empty() ? 1.0 : before->trusts[static_cast<std::size_t>(pixel)];
+    }
     double fetchExpected(int pixel) const {
         return expectedDepthsMm.empty() ? -1.0 : expectedDepthsMm[static_cast<std::size_t>(pixel)];
     }
 
 #define float double
 #include "lib/reproject.glsl"
+#undef float
+};
+
+struct TrustHost : GlslInCpp<double> {
+    struct {
+        ivec2 size;
+        double splatGain;
+    } trust;
+    std::span<const glm::dvec4> capturedLights;
+    std::span<const double> capturedVariances;
+    std::span<const glm::dvec4> drawnSplats;
+
+    vec4 fetchLight(int pixel) const { return capturedLights[static_cast<std::size_t>(pixel)]; }
+    double fetchVariance(int pixel) const { return capturedVariances[static_cast<std::size_t>(pixel)]; }
+    vec4 fetchSplats(int pixel) const { return drawnSplats[static_cast<std::size_t>(pixel)]; }
+    vec2 fetchTerms(const ivec2& pixel) { return termsInRow(pixel); }
+
+#define float double
+#include "lib/picture.glsl"
+#include "lib/trust.glsl"
 #undef float
 };
 
@@ -55,6 +80,8 @@ struct FeatherHost : GlslInCpp<double> {
 };
 
 #undef OUT
+#undef INOUT
+#undef PRECISE
 
 }  // namespace
 
@@ -65,7 +92,7 @@ ReferenceReprojection reproject(const shared::ReprojectPush& push, const Referen
     MACULA_CHECK_EQ(before.depths.size(), pixels);
     const auto columns = std::size_t(push.size.x);
     const auto rows = std::size_t(push.size.y);
-    ReferenceReprojection result{std::vector<glm::dvec4>(columns * rows),
+    ReferenceReprojection result{std::vector<glm::dvec4>(columns * rows), std::vector<double>(columns * rows),
                                  std::vector<double>(columns * rows)};
     parallelFor(rows, [&](std::size_t row) {
         Host host(push, before);
@@ -74,8 +101,25 @@ ReferenceReprojection reproject(const shared::ReprojectPush& push, const Referen
             const auto seen = host.reprojectedAt({int(column), int(row)});
             result.lights[row * columns + column] = seen.light;
             result.weights[row * columns + column] = seen.weight;
+            result.trusts[row * columns + column] = seen.trust;
         }
     });
+    return result;
+}
+
+std::vector<double> trustIn(const glm::ivec2& sizePx, std::span<const glm::dvec4> lights,
+                            std::span<const double> variances, std::span<const glm::dvec4> splats,
+                            double splatGain) {
+    std::vector<double> result(lights.size());
+    TrustHost host;
+    host.trust = {sizePx, splatGain};
+    host.capturedLights = lights;
+    host.capturedVariances = variances;
+    host.drawnSplats = splats;
+    for (int y = 0; y < sizePx.y; ++y) {
+        for (int x = 0; x < sizePx.x; ++x)
+            result[static_cast<std::size_t>(y * sizePx.x + x)] = host.trustAt({x, y});
+    }
     return result;
 }
 

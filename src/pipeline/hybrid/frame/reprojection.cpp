@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "pipeline/gpu/recorder.h"
+#include "pipeline/hybrid/frame/texel_room.h"
 #include "shaders/hybrid.h"
 
 namespace macula::hybrid {
@@ -27,18 +28,6 @@ Result<PictureAxes> axesOf(const Camera& camera, const glm::ivec2& sizePx) {
 
 double pixelAngle(const Camera& camera, const glm::ivec2& sizePx) {
     return 2.0 * std::tan(0.5 * glm::radians(camera.verticalFovDeg)) / double(sizePx.y);
-}
-
-Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels, const std::shared_ptr<gpu::Device>& device,
-                      const char* label, VkFormat format, std::uint64_t elements) {
-    if (texels && texels->elements() >= elements) return {};
-    texels.reset();
-    MACULA_TRY(texels, gpu::TexelBuffer::create(device, {.label = label,
-                                                         .elements = elements,
-                                                         .format = format,
-                                                         .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT |
-                                                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}));
-    return {};
 }
 
 gpu::Threads threadsOf(const glm::ivec2& sizePx) {
@@ -124,15 +113,14 @@ Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const t
     MACULA_CHECK(besidePx.x >= 0 && besidePx.y >= 0 && besidePx.x % 2 == 0 && besidePx.y % 2 == 0);
     MACULA_TRY(splat::DevicePicture lights,
                splat::DevicePicture::create(device_, "captured light", sizePx.x, sizePx.y));
+    const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
     MACULA_TRY(gpu::TexelBuffer depths,
-               gpu::TexelBuffer::create(
-                   device_,
-                   {.label = "captured depths",
-                    .elements = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y),
-                    .format = VK_FORMAT_R32G32_SFLOAT,
-                    .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT}));
+               makeTexels(device_, "captured depths", VK_FORMAT_R32G32_SFLOAT, pixels));
+    MACULA_TRY(gpu::TexelBuffer trusts, makeTexels(device_, "trust", VK_FORMAT_R32_SFLOAT, pixels));
+    MACULA_TRY(gpu::Buffer variances, gpu::Buffer::create(device_, {.label = "captured variances",
+                                                                    .bytes = pixels * sizeof(float)}));
     MACULA_TRY(const trace::Guides* guides, tracer.guides());
-    MACULA_TRY(const trace::TracedLight light, tracer.light());
+    MACULA_TRY(const trace::TracedLight light, tracer.noisyLight());
     const shared::CapturePush push{.size = sizePx,
                                    .firstPx = besidePx / 2,
                                    .tracedSize = tracedPx,
@@ -141,15 +129,16 @@ Result<CapturedPicture> Reprojection::capture(trace::PathTracer& tracer, const t
                                    .areMeans = light.areMeans ? 1 : 0};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "capture"));
     recorder.dispatch(kernels_.capture, threadsOf(sizePx), push,
-                      {*light.values, *light.counts, guides->surfaces(), guides->motions(),
-                       lights.texels.buffer(), depths.buffer()});
+                      {*light.values, *light.counts, guides->surfaces(), guides->motions(), *light.variances,
+                       lights.texels.buffer(), depths.buffer(), variances, trusts.buffer()});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     Camera camera = view.camera;
     if (sizePx.y != tracedPx.y)
         camera.verticalFovDeg =
             2.0 * glm::degrees(std::atan(std::tan(0.5 * glm::radians(camera.verticalFovDeg)) *
                                          double(sizePx.y) / double(tracedPx.y)));
-    return CapturedPicture{camera, sizePx, std::move(lights), std::move(depths)};
+    return CapturedPicture{
+        camera, sizePx, std::move(lights), std::move(depths), std::move(variances), std::move(trusts)};
 }
 
 Result<ReprojectedPicture> Reprojection::reproject(const CapturedPicture& before, const Camera& now,
@@ -160,8 +149,8 @@ Result<ReprojectedPicture> Reprojection::reproject(const CapturedPicture& before
                reprojectionOf(before.camera, before.sizePx, now, sizePx, seenMm, edgeFade));
     const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
     MACULA_TRY_VOID(makeRoom(lights_, device_, "reprojected light", VK_FORMAT_R32G32B32A32_SFLOAT, pixels));
-    MACULA_TRY_VOID(
-        makeRoom(hardWeights_, device_, "hard weights of reprojected light", VK_FORMAT_R32_SFLOAT, pixels));
+    MACULA_TRY_VOID(makeRoom(hardWeights_, device_, "hard weights of reprojected light",
+                             VK_FORMAT_R32G32_SFLOAT, pixels));
     MACULA_TRY_VOID(
         makeRoom(weights_, device_, "weights of reprojected light", VK_FORMAT_R32_SFLOAT, pixels));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "reproject"));
@@ -172,7 +161,8 @@ Result<ReprojectedPicture> Reprojection::reproject(const CapturedPicture& before
     if (region.sizePx.x > 0 && region.sizePx.y > 0) {
         recorder.dispatch(
             splats ? kernels_.reprojectBySplats : kernels_.reproject, threadsOf(region.sizePx), push,
-            {before.lights.texels, before.depths, splats ? splats->picture->texels : before.lights.texels,
+            {before.lights.texels, before.depths, before.trusts,
+             splats ? splats->picture->texels : before.lights.texels,
              splats ? *splats->depthSums : lights_->buffer(), lights_->buffer(), hardWeights_->buffer()});
         recorder.dispatch(kernels_.feather, threadsOf(region.sizePx),
                           shared::FeatherPush{.size = sizePx, .firstPx = region.firstPx},

@@ -24,6 +24,8 @@ struct CapturedPicture {
     glm::ivec2 sizePx{0};
     splat::DevicePicture lights;  // linear, premultiplied: means of samples
     gpu::TexelBuffer depths;      // vec2: mm from the eye, negative where there is none; uncertainty, mm
+    gpu::Buffer variances;        // float: TracedLight::variances
+    gpu::TexelBuffer trusts;      // float: in those lights, over splats (trust.h); 1 at first
 };
 
 // Valid until the next picture is reprojected.
@@ -36,7 +38,8 @@ struct ReprojectedPicture {
 // (splat::Rasterizer::depths).
 struct DrawnSplats {
     const splat::DevicePicture* picture = nullptr;
-    const gpu::Buffer* depthSums = nullptr;  // may be null in a Periphery, which then tells no depths
+    const gpu::Buffer* depthSums =
+        nullptr;  // may be null in a Periphery: it tells no depths, and knows nothing
 };
 
 // From one eye to another. `seenMm` is around all that can be seen. Fails with usage where basis(camera)
@@ -86,7 +89,7 @@ class Reprojection {
     std::shared_ptr<gpu::Device> device_;
     Kernels kernels_;
     std::optional<gpu::TexelBuffer> lights_;       // of the last picture; may have room for more
-    std::optional<gpu::TexelBuffer> hardWeights_;  // before their borders are softened
+    std::optional<gpu::TexelBuffer> hardWeights_;  // vec2: before their borders are softened; trust
     std::optional<gpu::TexelBuffer> weights_;
 };
 

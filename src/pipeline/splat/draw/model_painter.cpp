@@ -1,6 +1,7 @@
 #include "pipeline/splat/draw/model_painter.h"
 
 #include <algorithm>
+#include <span>
 
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/splat/draw/host_projection.h"
@@ -68,7 +69,9 @@ Result<SplatPicture> ModelPainter::draw(const RasterView& view) {
     MACULA_TRY(const DevicePicture* drawn, drawOnDevice(view));
     SplatPicture picture{.sizePx = view.sizePx};
     MACULA_TRY(picture.rgba, drawn->read());
-    MACULA_TRY(picture.depthSums, gpu::read<float>(rasterizer_.depths()));
+    picture.depthSums.resize(picture.rgba.size());
+    MACULA_TRY_VOID(
+        gpu::readInto(rasterizer_.depths(), 0, std::as_writable_bytes(std::span(picture.depthSums))));
     return picture;
 }
 

@@ -228,10 +228,16 @@ Result<bool> Rasterizer::settle(RasterPass& pass) {
 }
 
 Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
-    if (depths_ && picture_ && picture_->width == sizePx.x && picture_->height == sizePx.y) return {};
+    const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
+    // Who draws pictures of several sizes in turn does so without new memory.
+    if (depths_ && picture_ && picture_->texels.elements() >= pixels) {
+        picture_->width = sizePx.x;
+        picture_->height = sizePx.y;
+        return {};
+    }
     picture_.reset();
     depths_.reset();
-    const std::uint64_t bytes = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y) * sizeof(glm::vec4);
+    const std::uint64_t bytes = pixels * sizeof(glm::vec4);
     const std::uint64_t most =
         std::min<std::uint64_t>(device_->info().maxStorageBufferBytes, device_->info().maxAllocationBytes);
     if (bytes > most)
@@ -242,9 +248,8 @@ Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
             fmt::format("Choose one of at most {:.1f} million pixels.",
                         static_cast<double>(most) / sizeof(glm::vec4) / 1e6)};
     MACULA_TRY(picture_, DevicePicture::create(device_, "picture of splats", sizePx.x, sizePx.y));
-    MACULA_TRY(depths_, gpu::Buffer::create(device_, {.label = "depths of splats",
-                                                      .bytes = std::uint64_t(sizePx.x) *
-                                                               std::uint64_t(sizePx.y) * sizeof(float)}));
+    MACULA_TRY(depths_,
+               gpu::Buffer::create(device_, {.label = "depths of splats", .bytes = pixels * sizeof(float)}));
     return {};
 }
 

@@ -85,7 +85,7 @@ class Rasterizer {
 
     // The picture of the last view, until the next is drawn. Premultiplied; a is the coverage.
     const DevicePicture& picture() const { return *picture_; }
-    // Float for each pixel: sum of weight times depth of the centre in mm; over a, the mean depth.
+    // Float for each pixel, perhaps more: sum of weight times depth of the centre, mm; over a, the mean.
     const gpu::Buffer& depths() const { return *depths_; }
     // The tile lists on the device, with room for more than there are: TileLists has their order.
     const TileBuffers& tileLists() const { return tileBuffers_; }

@@ -1,0 +1,29 @@
+// How noisy each pixel of a film is: what shaders/lib/variance.glsl says, on the device.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/result.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/trace/film.h"
+
+namespace macula::trace {
+
+// Used by one thread at a time, the one that uses the device.
+class VarianceMap {
+  public:
+    explicit VarianceMap(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
+
+    // Of the means of its samples so far: float for each pixel, and perhaps more behind that, row 0 on top;
+    // done when what was submitted is. Valid until the next call. outOfMemory.
+    Result<const gpu::Buffer*> of(const Film& film);
+
+  private:
+    std::shared_ptr<gpu::Device> device_;
+    std::optional<gpu::Buffer> variances_;
+};
+
+}  // namespace macula::trace
