@@ -1,5 +1,6 @@
 #include "app/frame/frame_renderer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -16,6 +17,9 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kModelToldEvery{500};
 constexpr milliseconds kTimeToldEvery{250};
+// A picture of all pixels is taken to need at least this, which gives a model that is young its whole head
+// start: without it, small pictures have their model much later.
+constexpr double kLeastExpectedMs = PictureCourse::kYoungFirstMs / PictureCourse::kYoungFirstShare;
 constexpr double kQuickMs = 250.0;  // a picture of all pixels that is there sooner has no need of small ones
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
 
@@ -180,7 +184,7 @@ void FrameRenderer::tellCourse() {
         state = ModelState::searching;
     course_.setModel(state, works);
     course_.setLearnsBesideHand(works && learnsBesideHand());
-    course_.setExpectedMs(expectedFullMs());
+    course_.setExpectedMs(std::max(expectedFullMs(), kLeastExpectedMs));
     course_.setQuick(isQuick());
 }
 
