@@ -20,22 +20,15 @@ layout(push_constant, scalar) uniform Push {
     TrustPush trust;
 };
 
-vec4 fetchLight(int pixel) {
-    return vec4(0.0);
-}
-float fetchVariance(int pixel) {
-    return 0.0;
-}
-vec4 fetchSplats(int pixel) {
-    return vec4(0.0);
-}
-vec2 fetchTerms(ivec2 pixel) {
-    return terms[pixel.y * trust.size.x + pixel.x];
-}
 #include "lib/trust.glsl"
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, trust.size))) return;
-    trusts[pixel.y * trust.size.x + pixel.x] = trustAt(pixel);
+    vec2 sum = vec2(0.0);
+    for (int y = pixel.y - TRUST_RADIUS; y <= pixel.y + TRUST_RADIUS; ++y) {
+        int inside = clamp(y, 0, trust.size.y - 1);
+        sum += inside == y ? terms[inside * trust.size.x + pixel.x] : vec2(0.0);
+    }
+    trusts[pixel.y * trust.size.x + pixel.x] = trustOf(sum);
 }

@@ -27,22 +27,24 @@ layout(push_constant, scalar) uniform Push {
     TrustPush trust;
 };
 
-vec4 fetchLight(int pixel) {
-    return traced[pixel] / (trust.areMeans == 1 ? 1.0 : float(max(counts[pixel], 1u)));
-}
-float fetchVariance(int pixel) {
-    return variances[pixel];
-}
-vec4 fetchSplats(int pixel) {
-    return texelFetch(splats, pixel);
-}
-vec2 fetchTerms(ivec2 pixel) {
-    return vec2(0.0);
-}
 #include "lib/trust.glsl"
+
+vec4 tracedAt(int index) {
+    return traced[index] / (trust.areMeans == 1 ? 1.0 : float(max(counts[index], 1u)));
+}
+vec4 splatsAt(int index) {
+    return texelFetch(splats, index) * vec4(vec3(trust.splatGain), 1.0);
+}
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, trust.size))) return;
-    terms[pixel.y * trust.size.x + pixel.x] = termsInRow(pixel);
+    int row = pixel.y * trust.size.x;
+    vec2 sum = vec2(0.0);
+    for (int x = pixel.x - TRUST_RADIUS; x <= pixel.x + TRUST_RADIUS; ++x) {
+        int index = row + clamp(x, 0, trust.size.x - 1);
+        vec2 one = trustTerms(tracedAt(index), variances[index], splatsAt(index));
+        sum += index == row + x ? one : vec2(0.0);
+    }
+    terms[row + pixel.x] = sum;
 }

@@ -59,8 +59,8 @@ bool isEmpty(vec4 mass) {
     return massOfLight(mass) < float(LEAST_MASS) && chanceOf(mass.w) <= float(0.0);
 }
 
-// By which the filter takes the noise of a pixel with so many samples for less than it is: the more is known of a picture,
-// the less is left to neighbours, since bias has to fall faster than noise.
+// The filter takes the variance of a pixel with so many samples for less than it is, by this factor: the more samples there
+// are, the less neighbours exchange, since bias has to fall faster than noise.
 float cautionOf(float samples) {
     return float(1.0) / (float(1.0) + samples * float(1.0 / 32.0));
 }

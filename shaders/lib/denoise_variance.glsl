@@ -1,9 +1,9 @@
 // How far a filtered pixel may be off: the mean square error of its luminance (Rec. 709), as far as its samples tell.
 //
-// The filter takes what its taps show for independent: so it knows how far a pass may reach, but not what is left after
-// many, since neighbours then share their noise. Over even matter nine passes leave 3e-4 of the variance, and the filter
-// counts 2e-8. The geometric mean of what there was before it and of what it counts is near the truth for any reach, from
-// none to all (docs/measurements/hybrid-frame.md). It knows nothing of what the filter blurs.
+// The a-trous filter propagates variance as if its taps were independent. After some passes they are not: neighbours share
+// their noise. At full weights nine passes leave 2.6e-4 of the variance of white noise, and the filter counts 1.9e-8. The
+// geometric mean of the variance before the filter and of the one it counts is near the truth from no exchange to full
+// (docs/measurements/hybrid-frame.md). It does not tell how far the filter blurs.
 //
 // Needs from its host what denoise_prepare.glsl does, of the same picture; by index of a pixel fetchNoise (of the last
 // filterPixel) and fetchMass; and variance.glsl.

@@ -2,15 +2,15 @@
 //
 // Needs picture.glsl.
 
-// What is not a number, or larger, is taken as this.
+// The most: for a larger variance, and for one that is not a number.
 #define MOST_LIGHT_VARIANCE 1e24
 
 float boundedVariance(float variance) {
     return variance >= float(0.0) && variance < float(MOST_LIGHT_VARIANCE) ? variance : float(MOST_LIGHT_VARIANCE);
 }
 
-// From the sums over `count` samples. Of a single one its square is, on average, its variance and the square of its mean,
-// which are about the same for light of a path; none tells nothing.
+// From the sums over `count` samples. The square of a single one is, on average, its variance and the square of its mean;
+// light of a path has about as much of both. Without samples nothing is known.
 float varianceOfMean(vec4 sum, uint count, float squares) {
     if (count == uint(0)) return float(MOST_LIGHT_VARIANCE);
     float samples = float(count);

@@ -45,7 +45,7 @@ class Timeline {
         Timeline* outer_;
     };
 
-    // The stage that ended first is the first.
+    // They stand in the order in which they ended for the first time.
     const std::vector<StageTimes>& stages() const { return stages_; }
 
   private:

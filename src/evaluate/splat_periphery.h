@@ -9,9 +9,9 @@
 
 namespace macula::evaluate {
 
-// Draws the splats for every eye as that sees them; but for `shownTo` as `now` sees them, also where these
-// are not the same: then it tells no depths, because those of `now` say nothing there. `painter`, whose model
-// has the origin `originMm`, must outlive it.
+// Draws the splats as each eye sees them, but for the eye `shownTo` as `now` sees them. Where those two
+// differ it tells no depths, because the depths of `now` say nothing there. `painter`, whose model has the
+// origin `originMm`, must outlive it.
 hybrid::Periphery peripheryFor(splat::ModelPainter& painter, const glm::dvec3& originMm,
                                const Camera& shownTo, const Camera& now);
 

@@ -1,6 +1,5 @@
 #include "app/frame/frame_renderer.h"
 
-#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <new>
@@ -17,9 +16,6 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kModelToldEvery{500};
 constexpr milliseconds kTimeToldEvery{250};
-// A picture of all pixels is taken to need at least this, which gives a model that is young its whole head
-// start: without it, small pictures have their model much later.
-constexpr double kLeastExpectedMs = PictureCourse::kYoungFirstMs / PictureCourse::kYoungFirstShare;
 constexpr double kQuickMs = 250.0;  // a picture of all pixels that is there sooner has no need of small ones
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
 
@@ -179,12 +175,11 @@ void FrameRenderer::tellCourse() {
     ModelState state = ModelState::none;
     const bool works = model_ && model_->hasWork() && !input_.convergesNow;
     if (canDrawModel())
-        state = hasGoodModel() ? ModelState::ready : ModelState::young;
+        state = hasFitModel() ? ModelState::ready : ModelState::young;
     else if (works)
         state = ModelState::searching;
     course_.setModel(state, works);
     course_.setLearnsBesideHand(works && learnsBesideHand());
-    course_.setExpectedMs(std::max(expectedFullMs(), kLeastExpectedMs));
     course_.setQuick(isQuick());
 }
 
@@ -195,17 +190,13 @@ bool FrameRenderer::learnsBesideHand() const {
            rhythm_.leftMs(Clock::now()) > 0.0;
 }
 
-bool FrameRenderer::hasGoodModel() const {
+bool FrameRenderer::hasFitModel() const {
     return canDrawModel() && hybrid::isFitToBeShown(model_->news());
 }
 
-// 0 while there is nothing to trace.
-double FrameRenderer::expectedFullMs() {
-    return device_ && traced_ && input_.volume ? traced_->expectedFullMs(input_) : 0.0;
-}
-
 bool FrameRenderer::isQuick() {
-    return device_ && traced_ && !device_->isCpu() && input_.volume && expectedFullMs() <= kQuickMs;
+    return device_ && traced_ && !device_->isCpu() && input_.volume &&
+           traced_->expectedFullMs(input_) <= kQuickMs;
 }
 
 // The marks that are wanted are of the picture on screen, and are not there: they were hidden or are to be.

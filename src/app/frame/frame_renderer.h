@@ -95,7 +95,6 @@ class FrameRenderer {
     Result<void> workOnModel(const std::function<Result<void>()>& work);
     Result<void> learnBesideHand(const std::function<bool()>& keepGoing);
     bool learnsBesideHand() const;
-    double expectedFullMs();
     bool isQuick();
     Result<void> learn(const Interrupts& interrupts);
     Result<void> showAgain();
@@ -103,7 +102,7 @@ class FrameRenderer {
     bool hasOtherMarks() const;
     Result<const gpu::Image*> frame(float tracedShare);
     Result<const gpu::Image*> tracedPicture();
-    bool hasGoodModel() const;
+    bool hasFitModel() const;
     double foveaMsPerSample() const;
     bool wantsFovea() const;
     hybrid::FoveaAim nextFovea() const;

@@ -183,7 +183,7 @@ Result<void> FrameRenderer::showTraced() {
 // While it has few samples the model stays where it is better: what is shown does not get worse.
 Result<const gpu::Image*> FrameRenderer::tracedPicture() {
     mixesModel_ = false;
-    if (!traced_->isNoisy() || !hasGoodModel()) return traced_->display(input_.background);
+    if (!traced_->isNoisy() || !hasFitModel()) return traced_->display(input_.background);
     Result<const gpu::Image*> weighed = frame(1.0f);
     if (weighed) return weighed;
     // Without the memory for it the model may still do for frames in motion.

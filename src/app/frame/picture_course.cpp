@@ -98,8 +98,7 @@ Step PictureCourse::next(TimePoint now) const {
 
 // While there is no traced picture of all pixels: whether search and learning still come before it.
 bool PictureCourse::isBeforeTraced() const {
-    return onScreen_ == OnScreen::preview &&
-           learntMs_ < std::min(kYoungFirstMs, kYoungFirstShare * expectedMs_);
+    return onScreen_ == OnScreen::preview && learntMs_ < kYoungFirstMs;
 }
 
 // Likewise, beside or before a picture of all pixels.

@@ -65,9 +65,7 @@ class PictureCourse {
     // all noise for as long as the search takes, and with more the search takes longer.
     static constexpr std::uint64_t kRefinedWhileSearching = 8;
     // As soon as a young model is fit it is the first picture with all pixels, and what a hand will want
-    // next. Where the traced one takes long, search and learning come before it: for kYoungFirstShare times
-    // as long as that is expected to take, and for kYoungFirstMs at most.
-    static constexpr double kYoungFirstShare = 6.0;
+    // next: where tracing one takes long, so much of search and learning comes before that.
     static constexpr double kYoungFirstMs = 15000.0;
     // After that, of the time of tracing, what it may have beside it.
     static constexpr double kYoungShare = 2.0;
@@ -88,8 +86,6 @@ class PictureCourse {
     // Whether a picture of all pixels is expected within kSettle or so: small ones are of no use at rest
     // then.
     void setQuick(bool isQuick) { isQuick_ = isQuick; }
-    // How long the first picture of all pixels is expected to take, alone.
-    void setExpectedMs(double ms) { expectedMs_ = ms; }
     // How many samples small pictures are worth while a hand holds still.
     void setPreviewLimit(std::uint64_t samples) { previewLimit_ = samples; }
     // More samples are asked for than the traced picture converged with.
@@ -124,7 +120,6 @@ class PictureCourse {
     bool wantsFovea_ = false;
     bool learnsBesideHand_ = false;
     bool isQuick_ = false;
-    double expectedMs_ = 0.0;
     OnScreen onScreen_ = OnScreen::nothing;
     bool isTraced_ = false;      // worth showing
     bool hasConverged_ = false;  // the traced picture

@@ -17,8 +17,9 @@ class VarianceMap {
   public:
     explicit VarianceMap(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
-    // Of the means of its samples so far: float for each pixel, and perhaps more behind that, row 0 on top;
-    // done when what was submitted is. Valid until the next call. outOfMemory.
+    // The variance of the mean luminance (Rec. 709) of each pixel's samples so far: float for each pixel, and
+    // perhaps more behind that, row 0 on top. The device makes it after the work that was submitted before.
+    // Valid until the next call. Fails with outOfMemory.
     Result<const gpu::Buffer*> of(const Film& film);
 
   private:

@@ -32,8 +32,9 @@ namespace macula::hybrid {
 struct Periphery {
     // Linear, premultiplied; valid until the next call.
     std::function<Result<DrawnSplats>(const Camera& eye, const glm::ivec2& sizePx)> draw;
-    float gain = 1.0f;       // of their light: LiveModel::gain
-    bool isLikeness = true;  // they are what is there, or nearly: a noisy fovea is weighed against them
+    float gain = 1.0f;  // of their light: LiveModel::gain
+    bool isLikeness =
+        true;  // they show nearly what is there; a frame weighs a noisy fovea against these only
 };
 
 // The next picture for the fovea.

@@ -46,23 +46,11 @@ struct Host : GlslInCpp<double> {
 };
 
 struct TrustHost : GlslInCpp<double> {
-    struct {
-        ivec2 size;
-        double splatGain;
-    } trust;
-    std::span<const glm::dvec4> capturedLights;
-    std::span<const double> capturedVariances;
-    std::span<const glm::dvec4> drawnSplats;
-
-    vec4 fetchLight(int pixel) const { return capturedLights[static_cast<std::size_t>(pixel)]; }
-    double fetchVariance(int pixel) const { return capturedVariances[static_cast<std::size_t>(pixel)]; }
-    vec4 fetchSplats(int pixel) const { return drawnSplats[static_cast<std::size_t>(pixel)]; }
-    vec2 fetchTerms(const ivec2& pixel) { return termsInRow(pixel); }
-
 #define float double
 #include "lib/picture.glsl"
 #include "lib/trust.glsl"
 #undef float
+    static constexpr int kRadius = TRUST_RADIUS;
 };
 
 struct FeatherHost : GlslInCpp<double> {
@@ -110,15 +98,23 @@ ReferenceReprojection reproject(const shared::ReprojectPush& push, const Referen
 std::vector<double> trustIn(const glm::ivec2& sizePx, std::span<const glm::dvec4> lights,
                             std::span<const double> variances, std::span<const glm::dvec4> splats,
                             double splatGain) {
-    std::vector<double> result(lights.size());
+    std::vector<double> result;
     TrustHost host;
-    host.trust = {sizePx, splatGain};
-    host.capturedLights = lights;
-    host.capturedVariances = variances;
-    host.drawnSplats = splats;
+    const glm::ivec2 reach(TrustHost::kRadius);
     for (int y = 0; y < sizePx.y; ++y) {
-        for (int x = 0; x < sizePx.x; ++x)
-            result[static_cast<std::size_t>(y * sizePx.x + x)] = host.trustAt({x, y});
+        for (int x = 0; x < sizePx.x; ++x) {
+            const glm::ivec2 low = glm::max(glm::ivec2(x, y) - reach, glm::ivec2(0));
+            const glm::ivec2 high = glm::min(glm::ivec2(x, y) + reach, sizePx - 1);
+            glm::dvec2 sum(0.0);
+            for (int v = low.y; v <= high.y; ++v) {
+                for (int u = low.x; u <= high.x; ++u) {
+                    const auto i = static_cast<std::size_t>(v * sizePx.x + u);
+                    const glm::dvec4 gained = splats[i] * glm::dvec4(glm::dvec3(splatGain), 1.0);
+                    sum += host.trustTerms(lights[i], variances[i], gained);
+                }
+            }
+            result.push_back(host.trustOf(sum));
+        }
     }
     return result;
 }

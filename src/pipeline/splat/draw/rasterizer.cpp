@@ -229,7 +229,7 @@ Result<bool> Rasterizer::settle(RasterPass& pass) {
 
 Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
     const std::uint64_t pixels = std::uint64_t(sizePx.x) * std::uint64_t(sizePx.y);
-    // Who draws pictures of several sizes in turn does so without new memory.
+    // The buffers stay for smaller pictures, so that sizes that take turns need no new memory.
     if (depths_ && picture_ && picture_->texels.elements() >= pixels) {
         picture_->width = sizePx.x;
         picture_->height = sizePx.y;
