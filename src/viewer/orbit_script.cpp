@@ -150,7 +150,11 @@ void OrbitScript::beginOrbit() {
 
 void OrbitScript::moveHand() {
     const double seconds = double(orbiting_.nsecsElapsed()) / 1e9;
-    if (seconds >= options_.seconds && followed_.size() >= kFollowedAtLeast) return endOrbit();
+    // A window that stood still misses none of its pictures.
+    if (seconds >= options_.seconds && followed_.size() >= kFollowedAtLeast &&
+        nextMotionShot_ == std::size(kMotionShots)) {
+        return endOrbit();
+    }
     const double turns = seconds / options_.turnSeconds;
     const double sway = kSwayPixels * std::sin(2.0 * std::numbers::pi * kSwaysInTurn * turns);
     sendMouse(QEvent::MouseMove, grip_ + QPointF(kHandPixelsOfTurn * turns, sway), Qt::NoButton,
