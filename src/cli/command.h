@@ -26,7 +26,8 @@ void addEvaluate(CLI::App& app, Action& action);
 void addSessions(CLI::App& app, Action& action);
 void addTrain(CLI::App& app, Action& action);
 void addXr(CLI::App& app, Action& action);
-void addEvaluateLivePicture(CLI::App& evaluateApp, Action& action);  // a subcommand of evaluate
+void addEvaluateEdits(CLI::App& evaluateApp, Action& action);        // a subcommand of evaluate
+void addEvaluateLivePicture(CLI::App& evaluateApp, Action& action);  // likewise
 void addEvaluateMotion(CLI::App& evaluateApp, Action& action);       // likewise
 void addEvaluateQuality(CLI::App& evaluateApp, Action& action);      // likewise
 void addEvaluateTradeoff(CLI::App& evaluateApp, Action& action);     // likewise

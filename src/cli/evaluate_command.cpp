@@ -220,6 +220,7 @@ void addEvaluate(CLI::App& app, Action& action) {
     byItself->add_option("--snapshot-every", live.snapshotEvery, "Seconds after which it is compared")
         ->capture_default_str()
         ->check(between(0.1, 86400.0));
+    addEvaluateEdits(*evaluateApp, action);
     addEvaluateLivePicture(*evaluateApp, action);
     addEvaluateMotion(*evaluateApp, action);
     addEvaluateQuality(*evaluateApp, action);

@@ -152,6 +152,27 @@ Json reportOf(const BenchStudy& study, const FovealOptions& options, const Fovea
     return json;
 }
 
+Json reportOf(const BenchStudy& study, const EditsOptions& options, const EditsReport& result) {
+    const auto toJson = [](const EditScore& score) {
+        return Json{{"flip", score.flip}, {"lacks", score.lacks}, {"remains", score.remains}};
+    };
+    Json json = describe("edits", study);
+    json["picture"] = {options.sizePx.x, options.sizePx.y};
+    json["smallPicture"] = {result.smallPx.x, result.smallPx.y};
+    json["bounces"] = options.model.bounces;
+    json["truthSamplesPerPixel"] = options.truthSamples;
+    json["edits"] = Json::array();
+    for (const Edit& edit : result.edits) {
+        json["edits"].push_back({{"edit", edit.name},
+                                 {"estimateMs", edit.estimateMs},
+                                 {"drawMs", edit.drawMs},
+                                 {"splats", edit.splats},
+                                 {"estimated", toJson(edit.estimated)},
+                                 {"small", toJson(edit.small)}});
+    }
+    return json;
+}
+
 Json reportOf(const BenchStudy& study, const MotionOptions& options, const MotionReport& result) {
     const auto toJson = [](const FrameScore& score) {
         Json json{{"flip", score.flip}, {"fovealFlip", score.fovealFlip}, {"backgroundPx", score.through}};

@@ -9,6 +9,7 @@
 
 #include "evaluate/bench_study.h"
 #include "evaluate/cast_benchmark.h"
+#include "evaluate/edits.h"
 #include "evaluate/foveal_benchmark.h"
 #include "evaluate/header_benchmark.h"
 #include "evaluate/load_benchmark.h"
@@ -24,6 +25,8 @@ nlohmann::ordered_json reportOf(const BenchStudy& study, const TraceBenchmarkOpt
                                 std::span<const TraceBenchmark> results);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const FovealOptions& options,
                                 const FovealReport& result);
+nlohmann::ordered_json reportOf(const BenchStudy& study, const EditsOptions& options,
+                                const EditsReport& result);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const MotionOptions& options,
                                 const MotionReport& result);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const QualityOptions& options,

@@ -8,8 +8,8 @@
 #include "app/elapsed.h"
 #include "base/parallel.h"
 #include "evaluate/measurement.h"
+#include "evaluate/shown_picture.h"
 #include "evaluate/vtk_cast.h"
-#include "image/image_file.h"
 #include "image/metrics.h"
 #include "pipeline/volume/volume_fit.h"
 #include "pipeline/volume/window.h"
@@ -46,15 +46,6 @@ Result<VtkCastTime> judged(VtkCast cast) {
     vtk.time.picture = std::move(cast.picture);
     vtk.time.converged = std::move(cast.converged);
     return vtk;
-}
-
-Result<void> writePng(const std::filesystem::path& path, const image::Image& picture) {
-    std::vector<std::uint8_t> rgba;
-    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
-        rgba.push_back(static_cast<std::uint8_t>(std::lround(picture.pixels[i] * 255.0f)));
-        if (i % 3 == 2) rgba.push_back(255);
-    }
-    return image::writePng(path, picture.width, picture.height, rgba);
 }
 
 Result<void> writeBoth(const std::filesystem::path& folder, const std::string& name, const CastTime& time) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "image/image_file.h"
 #include "pipeline/gpu/transfer.h"
 
 namespace macula::evaluate {
@@ -70,6 +71,15 @@ image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx) {
         }
     }
     return scaled;
+}
+
+Result<void> writePng(const std::filesystem::path& path, const image::Image& picture) {
+    std::vector<std::uint8_t> rgba;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        rgba.push_back(static_cast<std::uint8_t>(std::lround(picture.pixels[i] * 255.0f)));
+        if (i % 3 == 2) rgba.push_back(255);
+    }
+    return image::writePng(path, picture.width, picture.height, rgba);
 }
 
 Result<std::vector<float>> foveaWeightsOf(const hybrid::Frame& frame, const glm::ivec2& sizePx) {

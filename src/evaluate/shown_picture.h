@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -15,6 +16,9 @@ namespace macula::evaluate {
 
 // The colours of RGBA8 over black; row 0 on top.
 image::Image imageOf(std::span<const std::uint8_t> rgba, const glm::ivec2& sizePx);
+
+// As a file; of three channels, display-encoded.
+Result<void> writePng(const std::filesystem::path& path, const image::Image& picture);
 
 // What the fovea weighs in each pixel of a frame; nothing where it has none. Waits.
 Result<std::vector<float>> foveaWeightsOf(const hybrid::Frame& frame, const glm::ivec2& sizePx);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/choice/preset_choice.h"
+#include "app/frame/fidelity.h"
 #include "base/phantom.h"
 #include "gpu/lose_device.h"
 
@@ -119,6 +120,52 @@ class FrameRendererTest : public testing::Test {
     FrameInput input_;
     std::optional<FrameRenderer> renderer_;
 };
+
+// Before anything was traced or learnt, and with all pixels.
+TEST_F(FrameRendererTest, WhatIsOpenedIsEstimatedFirst) {
+    renderer_->accept(input_);
+    ASSERT_TRUE(stepUntil([&] { return shown_.has_value(); }));
+    EXPECT_EQ(shown_->picture, OnScreen::model);
+    EXPECT_TRUE(shown_->isEstimate);
+    EXPECT_EQ(shown_->width, input_.width);
+    EXPECT_EQ(news_.steps, 0u);
+    EXPECT_EQ(fidelityOf(*shown_).because.front(), "preview only, estimated");
+    ASSERT_TRUE(stepUntil([&] { return shown_->picture == OnScreen::traced; }));
+    EXPECT_FALSE(shown_->isEstimate);
+}
+
+TEST_F(FrameRendererTest, AnEditIsFollowedBeforeTheTracerHasAnyOfIt) {
+    renderer_->accept(input_);
+    ASSERT_TRUE(stepUntil([&] { return hybrid::isFitToBeShown(news_) && shown_ && !shown_->isEstimate; }));
+    const int before = preparing_;
+    Clip clip;
+    clip.planes = {{.normal = {0.0, 1.0, 0.0}, .offsetMm = 0.0}};
+    const Drawing learntOf = input_.drawing;
+    for (int edit = 0; edit < 3; ++edit) {
+        ++input_.sequence;
+        clip.planes.front().offsetMm = 10.0 * edit;
+        input_.drawing.clip = std::make_shared<const Clip>(clip);
+        renderer_->accept(input_);
+        // The next edit is there when this one was shown.
+        renderer_->step({.newInput = [] { return true; }, .stopping = [] { return false; }});
+        ASSERT_EQ(shown_->inputSequence, input_.sequence);
+        EXPECT_EQ(shown_->picture, OnScreen::model);
+        EXPECT_TRUE(shown_->isEstimate);
+        EXPECT_EQ(shown_->width, input_.width);
+    }
+    EXPECT_EQ(preparing_, before);
+    // The hand rests.
+    EXPECT_TRUE(stepUntil([&] { return shown_->picture == OnScreen::traced; }));
+    EXPECT_GT(preparing_, before);
+    EXPECT_TRUE(failures_.empty());
+    // Of what was learnt already there is more than an estimate.
+    ++input_.sequence;
+    input_.drawing = learntOf;
+    renderer_->accept(input_);
+    ASSERT_TRUE(stepUntil([&] { return shown_->inputSequence == input_.sequence; }));
+    EXPECT_FALSE(shown_->isEstimate);
+    EXPECT_EQ(news_.origin, hybrid::ModelOrigin::shelf);
+}
 
 // As after a step that ran out of memory: what was learnt by then is not lost with the picture.
 TEST_F(FrameRendererTest, AModelIsKeptWhenAPictureFails) {

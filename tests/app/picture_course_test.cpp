@@ -432,5 +432,49 @@ TEST_F(PictureCourseTest, AFadeIsLeftAtOnceWhenAnotherViewIsWanted) {
     EXPECT_EQ(next(), Step::none);
 }
 
+// As after another preset was chosen: the model of before tells what it looks like.
+TEST_F(PictureCourseTest, AnEstimateStandsForTheModelUntilThatIsFit) {
+    course_.setModel(ModelState::searching, true);
+    course_.setEstimate(true);
+    want();
+    ASSERT_EQ(next(), Step::showModel);
+    course_.showedModel(true);
+    EXPECT_EQ(course_.onScreen(), OnScreen::model);
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(go(), Step::search);
+    course_.setModel(ModelState::young, true);
+    for (int i = 0; i < 10; ++i) EXPECT_EQ(go(), Step::learn);
+    course_.setHand(true);
+    EXPECT_EQ(next(), Step::none) << "it is what a hand wants";
+    course_.setHand(false);
+    course_.setModel(ModelState::ready, true);
+    course_.setEstimate(false);
+    EXPECT_EQ(go(), Step::showModel);
+    EXPECT_EQ(go(), Step::trace);
+}
+
+TEST_F(PictureCourseTest, SearchAndLearningOverAnEstimateTakeTurnsWithTracingInTheEnd) {
+    course_.setModel(ModelState::searching, true);
+    course_.setEstimate(true);
+    want();
+    course_.showedModel(true);
+    const auto start = now_;
+    while (next() == Step::search) go();
+    EXPECT_EQ(next(), Step::trace);
+    EXPECT_NEAR(std::chrono::duration<double>(now_ - start).count(), PictureCourse::kYoungFirstMs / 1000.0,
+                0.1);
+    EXPECT_EQ(go(true), Step::trace);
+    EXPECT_EQ(course_.onScreen(), OnScreen::fading);
+}
+
+TEST_F(PictureCourseTest, WithoutItsEstimateASmallPictureIsNext) {
+    course_.setEstimate(true);
+    want();
+    course_.showedModel(true);
+    EXPECT_EQ(next(), Step::trace) << "no model is searched for";
+    course_.setEstimate(false);
+    EXPECT_EQ(go(), Step::showPreview);
+    EXPECT_EQ(course_.onScreen(), OnScreen::preview);
+}
+
 }  // namespace
 }  // namespace macula::app

@@ -7,7 +7,9 @@ namespace macula::app {
 namespace {
 
 void addModel(const FrameShown& frame, std::vector<std::string>& because) {
-    if (!frame.foveaAgeMs) {
+    if (frame.isEstimate) {
+        because.emplace_back("preview only, estimated");
+    } else if (!frame.foveaAgeMs) {
         because.emplace_back("preview only");
     } else {
         because.emplace_back("preview around the sharp centre");

@@ -42,12 +42,6 @@ glm::dvec2 usableGaze(const glm::dvec2& gaze) {
     return isFinite ? glm::clamp(gaze, -1.0, 1.0) : glm::dvec2(0.0);
 }
 
-// Only light that stays in place can have a model: a model holds it.
-bool canHaveModel(const FrameInput& input) {
-    return input.usesModel && trace::isPathTraced(input.drawing.settings.look) &&
-           input.drawing.lights->frame == trace::LightFrame::patient;
-}
-
 }  // namespace
 
 FrameRenderer::FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device,
@@ -93,6 +87,7 @@ void FrameRenderer::accept(FrameInput input) {
         kept_.reset();
         unreported_.reset();
         hybrid_.reset();
+        estimate_.reset();
         putModelAway();
         shelf_.reset();
     }
@@ -159,9 +154,15 @@ Result<void> FrameRenderer::takeModel(ModelTaken& taken) {
     return {};
 }
 
+// Only light that stays in place can have a model: a model holds it.
+bool FrameRenderer::canHaveModel() const {
+    return input_.usesModel && trace::isPathTraced(input_.drawing.settings.look) &&
+           input_.drawing.lights->frame == trace::LightFrame::patient;
+}
+
 // While the volume is brought to the device the stored model is read.
 void FrameRenderer::lookForModel() {
-    if (!keeper_ || !isComplete() || !canHaveModel(input_)) return;
+    if (!keeper_ || !isComplete() || !canHaveModel()) return;
     std::string name = sceneNames_.of(input_.study, input_.drawing);
     if (name == lookedFor_) return;
     lookedFor_ = std::move(name);
@@ -179,6 +180,7 @@ void FrameRenderer::tellCourse() {
     else if (works)
         state = ModelState::searching;
     course_.setModel(state, works);
+    course_.setEstimate(drawsEstimate());
     course_.setLearnsBesideHand(works && learnsBesideHand());
     course_.setQuick(isQuick());
 }
@@ -274,9 +276,12 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
             duty_.showedBackground();
             return showAgain();
         case RenderDuty::Work::scene: {
+            MACULA_TRY(const bool isPassed, showEstimate(interrupts));
+            if (isPassed) return {};
             MACULA_TRY(const bool complete, applyScene(interrupts));
             if (!complete) return {};
             MACULA_TRY_VOID(applyModel());
+            MACULA_TRY_VOID(makeEstimate());
             course_.want(traced_->hasFull(input_));
             duty_.appliedScene();
             break;
@@ -450,7 +455,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
 Result<void> FrameRenderer::applyModel() {
     const TimelineStage stage("set model");
     whyNoModel_ = hybrid::ModelStage::none;
-    if (!canHaveModel(input_)) {
+    if (!canHaveModel()) {
         if (model_) model_->hide();
         hybrid_.reset();
         return {};
@@ -476,6 +481,7 @@ Result<void> FrameRenderer::applyModel() {
     }
     if (const Result<void> shown = model_->show(key, input_.drawing.settings); !shown)
         return withoutModel(shown.error());
+    modelOf_ = input_.drawing;
     tellOfModel();
     return {};
 }
@@ -540,6 +546,7 @@ void FrameRenderer::handle(Error error) {
 void FrameRenderer::dropDevice() {
     releaseScreen();
     hybrid_.reset();
+    estimate_.reset();
     dropModelAfter(&hybrid::LiveModel::save);
     traced_.reset();
     device_.reset();

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "app/frame/estimated_model.h"
 #include "app/frame/frame_input.h"
 #include "app/frame/hand_rhythm.h"
 #include "app/frame/picture_course.h"
@@ -75,9 +76,13 @@ class FrameRenderer {
     Result<void> ensureScreen();
     Result<void> closeScreen();
     Result<void> clearWindow();
-    Result<bool> applyScene(const Interrupts& interrupts);  // whether all of it is there
+    void noteLearnt();
+    Result<bool> makeEstimate();                              // whether there is one now
+    Result<bool> showEstimate(const Interrupts& interrupts);  // whether something else is wanted already
+    Result<bool> applyScene(const Interrupts& interrupts);    // whether all of it is there
     Result<void> applyModel();
     void lookForModel();
+    bool canHaveModel() const;
     void putModelAway();
     void dropModelAfter(void (hybrid::LiveModel::*keep)());
     Result<void> withoutModel(const Error& error);
@@ -99,6 +104,7 @@ class FrameRenderer {
     Result<void> learn(const Interrupts& interrupts);
     Result<void> showAgain();
     bool canDrawModel() const { return hybrid_ && model_ && model_->canBeDrawn(); }
+    bool drawsEstimate() const;
     bool hasOtherMarks() const;
     Result<const gpu::Image*> frame(float tracedShare);
     Result<const gpu::Image*> tracedPicture();
@@ -130,6 +136,8 @@ class FrameRenderer {
     std::optional<hybrid::LiveModel> model_;
     hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
     std::optional<hybrid::HybridFrame> hybrid_;                 // of what the model is of
+    Drawing modelOf_;                                           // what is called model_->key()
+    std::optional<EstimatedModel> estimate_;                    // goes with the study
     hybrid::Frame lastFrame_;                                   // without its pictures
     bool mixesModel_ = false;   // the last traced picture, as FrameShown::mixesModel
     bool foveaHasRoom_ = true;  // for what one takes beside the model; false: until that changes

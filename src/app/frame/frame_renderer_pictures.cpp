@@ -1,6 +1,7 @@
 // What a frame renderer shows: a function for each step of its course.
 #include <cmath>
 #include <new>
+#include <thread>
 #include <utility>
 
 #include "app/frame/frame_renderer.h"
@@ -15,6 +16,8 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds kRateWindow{2000};
+constexpr milliseconds kHandRests{150};
+constexpr milliseconds kHandIsAskedEvery{2};
 // How long searching and learning take at a time. A dispatch and a step of training may take longer on a CPU.
 constexpr double kSliceMs = 40.0;
 // A picture on screen is worth learning from with so many: fewer are noise, and later the model knows most.
@@ -62,19 +65,63 @@ Result<void> FrameRenderer::take(Step step, const Interrupts& interrupts) {
 }
 
 Result<void> FrameRenderer::showModel() {
-    if (!canDrawModel()) {  // it was given up meanwhile
+    const bool isEstimate = drawsEstimate();
+    if (!canDrawModel() && !isEstimate) {  // it was given up meanwhile
         duty_.beginAnew();
         return {};
     }
     // No model is drawn of another patient, preset, clip or light than those of the picture that is wanted
     // now.
-    MACULA_CHECK(model_->key() == sceneNames_.of(input_.study, input_.drawing));
+    MACULA_CHECK(isEstimate || model_->key() == sceneNames_.of(input_.study, input_.drawing));
     const auto picture = frame(0.0f);
     if (!picture) return withoutModel(picture.error());  // a small picture comes next
-    course_.showedModel();
+    course_.showedModel(isEstimate);
     MACULA_TRY_VOID(show(**picture));
     // One picture in flight: a longer queue would show where the hand was, not where it is.
     return device_->waitForAll();
+}
+
+bool FrameRenderer::drawsEstimate() const {
+    return hybrid_ && estimate_ && input_.usesModel && !hasFitModel() && estimate_->isOf(input_.drawing);
+}
+
+// What estimates are made from: the last model that was fit, before what it is of is changed.
+void FrameRenderer::noteLearnt() {
+    if (!estimate_) estimate_.emplace(device_);
+    if (hasFitModel() && model_->key() != sceneNames_.of(input_.study, input_.drawing))
+        estimate_->learnt(input_.volume, modelOf_, model_->shown(), model_->gain());
+    else if (!estimate_->hasLearnt() || !estimate_->isInLightOf(input_.drawing))
+        estimate_->begin(input_.volume, input_.drawing);
+}
+
+// Of what is wanted now, where there is no more of it yet.
+Result<bool> FrameRenderer::makeEstimate() {
+    if (!hybrid_ || !model_ || hasFitModel() || !canHaveModel()) return false;
+    if (!estimate_->canTell(input_.volume, input_.drawing)) return false;
+    const Result<void> made = estimate_->make(input_.drawing);
+    if (made) return true;
+    if (device_->lost() || made.error().code != ErrorCode::outOfMemory) return made.error();
+    estimate_->forget();
+    return false;
+}
+
+// A hand that edits is followed before the tracer has any of it: that takes long, and can wait until the hand
+// rests for a moment.
+Result<bool> FrameRenderer::showEstimate(const Interrupts& interrupts) {
+    noteLearnt();
+    if (!hybrid_ || !model_ || !shelf_) return false;
+    const std::string key = sceneNames_.of(input_.study, input_.drawing);
+    if (key == model_->key() || shelf_->find(key)) return false;  // there is more than an estimate
+    model_->hide();
+    MACULA_TRY(const bool isThere, makeEstimate());
+    if (!isThere) return false;
+    hybrid_->forgetFovea();
+    course_.want(false);
+    MACULA_TRY_VOID(showModel());
+    const Clock::time_point shown = Clock::now();
+    while (!interrupts.newInput() && !interrupts.stopping() && Clock::now() - shown < kHandRests)
+        std::this_thread::sleep_for(kHandIsAskedEvery);
+    return interrupts.newInput() || interrupts.stopping();
 }
 
 double FrameRenderer::foveaMsPerSample() const {
@@ -83,7 +130,7 @@ double FrameRenderer::foveaMsPerSample() const {
 
 // At rest a small one at once, and larger ones after it, where all pixels take longer still.
 bool FrameRenderer::wantsFovea() const {
-    if (!canDrawModel() || !foveaHasRoom_ || isParallel(input_.camera)) return false;
+    if (!canDrawModel() || drawsEstimate() || !foveaHasRoom_ || isParallel(input_.camera)) return false;
     if (input_.interacting) return input_.live.hasFovea && hybrid_->wantsFovea(input_.camera, input_.gaze);
     const double wholeMs = double(input_.width) * input_.height * foveaMsPerSample();
     return wholeMs > hybrid::kRestFoveaBudgetMs &&
@@ -226,7 +273,7 @@ Result<void> FrameRenderer::search(const Interrupts& interrupts) {
 
 Result<void> FrameRenderer::learn(const Interrupts& interrupts) {
     const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
-    if (course_.onScreen() == OnScreen::model) return learnBesideHand(keepGoing);
+    if (input_.interacting && course_.onScreen() == OnScreen::model) return learnBesideHand(keepGoing);
     const Clock::time_point start = Clock::now();
     const Result<void> done = workOnModel([&] { return model_->work(kSliceMs, keepGoing); });
     course_.spent(Step::learn, millisecondsBetween(start, Clock::now()));
@@ -255,7 +302,7 @@ Result<void> FrameRenderer::showAgain() {
         return show(*picture);
     }
     const bool isModel = course_.onScreen() == OnScreen::model;
-    if (isModel && !canDrawModel()) {  // it was given up meanwhile
+    if (isModel && !canDrawModel() && !drawsEstimate()) {  // it was given up meanwhile
         duty_.beginAnew();
         return {};
     }
@@ -272,19 +319,23 @@ Result<void> FrameRenderer::showAgain() {
 Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
     lastFrame_ = {};
     mixesModel_ = false;
-    if (!canDrawModel()) return traced_->display(input_.background);
+    const bool isEstimate = drawsEstimate();
+    if (!canDrawModel() && !isEstimate) return traced_->display(input_.background);
     const hybrid::Periphery periphery{
         .draw = [&](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
+            if (isEstimate) return estimate_->draw(eye, sizePx);
             MACULA_TRY(const splat::DevicePicture* picture, model_->draw(eye, sizePx));
             return hybrid::DrawnSplats{picture, &model_->drawnDepths()};
         },
-        .gain = static_cast<float>(model_->gain())};
+        .gain = static_cast<float>(isEstimate ? estimate_->gain() : model_->gain()),
+        .isLikeness = !isEstimate};
     hybrid::FrameRequest request{
         .eyes = {input_.camera},
         .sizePx = {input_.width, input_.height},
         .display = {.background = input_.background, .exposure = float(input_.drawing.settings.exposure)}};
     if (tracedShare > 0.0f) {
-        MACULA_TRY(const trace::TracedLight light, traced_->light());
+        MACULA_TRY(trace::TracedLight light, traced_->light());
+        if (isEstimate) light.variances = nullptr;  // nothing to weigh its noise against
         request.fadingIn = {.light = light, .share = tracedShare};
     }
     Result<hybrid::Frame> drawn = hybrid_->draw(request, periphery);
@@ -326,6 +377,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
                      .framesPerSecond = framesPerSecond(),
                      .latencyMs = millisecondsBetween(input_.published, now)};
     frame.model = modelNews();
+    frame.isEstimate = kind == OnScreen::model && drawsEstimate();
     if (kind == OnScreen::model) {
         frame.foveaAgeMs = lastFrame_.foveaAgeMs;
         frame.foveaSamples = lastFrame_.foveaSamples;

@@ -62,9 +62,9 @@ Step PictureCourse::next(TimePoint now) const {
     switch (onScreen_) {
         case OnScreen::nothing:
             if (!handMoves_ && isTraced_) return Step::showTraced;
-            return model_ == ModelState::ready ? Step::showModel : Step::showPreview;
+            return model_ == ModelState::ready || hasEstimate_ ? Step::showModel : Step::showPreview;
         case OnScreen::preview: {
-            if (model_ == ModelState::ready) return Step::showModel;
+            if (model_ == ModelState::ready || hasEstimate_) return Step::showModel;
             if (isQuick_ && !handMoves_) return isLearningsTurn() ? Step::learn : Step::trace;
             // Once the full one is begun, the small one is gone.
             const bool canRefine = previewSamples_ < previewLimit_ && tracedMs_ <= 0.0;
@@ -81,6 +81,7 @@ Step PictureCourse::next(TimePoint now) const {
         }
         case OnScreen::model:
             if (!handMoves_ && isTraced_) return Step::showTraced;
+            if (showsEstimate_) return nextOverEstimate();
             if (wantsFovea_) return Step::traceFovea;
             if (handMoves_) return learnsBesideHand_ ? Step::learn : Step::none;
             return Step::trace;
@@ -96,9 +97,19 @@ Step PictureCourse::next(TimePoint now) const {
     return Step::none;
 }
 
+// An estimate stays while the model of what is shown is searched for and learns, as a small picture does.
+Step PictureCourse::nextOverEstimate() const {
+    if (model_ == ModelState::ready) return Step::showModel;
+    if (!hasEstimate_) return Step::showPreview;
+    if (handMoves_) return Step::none;
+    if (model_ == ModelState::searching && !isQuick_) return isSearchsTurn() ? Step::search : Step::trace;
+    return isLearningsTurn() ? Step::learn : Step::trace;
+}
+
 // While there is no traced picture of all pixels: whether search and learning still come before it.
 bool PictureCourse::isBeforeTraced() const {
-    return onScreen_ == OnScreen::preview && learntMs_ < kYoungFirstMs;
+    const bool isBefore = onScreen_ == OnScreen::preview || (onScreen_ == OnScreen::model && showsEstimate_);
+    return isBefore && learntMs_ < kYoungFirstMs;
 }
 
 // Likewise, beside or before a picture of all pixels.
@@ -117,8 +128,9 @@ bool PictureCourse::isLearningsTurn() const {
     return learntMs_ < share * tracedMs_;
 }
 
-void PictureCourse::showedModel() {
+void PictureCourse::showedModel(bool isEstimate) {
     onScreen_ = OnScreen::model;
+    showsEstimate_ = isEstimate;
 }
 
 void PictureCourse::showedPreview(std::uint64_t samples, TimePoint now) {

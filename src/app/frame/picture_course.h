@@ -6,7 +6,8 @@
 // picture of this view if there is one; else the model stays, with a fovea that grows, until the first is
 // ready, and fades into it. Then the picture converges and the model learns in turns, until both are done. A
 // model is searched for when there is none, in turns with small pictures: few of them while nothing moves.
-// One that is too young to be shown learns likewise while a hand moves, and beside tracing at rest.
+// One that is too young to be shown learns likewise while a hand moves, and beside tracing at rest. Where
+// the model of what was shown before tells what this looks like, that estimate stands for it until it is fit.
 //
 // On a graphics card a frame leaves time until the next input: the model learns in that. And where a picture
 // of all pixels is soon there, it waits for nothing.
@@ -79,6 +80,8 @@ class PictureCourse {
     void want(bool isTraced);
     void setHand(bool moves) { handMoves_ = moves; }
     void setModel(ModelState state, bool learns);
+    // Whether an estimate can be drawn where the model is not fit.
+    void setEstimate(bool isThere) { hasEstimate_ = isThere; }
     // Whether there is a fovea to trace, other than the one there is: over the model, before all pixels are.
     void setFovea(bool isWanted) { wantsFovea_ = isWanted; }
     // Whether the model is to learn over a frame in motion, until the next one is due.
@@ -94,7 +97,7 @@ class PictureCourse {
     Step next(TimePoint now) const;
 
     // What was done since.
-    void showedModel();
+    void showedModel(bool isEstimate = false);
     void showedPreview(std::uint64_t samples, TimePoint now);  // the traced picture with all pixels is lost
     void searched() { hasSearched_ = true; }
     // The traced picture has become worth showing, and was shown unless it fades in.
@@ -110,6 +113,7 @@ class PictureCourse {
     double tracedShare(TimePoint now) const;
 
   private:
+    Step nextOverEstimate() const;
     bool isLearningsTurn() const;
     bool isSearchsTurn() const;
     bool isBeforeTraced() const;
@@ -117,6 +121,8 @@ class PictureCourse {
     bool handMoves_ = false;
     ModelState model_ = ModelState::none;
     bool learns_ = false;
+    bool hasEstimate_ = false;
+    bool showsEstimate_ = false;  // where the model is on screen
     bool wantsFovea_ = false;
     bool learnsBesideHand_ = false;
     bool isQuick_ = false;

@@ -1,0 +1,110 @@
+#include "app/frame/estimated_model.h"
+
+#include <utility>
+
+#include "base/check.h"
+#include "base/timeline.h"
+#include "pipeline/splat/draw/raster_view.h"
+#include "pipeline/volume/medium.h"
+#include "pipeline/volume/volume_fit.h"
+
+namespace macula::app {
+
+namespace {
+
+bool hasAdditions(const Drawing& drawing) {
+    return drawing.additions && !drawing.additions->isNothing();
+}
+
+bool hasGreyFaces(const Drawing& drawing) {
+    return drawing.clip && drawing.clip->hasShape() && drawing.clip->greyFaces;
+}
+
+bool isEstimated(const Drawing& drawing) {
+    return drawing.transferFunction && !usesGradientOpacity(*drawing.transferFunction) &&
+           !hasAdditions(drawing) && !hasGreyFaces(drawing);
+}
+
+bool isSame(const Drawing& a, const Drawing& b) {
+    return a.transferFunction == b.transferFunction && a.clip == b.clip && a.lights == b.lights &&
+           settingsOfLight(a) == settingsOfLight(b);
+}
+
+}  // namespace
+
+bool EstimatedModel::isInLightOf(const Drawing& drawing) const {
+    return drawing.lights == learntOf_.lights && settingsOfLight(drawing) == settingsOfLight(learntOf_);
+}
+
+void EstimatedModel::begin(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) {
+    if (model_ && !hasLearnt() && volume_ == volume && isInLightOf(drawing)) return;
+    splat::Splats none;
+    const Box box = volume->worldBox();
+    none.originMm = 0.5 * (box.low + box.high);
+    learnt(volume, drawing, std::make_shared<const splat::Splats>(std::move(none)), 1.0);
+}
+
+void EstimatedModel::learnt(const std::shared_ptr<const Volume>& volume, const Drawing& drawing,
+                            std::shared_ptr<const splat::Splats> model, double gain) {
+    if (volume_ != volume) matter_.reset();
+    volume_ = volume;
+    learntOf_ = drawing;
+    model_ = std::move(model);
+    gain_ = gain;
+    estimate_.reset();
+}
+
+bool EstimatedModel::canTell(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const {
+    return model_ && volume_ == volume && volume->format() == VoxelFormat::stored16 && isInLightOf(drawing) &&
+           isEstimated(drawing) && (isEstimated(learntOf_) || !hasLearnt());
+}
+
+bool EstimatedModel::isOf(const Drawing& drawing) const {
+    return painter_ && isEstimated(drawing) && isSame(drawing, shown_);
+}
+
+void EstimatedModel::forget() {
+    painter_.reset();
+    splats_.reset();
+    shown_ = {};
+}
+
+hybrid::ShownMatter EstimatedModel::shownMatter(const Drawing& drawing) {
+    hybrid::ShownMatter shown{.optics = opticsByEntry(*volume_, fitted(*drawing.transferFunction, *volume_)),
+                              .clip = drawing.clip ? *drawing.clip : Clip{},
+                              .mask = nullptr};
+    if (!shown.clip.mask) return shown;
+    const Mask& mask = *shown.clip.mask;
+    if (!bits_ || masked_ != mask) {
+        bits_ = mask.bits ? mask.bits : std::make_shared<const MaskBits>(maskBits(mask, *volume_));
+        masked_ = mask;
+    }
+    shown.mask = bits_;
+    return shown;
+}
+
+Result<void> EstimatedModel::make(const Drawing& drawing) {
+    MACULA_CHECK(canTell(volume_, drawing));
+    if (isOf(drawing)) return {};
+    const TimelineStage stage("estimate model");
+    forget();
+    if (!matter_) matter_ = std::make_shared<const hybrid::CoarseMatter>(volume_);
+    if (!estimate_)
+        estimate_.emplace(matter_, model_, shownMatter(learntOf_),
+                          trace::Environment::fromRig(*learntOf_.lights));
+    splats_ = std::make_shared<const splat::Splats>(estimate_->under(shownMatter(drawing)));
+    MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device_, *splats_));
+    painter_.emplace(std::move(painter));
+    shown_ = drawing;
+    return {};
+}
+
+Result<hybrid::DrawnSplats> EstimatedModel::draw(const Camera& eye, const glm::ivec2& sizePx) {
+    MACULA_CHECK(painter_.has_value());
+    MACULA_TRY(const splat::RasterView view,
+               splat::rasterView(eye, sizePx, splats_->originMm, splat::RasterView{}.nearMm));
+    MACULA_TRY(const splat::DevicePicture* picture, painter_->drawOnDevice(view));
+    return hybrid::DrawnSplats{picture, &painter_->depthsOnDevice()};
+}
+
+}  // namespace macula::app

@@ -1,0 +1,66 @@
+// The peripheral model of what was only just chosen, estimated from the one that was learnt last
+// (splat_estimate.h): a hand that edits a curve or moves a clip is followed at full size before anything of
+// that is brought to the tracer.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+
+#include "app/frame/drawing.h"
+#include "base/camera.h"
+#include "base/result.h"
+#include "base/volume.h"
+#include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/estimate/splat_estimate.h"
+#include "pipeline/hybrid/frame/compositor.h"
+#include "pipeline/splat/draw/model_painter.h"
+
+namespace macula::app {
+
+// Used by one thread at a time, the one that uses the device.
+class EstimatedModel {
+  public:
+    explicit EstimatedModel(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
+
+    // Nothing was learnt of the volume yet: estimates are made from it alone, in the lights of the drawing.
+    void begin(const std::shared_ptr<const Volume>& volume, const Drawing& drawing);
+    bool hasLearnt() const { return model_ && model_->size() > 0; }
+    // Whether what it makes estimates from was lit as that drawing is.
+    bool isInLightOf(const Drawing& drawing) const;
+    // From now on estimates are made from this model, which was learnt of that drawing of the volume and is
+    // as bright as traced pictures times `gain`. What was estimated stays.
+    void learnt(const std::shared_ptr<const Volume>& volume, const Drawing& drawing,
+                std::shared_ptr<const splat::Splats> model, double gain);
+    // Whether it can tell what that drawing looks like: another curve, clip or both of the same volume, in
+    // the same lights. Gradient opacity, second volumes, coloured segments and grey faces are not estimated.
+    bool canTell(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const;
+    // What it can tell of; nothing where it is of that already.
+    Result<void> make(const Drawing& drawing);
+    bool isOf(const Drawing& drawing) const;
+    // No estimate is of anything until the next is made.
+    void forget();
+
+    // As LiveModel::draw and the two that belong to it. Of what make() was asked for last.
+    Result<hybrid::DrawnSplats> draw(const Camera& eye, const glm::ivec2& sizePx);
+    double gain() const { return gain_; }
+    std::size_t splatCount() const { return splats_ ? splats_->size() : 0; }
+
+  private:
+    hybrid::ShownMatter shownMatter(const Drawing& drawing);
+
+    std::shared_ptr<gpu::Device> device_;
+    std::shared_ptr<const Volume> volume_;
+    Drawing learntOf_;
+    std::shared_ptr<const splat::Splats> model_;  // of no splats: nothing was learnt
+    double gain_ = 1.0;
+    std::shared_ptr<const hybrid::CoarseMatter> matter_;  // of volume_, once it was needed
+    std::optional<hybrid::SplatEstimate> estimate_;       // of model_, likewise
+    Mask masked_;                                         // that bits_ are of
+    std::shared_ptr<const MaskBits> bits_;
+    Drawing shown_;  // of splats_
+    std::shared_ptr<const splat::Splats> splats_;
+    std::optional<splat::ModelPainter> painter_;
+};
+
+}  // namespace macula::app

@@ -1,0 +1,46 @@
+// macula evaluate edits [PATH]: what an edit shows before it is traced, as JSON.
+#include <CLI/App.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "app/output/output_files.h"
+#include "cli/command.h"
+#include "cli/number_range.h"
+#include "cli/study_options.h"
+#include "cli/study_report.h"
+#include "evaluate/edits.h"
+
+namespace macula::cli {
+
+namespace {
+
+struct Options {
+    evaluate::BenchStudyOptions study;
+    evaluate::EditsOptions edits;
+    std::string folder;
+};
+
+}  // namespace
+
+void addEvaluateEdits(CLI::App& evaluateApp, Action& action) {
+    auto options = std::make_shared<Options>();
+    evaluate::EditsOptions& o = options->edits;
+    auto* command = evaluateApp.add_subcommand(
+        "edits",
+        "What is shown while a clip, the curve or the preset is changed, before it is traced; as JSON");
+    addBenchStudyOptions(*command, options->study, o.sizePx.y);
+    addNumber(*command, "--truth-spp", o.truthSamples, "Of what pictures are compared with", 1, 1 << 20);
+    addNumber(*command, "--iterations", o.model.iterations, "Steps of training of the splats", 1, 1000000);
+    command->add_option("--then-preset", options->study.thenPreset, "Preset that is changed to");
+    command->add_option("--pictures", options->folder, "Folder for the pictures that are compared");
+    command->callback([options, &action] {
+        options->edits.sizePx = {options->study.size, options->study.size};
+        options->edits.pictures = options->folder;
+        action = [options]() -> Result<void> {
+            if (!options->folder.empty()) MACULA_TRY_VOID(app::makePictureFolder(options->folder));
+            return printReport(options->study, options->edits, evaluate::measureEdits);
+        };
+    });
+}
+
+}  // namespace macula::cli

@@ -1,0 +1,55 @@
+// What an edit shows before anything of it is traced: the model of before, estimated as app::EstimatedModel
+// does it for a window, beside a small traced picture scaled up, each compared with what is traced of the
+// same settings.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/bench_study.h"
+#include "pipeline/hybrid/model/first_model.h"
+
+namespace macula::evaluate {
+
+struct EditsOptions {
+    glm::ivec2 sizePx{512, 512};
+    double verticalFovDeg = 40.0;
+    std::uint32_t truthSamples = 128;  // not denoised
+    hybrid::FirstModelOptions model;
+    std::filesystem::path pictures = {};  // a folder for NAME.png, NAME-small.png, NAME-traced.png; none
+};
+
+struct EditScore {
+    double flip = 0.0;
+    // Pixels that show background where the traced picture is opaque, and the other way round, as parts of
+    // the picture.
+    double lacks = 0.0;
+    double remains = 0.0;
+};
+
+struct Edit {
+    std::string name;  // "clip 0.25", "shift 50", "preset ct-bone"; may be told
+    double estimateMs =
+        0.0;              // from the settings to a model that can be drawn; the first prepares what all use
+    double drawMs = 0.0;  // of a frame of it
+    std::size_t splats = 0;
+    EditScore estimated;
+    EditScore small;
+};
+
+struct EditsReport {
+    glm::ivec2 smallPx{0};  // what a window shows while an edit is not learnt, on a CPU
+    std::vector<Edit> edits;
+};
+
+// From the front: a plane that goes into what can be seen, the curve shifted both ways by part of the width
+// of what it shows, and the study's second preset where it has one. `cancelled`; inputNotUsable when nothing
+// can be seen.
+Result<EditsReport> measureEdits(const BenchStudy& study, const EditsOptions& options, Progress& progress);
+
+}  // namespace macula::evaluate

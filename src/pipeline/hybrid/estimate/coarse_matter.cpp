@@ -1,0 +1,92 @@
+#include "pipeline/hybrid/estimate/coarse_matter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/check.h"
+#include "base/parallel.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+// The edges of cells in voxels, for cells of that many mm.
+glm::ivec3 edgesFor(double mm, const glm::dvec3& spacingMm, const glm::ivec3& voxels) {
+    return glm::clamp(glm::ivec3(glm::round(mm / spacingMm)), glm::ivec3(1), voxels);
+}
+
+glm::ivec3 cellsFor(const glm::ivec3& edge, const glm::ivec3& voxels) {
+    return (voxels + edge - 1) / edge;
+}
+
+std::size_t countOf(const glm::ivec3& size) {
+    return std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
+}
+
+}  // namespace
+
+CoarseMatter::CoarseMatter(std::shared_ptr<const Volume> volume, std::size_t mostCells)
+    : volume_(std::move(volume)), map_(entryMapOf(*volume_)) {
+    MACULA_CHECK(volume_->format() == VoxelFormat::stored16 && mostCells > 0);
+    const glm::ivec3 voxels = volume_->size();
+    const glm::dvec3 spacing = volume_->spacingMm();
+    // Rounding to whole voxels makes too many cells of some sizes.
+    for (double mm = std::min({spacing.x, spacing.y, spacing.z});; mm *= 1.05) {
+        edge_ = edgesFor(mm, spacing, voxels);
+        size_ = cellsFor(edge_, voxels);
+        if (countOf(size_) <= mostCells) break;
+    }
+    entries_.resize(cellCount() * kSamples);
+    const std::size_t layer = std::size_t(size_.x) * std::size_t(size_.y);
+    parallelFor(std::size_t(size_.z), [&](std::size_t z) {
+        for (std::size_t cell = z * layer; cell < (z + 1) * layer; ++cell) {
+            for (std::size_t s = 0; s < kSamples; ++s) {
+                const glm::ivec3 at = voxelOf(cell, s);
+                entries_[cell * kSamples + s] = map_.entryOf(volume_->stored(at.x, at.y, at.z));
+            }
+        }
+    });
+}
+
+glm::dvec3 CoarseMatter::cellMm() const {
+    return glm::dvec3(edge_) * volume_->spacingMm();
+}
+
+double CoarseMatter::edgeMm() const {
+    const glm::dvec3 mm = cellMm();
+    return std::cbrt(mm.x * mm.y * mm.z);
+}
+
+std::size_t CoarseMatter::indexOf(const glm::ivec3& cell) const {
+    return (std::size_t(cell.z) * std::size_t(size_.y) + std::size_t(cell.y)) * std::size_t(size_.x) +
+           std::size_t(cell.x);
+}
+
+glm::ivec3 CoarseMatter::cellAt(std::size_t index) const {
+    const std::size_t row = index / std::size_t(size_.x);
+    return {int(index % std::size_t(size_.x)), int(row % std::size_t(size_.y)),
+            int(row / std::size_t(size_.y))};
+}
+
+std::size_t CoarseMatter::cellOf(const glm::dvec3& voxel) const {
+    const glm::dvec3 clamped = glm::clamp(voxel + 0.5, glm::dvec3(0.0), glm::dvec3(volume_->size()) - 0.5);
+    return indexOf(glm::min(glm::ivec3(clamped) / edge_, size_ - 1));
+}
+
+glm::ivec3 CoarseMatter::voxelOf(std::size_t cell, std::size_t sample) const {
+    const glm::ivec3 low = cellAt(cell) * edge_;
+    const glm::ivec3 half{int(sample & 1u), int(sample >> 1u & 1u), int(sample >> 2u & 1u)};
+    return glm::min(low + (2 * half + 1) * edge_ / 4, volume_->size() - 1);
+}
+
+bool ShownMatter::shows(const Volume& volume, const glm::dvec3& voxel) const {
+    if (mask) {
+        const glm::ivec3 at = glm::clamp(glm::ivec3(glm::round(voxel)), glm::ivec3(0), volume.size() - 1);
+        if (!mask->shows(at.x, at.y, at.z)) return false;
+    }
+    return !clip.hasShape() ||
+           macula::shows(clip, glm::dvec3(volume.worldFromVoxel() * glm::dvec4(voxel, 1.0)));
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,66 @@
+// A volume in cells of a few voxels, of each of which eight voxels are known: enough to tell within
+// milliseconds what a curve and a clip show of it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "base/volume.h"
+#include "pipeline/volume/clip.h"
+#include "pipeline/volume/entry_map.h"
+#include "pipeline/volume/mask_bits.h"
+
+namespace macula::hybrid {
+
+class CoarseMatter {
+  public:
+    static constexpr std::size_t kSamples = 8;  // of a cell: one in each of its eighths
+    static constexpr std::size_t kMostCells = 400'000;
+
+    // Cells about as long as wide and deep in mm, whole voxels, at most so many. The volume must be stored16.
+    // On all cores.
+    explicit CoarseMatter(std::shared_ptr<const Volume> volume, std::size_t mostCells = kMostCells);
+
+    const Volume& volume() const { return *volume_; }
+    const EntryMap& entryMap() const { return map_; }
+    glm::ivec3 size() const { return size_; }  // cells
+    std::size_t cellCount() const {
+        return std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z);
+    }
+    glm::dvec3 cellMm() const;  // edges of a cell
+    double edgeMm() const;      // of a cube as large as a cell
+
+    std::size_t indexOf(const glm::ivec3& cell) const;
+    glm::ivec3 cellAt(std::size_t index) const;
+    // The cell that a voxel lies in; a point outside lies in the nearest. Integers at voxel centres.
+    std::size_t cellOf(const glm::dvec3& voxel) const;
+    glm::ivec3 voxelOf(std::size_t cell, std::size_t sample) const;
+    // Of its samples, by EntryMap.
+    std::span<const std::uint16_t, kSamples> entriesOf(std::size_t cell) const {
+        return std::span<const std::uint16_t, kSamples>(entries_.data() + cell * kSamples, kSamples);
+    }
+
+  private:
+    std::shared_ptr<const Volume> volume_;
+    EntryMap map_;
+    glm::ivec3 edge_{1};  // voxels
+    glm::ivec3 size_{1};
+    std::vector<std::uint16_t> entries_;
+};
+
+// What is shown of a volume: by which optics, and where. Made anew for each curve and clip.
+struct ShownMatter {
+    std::vector<glm::vec4> optics;         // opticsByEntry
+    Clip clip;                             // what of it is not in `mask` is its shape
+    std::shared_ptr<const MaskBits> mask;  // null: none
+
+    // Of that point and voxel.
+    bool shows(const Volume& volume, const glm::dvec3& voxel) const;
+};
+
+}  // namespace macula::hybrid

@@ -1,0 +1,287 @@
+#include "pipeline/hybrid/estimate/splat_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+#include <numeric>
+#include <utility>
+
+#include "base/parallel.h"
+#include "pipeline/splat/model/constant_colour.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+constexpr float kLeastExtinction = 1e-4f;  // per mm: of less, 100 mm hide a hundredth
+constexpr float kLeastOpacity = 0.01f;     // of a splat that is worth drawing
+constexpr float kMostOpacity = 0.98f;
+constexpr float kMostLearntOpacity = 0.9999f;
+// What was haze is no surface: where matter has become that, cells have splats of their own.
+constexpr float kMostDenser = 8.0f;
+// A surface fills part of a cell, and hides what lies behind all of it.
+constexpr float kDenser = 1.3f;
+constexpr double kSurfaceRise = 0.1;
+// A cell that less of the light around gets to shows nothing.
+constexpr float kLeastOpenness = 0.03f;
+// What was seen of a cell when the model was learnt, over what is seen now: above that it is known.
+constexpr float kKnownShare = 0.75f;
+// Splats of a model that cover so much of a cell leave nothing to be added.
+constexpr float kWhollyCovered = 0.75f;
+// Reflectances between which a splat's own colour begins to count.
+constexpr float kDark = 0.02f;
+constexpr float kBright = 0.2f;
+// Light of a splat is changed by so much at most.
+constexpr float kLeastLight = 0.25f;
+constexpr float kMostLight = 4.0f;
+// Standard deviations of a cell's splat in edges of it: along its surface, so that neighbours overlap to
+// even cover, and across.
+constexpr double kAlong = 0.55;
+constexpr double kAcross = 0.3;
+
+float opacityOf(float logit) {
+    return 1.0f / (1.0f + std::exp(-logit));
+}
+
+float logitOf(float opacity) {
+    return std::log(opacity / (1.0f - opacity));
+}
+
+glm::vec3 colourOf(const splat::Splats& splats, std::size_t i) {
+    return glm::max(splat::colourOfDc(splats.dc[i]), glm::vec3(0.0f));
+}
+
+// Of the larger two of its axes.
+float broadSideMm2(const splat::Splats& splats, std::size_t i) {
+    constexpr float kTwoPi = 6.2831853f;
+    const glm::vec3 scale = splats.logScale[i];
+    const float smallest = std::min({scale.x, scale.y, scale.z});
+    return kTwoPi * std::exp(std::min(scale.x + scale.y + scale.z - smallest, splat::kMaxLogScale));
+}
+
+glm::mat3 axesOf(const splat::Splats& splats, std::size_t i) {
+    const glm::vec4 q = splats.rotation[i];
+    return glm::mat3_cast(glm::normalize(glm::quat(q[0], q[1], q[2], q[3])));
+}
+
+// Turns the third axis onto a direction.
+glm::vec4 rotationOnto(const glm::dvec3& direction) {
+    const glm::dvec3 from{0.0, 0.0, 1.0};
+    const double cosine = glm::dot(from, direction);
+    glm::dquat turn{1.0, 0.0, 0.0, 0.0};
+    if (cosine < -0.999999) {
+        turn = glm::dquat(0.0, 1.0, 0.0, 0.0);
+    } else {
+        const glm::dvec3 axis = glm::cross(from, direction);
+        turn = glm::normalize(glm::dquat(1.0 + cosine, axis.x, axis.y, axis.z));
+    }
+    return {float(turn.w), float(turn.x), float(turn.y), float(turn.z)};
+}
+
+struct Lit {
+    glm::vec3 reflectance;
+    glm::vec3 light;
+};
+
+// As its matter and its light are now. What dark matter showed says little about how light it would be: the
+// darker it was, the more its colour is what matter and light make it.
+void recolour(splat::Splats& splats, std::size_t i, const Lit& before, const Lit& now) {
+    const std::size_t count = splat::shCount(splats.shDegree);
+    glm::vec3 colour = splat::colourOfDc(splats.dc[i]);
+    // For all channels the same: what a channel lacks in the dark is noise.
+    const float lightBefore = before.light.r + before.light.g + before.light.b;
+    const float lightNow = now.light.r + now.light.g + now.light.b;
+    const float brighter =
+        lightBefore > 0.0f ? std::clamp(lightNow / lightBefore, kLeastLight, kMostLight) : 1.0f;
+    for (int c = 0; c < 3; ++c) {
+        if (before.reflectance[c] == now.reflectance[c] && brighter == 1.0f) continue;
+        const float factor = brighter * now.reflectance[c] / std::max(before.reflectance[c], kDark);
+        const float known = std::clamp((before.reflectance[c] - kDark) / (kBright - kDark), 0.0f, 1.0f);
+        colour[c] = known * factor * colour[c] + (1.0f - known) * now.reflectance[c] * now.light[c];
+        for (std::size_t k = 0; k < count; ++k) splats.sh[i * count + k][c] *= known * factor;
+    }
+    splats.dc[i] = splat::dcOfColour(colour);
+}
+
+void append(const splat::Splats& from, std::size_t i, splat::Splats& to) {
+    to.position.push_back(from.position[i]);
+    to.logScale.push_back(from.logScale[i]);
+    to.rotation.push_back(from.rotation[i]);
+    to.opacityLogit.push_back(from.opacityLogit[i]);
+    to.dc.push_back(from.dc[i]);
+    const std::size_t count = splat::shCount(from.shDegree);
+    for (std::size_t k = 0; k < count; ++k) to.sh.push_back(from.sh[i * count + k]);
+}
+
+}  // namespace
+
+SplatEstimate::SplatEstimate(std::shared_ptr<const CoarseMatter> matter,
+                             std::shared_ptr<const splat::Splats> model, ShownMatter learntOf,
+                             const trace::Environment& environment, const SplatEstimateOptions& options)
+    : matter_(std::move(matter)),
+      model_(std::move(model)),
+      learntOf_(std::move(learntOf)),
+      options_(options),
+      voxelFromWorld_(glm::inverse(matter_->volume().worldFromVoxel())) {
+    if (model_->size() == 0) std::fill(learntOf_.optics.begin(), learntOf_.optics.end(), glm::vec4(0.0f));
+    const Volume& volume = matter_->volume();
+    const EntryMap& map = matter_->entryMap();
+    places_.resize(model_->size());
+    for (std::size_t i = 0; i < model_->size(); ++i) {
+        const glm::dvec3 middle = model_->originMm + glm::dvec3(model_->position[i]);
+        const glm::dmat3 axes(axesOf(*model_, i));
+        const glm::dvec3 deviation = glm::exp(glm::dvec3(glm::min(model_->logScale[i], splat::kMaxLogScale)));
+        for (std::size_t k = 0; k < kPlaces; ++k) {
+            glm::dvec3 at = middle;
+            if (k > 0) at += (k % 2 == 0 ? -1.0 : 1.0) * deviation[int(k - 1) / 2] * axes[int(k - 1) / 2];
+            const glm::dvec3 voxel(voxelFromWorld_ * glm::dvec4(at, 1.0));
+            const glm::ivec3 nearest(
+                glm::clamp(glm::round(voxel), glm::dvec3(0.0), glm::dvec3(volume.size() - 1)));
+            places_[i].entries[k] = map.entryOf(volume.stored(nearest.x, nearest.y, nearest.z));
+            if (k > 0) continue;
+            places_[i].voxel = glm::vec3(voxel);
+            places_[i].cell = std::uint32_t(matter_->cellOf(voxel));
+        }
+    }
+    learntLit_ = litMatter(*matter_, learntOf_);
+    std::vector<LitSample> samples;
+    learntMatter_.resize(places_.size());
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        learntMatter_[i] = matterAt(places_[i], learntOf_);
+        const Matter& of = learntMatter_[i];
+        if (of.extinction < kLeastExtinction) continue;
+        samples.push_back({.light = lightOn(*matter_, learntLit_, places_[i].cell),
+                           .reflectance = of.reflectance,
+                           .radiance = colourOf(*model_, i),
+                           .weight = opacityOf(model_->opacityLogit[i])});
+    }
+    light_ = fittedLight(samples, lightOf(environment, glm::dmat3(volume.worldFromVoxel())));
+}
+
+SplatEstimate::Matter SplatEstimate::matterAt(const Place& place, const ShownMatter& shown) const {
+    Matter sum;
+    glm::vec3 albedo{0.0f};
+    for (const std::uint16_t entry : place.entries) {
+        const glm::vec4 optics = shown.optics[entry];
+        sum.extinction += optics.w;
+        albedo += optics.w * glm::vec3(optics);
+    }
+    if (sum.extinction > 0.0f) sum.reflectance = reflectanceOf(albedo / sum.extinction);
+    sum.extinction /= float(kPlaces);
+    return sum;
+}
+
+splat::Splats SplatEstimate::under(const ShownMatter& shown) const {
+    const LitMatter lit = litMatter(*matter_, shown);
+    splat::Splats splats{.originMm = model_->originMm,
+                         .axes = model_->axes,
+                         .colourSpace = model_->colourSpace,
+                         .lowPass = model_->lowPass,
+                         .shDegree = model_->shDegree};
+    std::vector<float> covered(matter_->cellCount(), 0.0f);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+        if (shown.shows(matter_->volume(), glm::dvec3(places_[i].voxel)))
+            addChanged(i, shown, lit, covered, splats);
+    }
+    for (const std::uint32_t cell : cellsWithout(lit, covered))
+        addSplatOf(cell, shown, lit, covered[cell], splats);
+    return splats;
+}
+
+void SplatEstimate::addChanged(std::size_t i, const ShownMatter& shown, const LitMatter& lit,
+                               std::vector<float>& covered, splat::Splats& splats) const {
+    const Place& place = places_[i];
+    const Matter& before = learntMatter_[i];
+    const Matter now = matterAt(place, shown);
+    float denser = 1.0f;
+    if (before.extinction >= kLeastExtinction) {
+        denser = std::min(now.extinction / before.extinction, kMostDenser);
+    } else if (const float cell = learntLit_.extinctionPerMm[place.cell]; cell > kLeastExtinction) {
+        denser = std::min(lit.extinctionPerMm[place.cell] / cell,
+                          kMostDenser);  // it lies beside the matter that it stands for
+    }
+    const float learnt = std::min(opacityOf(model_->opacityLogit[i]), kMostLearntOpacity);
+    const float opacity = denser == 1.0f ? learnt : -std::expm1(denser * std::log1p(-learnt));
+    if (opacity < kLeastOpacity && opacity < learnt) return;
+    append(*model_, i, splats);
+    const std::size_t last = splats.size() - 1;
+    splats.opacityLogit[last] = logitOf(std::clamp(opacity, 1e-4f, kMostLearntOpacity));
+    recolour(splats, last, {before.reflectance, light_.at(lightOn(*matter_, learntLit_, place.cell))},
+             {now.reflectance, light_.at(lightOn(*matter_, lit, place.cell))});
+    covered[place.cell] +=
+        opacity * std::min(broadSideMm2(*model_, i) / float(matter_->edgeMm() * matter_->edgeMm()), 4.0f);
+}
+
+std::vector<std::uint32_t> SplatEstimate::cellsWithout(const LitMatter& lit,
+                                                       const std::vector<float>& covered) const {
+    struct Wanted {
+        std::uint32_t cell;
+        float worth;
+    };
+    // How much of a cell is seen from around.
+    const auto worthOf = [&](const LitMatter& of, std::size_t cell) {
+        return opacityOfCell(of, cell) * of.openness(cell);
+    };
+    std::vector<Wanted> wanted;
+    for (std::size_t cell = 0; cell < matter_->cellCount(); ++cell) {
+        if (covered[cell] >= kWhollyCovered || opacityOfCell(lit, cell) < kLeastOpacity ||
+            lit.openness(cell) < kLeastOpenness)
+            continue;
+        const float worth = worthOf(lit, cell);
+        // The model knows what it has seen: where it has no splats, none are needed.
+        if (worthOf(learntLit_, cell) > kKnownShare * worth) continue;
+        wanted.push_back({std::uint32_t(cell), worth});
+    }
+    if (wanted.size() > options_.mostNewSplats) {
+        const auto last = wanted.begin() + std::ptrdiff_t(options_.mostNewSplats);
+        std::nth_element(wanted.begin(), last, wanted.end(),
+                         [](const Wanted& a, const Wanted& b) { return a.worth > b.worth; });
+        wanted.erase(last, wanted.end());
+    }
+    std::vector<std::uint32_t> cells;
+    for (const Wanted& one : wanted) cells.push_back(one.cell);
+    return cells;
+}
+
+float SplatEstimate::opacityOfCell(const LitMatter& lit, std::size_t cell) const {
+    return -std::expm1(-kDenser * float(matter_->edgeMm()) * lit.extinctionPerMm[cell]);
+}
+
+// As wide as the cell, and flat where that is part of a surface.
+void SplatEstimate::addSplatOf(std::uint32_t cell, const ShownMatter& shown, const LitMatter& lit,
+                               float covered, splat::Splats& splats) const {
+    const Volume& volume = matter_->volume();
+    const bool isClipped = shown.mask || shown.clip.hasShape();
+    const auto entries = matter_->entriesOf(cell);
+    glm::dvec3 voxel{0.0};
+    glm::vec3 albedo{0.0f};
+    float weight = 0.0f;
+    for (std::size_t s = 0; s < CoarseMatter::kSamples; ++s) {
+        const glm::vec4 optics = shown.optics[entries[s]];
+        const glm::dvec3 at(matter_->voxelOf(cell, s));
+        if (!(optics.w > 0.0f) || (isClipped && !shown.shows(volume, at))) continue;
+        weight += optics.w;
+        voxel += double(optics.w) * at;
+        albedo += optics.w * glm::vec3(optics);
+    }
+    if (!(weight > 0.0f)) return;
+    const double edge = matter_->edgeMm();
+    const glm::dvec3 middle(volume.worldFromVoxel() * glm::dvec4(voxel / double(weight), 1.0));
+    // A gradient over voxels becomes one of the world by the inverse transpose.
+    const glm::dvec3 rise =
+        glm::transpose(glm::dmat3(voxelFromWorld_)) *
+        (glm::dvec3(riseAround(*matter_, lit, cell)) / matter_->cellMm() * volume.spacingMm());
+    const bool isSurface = glm::length(rise) * edge > kSurfaceRise;
+    splats.position.emplace_back(middle - splats.originMm);
+    splats.logScale.emplace_back(std::log(kAlong * edge), std::log(kAlong * edge),
+                                 std::log((isSurface ? kAcross : kAlong) * edge));
+    splats.rotation.push_back(isSurface ? rotationOnto(glm::normalize(rise))
+                                        : glm::vec4(1.0f, 0.0f, 0.0f, 0.0f));
+    const float opacity = opacityOfCell(lit, cell) * (1.0f - std::min(covered, 1.0f));
+    splats.opacityLogit.push_back(logitOf(std::clamp(opacity, 0.005f, kMostOpacity)));
+    splats.dc.push_back(
+        splat::dcOfColour(reflectanceOf(albedo / weight) * light_.at(lightOn(*matter_, lit, cell))));
+    splats.sh.insert(splats.sh.end(), splat::shCount(splats.shDegree), glm::vec3(0.0f));
+}
+
+}  // namespace macula::hybrid

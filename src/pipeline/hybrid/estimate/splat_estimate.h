@@ -1,0 +1,71 @@
+// What a model looks like under another curve or clip, before anything of that is traced. Each splat stands
+// for the matter at its place: it becomes as dense and as coloured as that is now, and goes where nothing is
+// shown any more. What comes to light where the model has no splats gets coarse ones, in the light that the
+// model has learnt (matter_light.h).
+//
+// Where nothing was learnt yet, all of it is of coarse splats in the light of the environment.
+//
+// An estimate, not a model: it is right about what is hidden and what is shown, and nearly about its light.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "pipeline/hybrid/estimate/coarse_matter.h"
+#include "pipeline/hybrid/estimate/matter_light.h"
+#include "pipeline/splat/model/splats.h"
+
+namespace macula::hybrid {
+
+struct SplatEstimateOptions {
+    std::size_t mostNewSplats = 50'000;  // those that show most
+};
+
+class SplatEstimate {
+  public:
+    // `model` was learnt of that matter, shown so; it may have no splats, and then nothing was shown. All are
+    // kept, and not changed. On all cores.
+    // `environment` is the light, in the patient's frame.
+    SplatEstimate(std::shared_ptr<const CoarseMatter> matter, std::shared_ptr<const splat::Splats> model,
+                  ShownMatter learntOf, const trace::Environment& environment,
+                  const SplatEstimateOptions& options = {});
+
+    // Valid; splats of the model that are hidden are left out. The model itself for what it was learnt of, up
+    // to rounding. On all cores; some ten milliseconds.
+    splat::Splats under(const ShownMatter& shown) const;
+
+  private:
+    // The voxels around a splat: its middle, and a standard deviation to each side of it.
+    static constexpr std::size_t kPlaces = 7;
+    struct Place {
+        std::array<std::uint16_t, kPlaces> entries;
+        glm::vec3 voxel;
+        std::uint32_t cell;
+    };
+    struct Matter {
+        float extinction = 0.0f;  // mean over the places
+        glm::vec3 reflectance{0.0f};
+    };
+
+    Matter matterAt(const Place& place, const ShownMatter& shown) const;
+    void addChanged(std::size_t i, const ShownMatter& shown, const LitMatter& lit,
+                    std::vector<float>& covered, splat::Splats& splats) const;
+    std::vector<std::uint32_t> cellsWithout(const LitMatter& lit, const std::vector<float>& covered) const;
+    float opacityOfCell(const LitMatter& lit, std::size_t cell) const;
+    void addSplatOf(std::uint32_t cell, const ShownMatter& shown, const LitMatter& lit, float covered,
+                    splat::Splats& splats) const;
+
+    std::shared_ptr<const CoarseMatter> matter_;
+    std::shared_ptr<const splat::Splats> model_;
+    ShownMatter learntOf_;
+    SplatEstimateOptions options_;
+    glm::dmat4 voxelFromWorld_;
+    std::vector<Place> places_;         // by splat of the model
+    std::vector<Matter> learntMatter_;  // likewise
+    LitMatter learntLit_;
+    LightOfSides light_;
+};
+
+}  // namespace macula::hybrid
