@@ -18,6 +18,7 @@
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "pipeline/volume/volume_fit.h"
+#include "pipeline/volume/window.h"
 
 namespace macula::evaluate {
 
@@ -110,6 +111,11 @@ class Measurement {
             edit.drawing.clip = std::make_shared<const Clip>(std::move(clip));
             edits.push_back(std::move(edit));
         }
+        edits.push_back(edits.back());
+        edits.back().name += " grey";
+        Clip grey = *edits.back().drawing.clip;
+        grey.greyFaces = seriesWindow(*study_.volume);
+        edits.back().drawing.clip = std::make_shared<const Clip>(std::move(grey));
         const TransferFunction fitted = macula::fitted(study_.function, *study_.volume);
         const ValueRange range = rangeOf(fitted);
         for (const double part : kShifts) {

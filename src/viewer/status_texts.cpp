@@ -64,7 +64,11 @@ QString fidelityText(const app::FrameShown& frame) {
         const QString centre = frame.foveaAgeMs ? FidelityWords::tr(", sharp centre traced %L1 s ago")
                                                       .arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
                                                 : QString();
-        return FidelityWords::tr("Preview, sharpened in %n steps", nullptr, int(frame.model.steps)) +
+        const QString preview =
+            frame.isEstimate
+                ? FidelityWords::tr("Preview, estimated from the values")
+                : FidelityWords::tr("Preview, sharpened in %n steps", nullptr, int(frame.model.steps));
+        return preview +
                (isParallel(frame.camera) ? FidelityWords::tr(", parallel rays") : QString()) + centre +
                remarks +
                (frame.greyFacesAreCoarse ? FidelityWords::tr(", values on cut faces only coarsely")

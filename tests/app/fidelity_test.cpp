@@ -58,6 +58,11 @@ TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
     EXPECT_EQ(fidelityOf(frame).because, Because{"preview only"});
     EXPECT_EQ(toJson(frame)["tracedShare"], 0.0);
     EXPECT_FALSE(toJson(frame).contains("fovea"));
+    EXPECT_EQ(toJson(frame)["estimated"], false);
+    frame.isEstimate = true;
+    EXPECT_EQ(fidelityOf(frame).because, Because{"preview only, estimated"});
+    EXPECT_EQ(toJson(frame)["estimated"], true);
+    frame.isEstimate = false;
 
     frame.foveaAgeMs = 340.0;
     frame.foveaSamples = 2;

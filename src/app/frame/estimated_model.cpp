@@ -7,6 +7,7 @@
 #include "pipeline/splat/draw/raster_view.h"
 #include "pipeline/volume/medium.h"
 #include "pipeline/volume/volume_fit.h"
+#include "pipeline/volume/window.h"
 
 namespace macula::app {
 
@@ -22,7 +23,14 @@ bool hasGreyFaces(const Drawing& drawing) {
 
 bool isEstimated(const Drawing& drawing) {
     return drawing.transferFunction && !usesGradientOpacity(*drawing.transferFunction) &&
-           !hasAdditions(drawing) && !hasGreyFaces(drawing);
+           !hasAdditions(drawing);
+}
+
+// Grey faces pass the exposure unchanged, and are made for it; all other light is the same with any.
+trace::Settings lightOf(const Drawing& drawing) {
+    trace::Settings settings = settingsOfLight(drawing);
+    settings.exposure = trace::Settings{}.exposure;
+    return settings;
 }
 
 bool isSame(const Drawing& a, const Drawing& b) {
@@ -33,7 +41,7 @@ bool isSame(const Drawing& a, const Drawing& b) {
 }  // namespace
 
 bool EstimatedModel::isInLightOf(const Drawing& drawing) const {
-    return drawing.lights == learntOf_.lights && settingsOfLight(drawing) == settingsOfLight(learntOf_);
+    return drawing.lights == learntOf_.lights && lightOf(drawing) == lightOf(learntOf_);
 }
 
 void EstimatedModel::begin(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) {
@@ -73,6 +81,13 @@ hybrid::ShownMatter EstimatedModel::shownMatter(const Drawing& drawing) {
     hybrid::ShownMatter shown{.optics = opticsByEntry(*volume_, fitted(*drawing.transferFunction, *volume_)),
                               .clip = drawing.clip ? *drawing.clip : Clip{},
                               .mask = nullptr};
+    if (hasGreyFaces(drawing)) {
+        const auto [low, high] = entriesOf(*shown.clip.greyFaces, *volume_);
+        shown.faces = hybrid::GreyValues{.low = low,
+                                         .high = high,
+                                         .belowIsBlack = shown.clip.facesBelowWindowAreBlack,
+                                         .exposure = float(drawing.settings.exposure)};
+    }
     if (!shown.clip.mask) return shown;
     const Mask& mask = *shown.clip.mask;
     if (!bits_ || masked_ != mask) {

@@ -33,7 +33,7 @@ class EstimatedModel {
     void learnt(const std::shared_ptr<const Volume>& volume, const Drawing& drawing,
                 std::shared_ptr<const splat::Splats> model, double gain);
     // Whether it can tell what that drawing looks like: another curve, clip or both of the same volume, in
-    // the same lights. Gradient opacity, second volumes, coloured segments and grey faces are not estimated.
+    // the same lights. Gradient opacity, second volumes and coloured segments are not estimated.
     bool canTell(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const;
     // What it can tell of; nothing where it is of that already.
     Result<void> make(const Drawing& drawing);

@@ -29,6 +29,7 @@ nlohmann::ordered_json toJson(const FrameShown& frame) {
                                 {"height", frame.height},
                                 {"latencyMs", frame.latencyMs},
                                 {"tracedShare", share(frame)}};
+    if (frame.picture == OnScreen::model) json["estimated"] = frame.isEstimate;
     if (frame.foveaAgeMs) json["fovea"] = {{"ageMs", *frame.foveaAgeMs}, {"samples", frame.foveaSamples}};
     if (frame.picture != OnScreen::model && frame.picture != OnScreen::nothing) {
         json["samplesPerPixel"] = frame.samplesPerPixel;

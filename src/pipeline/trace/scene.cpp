@@ -23,18 +23,6 @@ glm::vec4 planeInVoxels(const HalfSpace& side, const glm::dmat4& worldFromVoxel)
                       glm::dot(side.normal, origin) - side.offsetMm);
 }
 
-// Black and white of a window, as positions in the tables. PS3.3 C.11.2.1.2: LINEAR is white one unit before
-// the end of the window. A SIGMOID is drawn as the line that its centre and width tell.
-std::pair<float, float> entriesOf(const DisplayWindow& window, const Volume& volume) {
-    const bool isExact = window.width <= 1.0 || window.function == "LINEAR_EXACT";
-    const double low = window.center - window.width / 2.0;
-    const double high = window.center + window.width / 2.0 - (isExact ? 0.0 : 1.0);
-    const UnitsFromStored units = volume.unitsFromStored();
-    const int firstStored = entryMapOf(volume).low;
-    const auto entry = [&](double value) { return (value - units.intercept) / units.slope - firstStored; };
-    return {static_cast<float>(entry(low)), static_cast<float>(std::max(entry(high), entry(low) + 0.02))};
-}
-
 void writeClip(const Clip& clip, const Volume& volume, shared::TraceParams& params) {
     const glm::dmat4& worldFromVoxel = volume.worldFromVoxel();
     int next = 0;

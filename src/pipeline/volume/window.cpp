@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "pipeline/volume/entry_map.h"
 #include "pipeline/volume/volume_fit.h"
 
 namespace macula {
@@ -110,6 +111,16 @@ std::optional<DisplayWindow> presetWindow(const TransferFunction& preset, const 
     const std::optional<ValueRange> range = fitted(preset, volume).effectiveRange;
     if (!range || !(range->low < range->high)) return std::nullopt;
     return windowOver(*range);
+}
+
+std::pair<float, float> entriesOf(const DisplayWindow& window, const Volume& volume) {
+    const bool isExact = window.width <= 1.0 || window.function == "LINEAR_EXACT";
+    const double low = window.center - window.width / 2.0;
+    const double high = window.center + window.width / 2.0 - (isExact ? 0.0 : 1.0);
+    const UnitsFromStored units = volume.unitsFromStored();
+    const int firstStored = entryMapOf(volume).low;
+    const auto entry = [&](double value) { return (value - units.intercept) / units.slope - firstStored; };
+    return {static_cast<float>(entry(low)), static_cast<float>(std::max(entry(high), entry(low) + 0.02))};
 }
 
 DisplayWindow windowOver(const ValueRange& range) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <utility>
 
 #include "base/volume.h"
 #include "pipeline/volume/transfer_function.h"
@@ -26,6 +27,11 @@ DisplayWindow maximumWindow(const Volume& volume);
 
 // The effective range of the preset, fitted to the volume as the preset is; nothing when it names none.
 std::optional<DisplayWindow> presetWindow(const TransferFunction& preset, const Volume& volume);
+
+// Black and white of a window, as positions in the tables of entries (entry_map.h). PS3.3 C.11.2.1.2: LINEAR
+// is white one unit before the end of the window. A SIGMOID is drawn as the line that its centre and width
+// tell.
+std::pair<float, float> entriesOf(const DisplayWindow& window, const Volume& volume);
 
 // The window in units that is black at the low end of a range and white at its high end.
 DisplayWindow windowOver(const ValueRange& range);

@@ -3027,6 +3027,10 @@
         <translation>nur Vorschau</translation>
     </message>
     <message>
+        <source>preview only, estimated</source>
+        <translation>nur Vorschau, geschätzt</translation>
+    </message>
+    <message>
         <source>preview around the sharp centre</source>
         <translation>Vorschau um die scharfe Mitte</translation>
     </message>

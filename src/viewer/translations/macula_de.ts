@@ -88,6 +88,10 @@
         <source>, preview where it is less noisy</source>
         <translation>, Vorschau, wo sie weniger rauscht</translation>
     </message>
+    <message>
+        <source>Preview, estimated from the values</source>
+        <translation>Vorschau, aus den Werten geschätzt</translation>
+    </message>
 </context>
 <context>
     <name>HeadsetWords</name>

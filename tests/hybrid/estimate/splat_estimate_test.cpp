@@ -6,8 +6,10 @@
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
 
+#include "pipeline/splat/draw/displayed.h"
 #include "pipeline/splat/model/constant_colour.h"
 #include "pipeline/volume/medium.h"
+#include "pipeline/volume/window.h"
 #include "trace/extreme_scenes.h"
 
 namespace macula::hybrid {
@@ -116,6 +118,81 @@ TEST(SplatEstimateTest, AClipRemovesAndItsFaceIsThere) {
     Clip all;
     all.planes = {{.normal = {1.0, 0.0, 0.0}, .offsetMm = 400.0}};
     EXPECT_EQ(learntFrom(matter, 200).under(shownBy(*matter, curve(200), all)).size(), 0u);
+}
+
+// Of a cut at x = 4 mm; black is 0, white 1000.
+ShownMatter cutWithGreyFace(const CoarseMatter& matter, bool belowIsBlack = false) {
+    Clip clip;
+    clip.planes = {{.normal = {1.0, 0.0, 0.0}, .offsetMm = 4.0}};
+    clip.greyFaces = DisplayWindow{.center = 500.0, .width = 1000.0, .function = "LINEAR_EXACT"};
+    ShownMatter shown = shownBy(matter, curve(200), clip);
+    const auto [low, high] = entriesOf(*clip.greyFaces, matter.volume());
+    shown.faces = GreyValues{.low = low, .high = high, .belowIsBlack = belowIsBlack, .exposure = 2.0f};
+    return shown;
+}
+
+bool isOnFace(const splat::Splats& splats, std::size_t i) {
+    return std::abs(splats.position[i].x - 4.0f) < 1.5f;
+}
+
+TEST(SplatEstimateTest, AFaceOfGreyValuesShowsThem) {
+    const auto matter = shellAndCore();
+    const splat::Splats cut = learntFrom(matter, 200).under(cutWithGreyFace(*matter));
+    ASSERT_TRUE(cut.validate());
+    std::size_t ofCore = 0;
+    std::size_t ofShell = 0;
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+        EXPECT_GT(cut.position[i].x, 3.0f);
+        const float fromMiddle = glm::length(glm::vec2(cut.position[i].y, cut.position[i].z));
+        if (!isOnFace(cut, i) || fromMiddle > 20.0f) continue;
+        EXPECT_LT(cut.logScale[i].z, cut.logScale[i].x);
+        const glm::vec4 light(2.0f * splat::colourOfDc(cut.dc[i]), 1.0f);
+        const glm::vec3 displayed =
+            splat::displayedExactly(std::span(&light, 1), splat::ColourSpace::linear, {}).front();
+        if (fromMiddle < 9.0f) {
+            EXPECT_LT(glm::distance(displayed, glm::vec3(0.8f)), 0.01f);
+            ++ofCore;
+        } else if (fromMiddle > 13.0f) {
+            EXPECT_LT(glm::distance(displayed, glm::vec3(0.3f)), 0.01f);
+            ++ofShell;
+        }
+    }
+    EXPECT_GT(ofCore, 100u);
+    EXPECT_GT(ofShell, 300u);
+}
+
+TEST(SplatEstimateTest, WhereAFaceIsClearIsNothingAndWhereItIsBlackAWall) {
+    const auto matter = shellAndCore();
+    const auto countInAir = [](const splat::Splats& splats) {
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < splats.size(); ++i) {
+            const bool isAir = glm::length(splats.position[i]) > kShellMm + 2.0;
+            if (!isAir || !isOnFace(splats, i)) continue;
+            EXPECT_LT(splat::colourOfDc(splats.dc[i]).r, 1e-3f);
+            ++count;
+        }
+        return count;
+    };
+    const SplatEstimate estimate = learntFrom(matter, 200);
+    EXPECT_EQ(countInAir(estimate.under(cutWithGreyFace(*matter))), 0u);
+    EXPECT_GT(countInAir(estimate.under(cutWithGreyFace(*matter, true))), 500u);
+}
+
+// A face that was learnt is not left standing where the clip goes on.
+TEST(SplatEstimateTest, FacesOfBeforeAreGone) {
+    const auto matter = shellAndCore();
+    const ShownMatter cut = cutWithGreyFace(*matter);
+    const auto model = std::make_shared<const splat::Splats>(nothingLearnt(matter).under(cut));
+    const SplatEstimate estimate(matter, model, cut, trace::Environment::constant(glm::vec3(0.8f)));
+    EXPECT_EQ(estimate.under(cut).size(), model->size());
+    const splat::Splats whole = estimate.under(shownBy(*matter, curve(200)));
+    ASSERT_TRUE(whole.validate());
+    std::size_t onOtherSide = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        EXPECT_GT(glm::length(whole.position[i]), kShellMm - 5.0) << "nothing stands inside";
+        onOtherSide += whole.position[i].x < 0.0f ? 1 : 0;
+    }
+    EXPECT_GT(onOtherSide, 300u) << "what the cut had removed";
 }
 
 TEST(SplatEstimateTest, OtherColoursAreThoseOfTheMatter) {

@@ -85,6 +85,10 @@ bool ShownMatter::shows(const Volume& volume, const glm::dvec3& voxel) const {
         const glm::ivec3 at = glm::clamp(glm::ivec3(glm::round(voxel)), glm::ivec3(0), volume.size() - 1);
         if (!mask->shows(at.x, at.y, at.z)) return false;
     }
+    return isInShape(volume, voxel);
+}
+
+bool ShownMatter::isInShape(const Volume& volume, const glm::dvec3& voxel) const {
     return !clip.hasShape() ||
            macula::shows(clip, glm::dvec3(volume.worldFromVoxel() * glm::dvec4(voxel, 1.0)));
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,13 +54,25 @@ class CoarseMatter {
     std::vector<std::uint16_t> entries_;
 };
 
+// Faces of a clip that show the values themselves (Clip::greyFaces).
+struct GreyValues {
+    float low = 0.0f;  // entries of black and white
+    float high = 1.0f;
+    bool belowIsBlack = false;  // else clear
+    float exposure = 1.0f;      // that the greys are shown with
+
+    bool operator==(const GreyValues&) const = default;
+};
+
 // What is shown of a volume: by which optics, and where. Made anew for each curve and clip.
 struct ShownMatter {
     std::vector<glm::vec4> optics;         // opticsByEntry
     Clip clip;                             // what of it is not in `mask` is its shape
     std::shared_ptr<const MaskBits> mask;  // null: none
+    std::optional<GreyValues> faces = {};  // of the shape
 
-    // Of that point and voxel.
+    // Of that point, as far as the shape goes, and of that voxel.
+    bool isInShape(const Volume& volume, const glm::dvec3& voxel) const;
     bool shows(const Volume& volume, const glm::dvec3& voxel) const;
 };
 

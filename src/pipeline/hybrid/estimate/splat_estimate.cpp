@@ -144,6 +144,8 @@ SplatEstimate::SplatEstimate(std::shared_ptr<const CoarseMatter> matter,
         }
     }
     learntLit_ = litMatter(*matter_, learntOf_);
+    wasFace_.resize(matter_->cellCount());
+    for (const FacePlace& place : facePlaces(*matter_, learntOf_)) wasFace_[place.cell] = true;
     std::vector<LitSample> samples;
     learntMatter_.resize(places_.size());
     for (std::size_t i = 0; i < places_.size(); ++i) {
@@ -179,9 +181,21 @@ splat::Splats SplatEstimate::under(const ShownMatter& shown) const {
                          .lowPass = model_->lowPass,
                          .shDegree = model_->shDegree};
     std::vector<float> covered(matter_->cellCount(), 0.0f);
+    const bool hasOtherFaces =
+        model_->size() == 0 || shown.clip != learntOf_.clip || shown.faces != learntOf_.faces;
+    std::vector<bool> isFace(matter_->cellCount());
+    const std::vector<FacePlace> faces = facePlaces(*matter_, shown);
+    for (const FacePlace& place : faces) isFace[place.cell] = true;
     for (std::size_t i = 0; i < places_.size(); ++i) {
+        // What was learnt of one face is not seen on another, and hides what is.
+        const bool isOfFace = isFace[places_[i].cell] || wasFace_[places_[i].cell];
+        if (hasOtherFaces && isOfFace) continue;
         if (shown.shows(matter_->volume(), glm::dvec3(places_[i].voxel)))
             addChanged(i, shown, lit, covered, splats);
+    }
+    for (const FacePlace& place : faces) {
+        covered[place.cell] = 1.0f;
+        if (hasOtherFaces) addFace(place, splats);
     }
     for (const std::uint32_t cell : cellsWithout(lit, covered))
         addSplatOf(cell, shown, lit, covered[cell], splats);
@@ -212,6 +226,18 @@ void SplatEstimate::addChanged(std::size_t i, const ShownMatter& shown, const Li
         opacity * std::min(broadSideMm2(*model_, i) / float(matter_->edgeMm() * matter_->edgeMm()), 4.0f);
 }
 
+void SplatEstimate::addFace(const FacePlace& place, splat::Splats& splats) const {
+    const double apart = 0.5 * matter_->edgeMm();
+    const glm::dvec3 middle(matter_->volume().worldFromVoxel() * glm::dvec4(place.voxel, 1.0));
+    splats.position.emplace_back(middle - splats.originMm);
+    splats.logScale.emplace_back(std::log(kAlong * apart), std::log(kAlong * apart),
+                                 std::log(kAcross * apart));
+    splats.rotation.push_back(rotationOnto(place.outwards));
+    splats.opacityLogit.push_back(logitOf(kMostOpacity));
+    splats.dc.push_back(splat::dcOfColour(glm::vec3(place.radiance)));
+    splats.sh.insert(splats.sh.end(), splat::shCount(splats.shDegree), glm::vec3(0.0f));
+}
+
 std::vector<std::uint32_t> SplatEstimate::cellsWithout(const LitMatter& lit,
                                                        const std::vector<float>& covered) const {
     struct Wanted {
@@ -229,7 +255,7 @@ std::vector<std::uint32_t> SplatEstimate::cellsWithout(const LitMatter& lit,
             continue;
         const float worth = worthOf(lit, cell);
         // The model knows what it has seen: where it has no splats, none are needed.
-        if (worthOf(learntLit_, cell) > kKnownShare * worth) continue;
+        if (!wasFace_[cell] && worthOf(learntLit_, cell) > kKnownShare * worth) continue;
         wanted.push_back({std::uint32_t(cell), worth});
     }
     if (wanted.size() > options_.mostNewSplats) {

@@ -1,9 +1,8 @@
 // What a model looks like under another curve or clip, before anything of that is traced. Each splat stands
 // for the matter at its place: it becomes as dense and as coloured as that is now, and goes where nothing is
 // shown any more. What comes to light where the model has no splats gets coarse ones, in the light that the
-// model has learnt (matter_light.h).
-//
-// Where nothing was learnt yet, all of it is of coarse splats in the light of the environment.
+// model has learnt (matter_light.h); so do faces of a clip that show grey values. Where nothing was learnt
+// yet, all of it is of coarse splats in the light of the environment.
 //
 // An estimate, not a model: it is right about what is hidden and what is shown, and nearly about its light.
 #pragma once
@@ -13,6 +12,7 @@
 #include <memory>
 #include <vector>
 
+#include "pipeline/hybrid/estimate/clip_faces.h"
 #include "pipeline/hybrid/estimate/coarse_matter.h"
 #include "pipeline/hybrid/estimate/matter_light.h"
 #include "pipeline/splat/model/splats.h"
@@ -53,6 +53,7 @@ class SplatEstimate {
     void addChanged(std::size_t i, const ShownMatter& shown, const LitMatter& lit,
                     std::vector<float>& covered, splat::Splats& splats) const;
     std::vector<std::uint32_t> cellsWithout(const LitMatter& lit, const std::vector<float>& covered) const;
+    void addFace(const FacePlace& place, splat::Splats& splats) const;
     float opacityOfCell(const LitMatter& lit, std::size_t cell) const;
     void addSplatOf(std::uint32_t cell, const ShownMatter& shown, const LitMatter& lit, float covered,
                     splat::Splats& splats) const;
@@ -65,6 +66,7 @@ class SplatEstimate {
     std::vector<Place> places_;         // by splat of the model
     std::vector<Matter> learntMatter_;  // likewise
     LitMatter learntLit_;
+    std::vector<bool> wasFace_;  // by cell: of what was learnt, a face that shows grey values
     LightOfSides light_;
 };
 

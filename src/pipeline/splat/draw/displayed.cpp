@@ -102,6 +102,11 @@ std::vector<glm::vec3> displayedExactly(std::span<const glm::vec4> pixels, Colou
     return colours;
 }
 
+float lightOfGrey(float encoded) {
+    Host host({}, {});
+    return beforeToneMap(glm::vec3(host.decodeSrgb(std::clamp(encoded, 0.0f, 1.0f)))).x;
+}
+
 std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourSpace space) {
     std::vector<glm::vec4> result(pixels.begin(), pixels.end());
     if (space == ColourSpace::linear) return result;

@@ -27,6 +27,9 @@ std::vector<std::uint8_t> displayed(std::span<const glm::vec4> pixels, ColourSpa
 std::vector<glm::vec3> displayedExactly(std::span<const glm::vec4> pixels, ColourSpace space,
                                         const DisplayOptions& options);
 
+// The linear grey that is displayed as `encoded`, 0 to 1, at an exposure of 1; of white, nearly so.
+float lightOfGrey(float encoded);
+
 // Premultiplied linear radiance. Colours of the display are taken as sRGB: each pixel's own colour, without
 // what is behind it, is decoded.
 std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourSpace space);

@@ -1,0 +1,77 @@
+#include "pipeline/hybrid/estimate/clip_faces.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/parallel.h"
+#include "pipeline/splat/draw/displayed.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+constexpr glm::ivec3 kSteps[] = {{-1, 0, 0}, {1, 0, 0}, {0, -1, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 1}};
+
+class FaceSearch {
+  public:
+    FaceSearch(const CoarseMatter& matter, const ShownMatter& shown)
+        : matter_(matter),
+          shown_(shown),
+          half_(0.5 * matter.cellMm() / matter.volume().spacingMm()),
+          worldFromVoxel_(matter.volume().worldFromVoxel()) {}
+
+    void inCell(std::size_t cell, std::vector<FacePlace>& found) const {
+        if (!isCut(cell)) return;
+        for (std::size_t s = 0; s < CoarseMatter::kSamples; ++s) {
+            const glm::dvec3 voxel(matter_.voxelOf(cell, s));
+            if (!shown_.shows(matter_.volume(), voxel)) continue;
+            glm::dvec3 outwards{0.0};
+            for (const glm::ivec3& step : kSteps) {
+                const glm::dvec3 by = glm::dvec3(step) * half_;
+                if (!shown_.isInShape(matter_.volume(), voxel + by)) outwards += worldFromVoxel_ * by;
+            }
+            if (!(glm::length(outwards) > 0.0)) continue;
+            const GreyValues& values = *shown_.faces;
+            const float entry = matter_.entriesOf(cell)[s];
+            const float grey = std::clamp((entry - values.low) / (values.high - values.low), 0.0f, 1.0f);
+            if (!(grey > 0.0f) && !values.belowIsBlack) continue;
+            found.push_back({.cell = std::uint32_t(cell),
+                             .voxel = voxel,
+                             .outwards = glm::normalize(outwards),
+                             .radiance = splat::lightOfGrey(grey) / values.exposure});
+        }
+    }
+
+  private:
+    // Whether the shape ends within an edge of the middle of the cell.
+    bool isCut(std::size_t cell) const {
+        const glm::dvec3 middle = (glm::dvec3(matter_.cellAt(cell)) + 0.5) * 2.0 * half_ - 0.5;
+        const bool isIn = shown_.isInShape(matter_.volume(), middle);
+        return std::any_of(std::begin(kSteps), std::end(kSteps), [&](const glm::ivec3& step) {
+            return shown_.isInShape(matter_.volume(), middle + 2.0 * glm::dvec3(step) * half_) != isIn;
+        });
+    }
+
+    const CoarseMatter& matter_;
+    const ShownMatter& shown_;
+    glm::dvec3 half_;  // of a cell, voxels
+    glm::dmat3 worldFromVoxel_;
+};
+
+}  // namespace
+
+std::vector<FacePlace> facePlaces(const CoarseMatter& matter, const ShownMatter& shown) {
+    if (!shown.faces || !shown.clip.hasShape()) return {};
+    const FaceSearch search(matter, shown);
+    const auto layers = std::size_t(matter.size().z);
+    const std::size_t layer = matter.cellCount() / layers;
+    std::vector<std::vector<FacePlace>> found(layers);
+    parallelFor(layers, [&](std::size_t z) {
+        for (std::size_t cell = z * layer; cell < (z + 1) * layer; ++cell) search.inCell(cell, found[z]);
+    });
+    std::vector<FacePlace> all;
+    for (const std::vector<FacePlace>& some : found) all.insert(all.end(), some.begin(), some.end());
+    return all;
+}
+
+}  // namespace macula::hybrid

@@ -1,0 +1,23 @@
+// Where a clip cuts through coarse matter, and the greys that its faces show there.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "pipeline/hybrid/estimate/coarse_matter.h"
+
+namespace macula::hybrid {
+
+// A place on a face: a sample of a cell that is shown, beside a place that the shape of the clip removes.
+struct FacePlace {
+    std::uint32_t cell = 0;
+    glm::dvec3 voxel{0.0};
+    glm::dvec3 outwards{0.0};  // unit, mm of the world
+    float radiance = 0.0f;     // linear and grey, before exposure and tone map
+};
+
+// Half an edge of a cell apart, where faces are not clear; empty where they show no values. On all cores.
+std::vector<FacePlace> facePlaces(const CoarseMatter& matter, const ShownMatter& shown);
+
+}  // namespace macula::hybrid
