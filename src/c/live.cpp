@@ -157,6 +157,7 @@ Result<AskedFrame> askedOf(const macula_live& live, const macula_frame* frame) {
 
 std::int32_t codeOf(app::OnScreen picture) {
     switch (picture) {
+        case app::OnScreen::estimate:
         case app::OnScreen::model:
             return MACULA_SHOWN_MODEL;
         case app::OnScreen::fading:

@@ -60,17 +60,16 @@ LinesOver linesOver(std::vector<std::string> names, const app::Drawing& drawing)
 QString fidelityText(const app::FrameShown& frame) {
     const QString remarks =
         frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);
-    if (frame.picture == app::OnScreen::model) {
+    if (frame.picture == app::OnScreen::model || frame.picture == app::OnScreen::estimate) {
         const QString centre = frame.foveaAgeMs ? FidelityWords::tr(", sharp centre traced %L1 s ago")
                                                       .arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
                                                 : QString();
         const QString preview =
-            frame.isEstimate
+            frame.picture == app::OnScreen::estimate
                 ? FidelityWords::tr("Preview, estimated from the values")
                 : FidelityWords::tr("Preview, sharpened in %n steps", nullptr, int(frame.model.steps));
-        return preview +
-               (isParallel(frame.camera) ? FidelityWords::tr(", parallel rays") : QString()) + centre +
-               remarks +
+        return preview + (isParallel(frame.camera) ? FidelityWords::tr(", parallel rays") : QString()) +
+               centre + remarks +
                (frame.greyFacesAreCoarse ? FidelityWords::tr(", values on cut faces only coarsely")
                                          : QString());
     }

@@ -58,11 +58,11 @@ TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
     EXPECT_EQ(fidelityOf(frame).because, Because{"preview only"});
     EXPECT_EQ(toJson(frame)["tracedShare"], 0.0);
     EXPECT_FALSE(toJson(frame).contains("fovea"));
-    EXPECT_EQ(toJson(frame)["estimated"], false);
-    frame.isEstimate = true;
+    frame.picture = OnScreen::estimate;
     EXPECT_EQ(fidelityOf(frame).because, Because{"preview only, estimated"});
-    EXPECT_EQ(toJson(frame)["estimated"], true);
-    frame.isEstimate = false;
+    EXPECT_EQ(toJson(frame)["picture"], "estimate");
+    EXPECT_EQ(toJson(frame)["tracedShare"], 0.0);
+    frame.picture = OnScreen::model;
 
     frame.foveaAgeMs = 340.0;
     frame.foveaSamples = 2;

@@ -125,18 +125,17 @@ class FrameRendererTest : public testing::Test {
 TEST_F(FrameRendererTest, WhatIsOpenedIsEstimatedFirst) {
     renderer_->accept(input_);
     ASSERT_TRUE(stepUntil([&] { return shown_.has_value(); }));
-    EXPECT_EQ(shown_->picture, OnScreen::model);
-    EXPECT_TRUE(shown_->isEstimate);
+    EXPECT_EQ(shown_->picture, OnScreen::estimate);
     EXPECT_EQ(shown_->width, input_.width);
     EXPECT_EQ(news_.steps, 0u);
     EXPECT_EQ(fidelityOf(*shown_).because.front(), "preview only, estimated");
     ASSERT_TRUE(stepUntil([&] { return shown_->picture == OnScreen::traced; }));
-    EXPECT_FALSE(shown_->isEstimate);
 }
 
 TEST_F(FrameRendererTest, AnEditIsFollowedBeforeTheTracerHasAnyOfIt) {
     renderer_->accept(input_);
-    ASSERT_TRUE(stepUntil([&] { return hybrid::isFitToBeShown(news_) && shown_ && !shown_->isEstimate; }));
+    ASSERT_TRUE(stepUntil(
+        [&] { return hybrid::isFitToBeShown(news_) && shown_ && shown_->picture != OnScreen::estimate; }));
     const int before = preparing_;
     Clip clip;
     clip.planes = {{.normal = {0.0, 1.0, 0.0}, .offsetMm = 0.0}};
@@ -149,8 +148,7 @@ TEST_F(FrameRendererTest, AnEditIsFollowedBeforeTheTracerHasAnyOfIt) {
         // The next edit is there when this one was shown.
         renderer_->step({.newInput = [] { return true; }, .stopping = [] { return false; }});
         ASSERT_EQ(shown_->inputSequence, input_.sequence);
-        EXPECT_EQ(shown_->picture, OnScreen::model);
-        EXPECT_TRUE(shown_->isEstimate);
+        EXPECT_EQ(shown_->picture, OnScreen::estimate);
         EXPECT_EQ(shown_->width, input_.width);
     }
     EXPECT_EQ(preparing_, before);
@@ -163,7 +161,7 @@ TEST_F(FrameRendererTest, AnEditIsFollowedBeforeTheTracerHasAnyOfIt) {
     input_.drawing = learntOf;
     renderer_->accept(input_);
     ASSERT_TRUE(stepUntil([&] { return shown_->inputSequence == input_.sequence; }));
-    EXPECT_FALSE(shown_->isEstimate);
+    EXPECT_NE(shown_->picture, OnScreen::estimate);
     EXPECT_EQ(news_.origin, hybrid::ModelOrigin::shelf);
 }
 

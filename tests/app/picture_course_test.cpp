@@ -438,8 +438,8 @@ TEST_F(PictureCourseTest, AnEstimateStandsForTheModelUntilThatIsFit) {
     course_.setEstimate(true);
     want();
     ASSERT_EQ(next(), Step::showModel);
-    course_.showedModel(true);
-    EXPECT_EQ(course_.onScreen(), OnScreen::model);
+    course_.showedEstimate();
+    EXPECT_EQ(course_.onScreen(), OnScreen::estimate);
     for (int i = 0; i < 10; ++i) EXPECT_EQ(go(), Step::search);
     course_.setModel(ModelState::young, true);
     for (int i = 0; i < 10; ++i) EXPECT_EQ(go(), Step::learn);
@@ -456,7 +456,7 @@ TEST_F(PictureCourseTest, SearchAndLearningOverAnEstimateTakeTurnsWithTracingInT
     course_.setModel(ModelState::searching, true);
     course_.setEstimate(true);
     want();
-    course_.showedModel(true);
+    course_.showedEstimate();
     const auto start = now_;
     while (next() == Step::search) go();
     EXPECT_EQ(next(), Step::trace);
@@ -469,7 +469,7 @@ TEST_F(PictureCourseTest, SearchAndLearningOverAnEstimateTakeTurnsWithTracingInT
 TEST_F(PictureCourseTest, WithoutItsEstimateASmallPictureIsNext) {
     course_.setEstimate(true);
     want();
-    course_.showedModel(true);
+    course_.showedEstimate();
     EXPECT_EQ(next(), Step::trace) << "no model is searched for";
     course_.setEstimate(false);
     EXPECT_EQ(go(), Step::showPreview);

@@ -153,13 +153,12 @@ TEST_F(CLive, ATrainedModelIsDrawnWhileAHandMovesAndIsResumed) {
         EXPECT_GE(model.steps, 6u);
         EXPECT_STRNE(model.origin, "");
 
-        // It is not shown before it is sharp enough, and that is said.
+        // Until it is sharp enough an estimate is shown, and that is said.
         frame_.is_moving = 1;
         ASSERT_EQ(draw(live), MACULA_DONE) << lastError().message;
         if (model.steps < kStepsToBeShown) {
-            EXPECT_EQ(shown_.picture, MACULA_SHOWN_SMALL);
-            EXPECT_NE(std::string(shown_.fidelity).find("not sharp enough"), std::string::npos)
-                << shown_.fidelity;
+            EXPECT_EQ(shown_.picture, MACULA_SHOWN_MODEL);
+            EXPECT_NE(std::string(shown_.fidelity).find("estimated"), std::string::npos) << shown_.fidelity;
         }
         training.steps = kStepsToBeShown;
         ASSERT_EQ(macula_live_train(live.get(), &training, nullptr, &model), MACULA_DONE)

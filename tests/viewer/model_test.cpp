@@ -121,8 +121,10 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     seen_.clear();
     choosePreset("cinematic-soft-tissue");
     ASSERT_TRUE(waitUntil([&] { return !seen_.empty() && isOnScreen(app::OnScreen::traced); }));
-    // Before there was a model of it that is fit to be shown there were small pictures only.
-    EXPECT_EQ(seen_.front().picture, app::OnScreen::preview);
+    // Before there was a model of it that is fit to be shown it was estimated from the one before, and no
+    // picture was small.
+    EXPECT_EQ(seen_.front().picture, app::OnScreen::estimate);
+    EXPECT_FALSE(hasSeen(app::OnScreen::preview));
     for (const app::FrameShown& frame : seen_) {
         EXPECT_TRUE(frame.picture != app::OnScreen::model || isFitToBeShown(frame.model))
             << frame.model.steps;

@@ -9,6 +9,7 @@ namespace {
 double share(const FrameShown& frame) {
     switch (frame.picture) {
         case OnScreen::nothing:
+        case OnScreen::estimate:
             return 0.0;
         case OnScreen::model:
             return frame.foveaShare;
@@ -29,9 +30,9 @@ nlohmann::ordered_json toJson(const FrameShown& frame) {
                                 {"height", frame.height},
                                 {"latencyMs", frame.latencyMs},
                                 {"tracedShare", share(frame)}};
-    if (frame.picture == OnScreen::model) json["estimated"] = frame.isEstimate;
     if (frame.foveaAgeMs) json["fovea"] = {{"ageMs", *frame.foveaAgeMs}, {"samples", frame.foveaSamples}};
-    if (frame.picture != OnScreen::model && frame.picture != OnScreen::nothing) {
+    if (frame.picture == OnScreen::preview || frame.picture == OnScreen::fading ||
+        frame.picture == OnScreen::traced) {
         json["samplesPerPixel"] = frame.samplesPerPixel;
         json["denoised"] = frame.denoised;
     }

@@ -74,8 +74,12 @@ Result<void> FrameRenderer::showModel() {
     // now.
     MACULA_CHECK(isEstimate || model_->key() == sceneNames_.of(input_.study, input_.drawing));
     const auto picture = frame(0.0f);
+    if (!picture && isEstimate && picture.error().code == ErrorCode::outOfMemory) {
+        estimate_->forget();
+        return {};
+    }
     if (!picture) return withoutModel(picture.error());  // a small picture comes next
-    course_.showedModel(isEstimate);
+    isEstimate ? course_.showedEstimate() : course_.showedModel();
     MACULA_TRY_VOID(show(**picture));
     // One picture in flight: a longer queue would show where the hand was, not where it is.
     return device_->waitForAll();
@@ -98,7 +102,7 @@ void FrameRenderer::noteLearnt() {
 Result<bool> FrameRenderer::makeEstimate() {
     if (!hybrid_ || !model_ || hasFitModel() || !canHaveModel()) return false;
     if (!estimate_->canTell(input_.volume, input_.drawing)) return false;
-    const Result<void> made = estimate_->make(input_.drawing);
+    const Result<void> made = workOnModel([&] { return estimate_->make(input_.drawing); });
     if (made) return true;
     if (device_->lost() || made.error().code != ErrorCode::outOfMemory) return made.error();
     estimate_->forget();
@@ -273,7 +277,7 @@ Result<void> FrameRenderer::search(const Interrupts& interrupts) {
 
 Result<void> FrameRenderer::learn(const Interrupts& interrupts) {
     const auto keepGoing = [&] { return !interrupts.newInput() && !interrupts.stopping(); };
-    if (input_.interacting && course_.onScreen() == OnScreen::model) return learnBesideHand(keepGoing);
+    if (course_.onScreen() == OnScreen::model) return learnBesideHand(keepGoing);
     const Clock::time_point start = Clock::now();
     const Result<void> done = workOnModel([&] { return model_->work(kSliceMs, keepGoing); });
     course_.spent(Step::learn, millisecondsBetween(start, Clock::now()));
@@ -295,18 +299,18 @@ Result<void> FrameRenderer::learnBesideHand(const std::function<bool()>& keepGoi
 // Shows the picture that is on screen over another background.
 Result<void> FrameRenderer::showAgain() {
     if (course_.onScreen() == OnScreen::nothing) return {};
-    if (course_.onScreen() != OnScreen::model && course_.onScreen() != OnScreen::fading) {
+    const bool isOfSplats = course_.onScreen() == OnScreen::model || course_.onScreen() == OnScreen::estimate;
+    if (!isOfSplats && course_.onScreen() != OnScreen::fading) {
         const bool isTraced = course_.onScreen() == OnScreen::traced;
         MACULA_TRY(const gpu::Image* picture,
                    isTraced ? tracedPicture() : traced_->display(input_.background));
         return show(*picture);
     }
-    const bool isModel = course_.onScreen() == OnScreen::model;
-    if (isModel && !canDrawModel() && !drawsEstimate()) {  // it was given up meanwhile
+    if (isOfSplats && !canDrawModel() && !drawsEstimate()) {  // it was given up meanwhile
         duty_.beginAnew();
         return {};
     }
-    const auto picture = frame(isModel ? 0.0f : static_cast<float>(course_.tracedShare(Clock::now())));
+    const auto picture = frame(isOfSplats ? 0.0f : static_cast<float>(course_.tracedShare(Clock::now())));
     if (!picture) {
         duty_.beginAnew();
         return withoutModel(picture.error());
@@ -377,14 +381,14 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
                      .framesPerSecond = framesPerSecond(),
                      .latencyMs = millisecondsBetween(input_.published, now)};
     frame.model = modelNews();
-    frame.isEstimate = kind == OnScreen::model && drawsEstimate();
     if (kind == OnScreen::model) {
         frame.foveaAgeMs = lastFrame_.foveaAgeMs;
         frame.foveaSamples = lastFrame_.foveaSamples;
         frame.foveaShare = lastFrame_.foveaShare;
     }
-    frame.greyFacesAreCoarse = kind == OnScreen::model && input_.drawing.clip &&
-                               input_.drawing.clip->hasShape() && input_.drawing.clip->greyFaces;
+    frame.greyFacesAreCoarse = (kind == OnScreen::model || kind == OnScreen::estimate) &&
+                               input_.drawing.clip && input_.drawing.clip->hasShape() &&
+                               input_.drawing.clip->greyFaces;
     frame.mixesModel = kind == OnScreen::traced && mixesModel_;
     const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
     if (isTraced) frame.stage = course_.hasConverged() ? Stage::converged : Stage::converging;

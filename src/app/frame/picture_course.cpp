@@ -10,6 +10,8 @@ std::string_view nameOf(OnScreen picture) {
             return "nothing";
         case OnScreen::preview:
             return "small, traced";
+        case OnScreen::estimate:
+            return "estimate";
         case OnScreen::model:
             return "model";
         case OnScreen::fading:
@@ -79,9 +81,10 @@ Step PictureCourse::next(TimePoint now) const {
             if (isSettled) return isLearningsTurn() ? Step::learn : Step::trace;
             return canRefine ? Step::showPreview : handMoves_ ? Step::none : Step::trace;
         }
+        case OnScreen::estimate:
+            return nextOverEstimate();
         case OnScreen::model:
             if (!handMoves_ && isTraced_) return Step::showTraced;
-            if (showsEstimate_) return nextOverEstimate();
             if (wantsFovea_) return Step::traceFovea;
             if (handMoves_) return learnsBesideHand_ ? Step::learn : Step::none;
             return Step::trace;
@@ -99,6 +102,7 @@ Step PictureCourse::next(TimePoint now) const {
 
 // An estimate stays while the model of what is shown is searched for and learns, as a small picture does.
 Step PictureCourse::nextOverEstimate() const {
+    if (!handMoves_ && isTraced_) return Step::showTraced;
     if (model_ == ModelState::ready) return Step::showModel;
     if (!hasEstimate_) return Step::showPreview;
     if (handMoves_) return Step::none;
@@ -108,7 +112,7 @@ Step PictureCourse::nextOverEstimate() const {
 
 // While there is no traced picture of all pixels: whether search and learning still come before it.
 bool PictureCourse::isBeforeTraced() const {
-    const bool isBefore = onScreen_ == OnScreen::preview || (onScreen_ == OnScreen::model && showsEstimate_);
+    const bool isBefore = onScreen_ == OnScreen::preview || onScreen_ == OnScreen::estimate;
     return isBefore && learntMs_ < kYoungFirstMs;
 }
 
@@ -128,9 +132,12 @@ bool PictureCourse::isLearningsTurn() const {
     return learntMs_ < share * tracedMs_;
 }
 
-void PictureCourse::showedModel(bool isEstimate) {
+void PictureCourse::showedModel() {
     onScreen_ = OnScreen::model;
-    showsEstimate_ = isEstimate;
+}
+
+void PictureCourse::showedEstimate() {
+    onScreen_ = OnScreen::estimate;
 }
 
 void PictureCourse::showedPreview(std::uint64_t samples, TimePoint now) {
@@ -146,7 +153,7 @@ void PictureCourse::traced(bool hasConverged) {
     hasConverged_ = hasConverged;
     if (onScreen_ == OnScreen::fading) return;
     if (onScreen_ != OnScreen::traced) tracedMs_ = learntMs_ = 0.0;  // the turns begin
-    const bool fades = onScreen_ == OnScreen::model;
+    const bool fades = onScreen_ == OnScreen::model || onScreen_ == OnScreen::estimate;
     onScreen_ = fades ? OnScreen::fading : OnScreen::traced;
     fadingSince_.reset();
 }

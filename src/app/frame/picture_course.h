@@ -22,8 +22,9 @@ namespace macula::app {
 
 // How much of the wanted picture is on screen.
 enum class OnScreen {
-    nothing,  // only what was wanted before, if anything
-    preview,  // a small traced picture
+    nothing,   // only what was wanted before, if anything
+    preview,   // a small traced picture
+    estimate,  // the model of before, changed to what is wanted now (estimated_model.h)
     model,
     fading,  // from the model to the traced picture
     traced,  // all pixels
@@ -97,7 +98,8 @@ class PictureCourse {
     Step next(TimePoint now) const;
 
     // What was done since.
-    void showedModel(bool isEstimate = false);
+    void showedModel();
+    void showedEstimate();
     void showedPreview(std::uint64_t samples, TimePoint now);  // the traced picture with all pixels is lost
     void searched() { hasSearched_ = true; }
     // The traced picture has become worth showing, and was shown unless it fades in.
@@ -122,7 +124,6 @@ class PictureCourse {
     ModelState model_ = ModelState::none;
     bool learns_ = false;
     bool hasEstimate_ = false;
-    bool showsEstimate_ = false;  // where the model is on screen
     bool wantsFovea_ = false;
     bool learnsBesideHand_ = false;
     bool isQuick_ = false;

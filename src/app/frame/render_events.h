@@ -76,7 +76,6 @@ struct FrameShown {
     std::optional<double> foveaAgeMs{};  // over the model; nothing where there was no fovea yet
     std::uint32_t foveaSamples = 0;      // of each of its pixels
     double foveaShare = 0.0;             // of the pixels, at most
-    bool isEstimate = false;             // of the model of before (estimated_model.h), not learnt
     bool greyFacesAreCoarse = false;     // of a clip, by splats
     bool mixesModel = false;             // traced, but for where the model has less noise
     std::uint64_t samplesPerPixel = 0;   // on average: noise decides where they go
