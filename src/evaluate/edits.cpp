@@ -249,6 +249,11 @@ class Measurement {
 
 Result<EditsReport> measureEdits(const BenchStudy& study, const EditsOptions& options, Progress& progress) {
     MACULA_TRY_VOID(app::checkPatientLights(study.environment, study.lights));
+    if (usesGradientOpacity(study.function) || (study.then && usesGradientOpacity(study.then->function)))
+        return Error{ErrorCode::usage,
+                     "Presets with a gradient opacity are not estimated.",
+                     {},
+                     "Choose another preset."};
     MACULA_TRY(Measurement measurement, Measurement::create(study, options, progress));
     return measurement.run();
 }

@@ -34,8 +34,9 @@ struct EditScore {
 
 struct Edit {
     std::string name;  // "clip 0.25", "shift 50", "preset ct-bone"; may be told
-    double estimateMs =
-        0.0;              // from the settings to a model that can be drawn; the first prepares what all use
+    // From the settings to a model that can be drawn. That of "opening" goes through the volume first, and
+    // that of "none" through the model.
+    double estimateMs = 0.0;
     double drawMs = 0.0;  // of a frame of it
     std::size_t splats = 0;
     EditScore estimated;
@@ -47,9 +48,10 @@ struct EditsReport {
     std::vector<Edit> edits;
 };
 
-// From the front: a plane that goes into what can be seen, the curve shifted both ways by part of the width
-// of what it shows, and the study's second preset where it has one. `cancelled`; inputNotUsable when nothing
-// can be seen.
+// From the front: "opening", before anything was learnt; and of a model, "none", a plane that goes into what
+// can be seen, its face in grey values too, the curve shifted both ways by part of the width of what it
+// shows, and the study's second preset where it has one. `cancelled`; inputNotUsable when nothing can be
+// seen; usage for a preset with a gradient opacity, which is not estimated.
 Result<EditsReport> measureEdits(const BenchStudy& study, const EditsOptions& options, Progress& progress);
 
 }  // namespace macula::evaluate

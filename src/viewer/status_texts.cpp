@@ -60,7 +60,7 @@ LinesOver linesOver(std::vector<std::string> names, const app::Drawing& drawing)
 QString fidelityText(const app::FrameShown& frame) {
     const QString remarks =
         frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);
-    if (frame.picture == app::OnScreen::model || frame.picture == app::OnScreen::estimate) {
+    if (isOfSplats(frame.picture)) {
         const QString centre = frame.foveaAgeMs ? FidelityWords::tr(", sharp centre traced %L1 s ago")
                                                       .arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
                                                 : QString();

@@ -59,7 +59,7 @@ TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
     EXPECT_EQ(toJson(frame)["tracedShare"], 0.0);
     EXPECT_FALSE(toJson(frame).contains("fovea"));
     frame.picture = OnScreen::estimate;
-    EXPECT_EQ(fidelityOf(frame).because, Because{"preview only, estimated"});
+    EXPECT_EQ(fidelityOf(frame).because, (Because{"preview only", "estimated from the values"}));
     EXPECT_EQ(toJson(frame)["picture"], "estimate");
     EXPECT_EQ(toJson(frame)["tracedShare"], 0.0);
     frame.picture = OnScreen::model;

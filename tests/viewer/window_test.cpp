@@ -44,7 +44,7 @@ TEST_F(WindowTest, ThePhantomConvergesThenStopsAndStartsAgainWhenDragged) {
     EXPECT_NE(window_->viewport().camera().azimuthDeg, camera.azimuthDeg);
     ASSERT_TRUE(waitUntil([&] { return frames_ > before; }));
     EXPECT_EQ(last_->stage, app::Stage::moving);
-    EXPECT_TRUE(last_->picture == app::OnScreen::estimate || last_->picture == app::OnScreen::model);
+    EXPECT_EQ(last_->picture, app::OnScreen::preview);
     // As long as the hand holds on, no picture with all pixels begins.
     idle.restart();
     waitUntil([&] { return idle.elapsed() > 700; });

@@ -24,6 +24,9 @@ struct Drawing {
     bool operator==(const Drawing&) const = default;
 };
 
+// Whether faces of its clip show the values themselves.
+bool hasGreyFaces(const Drawing& drawing);
+
 // The settings of a drawing with those that light does not depend on at their defaults.
 trace::Settings settingsOfLight(const Drawing& drawing);
 

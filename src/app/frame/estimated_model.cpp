@@ -17,10 +17,6 @@ bool hasAdditions(const Drawing& drawing) {
     return drawing.additions && !drawing.additions->isNothing();
 }
 
-bool hasGreyFaces(const Drawing& drawing) {
-    return drawing.clip && drawing.clip->hasShape() && drawing.clip->greyFaces;
-}
-
 bool isEstimated(const Drawing& drawing) {
     return drawing.transferFunction && !usesGradientOpacity(*drawing.transferFunction) &&
            !hasAdditions(drawing);
@@ -45,7 +41,7 @@ bool EstimatedModel::isInLightOf(const Drawing& drawing) const {
 }
 
 void EstimatedModel::begin(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) {
-    if (model_ && !hasLearnt() && volume_ == volume && isInLightOf(drawing)) return;
+    if (canTell(volume, drawing) || !isEstimated(drawing)) return;
     splat::Splats none;
     const Box box = volume->worldBox();
     none.originMm = 0.5 * (box.low + box.high);
@@ -54,7 +50,12 @@ void EstimatedModel::begin(const std::shared_ptr<const Volume>& volume, const Dr
 
 void EstimatedModel::learnt(const std::shared_ptr<const Volume>& volume, const Drawing& drawing,
                             std::shared_ptr<const splat::Splats> model, double gain) {
-    if (volume_ != volume) matter_.reset();
+    forget();
+    if (volume_ != volume) {
+        matter_.reset();
+        bits_.reset();
+        masked_ = {};
+    }
     volume_ = volume;
     learntOf_ = drawing;
     model_ = std::move(model);
@@ -67,8 +68,8 @@ bool EstimatedModel::canTell(const std::shared_ptr<const Volume>& volume, const 
            isEstimated(drawing) && (isEstimated(learntOf_) || !hasLearnt());
 }
 
-bool EstimatedModel::isOf(const Drawing& drawing) const {
-    return painter_ && isEstimated(drawing) && isSame(drawing, shown_);
+bool EstimatedModel::isOf(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const {
+    return painter_ && volume_ == volume && isEstimated(drawing) && isSame(drawing, shown_);
 }
 
 void EstimatedModel::forget() {
@@ -100,7 +101,7 @@ hybrid::ShownMatter EstimatedModel::shownMatter(const Drawing& drawing) {
 
 Result<void> EstimatedModel::make(const Drawing& drawing) {
     MACULA_CHECK(canTell(volume_, drawing));
-    if (isOf(drawing)) return {};
+    if (isOf(volume_, drawing)) return {};
     const TimelineStage stage("estimate model");
     forget();
     if (!matter_) matter_ = std::make_shared<const hybrid::CoarseMatter>(volume_);

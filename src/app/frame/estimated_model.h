@@ -24,29 +24,30 @@ class EstimatedModel {
     explicit EstimatedModel(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
     // Nothing was learnt of the volume yet: estimates are made from it alone, in the lights of the drawing.
+    // Does nothing where it can tell more of that drawing, or nothing of it then either.
     void begin(const std::shared_ptr<const Volume>& volume, const Drawing& drawing);
-    bool hasLearnt() const { return model_ && model_->size() > 0; }
-    // Whether what it makes estimates from was lit as that drawing is.
-    bool isInLightOf(const Drawing& drawing) const;
     // From now on estimates are made from this model, which was learnt of that drawing of the volume and is
-    // as bright as traced pictures times `gain`. What was estimated stays.
+    // as bright as traced pictures times `gain`.
     void learnt(const std::shared_ptr<const Volume>& volume, const Drawing& drawing,
                 std::shared_ptr<const splat::Splats> model, double gain);
     // Whether it can tell what that drawing looks like: another curve, clip or both of the same volume, in
     // the same lights. Gradient opacity, second volumes and coloured segments are not estimated.
     bool canTell(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const;
-    // What it can tell of; nothing where it is of that already.
+    // Makes the estimate of a drawing that canTell() allows; does nothing if it is there. outOfMemory.
     Result<void> make(const Drawing& drawing);
-    bool isOf(const Drawing& drawing) const;
+    bool isOf(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const;
     // No estimate is of anything until the next is made.
     void forget();
 
-    // As LiveModel::draw and the two that belong to it. Of what make() was asked for last.
+    // The splats and their depths, as LiveModel::draw, and LiveModel::gain: of what make() was asked for
+    // last.
     Result<hybrid::DrawnSplats> draw(const Camera& eye, const glm::ivec2& sizePx);
     double gain() const { return gain_; }
     std::size_t splatCount() const { return splats_ ? splats_->size() : 0; }
 
   private:
+    bool hasLearnt() const { return model_ && model_->size() > 0; }
+    bool isInLightOf(const Drawing& drawing) const;
     hybrid::ShownMatter shownMatter(const Drawing& drawing);
 
     std::shared_ptr<gpu::Device> device_;

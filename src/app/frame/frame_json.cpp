@@ -9,8 +9,8 @@ namespace {
 double share(const FrameShown& frame) {
     switch (frame.picture) {
         case OnScreen::nothing:
-        case OnScreen::estimate:
             return 0.0;
+        case OnScreen::estimate:
         case OnScreen::model:
             return frame.foveaShare;
         case OnScreen::preview:

@@ -79,6 +79,7 @@ void FrameRenderer::accept(FrameInput input) {
     if (!(input.noiseTarget > 0.0)) input.noiseTarget = kUnseenNoise;
     input.drawing.settings.errorThreshold = input.noiseTarget;
     if (input.place != input_.place) releaseScreen();
+    if (input.drawing != input_.drawing) editShownAt_.reset();
     if (input.study != input_.study || input.volume != input_.volume) {
         // Nobody may take the picture of one patient for that of the next, not even while this one is
         // prepared.
@@ -98,6 +99,7 @@ void FrameRenderer::accept(FrameInput input) {
          input.width != input_.width || input.height != input_.height)) {
         traced_->roomChanged();
         foveaHasRoom_ = true;
+        estimateHasRoom_ = true;
         if (model_ && model_->news().stage == hybrid::ModelStage::noRoom) model_->hide();
     }
     if (!isSamePicture(input, input_)) {
@@ -170,6 +172,7 @@ void FrameRenderer::lookForModel() {
 }
 
 void FrameRenderer::tellCourse() {
+    if (estimate_ && hasFitModel()) estimate_->forget();
     course_.setHand(input_.interacting);
     course_.setPreviewLimit(TracedPictures::previewLimit(input_));
     course_.setFovea(wantsFovea());
@@ -296,10 +299,13 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
 Result<void> FrameRenderer::takeNext(const Interrupts& interrupts) {
     Result<void> done = take(course_.next(Clock::now()), interrupts);
     // Traced pictures come first: without the model there may be memory for them.
-    if (done || done.error().code != ErrorCode::outOfMemory || !model_ || !model_->canBeDrawn()) return done;
+    const bool isEstimate = drawsEstimate();
+    if (done || done.error().code != ErrorCode::outOfMemory ||
+        (!isEstimate && (!model_ || !model_->canBeDrawn())))
+        return done;
     duty_.beginAnew();
     traced_->roomChanged();
-    return withoutModel(done.error());
+    return isEstimate ? withoutEstimate(done.error()) : withoutModel(done.error());
 }
 
 // Whatever keeps the model from being made or drawn does not keep anybody from tracing.

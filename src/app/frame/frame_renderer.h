@@ -77,7 +77,8 @@ class FrameRenderer {
     Result<void> closeScreen();
     Result<void> clearWindow();
     void noteLearnt();
-    Result<bool> makeEstimate();                              // whether there is one now
+    Result<void> makeEstimate();
+    Result<void> withoutEstimate(const Error& error);
     Result<bool> showEstimate(const Interrupts& interrupts);  // whether something else is wanted already
     Result<bool> applyScene(const Interrupts& interrupts);    // whether all of it is there
     Result<void> applyModel();
@@ -136,10 +137,12 @@ class FrameRenderer {
     std::optional<hybrid::LiveModel> model_;
     hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
     std::optional<hybrid::HybridFrame> hybrid_;                 // of what the model is of
-    Drawing modelOf_;                                           // what is called model_->key()
+    Drawing modelOf_;                                           // the one whose name is model_->key()
     std::optional<EstimatedModel> estimate_;                    // goes with the study
-    hybrid::Frame lastFrame_;                                   // without its pictures
-    bool mixesModel_ = false;   // the last traced picture, as FrameShown::mixesModel
+    bool estimateHasRoom_ = true;                               // as foveaHasRoom_
+    std::optional<Clock::time_point> editShownAt_;  // when the drawing that is wanted was first shown so
+    hybrid::Frame lastFrame_;                       // without its pictures
+    bool mixesModel_ = false;                       // the last traced picture, as FrameShown::mixesModel
     bool foveaHasRoom_ = true;  // for what one takes beside the model; false: until that changes
     // Models of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;

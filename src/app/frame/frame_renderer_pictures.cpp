@@ -74,19 +74,18 @@ Result<void> FrameRenderer::showModel() {
     // now.
     MACULA_CHECK(isEstimate || model_->key() == sceneNames_.of(input_.study, input_.drawing));
     const auto picture = frame(0.0f);
-    if (!picture && isEstimate && picture.error().code == ErrorCode::outOfMemory) {
-        estimate_->forget();
-        return {};
-    }
-    if (!picture) return withoutModel(picture.error());  // a small picture comes next
+    // A small picture comes next.
+    if (!picture) return isEstimate ? withoutEstimate(picture.error()) : withoutModel(picture.error());
     isEstimate ? course_.showedEstimate() : course_.showedModel();
     MACULA_TRY_VOID(show(**picture));
     // One picture in flight: a longer queue would show where the hand was, not where it is.
     return device_->waitForAll();
 }
 
+// An estimate is better than a model that is not fit yet.
 bool FrameRenderer::drawsEstimate() const {
-    return hybrid_ && estimate_ && input_.usesModel && !hasFitModel() && estimate_->isOf(input_.drawing);
+    return hybrid_ && estimate_ && input_.usesModel && !hasFitModel() &&
+           estimate_->isOf(input_.volume, input_.drawing);
 }
 
 // What estimates are made from: the last model that was fit, before what it is of is changed.
@@ -94,38 +93,47 @@ void FrameRenderer::noteLearnt() {
     if (!estimate_) estimate_.emplace(device_);
     if (hasFitModel() && model_->key() != sceneNames_.of(input_.study, input_.drawing))
         estimate_->learnt(input_.volume, modelOf_, model_->shown(), model_->gain());
-    else if (!estimate_->hasLearnt() || !estimate_->isInLightOf(input_.drawing))
-        estimate_->begin(input_.volume, input_.drawing);
+    estimate_->begin(input_.volume, input_.drawing);
 }
 
 // Of what is wanted now, where there is no more of it yet.
-Result<bool> FrameRenderer::makeEstimate() {
-    if (!hybrid_ || !model_ || hasFitModel() || !canHaveModel()) return false;
-    if (!estimate_->canTell(input_.volume, input_.drawing)) return false;
+Result<void> FrameRenderer::makeEstimate() {
+    if (!hybrid_ || !model_ || !estimate_ || !estimateHasRoom_ || hasFitModel() || !canHaveModel()) return {};
+    if (!estimate_->canTell(input_.volume, input_.drawing)) return {};
     const Result<void> made = workOnModel([&] { return estimate_->make(input_.drawing); });
-    if (made) return true;
-    if (device_->lost() || made.error().code != ErrorCode::outOfMemory) return made.error();
-    estimate_->forget();
-    return false;
+    return made ? Result<void>() : withoutEstimate(made.error());
 }
 
-// A hand that edits is followed before the tracer has any of it: that takes long, and can wait until the hand
-// rests for a moment.
+// Whatever keeps an estimate from being made or drawn keeps nobody from learning and tracing.
+Result<void> FrameRenderer::withoutEstimate(const Error& error) {
+    if (device_->lost() || error.code == ErrorCode::deviceLost) return error;
+    log::warning("There is no estimate of this: {}", error.message);
+    estimate_->forget();
+    estimateHasRoom_ = false;
+    return {};
+}
+
+// A hand that edits is followed before the tracer has any of it: that takes long, and can wait until no edit
+// has come for a moment.
 Result<bool> FrameRenderer::showEstimate(const Interrupts& interrupts) {
     noteLearnt();
     if (!hybrid_ || !model_ || !shelf_) return false;
     const std::string key = sceneNames_.of(input_.study, input_.drawing);
     if (key == model_->key() || shelf_->find(key)) return false;  // there is more than an estimate
     model_->hide();
-    MACULA_TRY(const bool isThere, makeEstimate());
-    if (!isThere) return false;
+    MACULA_TRY_VOID(makeEstimate());
+    if (!drawsEstimate()) return false;
     hybrid_->forgetFovea();
     course_.want(false);
     MACULA_TRY_VOID(showModel());
-    const Clock::time_point shown = Clock::now();
-    while (!interrupts.newInput() && !interrupts.stopping() && Clock::now() - shown < kHandRests)
-        std::this_thread::sleep_for(kHandIsAskedEvery);
-    return interrupts.newInput() || interrupts.stopping();
+    // Of other inputs, as of a hand that orbits, there may be any number.
+    const bool isFirst = !editShownAt_;
+    if (isFirst) editShownAt_ = Clock::now();
+    const auto rests = [&] { return Clock::now() - *editShownAt_ >= kHandRests; };
+    const auto isPassed = [&] { return interrupts.newInput() || interrupts.stopping(); };
+    if (isFirst && isPassed()) return true;
+    while (!isPassed() && !rests()) std::this_thread::sleep_for(kHandIsAskedEvery);
+    return !rests();
 }
 
 double FrameRenderer::foveaMsPerSample() const {
@@ -246,7 +254,7 @@ Result<void> FrameRenderer::fade() {
     const Clock::time_point now = Clock::now();
     const auto picture = frame(static_cast<float>(course_.tracedShare(now)));
     if (!picture) {  // what it fades into is there
-        MACULA_TRY_VOID(withoutModel(picture.error()));
+        MACULA_TRY_VOID(drawsEstimate() ? withoutEstimate(picture.error()) : withoutModel(picture.error()));
         return showTraced();
     }
     course_.faded(now);
@@ -299,21 +307,19 @@ Result<void> FrameRenderer::learnBesideHand(const std::function<bool()>& keepGoi
 // Shows the picture that is on screen over another background.
 Result<void> FrameRenderer::showAgain() {
     if (course_.onScreen() == OnScreen::nothing) return {};
-    const bool isOfSplats = course_.onScreen() == OnScreen::model || course_.onScreen() == OnScreen::estimate;
-    if (!isOfSplats && course_.onScreen() != OnScreen::fading) {
-        const bool isTraced = course_.onScreen() == OnScreen::traced;
-        MACULA_TRY(const gpu::Image* picture,
-                   isTraced ? tracedPicture() : traced_->display(input_.background));
+    if (isOfSplats(course_.onScreen())) return showModel();
+    if (course_.onScreen() == OnScreen::traced) {
+        MACULA_TRY(const gpu::Image* picture, tracedPicture());
         return show(*picture);
     }
-    if (isOfSplats && !canDrawModel() && !drawsEstimate()) {  // it was given up meanwhile
-        duty_.beginAnew();
-        return {};
+    if (course_.onScreen() == OnScreen::preview) {
+        MACULA_TRY(const gpu::Image* picture, traced_->display(input_.background));
+        return show(*picture);
     }
-    const auto picture = frame(isOfSplats ? 0.0f : static_cast<float>(course_.tracedShare(Clock::now())));
+    const auto picture = frame(static_cast<float>(course_.tracedShare(Clock::now())));
     if (!picture) {
         duty_.beginAnew();
-        return withoutModel(picture.error());
+        return drawsEstimate() ? withoutEstimate(picture.error()) : withoutModel(picture.error());
     }
     return show(**picture);
 }
@@ -381,14 +387,12 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
                      .framesPerSecond = framesPerSecond(),
                      .latencyMs = millisecondsBetween(input_.published, now)};
     frame.model = modelNews();
-    if (kind == OnScreen::model) {
+    if (isOfSplats(kind)) {
         frame.foveaAgeMs = lastFrame_.foveaAgeMs;
         frame.foveaSamples = lastFrame_.foveaSamples;
         frame.foveaShare = lastFrame_.foveaShare;
     }
-    frame.greyFacesAreCoarse = (kind == OnScreen::model || kind == OnScreen::estimate) &&
-                               input_.drawing.clip && input_.drawing.clip->hasShape() &&
-                               input_.drawing.clip->greyFaces;
+    frame.greyFacesAreCoarse = isOfSplats(kind) && hasGreyFaces(input_.drawing);
     frame.mixesModel = kind == OnScreen::traced && mixesModel_;
     const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
     if (isTraced) frame.stage = course_.hasConverged() ? Stage::converged : Stage::converging;
@@ -402,7 +406,8 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
         frame.denoised = statistics.denoised;
         frame.samplesLeftOut = statistics.nonFiniteSamples + statistics.abandonedSamples;
     }
-    frame.messages = traced_->tracer().messages();
+    // The tracer may have what was wanted before.
+    if (kind != OnScreen::estimate) frame.messages = traced_->tracer().messages();
     // The screen has kept a picture that could not be shown now; it is shown as soon as it can be.
     unreported_ = visible ? std::nullopt : std::optional(frame);
     if (visible) listener_(frame);

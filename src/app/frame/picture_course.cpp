@@ -100,12 +100,16 @@ Step PictureCourse::next(TimePoint now) const {
     return Step::none;
 }
 
-// An estimate stays while the model of what is shown is searched for and learns, as a small picture does.
+// An estimate stays while the model of what is shown is searched for and learns.
 Step PictureCourse::nextOverEstimate() const {
     if (!handMoves_ && isTraced_) return Step::showTraced;
     if (model_ == ModelState::ready) return Step::showModel;
     if (!hasEstimate_) return Step::showPreview;
-    if (handMoves_) return Step::none;
+    if (handMoves_) {
+        // A slice after each frame: a hand that never rests gets its model too.
+        if (hasSearched_ || !learns_) return Step::none;
+        return model_ == ModelState::searching ? Step::search : Step::learn;
+    }
     if (model_ == ModelState::searching && !isQuick_) return isSearchsTurn() ? Step::search : Step::trace;
     return isLearningsTurn() ? Step::learn : Step::trace;
 }
@@ -138,6 +142,7 @@ void PictureCourse::showedModel() {
 
 void PictureCourse::showedEstimate() {
     onScreen_ = OnScreen::estimate;
+    hasSearched_ = false;
 }
 
 void PictureCourse::showedPreview(std::uint64_t samples, TimePoint now) {
@@ -153,7 +158,7 @@ void PictureCourse::traced(bool hasConverged) {
     hasConverged_ = hasConverged;
     if (onScreen_ == OnScreen::fading) return;
     if (onScreen_ != OnScreen::traced) tracedMs_ = learntMs_ = 0.0;  // the turns begin
-    const bool fades = onScreen_ == OnScreen::model || onScreen_ == OnScreen::estimate;
+    const bool fades = isOfSplats(onScreen_);
     onScreen_ = fades ? OnScreen::fading : OnScreen::traced;
     fadingSince_.reset();
 }

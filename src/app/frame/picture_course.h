@@ -6,8 +6,8 @@
 // picture of this view if there is one; else the model stays, with a fovea that grows, until the first is
 // ready, and fades into it. Then the picture converges and the model learns in turns, until both are done. A
 // model is searched for when there is none, in turns with small pictures: few of them while nothing moves.
-// One that is too young to be shown learns likewise while a hand moves, and beside tracing at rest. Where
-// the model of what was shown before tells what this looks like, that estimate stands for it until it is fit.
+// One that is too young to be shown learns likewise while a hand moves, and beside tracing at rest. An
+// estimate of what is wanted, where there is one, stands for the model until that is fit.
 //
 // On a graphics card a frame leaves time until the next input: the model learns in that. And where a picture
 // of all pixels is soon there, it waits for nothing.
@@ -26,12 +26,16 @@ enum class OnScreen {
     preview,   // a small traced picture
     estimate,  // the model of before, changed to what is wanted now (estimated_model.h)
     model,
-    fading,  // from the model to the traced picture
+    fading,  // from the model or the estimate to the traced picture
     traced,  // all pixels
 };
 
 // The name as in reports; a literal.
 std::string_view nameOf(OnScreen picture);
+// Of a model, learnt or estimated, alone.
+constexpr bool isOfSplats(OnScreen picture) {
+    return picture == OnScreen::model || picture == OnScreen::estimate;
+}
 
 // What there is of a peripheral model for it.
 enum class ModelState {

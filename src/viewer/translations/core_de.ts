@@ -3027,8 +3027,8 @@
         <translation>nur Vorschau</translation>
     </message>
     <message>
-        <source>preview only, estimated</source>
-        <translation>nur Vorschau, geschätzt</translation>
+        <source>estimated from the values</source>
+        <translation>aus den Werten geschätzt</translation>
     </message>
     <message>
         <source>preview around the sharp centre</source>

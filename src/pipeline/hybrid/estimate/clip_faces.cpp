@@ -24,12 +24,18 @@ class FaceSearch {
         if (!isCut(cell)) return;
         for (std::size_t s = 0; s < CoarseMatter::kSamples; ++s) {
             const glm::dvec3 voxel(matter_.voxelOf(cell, s));
+            if (isRepeated(cell, s)) continue;
             if (!shown_.shows(matter_.volume(), voxel)) continue;
             glm::dvec3 outwards{0.0};
+            glm::dvec3 firstRemoved{0.0};
             for (const glm::ivec3& step : kSteps) {
                 const glm::dvec3 by = glm::dvec3(step) * half_;
-                if (!shown_.isInShape(matter_.volume(), voxel + by)) outwards += worldFromVoxel_ * by;
+                if (shown_.isInShape(matter_.volume(), voxel + by)) continue;
+                outwards += worldFromVoxel_ * by;
+                if (firstRemoved == glm::dvec3(0.0)) firstRemoved = worldFromVoxel_ * by;
             }
+            // What is removed on both sides of a thin slab faces either way.
+            if (!(glm::length(outwards) > 0.0)) outwards = firstRemoved;
             if (!(glm::length(outwards) > 0.0)) continue;
             const GreyValues& values = *shown_.faces;
             const float entry = matter_.entriesOf(cell)[s];
@@ -43,6 +49,14 @@ class FaceSearch {
     }
 
   private:
+    // Cells of one voxel have the same one in several eighths.
+    bool isRepeated(std::size_t cell, std::size_t s) const {
+        const glm::ivec3 voxel = matter_.voxelOf(cell, s);
+        for (std::size_t before = 0; before < s; ++before) {
+            if (matter_.voxelOf(cell, before) == voxel) return true;
+        }
+        return false;
+    }
     // Whether the shape ends within an edge of the middle of the cell.
     bool isCut(std::size_t cell) const {
         const glm::dvec3 middle = (glm::dvec3(matter_.cellAt(cell)) + 0.5) * 2.0 * half_ - 0.5;

@@ -2,7 +2,6 @@
 // milliseconds what a curve and a clip show of it.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>

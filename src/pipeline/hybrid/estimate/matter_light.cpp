@@ -16,7 +16,6 @@ constexpr std::size_t kSides = 6;
 constexpr float kStraight = 0.4f;
 constexpr float kBeside = 0.15f;
 
-constexpr float kSurfaceRise = 0.1f;
 constexpr double kSidesOfSurface = 3.0;
 
 std::vector<float> extinctionOf(const CoarseMatter& matter, const ShownMatter& shown) {

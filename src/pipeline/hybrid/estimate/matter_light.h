@@ -24,6 +24,7 @@ struct LitMatter {
 };
 // How opacity rises around a cell, along the axes of the grid: for a whole cell's more on one side than on
 // the other, 1.
+inline constexpr float kSurfaceRise = 0.1f;  // of less, there is no surface
 glm::vec3 riseAround(const CoarseMatter& matter, const LitMatter& lit, std::size_t cell);
 // The light that falls on the surface that a cell is part of: a cell outside of it. Else its own.
 SideLight lightOn(const CoarseMatter& matter, const LitMatter& lit, std::size_t cell);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
-#include <numeric>
 #include <utility>
 
 #include "base/parallel.h"
@@ -21,7 +20,6 @@ constexpr float kMostLearntOpacity = 0.9999f;
 constexpr float kMostDenser = 8.0f;
 // A surface fills part of a cell, and hides what lies behind all of it.
 constexpr float kDenser = 1.3f;
-constexpr double kSurfaceRise = 0.1;
 // A cell that less of the light around gets to shows nothing.
 constexpr float kLeastOpenness = 0.03f;
 // What was seen of a cell when the model was learnt, over what is seen now: above that it is known.

@@ -33,7 +33,7 @@ class SplatEstimate {
                   const SplatEstimateOptions& options = {});
 
     // Valid; splats of the model that are hidden are left out. The model itself for what it was learnt of, up
-    // to rounding. On all cores; some ten milliseconds.
+    // to rounding. On all cores.
     splat::Splats under(const ShownMatter& shown) const;
 
   private:
