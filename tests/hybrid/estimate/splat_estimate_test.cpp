@@ -161,6 +161,21 @@ TEST(SplatEstimateTest, AFaceOfGreyValuesShowsThem) {
     EXPECT_GT(ofShell, 300u);
 }
 
+// Samples are whole voxels, and not evenly apart in cells of an odd number of these.
+TEST(SplatEstimateTest, NoFaceFallsBetweenSamples) {
+    for (const int cells : {60, 30, 20, 15, 12}) {
+        const CoarseMatter matter(scenes::volumeOf(kSize, scenes::grid(glm::dvec3(1.0), kSize),
+                                                   [](int, int, int) { return std::uint16_t(500); }),
+                                  std::size_t(cells) * std::size_t(cells) * std::size_t(cells));
+        for (double offsetMm = -4.0; offsetMm < 4.0; offsetMm += 0.31) {
+            ShownMatter shown = cutWithGreyFace(matter);
+            shown.clip.planes.front().offsetMm = offsetMm;
+            const std::size_t side = std::size_t(matter.size().y) * std::size_t(matter.size().z);
+            EXPECT_GE(facePlaces(matter, shown).size(), side) << cells << " cells, at " << offsetMm;
+        }
+    }
+}
+
 TEST(SplatEstimateTest, WhereAFaceIsClearIsNothingAndWhereItIsBlackAWall) {
     const auto matter = shellAndCore();
     const auto countInAir = [](const splat::Splats& splats) {

@@ -18,6 +18,7 @@ class FaceSearch {
         : matter_(matter),
           shown_(shown),
           half_(0.5 * matter.cellMm() / matter.volume().spacingMm()),
+          apart_(glm::ceil(half_)),
           worldFromVoxel_(matter.volume().worldFromVoxel()) {}
 
     void inCell(std::size_t cell, std::vector<FacePlace>& found) const {
@@ -29,7 +30,7 @@ class FaceSearch {
             glm::dvec3 outwards{0.0};
             glm::dvec3 firstRemoved{0.0};
             for (const glm::ivec3& step : kSteps) {
-                const glm::dvec3 by = glm::dvec3(step) * half_;
+                const glm::dvec3 by = glm::dvec3(step) * apart_;
                 if (shown_.isInShape(matter_.volume(), voxel + by)) continue;
                 outwards += worldFromVoxel_ * by;
                 if (firstRemoved == glm::dvec3(0.0)) firstRemoved = worldFromVoxel_ * by;
@@ -68,7 +69,8 @@ class FaceSearch {
 
     const CoarseMatter& matter_;
     const ShownMatter& shown_;
-    glm::dvec3 half_;  // of a cell, voxels
+    glm::dvec3 half_;   // of a cell, voxels
+    glm::dvec3 apart_;  // samples are whole voxels: at most so far from each other
     glm::dmat3 worldFromVoxel_;
 };
 
