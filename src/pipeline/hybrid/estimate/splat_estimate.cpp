@@ -225,7 +225,10 @@ void SplatEstimate::addChanged(std::size_t i, const ShownMatter& shown, const Li
 }
 
 void SplatEstimate::addFace(const FacePlace& place, splat::Splats& splats) const {
-    const double apart = 0.5 * matter_->edgeMm();
+    // Samples are whole voxels: where these are large, they are farther from each other than half a cell.
+    const glm::dvec3 spacing = matter_->volume().spacingMm();
+    const glm::dvec3 between = glm::ceil(0.5 * matter_->cellMm() / spacing) * spacing;
+    const double apart = std::max({between.x, between.y, between.z});
     const glm::dvec3 middle(matter_->volume().worldFromVoxel() * glm::dvec4(place.voxel, 1.0));
     splats.position.emplace_back(middle - splats.originMm);
     splats.logScale.emplace_back(std::log(kAlong * apart), std::log(kAlong * apart),
