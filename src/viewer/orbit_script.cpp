@@ -150,7 +150,7 @@ void OrbitScript::beginOrbit() {
 
 void OrbitScript::moveHand() {
     const double seconds = double(orbiting_.nsecsElapsed()) / 1e9;
-    // A window that stood still misses none of its pictures.
+    // The script takes all its pictures, even where the window stood still for a while.
     if (seconds >= options_.seconds && followed_.size() >= kFollowedAtLeast &&
         nextMotionShot_ == std::size(kMotionShots)) {
         return endOrbit();

@@ -1,6 +1,6 @@
-// The peripheral model of what was only just chosen, estimated from the one that was learnt last
-// (splat_estimate.h): a hand that edits a curve or moves a clip is followed at full size before anything of
-// that is brought to the tracer.
+// Estimates the peripheral model of a drawing that was only just chosen from the model that was learnt last
+// (hybrid::SplatEstimate), so that the picture follows a hand that edits a curve or moves a clip, at full
+// size, before the tracer has any of it.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -24,7 +24,7 @@ class EstimatedModel {
     explicit EstimatedModel(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
     // Nothing was learnt of the volume yet: estimates are made from it alone, in the lights of the drawing.
-    // Does nothing where it can tell more of that drawing, or nothing of it then either.
+    // Does nothing if canTell() allows the drawing already, or would not allow it afterwards either.
     void begin(const std::shared_ptr<const Volume>& volume, const Drawing& drawing);
     // From now on estimates are made from this model, which was learnt of that drawing of the volume and is
     // as bright as traced pictures times `gain`.
@@ -36,7 +36,7 @@ class EstimatedModel {
     // Makes the estimate of a drawing that canTell() allows; does nothing if it is there. outOfMemory.
     Result<void> make(const Drawing& drawing);
     bool isOf(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const;
-    // No estimate is of anything until the next is made.
+    // Drops the estimate, and frees its memory on the device.
     void forget();
 
     // The splats and their depths, as LiveModel::draw, and LiveModel::gain: of what make() was asked for

@@ -156,7 +156,7 @@ Result<void> FrameRenderer::takeModel(ModelTaken& taken) {
     return {};
 }
 
-// Only light that stays in place can have a model: a model holds it.
+// A model holds its light, so only lights that stay with the patient can have one.
 bool FrameRenderer::canHaveModel() const {
     return input_.usesModel && trace::isPathTraced(input_.drawing.settings.look) &&
            input_.drawing.lights->frame == trace::LightFrame::patient;

@@ -89,8 +89,7 @@ bool ShownMatter::shows(const Volume& volume, const glm::dvec3& voxel) const {
 }
 
 bool ShownMatter::isInShape(const Volume& volume, const glm::dvec3& voxel) const {
-    return !clip.hasShape() ||
-           macula::shows(clip, glm::dvec3(volume.worldFromVoxel() * glm::dvec4(voxel, 1.0)));
+    return !clip.hasShape() || macula::shows(clip, transformPoint(volume.worldFromVoxel(), voxel));
 }
 
 }  // namespace macula::hybrid

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 #include "base/parallel.h"
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr std::size_t kSides = 6;
 
-// Of a beam, what goes on straight and what to each of the four neighbours beside: lights are large.
+// Lights are large, so each layer blurs a beam: this part of it goes on straight, and this one to each of the
+// four neighbours beside.
 constexpr float kStraight = 0.4f;
 constexpr float kBeside = 0.15f;
 
@@ -152,7 +154,7 @@ LightOfSides lightOf(const trace::Environment& environment, const glm::dmat3& wo
     LightOfSides light;
     std::array<glm::dvec3, kSides> sums{};
     std::array<double, kSides> weights{};
-    constexpr double kPi = 3.14159265358979;
+    constexpr double kPi = std::numbers::pi;
     for (int y = 0; y < environment.height(); ++y) {
         const double polar = kPi * (y + 0.5) / environment.height();
         for (int x = 0; x < environment.width(); ++x) {
@@ -178,7 +180,7 @@ LightOfSides lightOf(const trace::Environment& environment, const glm::dmat3& wo
     return light;
 }
 
-// By turns, one unknown after the other: the smallest error with none of them negative.
+// Non-negative least squares by coordinate descent (Gauss-Seidel), with a ridge towards `expected`.
 LightOfSides fittedLight(std::span<const LitSample> samples, const LightOfSides& expected) {
     constexpr std::size_t kUnknowns = kSides + 1;
     constexpr int kTurns = 200;

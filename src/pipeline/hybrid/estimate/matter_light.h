@@ -31,8 +31,9 @@ SideLight lightOn(const CoarseMatter& matter, const LitMatter& lit, std::size_t 
 // On all cores.
 LitMatter litMatter(const CoarseMatter& matter, const ShownMatter& shown);
 
-// What matter of that albedo gives back of diffuse light, by channel: of a half space of isotropic
-// scatterers, the diffusive reflectance of Hapke 1981, "Bidirectional reflectance spectroscopy 1". 1 for 1.
+// The part of diffuse light that a half space of isotropic scatterers of that albedo reflects, by channel:
+// the diffusive reflectance of Hapke 1981, "Bidirectional reflectance spectroscopy 1". An albedo of 1
+// reflects all.
 glm::vec3 reflectanceOf(const glm::vec3& albedo);
 
 // Linear radiance that leaves white matter for light of 1 from each side, and whatever the light.
@@ -52,8 +53,8 @@ struct LitSample {
     glm::vec3 radiance;  // linear, that leaves matter of it there
     float weight;
 };
-// What explains the radiance best, by squares, none of it negative; what samples say little about stays near
-// to `expected`.
+// The non-negative light that explains the samples' radiance with the least squares. Sides that samples say
+// little about stay near to `expected`.
 LightOfSides fittedLight(std::span<const LitSample> samples, const LightOfSides& expected);
 
 }  // namespace macula::hybrid

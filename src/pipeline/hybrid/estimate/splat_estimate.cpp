@@ -132,7 +132,7 @@ SplatEstimate::SplatEstimate(std::shared_ptr<const CoarseMatter> matter,
         for (std::size_t k = 0; k < kPlaces; ++k) {
             glm::dvec3 at = middle;
             if (k > 0) at += (k % 2 == 0 ? -1.0 : 1.0) * deviation[int(k - 1) / 2] * axes[int(k - 1) / 2];
-            const glm::dvec3 voxel(voxelFromWorld_ * glm::dvec4(at, 1.0));
+            const glm::dvec3 voxel = transformPoint(voxelFromWorld_, at);
             const glm::ivec3 nearest(
                 glm::clamp(glm::round(voxel), glm::dvec3(0.0), glm::dvec3(volume.size() - 1)));
             places_[i].entries[k] = map.entryOf(volume.stored(nearest.x, nearest.y, nearest.z));
@@ -229,7 +229,7 @@ void SplatEstimate::addFace(const FacePlace& place, splat::Splats& splats) const
     const glm::dvec3 spacing = matter_->volume().spacingMm();
     const glm::dvec3 between = glm::ceil(0.5 * matter_->cellMm() / spacing) * spacing;
     const double apart = std::max({between.x, between.y, between.z});
-    const glm::dvec3 middle(matter_->volume().worldFromVoxel() * glm::dvec4(place.voxel, 1.0));
+    const glm::dvec3 middle = transformPoint(matter_->volume().worldFromVoxel(), place.voxel);
     splats.position.emplace_back(middle - splats.originMm);
     splats.logScale.emplace_back(std::log(kAlong * apart), std::log(kAlong * apart),
                                  std::log(kAcross * apart));
@@ -293,7 +293,7 @@ void SplatEstimate::addSplatOf(std::uint32_t cell, const ShownMatter& shown, con
     }
     if (!(weight > 0.0f)) return;
     const double edge = matter_->edgeMm();
-    const glm::dvec3 middle(volume.worldFromVoxel() * glm::dvec4(voxel / double(weight), 1.0));
+    const glm::dvec3 middle = transformPoint(volume.worldFromVoxel(), voxel / double(weight));
     // A gradient over voxels becomes one of the world by the inverse transpose.
     const glm::dvec3 rise =
         glm::transpose(glm::dmat3(voxelFromWorld_)) *
