@@ -1,7 +1,9 @@
 // macula evaluate motion [PATH]: frames after the eye has moved, as JSON.
 #include <CLI/App.hpp>
 #include <memory>
+#include <string>
 
+#include "app/output/output_files.h"
 #include "cli/command.h"
 #include "cli/number_range.h"
 #include "cli/study_options.h"
@@ -14,6 +16,7 @@ namespace {
 struct Options {
     evaluate::BenchStudyOptions study;
     evaluate::MotionOptions motion;
+    std::string folder;
 };
 
 }  // namespace
@@ -27,9 +30,14 @@ void addEvaluateMotion(CLI::App& evaluateApp, Action& action) {
     addNumber(*command, "--spp", o.foveaSamples, "Samples per pixel of the fovea", 1, 4096);
     addNumber(*command, "--truth-spp", o.truthSamples, "Of what frames are compared with", 1, 1 << 20);
     addNumber(*command, "--iterations", o.model.iterations, "Steps of training of the splats", 1, 1000000);
+    command->add_option("--pictures", options->folder, "Folder for the frames that are compared");
     command->callback([options, &action] {
+        options->motion.pictures = options->folder;
         options->motion.sizePx = {options->study.size, options->study.size};
-        action = [options] { return printReport(options->study, options->motion, evaluate::measureMotion); };
+        action = [options]() -> Result<void> {
+            if (!options->folder.empty()) MACULA_TRY_VOID(app::makePictureFolder(options->folder));
+            return printReport(options->study, options->motion, evaluate::measureMotion);
+        };
     });
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/frame/times_report.h"
 #include "base/parallel.h"
 
 namespace macula::evaluate {
@@ -165,6 +166,7 @@ Json reportOf(const BenchStudy& study, const EditsOptions& options, const EditsR
     for (const Edit& edit : result.edits) {
         json["edits"].push_back({{"edit", edit.name},
                                  {"estimateMs", edit.estimateMs},
+                                 {"stages", app::toJson(edit.stages)},
                                  {"drawMs", edit.drawMs},
                                  {"splats", edit.splats},
                                  {"estimated", toJson(edit.estimated)},
@@ -173,6 +175,20 @@ Json reportOf(const BenchStudy& study, const EditsOptions& options, const EditsR
     return json;
 }
 
+namespace {
+
+Json edgesJson(const image::EdgeVisibility& edges) {
+    const auto steps = [](const image::LuminanceSteps& s) {
+        return Json{{"mean", s.mean}, {"most", s.most}};
+    };
+    return {{"frame", steps(edges.frame)},
+            {"reference", steps(edges.reference)},
+            {"meanRatio", edges.meanRatio()},
+            {"mostRatio", edges.mostRatio()}};
+}
+
+}  // namespace
+
 Json reportOf(const BenchStudy& study, const MotionOptions& options, const MotionReport& result) {
     const auto toJson = [](const FrameScore& score) {
         Json json{{"flip", score.flip}, {"fovealFlip", score.fovealFlip}, {"backgroundPx", score.through}};
@@ -180,6 +196,9 @@ Json reportOf(const BenchStudy& study, const MotionOptions& options, const Motio
             json["seam"] = {{"frame", score.seam->frame},
                             {"reference", score.seam->reference},
                             {"ratio", score.seam->ratio()}};
+        if (score.silhouette) json["silhouette"] = edgesJson(*score.silhouette);
+        if (score.mixed) json["mixed"] = edgesJson(*score.mixed);
+        json["darkerPx"] = score.darker;
         return json;
     };
     Json json = describe("motion", study);
@@ -236,6 +255,11 @@ Json toJson(const QualityRow& row) {
         return view.samplesPerPixel > 0 ? Number(view.samplesPerPixel) : Number();
     };
     const auto seam = [](const View& view) { return view.seam ? Number(view.seam->ratio()) : Number(); };
+    const auto silhouette = [&row](double (image::EdgeVisibility::*ratio)() const) {
+        return spreadJson(row.views, [ratio](const View& view) {
+            return view.silhouette ? Number(((*view.silhouette).*ratio)()) : Number();
+        });
+    };
     return {{"way", row.way},
             {"model", row.model.empty() ? Json() : Json(row.model)},
             {"splats", row.splats > 0 ? Json(row.splats) : Json()},
@@ -248,6 +272,8 @@ Json toJson(const QualityRow& row) {
             {"full", regionJson(row.views, &FrameScores::full)},
             {"msSsim", spreadJson(row.views, [](const View& view) { return view.scores.msSsim; })},
             {"seamRatio", spreadJson(row.views, seam)},
+            {"silhouetteMeanRatio", silhouette(&image::EdgeVisibility::meanRatio)},
+            {"silhouetteMostRatio", silhouette(&image::EdgeVisibility::mostRatio)},
             {"fovea", regionJson(row.views, &FrameScores::fovea)}};
 }
 

@@ -158,9 +158,14 @@ class Measurement {
         estimated_.forget();
         if (!estimated_.canTell(study_.volume, drawing))
             return Error{ErrorCode::inputNotUsable, "This preset cannot be estimated.", {}, {}};
+        Timeline timeline;
         Watch watch;
-        MACULA_TRY_VOID(estimated_.make(drawing));
+        {
+            const Timeline::Watch stages(timeline);
+            MACULA_TRY_VOID(estimated_.make(drawing));
+        }
         edit.estimateMs = watch.lap().wallMs;
+        edit.stages = timeline.stages();
         edit.splats = estimated_.splatCount();
         MACULA_TRY([[maybe_unused]] const auto compiled, drawn(0.0f));
         watch.lap();

@@ -11,6 +11,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "base/timeline.h"
 #include "evaluate/bench_study.h"
 #include "pipeline/hybrid/model/first_model.h"
 
@@ -37,7 +38,8 @@ struct Edit {
     // From the settings to a model that can be drawn. That of "opening" goes through the volume first, and
     // that of "none" through the model.
     double estimateMs = 0.0;
-    double drawMs = 0.0;  // of a frame of it
+    std::vector<StageTimes> stages;  // of estimateMs
+    double drawMs = 0.0;             // of a frame of it
     std::size_t splats = 0;
     EditScore estimated;
     EditScore small;

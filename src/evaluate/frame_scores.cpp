@@ -5,6 +5,7 @@
 
 #include "base/check.h"
 #include "evaluate/shown_picture.h"
+#include "image/edges.h"
 #include "image/fovea_mask.h"
 #include "image/metrics.h"
 #include "pipeline/splat/draw/displayed.h"
@@ -37,10 +38,12 @@ FrameTruth frameTruthOf(const hybrid::TruthPicture& picture) {
                                     .verticalFovDeg = picture.camera().verticalFovDeg,
                                     .fieldDeg = trace::kFovealFieldDeg})
                       .value(),
-        .coveredInMiddle = {}};
+        .coveredInMiddle = {},
+        .silhouetteInMiddle = image::silhouetteMask(coverage, picture.sizePx().x, picture.sizePx().y)};
     truth.coveredInMiddle = truth.middle;
     for (std::size_t i = 0; i < truth.covered.size(); ++i) {
         if (truth.covered[i] == 0) truth.coveredInMiddle[i] = 0;
+        if (truth.middle[i] == 0) truth.silhouetteInMiddle[i] = 0;
     }
     return truth;
 }

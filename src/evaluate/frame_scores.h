@@ -20,6 +20,7 @@ struct FrameTruth {
     image::Mask covered;          // where it has coverage, whatever its colour
     image::Mask middle;           // trace::kFovealFieldDeg around the middle
     image::Mask coveredInMiddle;  // both
+    image::Mask silhouetteInMiddle;
 };
 FrameTruth frameTruthOf(const hybrid::TruthPicture& picture);
 

@@ -1,5 +1,7 @@
 #include "evaluate/motion.h"
 
+#include <fmt/format.h>
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
@@ -8,6 +10,7 @@
 #include "evaluate/shown_picture.h"
 #include "evaluate/splat_periphery.h"
 #include "evaluate/viewpoints.h"
+#include "image/edges.h"
 #include "image/fovea_mask.h"
 #include "image/masked_metrics.h"
 #include "image/metrics.h"
@@ -21,7 +24,7 @@ namespace {
 
 constexpr float kOpaque = 0.95f;
 // Between a frame over black and the same over white: half of it is background.
-constexpr int kBackgroundShows = 128;
+constexpr float kBackgroundShows = 0.5f;
 
 Camera movedCamera(const Camera& camera, Moved moved, double amount) {
     const CameraBasis axes = *basis(camera);
@@ -39,6 +42,7 @@ Camera movedCamera(const Camera& camera, Moved moved, double amount) {
 struct Truth {
     image::Image image;
     std::vector<bool> isOpaque;  // the pixel, and the eight around it
+    image::Mask silhouette;      // in the middle
 };
 
 class Measurement {
@@ -122,10 +126,18 @@ class Measurement {
     Result<void> measureMove(const Camera& before, MovedFrame frame) {
         const Camera now = movedCamera(before, frame.moved, frame.amount);
         MACULA_TRY(const Truth truth, traceTruth(now));
-        MACULA_TRY(frame.reprojected, scoreOf(withFovea_, now, now, truth, frame.drawMs));
-        double pastedMs = 0.0;
-        MACULA_TRY(frame.pasted, scoreOf(withFovea_, before, now, truth, pastedMs));
-        MACULA_TRY(frame.splats, scoreOf(bare_, now, now, truth, frame.splatsDrawMs));
+        MACULA_TRY(const Shown splats, drawnBy(bare_, now, now));
+        MACULA_TRY(const Shown reprojected, drawnBy(withFovea_, now, now));
+        MACULA_TRY(const Shown pasted, drawnBy(withFovea_, before, now));
+        frame.drawMs = reprojected.drawMs;
+        frame.splatsDrawMs = splats.drawMs;
+        MACULA_TRY(frame.splats, scoreOf(splats, splats, truth));
+        MACULA_TRY(frame.reprojected, scoreOf(reprojected, splats, truth));
+        MACULA_TRY(frame.pasted, scoreOf(pasted, splats, truth));
+        const std::string name = fmt::format("{}-{}-{:g}", frame.from, nameOf(frame.moved), frame.amount);
+        MACULA_TRY_VOID(keep(name + "-splats", splats.overBlack));
+        MACULA_TRY_VOID(keep(name + "-reprojected", reprojected.overBlack));
+        MACULA_TRY_VOID(keep(name + "-traced", truth.image));
         report_.frames.push_back(frame);
         progress_.advance();
         return progress_.cancelled() ? Result<void>(cancelledError()) : Result<void>();
@@ -140,8 +152,14 @@ class Measurement {
         MACULA_TRY(const trace::TracedImage traced, scene_.tracer.readback());
         MACULA_TRY(const gpu::Image* shown, scene_.tracer.display(glm::vec3(0.0f)));
         MACULA_TRY(const auto rgba, gpu::read<std::uint8_t>(*shown));
+        std::vector<float> coverage;
+        coverage.reserve(traced.radiance.size());
+        for (const glm::vec4& pixel : traced.radiance) coverage.push_back(pixel.w);
         Truth truth{.image = imageOf(rgba, size),
-                    .isOpaque = std::vector<bool>(traced.radiance.size(), false)};
+                    .isOpaque = std::vector<bool>(traced.radiance.size(), false),
+                    .silhouette = image::silhouetteMask(coverage, size.x, size.y)};
+        for (std::size_t i = 0; i < fovea_.size(); ++i)
+            if (fovea_[i] == 0) truth.silhouette[i] = 0;
         for (int y = 1; y + 1 < size.y; ++y) {
             for (int x = 1; x + 1 < size.x; ++x) {
                 bool isOpaque = true;
@@ -158,41 +176,61 @@ class Measurement {
         return std::size_t(y) * std::size_t(options_.sizePx.x) + std::size_t(x);
     }
 
-    // Splats are always drawn for where the eye is `now`; the fovea for `foveaFor`.
-    Result<FrameScore> scoreOf(hybrid::HybridFrame& frame, const Camera& foveaFor, const Camera& now,
-                               const Truth& truth, double& drawMs) {
-        const hybrid::Periphery periphery = peripheryFor(*painter_, splats_.originMm, foveaFor, now);
+    // A frame that was drawn, and what the fovea weighs in it: nothing without one.
+    struct Shown {
+        image::Image overBlack;
+        image::Image overWhite;
         std::vector<float> weights;
-        Watch watch;
-        const auto draw = [&](float background) -> Result<std::vector<std::uint8_t>> {
+        double drawMs = 0.0;
+    };
+
+    // Splats are always drawn for where the eye is `now`; the fovea for `foveaFor`.
+    Result<Shown> drawnBy(hybrid::HybridFrame& frame, const Camera& foveaFor, const Camera& now) {
+        const hybrid::Periphery periphery = peripheryFor(*painter_, splats_.originMm, foveaFor, now);
+        Shown shown;
+        const auto draw = [&](float background) -> Result<image::Image> {
+            Watch watch;
             MACULA_TRY(const hybrid::Frame drawn,
                        frame.draw({.eyes = {foveaFor},
                                    .sizePx = options_.sizePx,
                                    .display = {.background = glm::vec3(background), .exposure = 1.0f}},
                                   periphery));
-            MACULA_TRY(auto rgba, gpu::read<std::uint8_t>(*drawn.pictures.front()));
-            drawMs = watch.lap().wallMs;
-            MACULA_TRY(weights, foveaWeightsOf(drawn, options_.sizePx));
-            return rgba;
+            MACULA_TRY(const auto rgba, gpu::read<std::uint8_t>(*drawn.pictures.front()));
+            shown.drawMs = watch.lap().wallMs;
+            MACULA_TRY(shown.weights, foveaWeightsOf(drawn, options_.sizePx));
+            return imageOf(rgba, options_.sizePx);
         };
-        MACULA_TRY(const auto overWhite, draw(1.0f));
-        watch.lap();
-        MACULA_TRY(const auto overBlack, draw(0.0f));
+        MACULA_TRY(shown.overWhite, draw(1.0f));
+        MACULA_TRY(shown.overBlack, draw(0.0f));
+        return shown;
+    }
+
+    Result<FrameScore> scoreOf(const Shown& shown, const Shown& splats, const Truth& truth) const {
         FrameScore score;
-        for (std::size_t i = 0; i < truth.isOpaque.size(); ++i)
-            score.through +=
-                truth.isOpaque[i] && int(overWhite[4 * i + 1]) - int(overBlack[4 * i + 1]) > kBackgroundShows
-                    ? 1
-                    : 0;
-        const image::Image shown = imageOf(overBlack, options_.sizePx);
-        if (!weights.empty()) {
-            MACULA_TRY(score.seam, image::seamVisibility(truth.image, shown, weights));
+        for (std::size_t i = 0; i < truth.isOpaque.size(); ++i) {
+            const std::size_t green = 3 * i + 1;
+            const bool showsThrough =
+                shown.overWhite.pixels[green] - shown.overBlack.pixels[green] > kBackgroundShows;
+            score.through += truth.isOpaque[i] && showsThrough ? 1 : 0;
         }
-        MACULA_TRY(const image::Flip flip, image::flip(truth.image, shown));
+        if (!shown.weights.empty()) {
+            MACULA_TRY(score.seam, image::seamVisibility(truth.image, shown.overBlack, shown.weights));
+            MACULA_TRY(score.mixed,
+                       image::edgeVisibility(truth.image, shown.overBlack, image::mixedMask(shown.weights)));
+        }
+        MACULA_TRY(score.silhouette, image::edgeVisibility(truth.image, shown.overBlack, truth.silhouette));
+        MACULA_TRY(score.darker, image::darkerThanBoth(shown.overBlack, truth.image, splats.overBlack, fovea_,
+                                                       FrameScore::kDarkerBy));
+        MACULA_TRY(const image::Flip flip, image::flip(truth.image, shown.overBlack));
         score.flip = flip.mean;
         MACULA_TRY(const auto fovealFlip, image::meanOf(flip.perPixel, fovea_));
         score.fovealFlip = fovealFlip.value_or(0.0);
         return score;
+    }
+
+    Result<void> keep(const std::string& name, const image::Image& picture) const {
+        if (options_.pictures.empty()) return {};
+        return writePng(options_.pictures / (name + ".png"), picture);
     }
 
     const BenchStudy& study_;

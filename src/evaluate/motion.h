@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "base/result.h"
 #include "evaluate/bench_study.h"
 #include "evaluate/measurement.h"
+#include "image/edges.h"
 #include "image/frame_metrics.h"
 #include "pipeline/hybrid/model/first_model.h"
 
@@ -25,6 +27,8 @@ struct MotionOptions {
     std::uint32_t foveaSamples = 4;                // denoised
     std::uint32_t truthSamples = 128;              // not denoised
     hybrid::FirstModelOptions model;
+    // A folder for VIEW-MOVED-AMOUNT-WAY.png and …-traced.png; none where empty.
+    std::filesystem::path pictures = {};
 };
 
 enum class Moved { step, turn };
@@ -37,6 +41,13 @@ struct FrameScore {
     double fovealFlip = 0.0;  // of kFovealFieldDeg around its middle
     std::size_t through = 0;  // pixels that show background where the truth and all around it have none
     std::optional<image::SeamVisibility> seam;  // of the fovea's border; nothing without one
+    // Of the truth's silhouette in the middle, and where fovea and splats are mixed; nothing where there is
+    // no such pixel.
+    std::optional<image::EdgeVisibility> silhouette;
+    std::optional<image::EdgeVisibility> mixed;
+    // Pixels of the middle that are darker than splats alone and the truth, by more than kDarkerBy.
+    std::size_t darker = 0;
+    static constexpr double kDarkerBy = 0.02;
 };
 
 struct MovedFrame {

@@ -141,11 +141,14 @@ class Measurement {
         if (!frame.foveaWeights.empty()) {
             MACULA_TRY(seam, image::seamVisibility(truth.shown, frame.shown, frame.foveaWeights));
         }
+        MACULA_TRY(const auto silhouette,
+                   image::edgeVisibility(truth.shown, frame.shown, truth.silhouetteInMiddle));
         row.views.push_back({.scores = scores,
                              .frameMs = frame.ms,
                              .samplesPerPixel = frame.samplesPerPixel,
                              .resolutionShare = frame.resolutionShare,
                              .seam = seam,
+                             .silhouette = silhouette,
                              .foveaTimes = frame.foveaTimes});
         progress_.advance();
         return progress_.cancelled() ? Result<void>(cancelledError()) : Result<void>();

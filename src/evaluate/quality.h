@@ -15,6 +15,7 @@
 #include "evaluate/bench_study.h"
 #include "evaluate/frame_scores.h"
 #include "evaluate/view_scores.h"
+#include "image/edges.h"
 #include "image/frame_metrics.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "pipeline/hybrid/model/first_model.h"
@@ -50,8 +51,9 @@ struct QualityView {
     double frameMs = 0.0;
     std::uint32_t samplesPerPixel = 0;  // MadeFrame
     double resolutionShare = 1.0;
-    std::optional<image::SeamVisibility> seam;     // of the fovea's border; nothing without one
-    std::optional<hybrid::FoveaTimes> foveaTimes;  // MadeFrame
+    std::optional<image::SeamVisibility> seam;        // of the fovea's border; nothing without one
+    std::optional<image::EdgeVisibility> silhouette;  // of the truth's in the middle; nothing without one
+    std::optional<hybrid::FoveaTimes> foveaTimes;     // MadeFrame
 };
 
 // Of a way to make frames, by view.

@@ -18,17 +18,6 @@ std::size_t pixelsOf(const Image& image) {
     return std::size_t(image.width) * std::size_t(image.height);
 }
 
-Plane luminanceOf(const Image& image) {
-    const auto planes = colourPlanes(image);
-    if (planes.size() == 1) return planes.front();
-    Plane luminance(image.width, image.height);
-    for (std::size_t c = 0; c < planes.size(); ++c) {
-        for (std::size_t i = 0; i < luminance.values.size(); ++i)
-            luminance.values[i] += kRec709[c] * planes[c].values[i];
-    }
-    return luminance;
-}
-
 Result<Plane> planeOf(std::span<const float> weights, const Image& like) {
     if (weights.size() != pixelsOf(like)) return notForEachPixel("The weights do not fit the pictures.");
     if (std::any_of(weights.begin(), weights.end(), [](float w) { return !std::isfinite(w); }))

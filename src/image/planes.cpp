@@ -73,6 +73,17 @@ std::vector<Plane> colourPlanes(const Image& image) {
     return planes;
 }
 
+Plane luminanceOf(const Image& image) {
+    const auto planes = colourPlanes(image);
+    if (planes.size() == 1) return planes.front();
+    Plane luminance(image.width, image.height);
+    for (std::size_t c = 0; c < planes.size(); ++c) {
+        for (std::size_t i = 0; i < luminance.values.size(); ++i)
+            luminance.values[i] += kRec709[c] * planes[c].values[i];
+    }
+    return luminance;
+}
+
 Result<void> comparable(const Image& reference, const Image& test) {
     MACULA_TRY_VOID(checkOne(reference));
     MACULA_TRY_VOID(checkOne(test));

@@ -37,6 +37,9 @@ inline constexpr std::array kRec709{0.2126, 0.7152, 0.0722};
 // The channels that are compared, clamped to 0 to 1.
 std::vector<Plane> colourPlanes(const Image& image);
 
+// Of the channels that are compared.
+Plane luminanceOf(const Image& image);
+
 // Whether two pictures can be compared: see metrics.h.
 Result<void> comparable(const Image& reference, const Image& test);
 

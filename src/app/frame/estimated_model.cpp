@@ -79,6 +79,7 @@ void EstimatedModel::forget() {
 }
 
 hybrid::ShownMatter EstimatedModel::shownMatter(const Drawing& drawing) {
+    const TimelineStage stage("curve of estimate");
     hybrid::ShownMatter shown{.optics = opticsByEntry(*volume_, fitted(*drawing.transferFunction, *volume_)),
                               .clip = drawing.clip ? *drawing.clip : Clip{},
                               .mask = nullptr};
@@ -109,6 +110,7 @@ Result<void> EstimatedModel::make(const Drawing& drawing) {
         estimate_.emplace(matter_, model_, shownMatter(learntOf_),
                           trace::Environment::fromRig(*learntOf_.lights));
     splats_ = std::make_shared<const splat::Splats>(estimate_->under(shownMatter(drawing)));
+    const TimelineStage upload("upload estimate");
     MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device_, *splats_));
     painter_.emplace(std::move(painter));
     shown_ = drawing;

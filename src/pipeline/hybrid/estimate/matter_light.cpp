@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/parallel.h"
+#include "base/timeline.h"
 
 namespace macula::hybrid {
 
@@ -20,8 +21,12 @@ constexpr float kBeside = 0.15f;
 
 constexpr double kSidesOfSurface = 3.0;
 
-std::vector<float> extinctionOf(const CoarseMatter& matter, const ShownMatter& shown) {
-    std::vector<float> extinction(matter.cellCount());
+// Extinction and opacity.
+LitMatter shownMatterOf(const CoarseMatter& matter, const ShownMatter& shown) {
+    LitMatter matterOf{.extinctionPerMm = std::vector<float>(matter.cellCount()),
+                       .opacity = std::vector<float>(matter.cellCount()),
+                       .light = {}};
+    const auto edge = float(matter.edgeMm());
     const bool isClipped = shown.mask || shown.clip.hasShape();
     const std::size_t layer = std::size_t(matter.size().x) * std::size_t(matter.size().y);
     parallelFor(std::size_t(matter.size().z), [&](std::size_t z) {
@@ -34,10 +39,12 @@ std::vector<float> extinctionOf(const CoarseMatter& matter, const ShownMatter& s
                 if (isClipped && !shown.shows(matter.volume(), glm::dvec3(matter.voxelOf(cell, s)))) continue;
                 sum += one;
             }
-            extinction[cell] = sum / float(CoarseMatter::kSamples);
+            if (!(sum > 0.0f)) continue;
+            matterOf.extinctionPerMm[cell] = sum / float(CoarseMatter::kSamples);
+            matterOf.opacity[cell] = -std::expm1(-edge * matterOf.extinctionPerMm[cell]);
         }
     });
-    return extinction;
+    return matterOf;
 }
 
 // Lets the light of one side through the grid, from layer to layer.
@@ -109,17 +116,13 @@ float LitMatter::openness(std::size_t cell) const {
 
 glm::vec3 riseAround(const CoarseMatter& matter, const LitMatter& lit, std::size_t cell) {
     const glm::ivec3 at = matter.cellAt(cell);
-    const auto edge = float(matter.edgeMm());
     glm::vec3 rise{0.0f};
     for (int axis = 0; axis < 3; ++axis) {
         glm::ivec3 below = at;
         glm::ivec3 above = at;
         below[axis] = std::max(at[axis] - 1, 0);
         above[axis] = std::min(at[axis] + 1, matter.size()[axis] - 1);
-        const auto opacityAt = [&](const glm::ivec3& one) {
-            return -std::expm1(-edge * lit.extinctionPerMm[matter.indexOf(one)]);
-        };
-        rise[axis] = opacityAt(above) - opacityAt(below);
+        rise[axis] = lit.opacity[matter.indexOf(above)] - lit.opacity[matter.indexOf(below)];
     }
     return rise;
 }
@@ -133,7 +136,8 @@ SideLight lightOn(const CoarseMatter& matter, const LitMatter& lit, std::size_t 
 }
 
 LitMatter litMatter(const CoarseMatter& matter, const ShownMatter& shown) {
-    LitMatter lit{.extinctionPerMm = extinctionOf(matter, shown), .light = {}};
+    const TimelineStage stage("light of estimate");
+    LitMatter lit = shownMatterOf(matter, shown);
     lit.light.resize(matter.cellCount());
     parallelFor(kSides, [&](std::size_t side) { Sweep(matter, lit.extinctionPerMm, side).run(lit.light); });
     return lit;

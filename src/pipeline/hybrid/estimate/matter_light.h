@@ -17,6 +17,7 @@ using SideLight = std::array<float, 6>;
 
 struct LitMatter {
     std::vector<float> extinctionPerMm;  // by cell: the mean over its samples that are shown
+    std::vector<float> opacity;          // by cell: of a cube as large
     std::vector<SideLight> light;        // by cell
 
     // How much of a cell is seen from outside, on average over sides.

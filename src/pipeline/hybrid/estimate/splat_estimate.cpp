@@ -111,6 +111,28 @@ void append(const splat::Splats& from, std::size_t i, splat::Splats& to) {
     for (std::size_t k = 0; k < count; ++k) to.sh.push_back(from.sh[i * count + k]);
 }
 
+void appendAll(const splat::Splats& from, splat::Splats& to) {
+    const auto add = [](const auto& some, auto& all) { all.insert(all.end(), some.begin(), some.end()); };
+    add(from.position, to.position);
+    add(from.logScale, to.logScale);
+    add(from.rotation, to.rotation);
+    add(from.opacityLogit, to.opacityLogit);
+    add(from.dc, to.dc);
+    add(from.sh, to.sh);
+}
+
+// Calls body(i, part) for each i of `count` on all cores, and then take(part) for each part, which begins as
+// `empty`: in the order of i, whoever was first.
+template <typename Part, typename Body, typename Take>
+void inParts(std::size_t count, const Part& empty, const Body& body, const Take& take) {
+    constexpr std::size_t kOfPart = 4096;
+    std::vector<Part> parts((count + kOfPart - 1) / kOfPart, empty);
+    parallelFor(parts.size(), [&](std::size_t p) {
+        for (std::size_t i = p * kOfPart; i < std::min((p + 1) * kOfPart, count); ++i) body(i, parts[p]);
+    });
+    for (const Part& part : parts) take(part);
+}
+
 }  // namespace
 
 SplatEstimate::SplatEstimate(std::shared_ptr<const CoarseMatter> matter,
@@ -171,37 +193,52 @@ SplatEstimate::Matter SplatEstimate::matterAt(const Place& place, const ShownMat
     return sum;
 }
 
+splat::Splats SplatEstimate::none() const {
+    return {.originMm = model_->originMm,
+            .axes = model_->axes,
+            .colourSpace = model_->colourSpace,
+            .lowPass = model_->lowPass,
+            .shDegree = model_->shDegree};
+}
+
 splat::Splats SplatEstimate::under(const ShownMatter& shown) const {
     const LitMatter lit = litMatter(*matter_, shown);
-    splat::Splats splats{.originMm = model_->originMm,
-                         .axes = model_->axes,
-                         .colourSpace = model_->colourSpace,
-                         .lowPass = model_->lowPass,
-                         .shDegree = model_->shDegree};
-    std::vector<float> covered(matter_->cellCount(), 0.0f);
     const bool hasOtherFaces =
         model_->size() == 0 || shown.clip != learntOf_.clip || shown.faces != learntOf_.faces;
     std::vector<bool> isFace(matter_->cellCount());
     const std::vector<FacePlace> faces = facePlaces(*matter_, shown);
     for (const FacePlace& place : faces) isFace[place.cell] = true;
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-        // What was learnt of one face is not seen on another, and hides what is.
-        const bool isOfFace = isFace[places_[i].cell] || wasFace_[places_[i].cell];
-        if (hasOtherFaces && isOfFace) continue;
-        if (shown.shows(matter_->volume(), glm::dvec3(places_[i].voxel)))
-            addChanged(i, shown, lit, covered, splats);
-    }
+    Part all{.splats = none(), .covers = {}};
+    const auto take = [&all](const Part& part) {
+        appendAll(part.splats, all.splats);
+        all.covers.insert(all.covers.end(), part.covers.begin(), part.covers.end());
+    };
+    inParts<Part>(
+        places_.size(), {.splats = none(), .covers = {}},
+        [&](std::size_t i, Part& part) {
+            // What was learnt of one face is not seen on another, and hides what is.
+            const bool isOfFace = isFace[places_[i].cell] || wasFace_[places_[i].cell];
+            if (hasOtherFaces && isOfFace) return;
+            if (shown.shows(matter_->volume(), glm::dvec3(places_[i].voxel))) addChanged(i, shown, lit, part);
+        },
+        take);
+    std::vector<float> covered(matter_->cellCount(), 0.0f);
+    for (const auto& [cell, share] : all.covers) covered[cell] += share;
     for (const FacePlace& place : faces) {
         covered[place.cell] = 1.0f;
-        if (hasOtherFaces) addFace(place, splats);
+        if (hasOtherFaces) addFace(place, all.splats);
     }
-    for (const std::uint32_t cell : cellsWithout(lit, covered))
-        addSplatOf(cell, shown, lit, covered[cell], splats);
-    return splats;
+    const std::vector<std::uint32_t> cells = cellsWithout(lit, covered);
+    inParts<Part>(
+        cells.size(), {.splats = none(), .covers = {}},
+        [&](std::size_t i, Part& part) { addSplatOf(cells[i], shown, lit, covered[cells[i]], part.splats); },
+        take);
+    return std::move(all.splats);
 }
 
 void SplatEstimate::addChanged(std::size_t i, const ShownMatter& shown, const LitMatter& lit,
-                               std::vector<float>& covered, splat::Splats& splats) const {
+                               Part& part) const {
+    splat::Splats& splats = part.splats;
     const Place& place = places_[i];
     const Matter& before = learntMatter_[i];
     const Matter now = matterAt(place, shown);
@@ -220,8 +257,9 @@ void SplatEstimate::addChanged(std::size_t i, const ShownMatter& shown, const Li
     splats.opacityLogit[last] = logitOf(std::clamp(opacity, 1e-4f, kMostLearntOpacity));
     recolour(splats, last, {before.reflectance, light_.at(lightOn(*matter_, learntLit_, place.cell))},
              {now.reflectance, light_.at(lightOn(*matter_, lit, place.cell))});
-    covered[place.cell] +=
-        opacity * std::min(broadSideMm2(*model_, i) / float(matter_->edgeMm() * matter_->edgeMm()), 4.0f);
+    part.covers.emplace_back(
+        place.cell,
+        opacity * std::min(broadSideMm2(*model_, i) / float(matter_->edgeMm() * matter_->edgeMm()), 4.0f));
 }
 
 void SplatEstimate::addFace(const FacePlace& place, splat::Splats& splats) const {
@@ -250,15 +288,18 @@ std::vector<std::uint32_t> SplatEstimate::cellsWithout(const LitMatter& lit,
         return opacityOfCell(of, cell) * of.openness(cell);
     };
     std::vector<Wanted> wanted;
-    for (std::size_t cell = 0; cell < matter_->cellCount(); ++cell) {
-        if (covered[cell] >= kWhollyCovered || opacityOfCell(lit, cell) < kLeastOpacity ||
-            lit.openness(cell) < kLeastOpenness)
-            continue;
-        const float worth = worthOf(lit, cell);
-        // The model knows what it has seen: where it has no splats, none are needed.
-        if (!wasFace_[cell] && worthOf(learntLit_, cell) > kKnownShare * worth) continue;
-        wanted.push_back({std::uint32_t(cell), worth});
-    }
+    inParts<std::vector<Wanted>>(
+        matter_->cellCount(), {},
+        [&](std::size_t cell, std::vector<Wanted>& part) {
+            if (!(lit.opacity[cell] > 0.0f) || covered[cell] >= kWhollyCovered ||
+                opacityOfCell(lit, cell) < kLeastOpacity || lit.openness(cell) < kLeastOpenness)
+                return;
+            const float worth = worthOf(lit, cell);
+            // The model knows what it has seen: where it has no splats, none are needed.
+            if (!wasFace_[cell] && worthOf(learntLit_, cell) > kKnownShare * worth) return;
+            part.push_back({std::uint32_t(cell), worth});
+        },
+        [&](const std::vector<Wanted>& part) { wanted.insert(wanted.end(), part.begin(), part.end()); });
     if (wanted.size() > options_.mostNewSplats) {
         const auto last = wanted.begin() + std::ptrdiff_t(options_.mostNewSplats);
         std::nth_element(wanted.begin(), last, wanted.end(),

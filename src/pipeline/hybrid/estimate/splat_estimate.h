@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "pipeline/hybrid/estimate/clip_faces.h"
@@ -50,8 +51,13 @@ class SplatEstimate {
     };
 
     Matter matterAt(const Place& place, const ShownMatter& shown) const;
-    void addChanged(std::size_t i, const ShownMatter& shown, const LitMatter& lit,
-                    std::vector<float>& covered, splat::Splats& splats) const;
+    // Splats that were made beside others, and the cells that they cover, by so much.
+    struct Part {
+        splat::Splats splats;
+        std::vector<std::pair<std::uint32_t, float>> covers;
+    };
+    splat::Splats none() const;
+    void addChanged(std::size_t i, const ShownMatter& shown, const LitMatter& lit, Part& part) const;
     std::vector<std::uint32_t> cellsWithout(const LitMatter& lit, const std::vector<float>& covered) const;
     void addFace(const FacePlace& place, splat::Splats& splats) const;
     float opacityOfCell(const LitMatter& lit, std::size_t cell) const;
