@@ -13,6 +13,9 @@ namespace macula::app {
 
 namespace {
 
+// A CPU draws as many as one follows a hand with.
+constexpr hybrid::SplatEstimateOptions kOptionsOnCpu{.mostNewSplats = 24'000};
+
 bool hasAdditions(const Drawing& drawing) {
     return drawing.additions && !drawing.additions->isNothing();
 }
@@ -108,7 +111,8 @@ Result<void> EstimatedModel::make(const Drawing& drawing) {
     if (!matter_) matter_ = std::make_shared<const hybrid::CoarseMatter>(volume_);
     if (!estimate_)
         estimate_.emplace(matter_, model_, shownMatter(learntOf_),
-                          trace::Environment::fromRig(*learntOf_.lights));
+                          trace::Environment::fromRig(*learntOf_.lights),
+                          device_->isCpu() ? kOptionsOnCpu : hybrid::SplatEstimateOptions{});
     splats_ = std::make_shared<const splat::Splats>(estimate_->under(shownMatter(drawing)));
     const TimelineStage upload("upload estimate");
     MACULA_TRY(splat::ModelPainter painter, splat::ModelPainter::create(device_, *splats_));

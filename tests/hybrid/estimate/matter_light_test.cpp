@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
+#include <utility>
+#include <vector>
 
 #include "pipeline/volume/medium.h"
 #include "trace/extreme_scenes.h"
@@ -51,6 +54,54 @@ TEST(CoarseMatterTest, IsOneCellOfOneVoxelAndOfAnyLimit) {
     const CoarseMatter least(
         scenes::volumeOf(size, scenes::grid({0.05, 50.0, 0.05}, size), scenes::blob(size, 900)), 1);
     EXPECT_EQ(least.cellCount(), 1u);
+}
+
+// Clips of each shape, turned, thin, and beyond the volume: each cell once, and no part that is not true of
+// the samples of it and of its neighbours.
+TEST(CoarseMatterTest, PartsOfAClipAreTrueOfEachSample) {
+    const glm::ivec3 size{41, 18, 15};
+    const auto volume = scenes::volumeOf(size, scenes::grid({1.0, 2.0, 1.5}, size), scenes::blob(size, 900));
+    const CoarseMatter matter(volume, 900);
+    const glm::dvec3 middle = volume->worldBox().centre();
+    const glm::dvec3 slant = glm::normalize(glm::dvec3(1.0, 2.0, -0.5));
+    std::vector<Clip> clips(9);
+    clips[1].planes = {{.normal = slant, .offsetMm = glm::dot(slant, middle)}};
+    clips[2].box = OrientedBox{.centreMm = middle, .axes = glm::dmat3(1.0), .halfSizeMm = glm::dvec3(6.0)};
+    clips[3] = clips[2];
+    clips[3].ofBox = Keep::outside;
+    clips[4].box = OrientedBox{.centreMm = middle, .axes = glm::dmat3(1.0), .halfSizeMm = {0.1, 50.0, 50.0}};
+    clips[5].cut = Octant{.pointMm = middle};
+    clips[6].ball = Ball{.centreMm = middle, .radiusMm = 8.0};
+    clips[7] = clips[6];
+    clips[7].ofBall = Keep::outside;
+    clips[8].ball = Ball{.centreMm = middle + 1e4, .radiusMm = 1.0};
+    std::array<std::size_t, 3> counts{};
+    for (const Clip& clip : clips) {
+        ShownMatter shown = shownBy(matter, 0.5);
+        shown.clip = clip;
+        for (const int margin : {0, 1}) {
+            std::vector<int> parts(matter.cellCount(), -1);
+            forEachCell(matter, shown, margin, [&](std::size_t cell, PartShown part) {
+                EXPECT_EQ(std::exchange(parts[cell], int(part)), -1) << "twice";
+            });
+            for (std::size_t cell = 0; cell < matter.cellCount(); ++cell) {
+                ASSERT_GE(parts[cell], 0) << "never";
+                const auto part = PartShown(parts[cell]);
+                ++counts[std::size_t(parts[cell])];
+                if (part == PartShown::some) continue;
+                const glm::ivec3 at = matter.cellAt(cell);
+                const glm::ivec3 low = glm::max(at - margin, 0);
+                const glm::ivec3 high = glm::min(at + margin, matter.size() - 1);
+                for (const glm::ivec3& beside : {low, at, high}) {
+                    for (std::size_t s = 0; s < CoarseMatter::kSamples; ++s)
+                        EXPECT_EQ(
+                            shown.isInShape(*volume, glm::dvec3(matter.voxelOf(matter.indexOf(beside), s))),
+                            part == PartShown::all);
+                }
+            }
+        }
+    }
+    for (const std::size_t count : counts) EXPECT_GT(count, matter.cellCount() / 4);
 }
 
 // The same in double, cell by cell, by what a cell gets from the five behind it.

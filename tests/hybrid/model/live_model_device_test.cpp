@@ -313,6 +313,15 @@ TEST_F(LiveModelTest, LearnsFromWhatIsOnScreen) {
     EXPECT_TRUE(model.hasWork());
     learn(model);
     EXPECT_FALSE(model.hasWork());
+    ASSERT_TRUE(*screen.trace(16));
+    ASSERT_TRUE(model.learnFrom(screen, close).ok());
+    EXPECT_FALSE(model.hasWork()) << "twice the samples are hardly better";
+    ASSERT_TRUE(*screen.trace(32));
+    ASSERT_TRUE(model.learnFrom(screen, close).ok());
+    EXPECT_TRUE(model.hasWork()) << "four times the samples are";
+    EXPECT_EQ(model.news().views, views + 1) << "in place of the first";
+    learn(model);
+    EXPECT_FALSE(model.hasWork());
 }
 
 // The same light and coverage on average as what is traced, over what both show, from all sides.

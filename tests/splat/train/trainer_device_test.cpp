@@ -119,6 +119,34 @@ TEST_F(TrainerOnDevice, StandInsAreForgotten) {
     EXPECT_TRUE(testing::sameBits(*trained.snapshot(), *other.snapshot()));
 }
 
+// As if the better picture had been there from then on, with what is known of the view.
+TEST_F(TrainerOnDevice, ABetterPictureTakesThePlaceOfAView) {
+    std::vector<TrainingView> seen = truthViews();
+    for (glm::vec4& pixel : seen[1].pixels) pixel *= glm::vec4(0.5f, 0.5f, 0.5f, 1.0f);
+    Trainer trained = trainer(start(), options(), seen);
+    ASSERT_TRUE(trained.step(20).ok());
+    TrainingState better = *trained.state();
+    better.views[1].given = std::make_shared<const TrainingView>(truthViews()[1]);
+    ASSERT_TRUE(trained.replaceView(1, truthViews()[1]).ok());
+    EXPECT_EQ(trained.viewCount(), seen.size());
+    EXPECT_TRUE(trained.wasDrawn(1));
+    EXPECT_EQ(trained.lastGood().views[1].given->pixels, truthViews()[1].pixels);
+
+    Trainer other = std::move(Trainer::resume(device(), better)).value();
+    ASSERT_TRUE(trained.step(20).ok());
+    ASSERT_TRUE(other.step(20).ok());
+    EXPECT_TRUE(testing::sameBits(*trained.snapshot(), *other.snapshot()));
+}
+
+TEST_F(TrainerOnDevice, APictureThatTellsNothingTakesNoPlace) {
+    Trainer trained = trainer(start(), options(), truthViews());
+    TrainingView nothing = truthViews()[1];
+    for (glm::vec4& pixel : nothing.pixels) pixel = glm::vec4(std::numeric_limits<float>::quiet_NaN());
+    EXPECT_EQ(trained.replaceView(1, nothing).error().code, ErrorCode::inputNotUsable);
+    EXPECT_EQ(trained.view(1).pixels, truthViews()[1].pixels);
+    EXPECT_TRUE(trained.step(kViews).ok());
+}
+
 // Hundreds in a row would make it forget what it knows.
 TEST_F(TrainerOnDevice, OfViewsThatComeLaterOneIsDrawnAtEverySixthStep) {
     Trainer trained = trainer(start(), options(0), truthViews());

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <iterator>
 
-#include "base/parallel.h"
 #include "pipeline/splat/draw/displayed.h"
 
 namespace macula::hybrid {
@@ -82,8 +81,8 @@ std::vector<FacePlace> facePlaces(const CoarseMatter& matter, const ShownMatter&
     const auto layers = std::size_t(matter.size().z);
     const std::size_t layer = matter.cellCount() / layers;
     std::vector<std::vector<FacePlace>> found(layers);
-    parallelFor(layers, [&](std::size_t z) {
-        for (std::size_t cell = z * layer; cell < (z + 1) * layer; ++cell) search.inCell(cell, found[z]);
+    forEachCell(matter, shown, 1, [&](std::size_t cell, PartShown part) {
+        if (part == PartShown::some) search.inCell(cell, found[cell / layer]);
     });
     std::vector<FacePlace> all;
     for (const std::vector<FacePlace>& some : found) all.insert(all.end(), some.begin(), some.end());

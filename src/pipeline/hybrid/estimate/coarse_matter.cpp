@@ -92,4 +92,32 @@ bool ShownMatter::isInShape(const Volume& volume, const glm::dvec3& voxel) const
     return !clip.hasShape() || macula::shows(clip, transformPoint(volume.worldFromVoxel(), voxel));
 }
 
+PartShown ShownMatter::partInShape(const CoarseMatter& matter, const glm::ivec3& first,
+                                   const glm::ivec3& end) const {
+    if (!clip.hasShape()) return PartShown::all;
+    // From the outer faces of voxels to those on the other side.
+    const glm::dvec3 edge(matter.cellVoxels());
+    const Box voxels{glm::dvec3(first) * edge - 0.5, glm::dvec3(end) * edge - 0.5};
+    const glm::dmat4& worldFromVoxel = matter.volume().worldFromVoxel();
+    if (removesAll(clip, worldFromVoxel, voxels)) return PartShown::nothing;
+    return removesNothing(clip, worldFromVoxel, voxels) ? PartShown::all : PartShown::some;
+}
+
+void forEachCell(const CoarseMatter& matter, const ShownMatter& shown, int margin,
+                 const std::function<void(std::size_t cell, PartShown part)>& body) {
+    constexpr int kRun = 12;  // cells along x that are asked about together
+    const glm::ivec3 size = matter.size();
+    parallelFor(std::size_t(size.z), [&](std::size_t layer) {
+        const int z = int(layer);
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; x += kRun) {
+                const int end = std::min(x + kRun, size.x);
+                const PartShown part = shown.partInShape(matter, glm::ivec3(x, y, z) - margin,
+                                                         glm::ivec3(end, y + 1, z + 1) + margin);
+                for (int at = x; at < end; ++at) body(matter.indexOf({at, y, z}), part);
+            }
+        }
+    });
+}
+
 }  // namespace macula::hybrid

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <memory>
 #include <optional>
@@ -34,6 +35,7 @@ class CoarseMatter {
     }
     glm::dvec3 cellMm() const;  // edges of a cell
     double edgeMm() const;      // of a cube as large as a cell
+    glm::ivec3 cellVoxels() const { return edge_; }
 
     std::size_t indexOf(const glm::ivec3& cell) const;
     glm::ivec3 cellAt(std::size_t index) const;
@@ -63,6 +65,9 @@ struct GreyValues {
     bool operator==(const GreyValues&) const = default;
 };
 
+// How much of some cells the shape of a clip shows; `some` of cells of which it may be all or nothing.
+enum class PartShown { nothing, some, all };
+
 // What is shown of a volume: by which optics, and where. Made anew for each curve and clip.
 struct ShownMatter {
     std::vector<glm::vec4> optics;         // opticsByEntry
@@ -73,6 +78,13 @@ struct ShownMatter {
     // Of that point, as far as the shape goes, and of that voxel.
     bool isInShape(const Volume& volume, const glm::dvec3& voxel) const;
     bool shows(const Volume& volume, const glm::dvec3& voxel) const;
+    // Of the cells from `first` on to before `end`, as far as the shape goes.
+    PartShown partInShape(const CoarseMatter& matter, const glm::ivec3& first, const glm::ivec3& end) const;
 };
+
+// Calls body(cell, part) for each cell, on all cores: one layer after another along z, each by one thread.
+// `part` is what the shape shows of the cell and of those within `margin` cells of it, and perhaps of more.
+void forEachCell(const CoarseMatter& matter, const ShownMatter& shown, int margin,
+                 const std::function<void(std::size_t cell, PartShown part)>& body);
 
 }  // namespace macula::hybrid

@@ -27,22 +27,21 @@ LitMatter shownMatterOf(const CoarseMatter& matter, const ShownMatter& shown) {
                        .opacity = std::vector<float>(matter.cellCount()),
                        .light = {}};
     const auto edge = float(matter.edgeMm());
-    const bool isClipped = shown.mask || shown.clip.hasShape();
-    const std::size_t layer = std::size_t(matter.size().x) * std::size_t(matter.size().y);
-    parallelFor(std::size_t(matter.size().z), [&](std::size_t z) {
-        for (std::size_t cell = z * layer; cell < (z + 1) * layer; ++cell) {
-            const auto entries = matter.entriesOf(cell);
-            float sum = 0.0f;
-            for (std::size_t s = 0; s < CoarseMatter::kSamples; ++s) {
-                const float one = shown.optics[entries[s]].w;
-                if (!(one > 0.0f)) continue;
-                if (isClipped && !shown.shows(matter.volume(), glm::dvec3(matter.voxelOf(cell, s)))) continue;
-                sum += one;
-            }
-            if (!(sum > 0.0f)) continue;
-            matterOf.extinctionPerMm[cell] = sum / float(CoarseMatter::kSamples);
-            matterOf.opacity[cell] = -std::expm1(-edge * matterOf.extinctionPerMm[cell]);
+    std::vector<float> extinction;
+    for (const glm::vec4& optics : shown.optics) extinction.push_back(optics.w);
+    forEachCell(matter, shown, 0, [&](std::size_t cell, PartShown part) {
+        if (part == PartShown::nothing) return;
+        const bool isWhole = part == PartShown::all && !shown.mask;
+        const auto entries = matter.entriesOf(cell);
+        float sum = 0.0f;
+        for (std::size_t s = 0; s < CoarseMatter::kSamples; ++s) {
+            const float one = extinction[entries[s]];
+            if (!(one > 0.0f)) continue;
+            if (isWhole || shown.shows(matter.volume(), glm::dvec3(matter.voxelOf(cell, s)))) sum += one;
         }
+        if (!(sum > 0.0f)) return;
+        matterOf.extinctionPerMm[cell] = sum / float(CoarseMatter::kSamples);
+        matterOf.opacity[cell] = -std::expm1(-edge * matterOf.extinctionPerMm[cell]);
     });
     return matterOf;
 }

@@ -24,6 +24,8 @@ constexpr int kSideOnCpuPx = 384;  // a view of 2 samples is traced in half a se
 constexpr int kRoughSideOnCpuPx = 192;
 // Of a model that is sharp, as most are: where nothing is held out that could tell.
 constexpr std::uint64_t kStepsOfSharpModels = 120;
+// A picture on screen is learnt from again with so many times the samples: half the noise.
+constexpr double kMoreSamples = 4.0;
 
 double msSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -518,8 +520,12 @@ Result<void> LiveModel::takeWanted() {
 Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const trace::View& view) {
     MACULA_CHECK(canBeDrawn());
     if (!model_) return {};  // it is resuming
-    if (lookedAt_ == view.camera || std::int64_t(view.width) * view.height > kMostPixelsToLearn) return {};
-    lookedAt_ = view.camera;
+    if (std::int64_t(view.width) * view.height > kMostPixelsToLearn) return {};
+    MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
+    const double samples = statistics.meanSamplesPerPixel;
+    if (lookedAt_ && lookedAt_->camera == view.camera && samples < kMoreSamples * lookedAt_->samples)
+        return {};
+    lookedAt_ = {view.camera, samples};
     const TimelineStage stage("model: learn from screen");
     const auto tryToLearn = [&]() -> Result<void> {
         MACULA_TRY(TracedView picture, readToLearnFrom(tracer, view.camera));

@@ -87,8 +87,9 @@ class LiveModel {
     Result<void> workWithin(double leftMs, const std::function<bool()>& keepGoing);
 
     // Takes in what `tracer` has traced of its view, which is `view`, for a person who looks at it: the model
-    // learns all of that, once for each pose. While it can be drawn; waits. Where there is no room for it, or
-    // the picture has more than kMostPixelsToLearn, nothing happens.
+    // learns all of that, once for each pose and again with four times as many samples each. While it can be
+    // drawn; waits. Where there is no room for it, or the picture has more than kMostPixelsToLearn, nothing
+    // happens.
     static constexpr std::int64_t kMostPixelsToLearn = 2560 * 1440;
     Result<void> learnFrom(trace::PathTracer& tracer, const trace::View& view);
 
@@ -170,9 +171,13 @@ class LiveModel {
     std::optional<trace::SurfacePoints> points_;  // found, while the gauge is made
     std::optional<BrightnessGauge> gauge_;
     std::optional<PeripheralModel> model_;
-    std::optional<Camera> lookedAt_;  // the last pose of a picture on screen that it has learnt from
-    std::optional<Camera> wanted_;    // the view that is traced for it now
-    bool isWantedTraced_ = false;     // and is to be taken
+    struct LookedAt {
+        Camera camera;
+        double samples = 0.0;  // of each pixel
+    };
+    std::optional<LookedAt> lookedAt_;  // the last picture on screen that it has learnt from
+    std::optional<Camera> wanted_;      // the view that is traced for it now
+    bool isWantedTraced_ = false;       // and is to be taken
     LearningPace pace_;
     std::size_t views_ = 0;  // views that the model was given, or asked for in vain
     std::uint64_t stepsAtLastView_ = 0;

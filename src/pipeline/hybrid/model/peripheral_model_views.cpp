@@ -114,6 +114,12 @@ bool PeripheralModel::isKnown(const splat::RasterView& view) const {
                        [&](const HeldOut& h) { return same(h.picture->view); });
 }
 
+std::optional<std::size_t> PeripheralModel::learntViewOf(const splat::RasterView& view) const {
+    for (std::size_t i = 0; i < trainer_.viewCount(); ++i)
+        if (trainer_.view(i).kind == splat::ViewKind::picture && trainer_.view(i).view == view) return i;
+    return std::nullopt;
+}
+
 double PeripheralModel::degreesBesideHeldOut(const splat::RasterView& view) const {
     const glm::dvec3 centre = notes_.seenMm.centre() - trainer_.lastGood().splats.originMm;
     double least = 180.0;
@@ -177,6 +183,11 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
         const auto asked = splat::rasterView(camera, options_.wanted.sizePx, originMm);
         return asked && isSamePose(*asked, from, radiusMm, options_.wanted.admission);
     });
+    if (const auto same = learntViewOf(from)) {
+        MACULA_TRY_VOID(trainer_.replaceView(*same, std::move(picture)));
+        wake();
+        return Offered::learnt;
+    }
     if (isFull()) return Offered::full;
     if ((mayBeHeldOut || heldOut_.size() < kLeastHeldOut) && !isKnown(from)) {
         if (isHeldOut(notes_.offered, heldOut_.size(), degreesBesideHeldOut(from))) {

@@ -24,6 +24,8 @@ struct RasterView {
     glm::ivec2 wholePx{0};            // of the picture of which this is a part; 0: it is whole
     glm::ivec2 atPx{0};               // where its first pixel lies in that
     bool isParallel = false;          // rays along z; who draws stands before all of the model
+
+    bool operator==(const RasterView&) const = default;
 };
 
 // A part of a picture that is whole: the same pixels, but for rounding.

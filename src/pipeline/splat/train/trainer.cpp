@@ -108,6 +108,16 @@ Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
     return {};
 }
 
+Result<void> Trainer::replaceView(std::size_t index, TrainingView view) {
+    MACULA_CHECK(index < views_.size() && view.view.sizePx == views_[index].given->view.sizePx);
+    const auto given = std::make_shared<const TrainingView>(std::move(view));
+    MACULA_TRY(PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, *given));
+    views_[index].pictures = std::move(pictures);
+    views_[index].given = given;
+    lastGood_.views[index].given = given;
+    return {};
+}
+
 void Trainer::forgetStandIns() {
     const auto standsIn = [](const auto& view) { return view.given->kind != ViewKind::picture; };
     std::erase_if(views_, standsIn);
