@@ -24,7 +24,7 @@ namespace {
 
 constexpr float kOpaque = 0.95f;
 // Between a frame over black and the same over white: half of it is background.
-constexpr float kBackgroundShows = 0.5f;
+constexpr float kBackgroundShows = 128.5f / 255.0f;
 
 Camera movedCamera(const Camera& camera, Moved moved, double amount) {
     const CameraBasis axes = *basis(camera);
@@ -137,6 +137,7 @@ class Measurement {
         const std::string name = fmt::format("{}-{}-{:g}", frame.from, nameOf(frame.moved), frame.amount);
         MACULA_TRY_VOID(keep(name + "-splats", splats.overBlack));
         MACULA_TRY_VOID(keep(name + "-reprojected", reprojected.overBlack));
+        MACULA_TRY_VOID(keep(name + "-pasted", pasted.overBlack));
         MACULA_TRY_VOID(keep(name + "-traced", truth.image));
         report_.frames.push_back(frame);
         progress_.advance();

@@ -20,7 +20,7 @@ Mask silhouetteMask(std::span<const float> coverage, int width, int height);
 // (frame_metrics.h): two pictures are mixed there.
 Mask mixedMask(std::span<const float> weights);
 
-// How far luminance steps from a pixel to the farthest of its four neighbours, over a mask.
+// How far luminance steps from a pixel to the most different of its four neighbours, over a mask.
 struct LuminanceSteps {
     double mean = 0.0;
     double most = 0.0;  // the 99.9th percentile
@@ -33,6 +33,7 @@ struct EdgeVisibility {
     double meanRatio() const;
     double mostRatio() const;
 };
+// Places are not matched: a line in the frame counts as an edge of the reference elsewhere in the mask does.
 // Nothing where the mask is empty. usage besides: a mask of another size.
 Result<std::optional<EdgeVisibility>> edgeVisibility(const Image& reference, const Image& frame,
                                                      const Mask& mask);

@@ -152,6 +152,7 @@ TEST_F(Evaluate, TellsHowGoodFramesAreByTheWayTheyAreMade) {
         EXPECT_EQ(row["splats"].is_null(), isTraced) << rows.back();
         EXPECT_EQ(row["samplesPerPixel"].is_null(), way.starts_with("splats")) << rows.back();
         EXPECT_EQ(row["seamRatio"].is_null(), !way.starts_with("hybrid")) << rows.back();
+        EXPECT_TRUE(row.contains("silhouetteMeanRatio") && row.contains("silhouetteMostRatio"));
         if (!isTraced) seconds[rows.back()] = row["preparationSeconds"].get<double>();
         EXPECT_GT(row["frameMs"]["p10"].get<double>(), 0.0) << rows.back();
         EXPECT_GT(row["resolutionShare"]["p10"].get<double>(), 0.0) << rows.back();

@@ -43,6 +43,12 @@ TEST_F(MotionOnDevice, ABorderIsToldOfWhatHasAFovea) {
             ASSERT_TRUE(frame[way].contains("seam")) << frame;
             EXPECT_GT(frame[way]["seam"]["ratio"].get<double>(), 0.0);
         }
+        EXPECT_FALSE(frame["splats"].contains("mixed"));
+        EXPECT_EQ(frame["splats"]["darkerPx"], 0) << "no darker than itself";
+        for (const char* way : {"reprojected", "pasted"}) {
+            EXPECT_GT(frame[way]["mixed"]["meanRatio"].get<double>(), 0.0);
+            EXPECT_LT(frame[way]["darkerPx"].get<int>(), kSidePx * kSidePx / 10);
+        }
         for (const char* way : {"reprojected", "pasted", "splats"}) {
             EXPECT_GT(frame[way]["flip"].get<double>(), 0.0);
             EXPECT_LE(frame[way]["flip"].get<double>(), 1.0);

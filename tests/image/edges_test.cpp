@@ -100,6 +100,21 @@ TEST(EdgeVisibility, ADotIsSeenInTheMost) {
     EXPECT_LT(edges->meanRatio(), 0.25 * edges->mostRatio());
 }
 
+// The two largest of 2 000 steps do not count.
+TEST(EdgeVisibility, TheMostIsThe999thOfAThousand) {
+    const auto most = [](int dots) {
+        Image image{.width = 2000, .height = 2, .channels = 1, .encoding = Encoding::display, .pixels = {}};
+        image.pixels.assign(4000, 0.5f);
+        Mask mask(4000, 0);
+        for (int x = 0; x < 2000; ++x) mask[std::size_t(x)] = 1;
+        // Below the mask, so that each dot is beside one pixel of it.
+        for (int d = 0; d < dots; ++d) image.pixels[std::size_t(2000 + 100 * d)] = 1.0f;
+        return (*edgeVisibility(image, image, mask))->frame.most;
+    };
+    EXPECT_EQ(most(1), 0.0);
+    EXPECT_NEAR(most(3), 0.5, 1e-7);
+}
+
 TEST(EdgeVisibility, NothingIsSaidOfNoPixelsAndWrongMasksAreRefused) {
     EXPECT_FALSE(edgeVisibility(grey(0.5), grey(0.5), Mask(all().size(), 0))->has_value());
     EXPECT_EQ(edgeVisibility(grey(0.5), grey(0.5), Mask(3, 1)).error().code, ErrorCode::usage);

@@ -13,7 +13,7 @@ namespace macula::app {
 
 namespace {
 
-// A CPU draws as many as one follows a hand with.
+// With no more than these a CPU keeps up with a hand.
 constexpr hybrid::SplatEstimateOptions kOptionsOnCpu{.mostNewSplats = 24'000};
 
 bool hasAdditions(const Drawing& drawing) {

@@ -228,7 +228,7 @@ Result<void> FrameRenderer::keepForMotion() {
     if (!kept && kept.error().code != ErrorCode::outOfMemory) return kept.error();
     if (!kept) doWithoutFovea();
     if (samples < kLearntFromSamples) return {};
-    if (const Result<void> learnt = model_->learnFrom(traced_->tracer(), view); !learnt)
+    if (const Result<void> learnt = model_->learnFrom(traced_->tracer(), view, samples); !learnt)
         return withoutModel(learnt.error());
     return {};
 }

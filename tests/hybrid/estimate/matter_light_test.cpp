@@ -59,9 +59,10 @@ TEST(CoarseMatterTest, IsOneCellOfOneVoxelAndOfAnyLimit) {
 // Clips of each shape, turned, thin, and beyond the volume: each cell once, and no part that is not true of
 // the samples of it and of its neighbours.
 TEST(CoarseMatterTest, PartsOfAClipAreTrueOfEachSample) {
-    const glm::ivec3 size{41, 18, 15};
+    const glm::ivec3 size{90, 18, 15};
     const auto volume = scenes::volumeOf(size, scenes::grid({1.0, 2.0, 1.5}, size), scenes::blob(size, 900));
-    const CoarseMatter matter(volume, 900);
+    const CoarseMatter matter(volume, 3000);
+    ASSERT_GT(matter.size().x, 24) << "several runs";
     const glm::dvec3 middle = volume->worldBox().centre();
     const glm::dvec3 slant = glm::normalize(glm::dvec3(1.0, 2.0, -0.5));
     std::vector<Clip> clips(9);
@@ -87,12 +88,12 @@ TEST(CoarseMatterTest, PartsOfAClipAreTrueOfEachSample) {
             for (std::size_t cell = 0; cell < matter.cellCount(); ++cell) {
                 ASSERT_GE(parts[cell], 0) << "never";
                 const auto part = PartShown(parts[cell]);
-                ++counts[std::size_t(parts[cell])];
+                if (clip.hasShape() && clip != clips.back()) ++counts[std::size_t(parts[cell])];
                 if (part == PartShown::some) continue;
                 const glm::ivec3 at = matter.cellAt(cell);
-                const glm::ivec3 low = glm::max(at - margin, 0);
-                const glm::ivec3 high = glm::min(at + margin, matter.size() - 1);
-                for (const glm::ivec3& beside : {low, at, high}) {
+                for (int k = 0; k < 27; ++k) {
+                    const glm::ivec3 off = margin * glm::ivec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+                    const glm::ivec3 beside = glm::clamp(at + off, glm::ivec3(0), matter.size() - 1);
                     for (std::size_t s = 0; s < CoarseMatter::kSamples; ++s)
                         EXPECT_EQ(
                             shown.isInShape(*volume, glm::dvec3(matter.voxelOf(matter.indexOf(beside), s))),

@@ -52,6 +52,23 @@ TEST_F(Peripheral, StopsByItselfAndIsWokenByWhatIsNew) {
     EXPECT_EQ(*model.offer(picture(truth(), cameraAt(20.5)), false), Offered::nothingNew);
     EXPECT_TRUE(model.isPaused());
     EXPECT_EQ(model.report().rounds, 1u);
+
+    // Of the same view, one of more samples replaces one of fewer.
+    const auto withSamples = [](double samples) {
+        TracedView view = picture(truth(), cameraAt(20.0));
+        view.samplesPerPixel = samples;
+        return view;
+    };
+    for (const double samples : {2.0, 8.0}) {
+        EXPECT_EQ(*model.offer(withSamples(samples), false), Offered::nothingNew) << samples;
+        EXPECT_TRUE(model.isPaused());
+    }
+    const std::size_t views = model.report().views;
+    EXPECT_EQ(*model.offer(withSamples(32.0), false), Offered::learnt);
+    EXPECT_FALSE(model.isPaused());
+    EXPECT_EQ(model.report().views, views);
+    run(model);
+    EXPECT_EQ(*model.offer(withSamples(8.0), false), Offered::nothingNew);
     giveWanted(model, truth(), 3);
     run(model);
     EXPECT_EQ(model.report().rounds, 2u);

@@ -126,8 +126,11 @@ TEST_F(TrainerOnDevice, ABetterPictureTakesThePlaceOfAView) {
     Trainer trained = trainer(start(), options(), seen);
     ASSERT_TRUE(trained.step(20).ok());
     TrainingState better = *trained.state();
-    better.views[1].given = std::make_shared<const TrainingView>(truthViews()[1]);
-    ASSERT_TRUE(trained.replaceView(1, truthViews()[1]).ok());
+    TrainingView heavier = truthViews()[1];
+    heavier.weight *= 2.0f;
+    better.views[1].given = std::make_shared<const TrainingView>(heavier);
+    better.views[1].loss *= 2.0;
+    ASSERT_TRUE(trained.replaceView(1, heavier).ok());
     EXPECT_EQ(trained.viewCount(), seen.size());
     EXPECT_TRUE(trained.wasDrawn(1));
     EXPECT_EQ(trained.lastGood().views[1].given->pixels, truthViews()[1].pixels);

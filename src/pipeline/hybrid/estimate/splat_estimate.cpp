@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "base/timeline.h"
 #include "pipeline/splat/model/constant_colour.h"
 
 namespace macula::hybrid {
@@ -203,6 +204,7 @@ splat::Splats SplatEstimate::none() const {
 
 splat::Splats SplatEstimate::under(const ShownMatter& shown) const {
     const LitMatter lit = litMatter(*matter_, shown);
+    const TimelineStage stage("splats of estimate");
     const bool hasOtherFaces =
         model_->size() == 0 || shown.clip != learntOf_.clip || shown.faces != learntOf_.faces;
     std::vector<bool> isFace(matter_->cellCount());

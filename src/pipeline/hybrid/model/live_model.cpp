@@ -25,7 +25,7 @@ constexpr int kRoughSideOnCpuPx = 192;
 // Of a model that is sharp, as most are: where nothing is held out that could tell.
 constexpr std::uint64_t kStepsOfSharpModels = 120;
 // A picture on screen is learnt from again with so many times the samples: half the noise.
-constexpr double kMoreSamples = 4.0;
+constexpr std::uint32_t kMoreSamples = 4;
 
 double msSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -517,12 +517,10 @@ Result<void> LiveModel::takeWanted() {
     return {};
 }
 
-Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const trace::View& view) {
+Result<void> LiveModel::learnFrom(trace::PathTracer& tracer, const trace::View& view, std::uint32_t samples) {
     MACULA_CHECK(canBeDrawn());
     if (!model_) return {};  // it is resuming
     if (std::int64_t(view.width) * view.height > kMostPixelsToLearn) return {};
-    MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
-    const double samples = statistics.meanSamplesPerPixel;
     if (lookedAt_ && lookedAt_->camera == view.camera && samples < kMoreSamples * lookedAt_->samples)
         return {};
     lookedAt_ = {view.camera, samples};

@@ -86,12 +86,12 @@ class LiveModel {
     // what it took so far; nothing that was never done.
     Result<void> workWithin(double leftMs, const std::function<bool()>& keepGoing);
 
-    // Takes in what `tracer` has traced of its view, which is `view`, for a person who looks at it: the model
-    // learns all of that, once for each pose and again with four times as many samples each. While it can be
-    // drawn; waits. Where there is no room for it, or the picture has more than kMostPixelsToLearn, nothing
-    // happens.
+    // Takes in what `tracer` has traced of its view, which is `view`, with `samples` of each pixel, for a
+    // person who looks at it: the model learns all of that, once for each pose, and again with four times as
+    // many samples. While it can be drawn; waits. Where there is no room for it, or the picture has more than
+    // kMostPixelsToLearn, nothing happens.
     static constexpr std::int64_t kMostPixelsToLearn = 2560 * 1440;
-    Result<void> learnFrom(trace::PathTracer& tracer, const trace::View& view);
+    Result<void> learnFrom(trace::PathTracer& tracer, const trace::View& view, std::uint32_t samples);
 
     // Linear, premultiplied; on the device until the next is drawn, done when what was submitted is. Its
     // light is to be multiplied by gain() to be as bright as what is traced (brightness_gauge.h). Where it
@@ -173,7 +173,7 @@ class LiveModel {
     std::optional<PeripheralModel> model_;
     struct LookedAt {
         Camera camera;
-        double samples = 0.0;  // of each pixel
+        std::uint32_t samples = 0;  // of each pixel
     };
     std::optional<LookedAt> lookedAt_;  // the last picture on screen that it has learnt from
     std::optional<Camera> wanted_;      // the view that is traced for it now

@@ -123,9 +123,9 @@ class PeripheralModel {
     // Takes a picture of any field of view and size; a large one is reduced. The model learns from it if it
     // shows something new (admit), and then wakes. A few pictures are held out instead (held_out.h) if
     // `mayBeHeldOut` or fewer than two are; a model that paused as notJudged wakes when it can be judged.
-    // Pass false for a view that a person looks at: the model should learn all of that. A picture of just a
-    // view that it learns from takes the place of that. Fails as Trainer::addView, and then nothing has
-    // changed.
+    // Pass false for a view that a person looks at: the model should learn all of that. A picture of exactly
+    // the same view as one that it learns from replaces that one if it has more samples. Fails as
+    // Trainer::addView, and then nothing has changed.
     Result<Offered> offer(TracedView view, bool mayBeHeldOut = true);
 
     ShownModel shown() const { return {shown_, generation_}; }

@@ -184,7 +184,9 @@ Result<Offered> PeripheralModel::offer(TracedView view, bool mayBeHeldOut) {
         return asked && isSamePose(*asked, from, radiusMm, options_.wanted.admission);
     });
     if (const auto same = learntViewOf(from)) {
+        if (!(picture.weight > trainer_.view(*same).weight)) return Offered::nothingNew;
         MACULA_TRY_VOID(trainer_.replaceView(*same, std::move(picture)));
+        if (*same < coverage_.size()) coverage_[*same] = coverageOf(trainer_.view(*same));
         wake();
         return Offered::learnt;
     }

@@ -112,9 +112,14 @@ Result<void> Trainer::replaceView(std::size_t index, TrainingView view) {
     MACULA_CHECK(index < views_.size() && view.view.sizePx == views_[index].given->view.sizePx);
     const auto given = std::make_shared<const TrainingView>(std::move(view));
     MACULA_TRY(PicturePyramid pictures, PicturePyramid::upload(device_, *lossKernels_, *given));
+    const double heavier = double(given->weight) / double(views_[index].given->weight);
+    const auto replace = [&](auto& known) {
+        known.given = given;
+        if (known.loss >= 0.0) known.loss *= heavier;
+    };
     views_[index].pictures = std::move(pictures);
-    views_[index].given = given;
-    lastGood_.views[index].given = given;
+    replace(views_[index]);
+    replace(lastGood_.views[index]);
     return {};
 }
 

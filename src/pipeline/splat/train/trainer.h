@@ -60,7 +60,8 @@ class Trainer {
     // on the host as well, and is shared with states.
     Result<void> addView(TrainingView view);
     // The view at `index` has this picture from now on, which is of the same size: a better one of the same.
-    // What is known of how far it is from the model stays. Fails as addView, and then nothing has changed.
+    // How far that was from the model when it was drawn last still counts, by the weight of the new one.
+    // Fails as addView, and then nothing has changed.
     Result<void> replaceView(std::size_t index, TrainingView view);
     // Drops all views but pictures (ViewKind): stand-ins and outlines, once pictures show the same.
     void forgetStandIns();
