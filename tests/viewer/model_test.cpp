@@ -179,7 +179,7 @@ TEST_F(ModelTest, WithoutMemoryForItTheWindowSaysSoAndIsAsItIsWithoutAModel) {
     ASSERT_TRUE(waitForConverged());
     {
         // Pictures of this size have room, splats have none.
-        const macula::test::NoMemory full(1'800'000);
+        const macula::test::NoMemory full(1'300'000);
         seen_.clear();
         window_->viewport().setUsesModel(true);
         ASSERT_TRUE(waitUntil([&] { return modelSays("No memory for a sharp preview"); }));
