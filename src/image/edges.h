@@ -13,14 +13,14 @@
 namespace macula::image {
 
 // The mask of pixels within one pixel of where coverage passes one half: the silhouette of what is shown.
-// `coverage` is of width * height pixels, row 0 on top; a value that is no number covers nothing.
+// `coverage` holds width * height values from 0 to 1, row 0 on top; NaN counts as 0.
 Mask silhouetteMask(std::span<const float> coverage, int width, int height);
 
 // The mask of pixels whose weight is neither kOuterWeight or less nor kInnerWeight or more
 // (frame_metrics.h): two pictures are mixed there.
 Mask mixedMask(std::span<const float> weights);
 
-// How far luminance steps from a pixel to the most different of its four neighbours, over a mask.
+// The step of luminance (0 to 1) from a pixel to the most different of its four neighbours, over a mask.
 struct LuminanceSteps {
     double mean = 0.0;
     double most = 0.0;  // the 99.9th percentile
@@ -33,7 +33,7 @@ struct EdgeVisibility {
     double meanRatio() const;
     double mostRatio() const;
 };
-// Places are not matched: a line in the frame counts as an edge of the reference elsewhere in the mask does.
+// Both numbers ignore where a step is: a line in the frame can hide behind a real edge elsewhere in the mask.
 // Nothing where the mask is empty. usage besides: a mask of another size.
 Result<std::optional<EdgeVisibility>> edgeVisibility(const Image& reference, const Image& frame,
                                                      const Mask& mask);

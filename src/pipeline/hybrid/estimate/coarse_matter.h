@@ -78,7 +78,7 @@ struct ShownMatter {
     // Of that point, as far as the shape goes, and of that voxel.
     bool isInShape(const Volume& volume, const glm::dvec3& voxel) const;
     bool shows(const Volume& volume, const glm::dvec3& voxel) const;
-    // Of the cells from `first` on to before `end`, as far as the shape goes.
+    // What the shape of the clip, whatever its mask, shows of the cells from `first` to before `end`.
     PartShown partInShape(const CoarseMatter& matter, const glm::ivec3& first, const glm::ivec3& end) const;
 };
 

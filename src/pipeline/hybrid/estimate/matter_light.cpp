@@ -21,7 +21,7 @@ constexpr float kBeside = 0.15f;
 
 constexpr double kSidesOfSurface = 3.0;
 
-// Extinction and opacity.
+// Finds the extinction and the opacity of each cell, without light.
 LitMatter shownMatterOf(const CoarseMatter& matter, const ShownMatter& shown) {
     LitMatter matterOf{.extinctionPerMm = std::vector<float>(matter.cellCount()),
                        .opacity = std::vector<float>(matter.cellCount()),

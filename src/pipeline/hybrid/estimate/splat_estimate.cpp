@@ -265,7 +265,7 @@ void SplatEstimate::addChanged(std::size_t i, const ShownMatter& shown, const Li
 }
 
 void SplatEstimate::addFace(const FacePlace& place, splat::Splats& splats) const {
-    // Samples are whole voxels: where these are large, they are farther from each other than half a cell.
+    // Samples lie at centres of voxels, so in thick slices they are farther apart than half a cell.
     const glm::dvec3 spacing = matter_->volume().spacingMm();
     const glm::dvec3 between = glm::ceil(0.5 * matter_->cellMm() / spacing) * spacing;
     const double apart = std::max({between.x, between.y, between.z});

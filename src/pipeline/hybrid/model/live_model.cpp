@@ -24,7 +24,7 @@ constexpr int kSideOnCpuPx = 384;  // a view of 2 samples is traced in half a se
 constexpr int kRoughSideOnCpuPx = 192;
 // Of a model that is sharp, as most are: where nothing is held out that could tell.
 constexpr std::uint64_t kStepsOfSharpModels = 120;
-// A picture on screen is learnt from again with so many times the samples: half the noise.
+// The model learns from a picture on screen again once it has so many times the samples: half the noise.
 constexpr std::uint32_t kMoreSamples = 4;
 
 double msSince(Clock::time_point start) {

@@ -59,7 +59,7 @@ class Trainer {
     // outOfMemory when the device cannot hold it, or not what comparing it takes (loss.h). The picture stays
     // on the host as well, and is shared with states.
     Result<void> addView(TrainingView view);
-    // The view at `index` has this picture from now on, which is of the same size: a better one of the same.
+    // Replaces the picture of the view at `index` by a better one, of the same view and size.
     // How far that was from the model when it was drawn last still counts, by the weight of the new one.
     // Fails as addView, and then nothing has changed.
     Result<void> replaceView(std::size_t index, TrainingView view);
