@@ -315,6 +315,7 @@ class MainWindow : public QMainWindow {
     QTimer keepsChange_;                              // soon
     QTimer prepares_;                                 // for so long that it is worth a word
     QString preparing_;                               // which
+    bool isFirstStart_ = false;                       // app::DeviceReady
     LastFolders folders_{options_.settings.folders};  // of file dialogs
 
     ShownVolume* shown_ = nullptr;

@@ -44,6 +44,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
     } else if (const auto* ready = std::get_if<app::DeviceReady>(&event)) {
         deviceText_->setFullText(QString::fromStdString(ready->name));
         deviceText_->setToolTip(QString::fromStdString(ready->description));
+        isFirstStart_ = ready->isFirstStart;
         if (!study().volume || !panes_->isShown(Pane::volume)) tellOfPicture();  // nothing else comes
     } else if (std::holds_alternative<app::DeviceRestarting>(event)) {
         badge_->hide();
@@ -73,7 +74,8 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
 }
 
 void MainWindow::onModel(const hybrid::ModelNews& model) {
-    if (panes_->isShown(Pane::volume)) modelText_->setFullText(modelText(model), aboutModel(model));
+    if (panes_->isShown(Pane::volume))
+        modelText_->setFullText(modelText(model, isFirstStart_), aboutModel(model, isFirstStart_));
 }
 
 void MainWindow::onFrame(const app::FrameShown& frame) {

@@ -31,6 +31,11 @@ QString lookText(trace::Look look) {
     return titleInWindowsLanguage(std::string(title));
 }
 
+bool isAwaited(const hybrid::ModelNews& model) {
+    return model.stage == hybrid::ModelStage::searching ||
+           (model.stage == hybrid::ModelStage::learning && !hybrid::isFitToBeShown(model));
+}
+
 }  // namespace
 
 QString titleOr(const std::string& title, const std::string& name) {
@@ -92,9 +97,11 @@ QString fidelityText(const app::FrameShown& frame) {
     return text + (isComplete ? FidelityWords::tr(", complete") : FidelityWords::tr(", converging"));
 }
 
-QString modelText(const hybrid::ModelNews& model) {
+QString modelText(const hybrid::ModelNews& model, bool isFirstStart) {
     using hybrid::ModelStage;
     const int steps = int(model.steps);
+    if (isFirstStart && isAwaited(model))
+        return ModelWords::tr("Preparing the preview, longer at the first start");
     switch (model.stage) {
         case ModelStage::none:
         case ModelStage::nothingToSee:
@@ -118,8 +125,12 @@ QString modelText(const hybrid::ModelNews& model) {
     return {};
 }
 
-QString aboutModel(const hybrid::ModelNews& model) {
+QString aboutModel(const hybrid::ModelNews& model, bool isFirstStart) {
     using hybrid::ModelOrigin;
+    if (isFirstStart && isAwaited(model))
+        return ModelWords::tr(
+            "At its first start Macula compiles its programs for the graphics device. Later starts find "
+            "them.");
     if (model.origin == ModelOrigin::stored)
         return ModelWords::tr("It goes on from where an earlier session left it.");
     if (model.origin == ModelOrigin::otherLights)

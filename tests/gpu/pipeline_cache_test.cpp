@@ -81,6 +81,14 @@ TEST_F(PipelineCacheTest, IsWrittenWhenTheDeviceGoesAndReadByTheNext) {
     EXPECT_EQ(files(), std::vector<fs::path>{file()});
 }
 
+TEST_F(PipelineCacheTest, TheFirstStartIsKnown) {
+    EXPECT_TRUE(keeping()->isFirstStart());  // which has written its file now
+    EXPECT_FALSE(keeping()->isFirstStart());
+    expectOk(writeTextAtomically(file(), "damaged"));
+    EXPECT_TRUE(keeping()->isFirstStart());
+    EXPECT_FALSE(device()->isFirstStart()) << "nothing is kept";
+}
+
 TEST_F(PipelineCacheTest, WithoutAFolderNothingIsWritten) {
     {
         const auto device = expectOk(Device::create(*instance_, {.isAnnounced = false}));

@@ -336,7 +336,7 @@ Result<void> FrameRenderer::ensureDevice() {
     MACULA_TRY(traced_, TracedPictures::create(device_));
     applied_ = {};
     duty_.beginAnew();
-    listener_(DeviceReady{device_->info().name, gpu::describe(device_->info())});
+    listener_(DeviceReady{device_->info().name, gpu::describe(device_->info()), device_->isFirstStart()});
     return {};
 }
 

@@ -22,8 +22,9 @@
 namespace macula::app {
 
 struct DeviceReady {
-    std::string name;         // for people
-    std::string description;  // one line with type, memory and driver
+    std::string name;           // for people
+    std::string description;    // one line with type, memory and driver
+    bool isFirstStart = false;  // gpu::Device::isFirstStart: the first pictures take some seconds longer
 };
 
 // The device stopped responding. Another one is being started, and what was shown is made anew.

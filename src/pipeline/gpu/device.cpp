@@ -263,6 +263,10 @@ void Device::recorderClosed() {
         if (dropped.after == kNotYetKnown) dropped.after = submitted_.load();
 }
 
+bool Device::isFirstStart() const {
+    return pipelineCache_ && pipelineCache_->beganEmpty();
+}
+
 void Device::collect() {
     const Ticket completed = completedTicket();
     std::vector<Dropped> due;

@@ -122,6 +122,10 @@ class Device : public std::enable_shared_from_this<Device> {
     std::uint64_t bytesRead() const { return bytesRead_; }
     void countRead(std::uint64_t bytes) { bytesRead_ += bytes; }
 
+    // Whether its kernels were never compiled before: DeviceOptions::kernelsFolder has none of this device,
+    // its driver and this version of Macula. False where none are kept.
+    bool isFirstStart() const;
+
     // What transfer.h copies through.
     StagingPool& staging() { return *staging_; }
 

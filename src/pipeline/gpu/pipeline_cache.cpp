@@ -109,7 +109,8 @@ std::unique_ptr<PipelineCache> PipelineCache::open(VkDevice device, VkPhysicalDe
         made = vkCreatePipelineCache(device, &info, nullptr, &cache);
     }
     if (made < 0) return nullptr;
-    return std::unique_ptr<PipelineCache>(new PipelineCache(device, cache, std::move(file), std::move(read)));
+    return std::unique_ptr<PipelineCache>(
+        new PipelineCache(device, cache, std::move(file), std::move(read), info.initialDataSize == 0));
 }
 
 void PipelineCache::close(bool keeps) noexcept {

@@ -33,18 +33,26 @@ class PipelineCache {
     PipelineCache& operator=(const PipelineCache&) = delete;
 
     VkPipelineCache handle() const { return cache_; }
+    // Whether no file held anything of this device, its driver and this version.
+    bool beganEmpty() const { return beganEmpty_; }
     // Before the device goes: writes the file when anything is new and `keeps`. Throws nothing.
     void close(bool keeps) noexcept;
 
   private:
-    PipelineCache(VkDevice device, VkPipelineCache cache, std::filesystem::path file, std::string read)
-        : device_(device), cache_(cache), file_(std::move(file)), read_(std::move(read)) {}
+    PipelineCache(VkDevice device, VkPipelineCache cache, std::filesystem::path file, std::string read,
+                  bool beganEmpty)
+        : device_(device),
+          cache_(cache),
+          file_(std::move(file)),
+          read_(std::move(read)),
+          beganEmpty_(beganEmpty) {}
     void write() const;
 
     VkDevice device_;
     VkPipelineCache cache_;
     std::filesystem::path file_;
     std::string read_;  // what the file held, sealed
+    bool beganEmpty_;
 };
 
 }  // namespace macula::gpu

@@ -338,6 +338,14 @@
         <source>Preview not sharp enough to be shown</source>
         <translation>Vorschau nicht scharf genug, um gezeigt zu werden</translation>
     </message>
+    <message>
+        <source>Preparing the preview, longer at the first start</source>
+        <translation>Vorschau wird vorbereitet, beim ersten Start länger</translation>
+    </message>
+    <message>
+        <source>At its first start Macula compiles its programs for the graphics device. Later starts find them.</source>
+        <translation>Beim ersten Start übersetzt Macula seine Programme für das Grafikgerät. Spätere Starts finden sie vor.</translation>
+    </message>
 </context>
 <context>
     <name>PatientQuestion</name>
