@@ -14,7 +14,7 @@ layout(binding = 0, scalar) readonly buffer Params {
     TraceParams params;
 };
 #include "trace/film.glsl"
-layout(binding = 19, scalar) readonly buffer Traced {
+layout(binding = 22, scalar) readonly buffer Traced {
     vec4 traced[];  // see path_side.comp
 };
 

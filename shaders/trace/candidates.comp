@@ -10,13 +10,13 @@ layout(local_size_x = 64) in;
 
 const int kDirections = 8;  // that a place is looked at from
 
-layout(binding = 13, scalar) readonly buffer Cells {
+layout(binding = 16, scalar) readonly buffer Cells {
     SurfaceCell cells[];
 };
-layout(binding = 14, scalar) readonly buffer Rays {
+layout(binding = 17, scalar) readonly buffer Rays {
     uint cellOfRay[];
 };
-layout(binding = 15, scalar) writeonly buffer Candidates {
+layout(binding = 18, scalar) writeonly buffer Candidates {
     SurfaceCandidate candidates[];
 };
 layout(push_constant, scalar) uniform Push {

@@ -1,20 +1,20 @@
 // The film, on which samples are summed: src/pipeline/trace/film.h.
-layout(binding = 13, scalar) buffer Sums {
+layout(binding = 16, scalar) buffer Sums {
     vec4 sums[];  // premultiplied radiance and coverage
 };
-layout(binding = 14, scalar) buffer Lost {
+layout(binding = 17, scalar) buffer Lost {
     vec4 lost[];  // compensation of the sums
 };
-layout(binding = 15, scalar) buffer Counts {
+layout(binding = 18, scalar) buffer Counts {
     uint counts[];  // finite samples
 };
-layout(binding = 16, scalar) buffer Faults {
+layout(binding = 19, scalar) buffer Faults {
     uint nonFinite;  // samples that were not a number
     uint abandoned;  // paths that would have taken too many rounds
 };
-layout(binding = 17, scalar) buffer Squares {
+layout(binding = 20, scalar) buffer Squares {
     vec2 squares[];  // sum of squares of luminance, and its compensation. Coverage is 0 or 1, and its own square.
 };
-layout(binding = 18, scalar) readonly buffer Plan {
+layout(binding = 21, scalar) readonly buffer Plan {
     PlannedBlock planned[];  // by work group
 };

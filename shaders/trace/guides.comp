@@ -7,13 +7,13 @@
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 13, scalar) writeonly buffer Surfaces {
+layout(binding = 16, scalar) writeonly buffer Surfaces {
     vec4 surfaces[];  // normal, depth
 };
-layout(binding = 14, scalar) writeonly buffer Matters {
+layout(binding = 17, scalar) writeonly buffer Matters {
     vec4 matters[];  // albedo, coverage
 };
-layout(binding = 15, scalar) writeonly buffer Motions {
+layout(binding = 18, scalar) writeonly buffer Motions {
     vec4 motions[];  // motion, confidence, distance from the eye before
 };
 layout(push_constant, scalar) uniform Push {

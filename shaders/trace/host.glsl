@@ -15,6 +15,8 @@ layout(constant_id = 6) const int kCast = 0;
 layout(constant_id = 8) const bool kCoarse = true;  // some blocks are kept coarsely
 layout(constant_id = 9) const bool kSecond = false;
 layout(constant_id = 10) const bool kTints = false;
+layout(constant_id = 11) const int kPoolViews = 1;      // 1 to 4
+layout(constant_id = 12) const int kPoolViewShift = 0;  // each but the last has 2^that values
 #ifdef OF_SURFACE_POINTS
 layout(constant_id = 7) const bool kGreyFaces = false;
 #else
@@ -38,6 +40,21 @@ layout(binding = 9) uniform usamplerBuffer secondPoolTexels;    // of a second v
 layout(binding = 10) uniform usamplerBuffer secondBlockTexels;
 layout(binding = 11) uniform samplerBuffer additionTexels;      // its albedo and extinction by entry; then colours of segments
 layout(binding = 12) uniform usamplerBuffer tintTexels;         // four voxels of segments in a word: which colour, 0: none
+layout(binding = 13) uniform usamplerBuffer poolTexels1;        // more of the pool, where one view does not hold it
+layout(binding = 14) uniform usamplerBuffer poolTexels2;
+layout(binding = 15) uniform usamplerBuffer poolTexels3;
+
+uint poolValue(int index) {
+    if (kPoolViews == 1) return texelFetch(poolTexels, index).x;
+    int view = index >> kPoolViewShift;
+    int at = index & ((1 << kPoolViewShift) - 1);
+    uint value = 0u;
+    if (view == 0) value = texelFetch(poolTexels, at).x;
+    if (view == 1) value = texelFetch(poolTexels1, at).x;
+    if (kPoolViews > 2 && view == 2) value = texelFetch(poolTexels2, at).x;
+    if (kPoolViews > 3 && view == 3) value = texelFetch(poolTexels3, at).x;
+    return value;
+}
 
 // Voxels are kept in blocks of 8 x 8 x 8. A word says at which level one is kept, 0 to 3 halvings of its edge (bits 30 and
 // 31), and where in the pool, in units of 8 values; or, at level 3, its one value. What no visible brick touches has such a
@@ -51,7 +68,7 @@ float valueIn(uint word, ivec3 within) {
         ivec3 cell = within >> level;
         inside = (((cell.z << (3 - level)) | cell.y) << (3 - level)) | cell.x;
     }
-    uint value = texelFetch(poolTexels, level == 3 ? 0 : (rest << 3) + inside).x;
+    uint value = poolValue(level == 3 ? 0 : (rest << 3) + inside);
     return float(level == 3 ? uint(rest) : value);
 }
 // The same of the second volume.

@@ -10,7 +10,7 @@ void layerStep(float before, float after, float fromMm, float perDepth);
 
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 13, scalar) writeonly buffer Pixels {
+layout(binding = 16, scalar) writeonly buffer Pixels {
     PixelLayers pixels[];
 };
 layout(push_constant, scalar) uniform Push {

@@ -7,7 +7,7 @@
 #include "trace/host.glsl"
 #include "shared/primary_vertex.h"
 
-layout(binding = 19, scalar) writeonly buffer Primaries {
+layout(binding = 22, scalar) writeonly buffer Primaries {
     PrimaryVertex primaries[];  // of kPrimarySamples samples, picture after picture; what is not written was cleared before
 };
 

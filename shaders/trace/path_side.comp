@@ -11,10 +11,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const int kMaxRounds = 16000;  // as in path_samples.glsl
 
-layout(binding = 13, scalar) readonly buffer Plan {
+layout(binding = 16, scalar) readonly buffer Plan {
     PlannedBlock planned[];  // by work group along x
 };
-layout(binding = 14, scalar) writeonly buffer Traced {
+layout(binding = 17, scalar) writeonly buffer Traced {
     vec4 traced[];  // radiance and coverage, 64 pixels of each block for one sample, then for the next; coverage -1: abandoned
 };
 

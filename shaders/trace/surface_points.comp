@@ -14,10 +14,10 @@ layout(constant_id = 1) const int kMaxRounds = 16000;
 const int kTaps = 8;            // of a thread
 const float kFaceDepth = 20.0;  // of a face, in a radius: nothing shines through
 
-layout(binding = 13, scalar) readonly buffer Points {
+layout(binding = 16, scalar) readonly buffer Points {
     vec4 points[];  // voxel coordinates; radius of what lies around, mm, below 0: on a face of grey values
 };
-layout(binding = 14, scalar) writeonly buffer Sums {
+layout(binding = 17, scalar) writeonly buffer Sums {
     SurfaceSums sums[];
 };
 layout(push_constant, scalar) uniform Push {

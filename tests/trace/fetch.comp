@@ -6,7 +6,7 @@
 
 layout(local_size_x = 64) in;
 
-layout(binding = 13, scalar) writeonly buffer Found {
+layout(binding = 16, scalar) writeonly buffer Found {
     vec2 found[];  // by voxel: its entry; and how many of the cell's corners differ from what is read alone
 };
 

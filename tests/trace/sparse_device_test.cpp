@@ -78,7 +78,9 @@ void expectFound(const std::shared_ptr<gpu::Device>& device, const std::shared_p
     ASSERT_TRUE(scene.setTransferFunction(function).ok());
     ASSERT_TRUE(scene.setEnvironment(Environment::constant(glm::vec3(1.0f))).ok());
     ASSERT_TRUE(view.look(viewOf(*volume, 8), {}).ok());
-    const auto kernel = gpu::Kernel::create(device, shaders::fetch_comp);
+    const auto kernel = gpu::Kernel::create(
+        device, shaders::fetch_comp,
+        {.specializations = {{"kPoolViews", scene.poolViews()}, {"kPoolViewShift", scene.poolViewShift()}}});
     ASSERT_TRUE(kernel.ok());
     const std::size_t count = volume->voxelCount();
     const auto found = gpu::Buffer::create(device, {.label = "found", .bytes = count * sizeof(glm::vec2)});
@@ -123,6 +125,9 @@ TEST_F(Sparse, EveryVoxelIsFoundAtEveryLevelOnEveryKindOfDevice) {
             expectFound(on, volume, band(-1, most), {});            // all
             expectFound(on, volume, band(2000, 2400), {});          // some
             expectFound(on, volume, band(most + 1, most + 2), {});  // nothing
+            // In views of one, two and four blocks, as large volumes have them.
+            for (const std::uint64_t slots : {1, 2, 4})
+                expectFound(on, volume, band(2000, 2400), {.viewValues = slots * kSlotValues});
             for (const std::uint64_t slots : {7, 2, 1, 0})
                 expectFound(on, volume, band(-1, most), {.voxelBytes = slots * kSlotBytes + 100});
         }
@@ -225,6 +230,37 @@ TEST_F(Sparse, WhatIsHiddenMakesRoom) {
     }
 }
 
+// A pool in several views shows the same bits as in one, in every look, and grows and shrinks likewise.
+TEST_F(Sparse, SeveralViewsOfThePoolShowWhatOneShows) {
+    const auto volume = onion(40);
+    for (const Look look : {Look::cinematic, Look::clear, Look::dvr, Look::mip, Look::average}) {
+        PathTracer whole = tracerWith(device(), volume, {}, 32);
+        // 4 x 2^15 values are room for all 125 blocks.
+        PathTracer parts = tracerWith(device(), volume, {.viewValues = std::uint64_t{1} << 15}, 32);
+        for (PathTracer* t : {&whole, &parts}) ASSERT_TRUE(t->setSettings({.look = look}).ok());
+        for (const TransferFunction& function : {band(-1, 400), band(-1, 4000), band(1000, 1200)}) {
+            for (PathTracer* t : {&whole, &parts}) ASSERT_TRUE(t->setTransferFunction(function).ok());
+            EXPECT_EQ(pictureOf(parts, 2), pictureOf(whole, 2)) << int(look);
+            EXPECT_TRUE(parts.statistics()->messages.empty());
+        }
+    }
+}
+
+// The sentence says which limit it was.
+TEST_F(Sparse, WhatBoundThePoolIsTold) {
+    const auto volume = onion(72);  // 729 blocks
+    const auto adviceWith = [&](const MemoryLimits& limits) {
+        PathTracer t = tracerWith(device(), volume, limits, 16);
+        EXPECT_TRUE(t.setTransferFunction(band(-1, 5000)).ok());
+        const auto messages = t.statistics()->messages;
+        return messages.size() == 1 ? messages.front().action : std::string();
+    };
+    EXPECT_NE(adviceWith({.voxelBytes = 20 * kSlotBytes}).find("allow more memory for voxels"),
+              std::string::npos);
+    EXPECT_NE(adviceWith({.viewValues = 16 * kSlotValues}).find("buffers hold no more"), std::string::npos);
+    EXPECT_EQ(adviceWith({}), "");
+}
+
 TEST_F(Sparse, NothingVisibleUploadsNothingAndShowsNothing) {
     const auto volume = onion(72);
     PathTracer t = tracerWith(device(), volume, {}, 16);
@@ -313,16 +349,26 @@ TEST_F(Sparse, BudgetsAreTheLeastOfAllLimits) {
     info.maxTexelBufferElements = 1 << 27;
     info.maxAllocationBytes = std::uint64_t{1} << 31;
     constexpr std::uint64_t kMiB = 1 << 20;
-    EXPECT_EQ(slotsAllowed({}, info, 8192 * kMiB, 0), 256 * kMiB / kSlotBytes);  // elements
-    EXPECT_EQ(slotsAllowed({}, info, 80 * kMiB, 0), 70 * kMiB / kSlotBytes);     // what is free
-    EXPECT_EQ(slotsAllowed({}, info, 40 * kMiB, 40 * kMiB), 70 * kMiB / kSlotBytes);
-    EXPECT_EQ(slotsAllowed({.voxelBytes = 5 * kMiB}, info, 80 * kMiB, 0), 5 * kMiB / kSlotBytes);
+    const auto expect = [&info](const MemoryLimits& limits, std::uint64_t available, std::uint64_t held,
+                                std::uint64_t bytes, PoolBound bound) {
+        const PoolRoom room = poolRoom(limits, info, available, held);
+        EXPECT_EQ(room.slotCount, bytes / kSlotBytes);
+        EXPECT_EQ(int(room.bound), int(bound)) << bytes;
+    };
+    expect({}, 8192 * kMiB, 0, 1024 * kMiB, PoolBound::buffers);  // four views
+    expect({.viewValues = 1 << 20}, 8192 * kMiB, 0, 8 * kMiB, PoolBound::buffers);
+    expect({}, 80 * kMiB, 0, 70 * kMiB, PoolBound::memory);  // what is free
+    expect({}, 40 * kMiB, 40 * kMiB, 70 * kMiB, PoolBound::memory);
+    expect({.voxelBytes = 5 * kMiB}, 80 * kMiB, 0, 5 * kMiB, PoolBound::setting);
     info.maxTexelBufferElements = UINT32_MAX;
     info.maxAllocationBytes = UINT64_MAX;
-    EXPECT_EQ(slotsAllowed({}, info, UINT64_MAX / 2, 0),
-              (std::uint64_t{1} << 31) / kSlotValues - 1);  // 31 bits
+    expect({}, UINT64_MAX / 2, 0, ((std::uint64_t{1} << 31) / kSlotValues - 1) * kSlotBytes,
+           PoolBound::buffers);  // 31 bits
     info.maxAllocationBytes = 3 * kMiB;
-    EXPECT_EQ(slotsAllowed({}, info, 80 * kMiB, 0), 3 * kMiB / kSlotBytes);
+    expect({}, 80 * kMiB, 0, 3 * kMiB, PoolBound::buffers);
+    info.maxTexelBufferElements = 65536;  // the least that Vulkan allows
+    info.maxAllocationBytes = UINT64_MAX;
+    expect({}, 80 * kMiB, 0, kMiB / 2, PoolBound::buffers);
 }
 
 // Visible below slice `visible`; never two voxels alike beside each other.
@@ -370,11 +416,23 @@ TEST_F(Sparse, ATenthOfALargeVolumeTakesATenthOfItsSize) {
     EXPECT_GT(covered, 0.005);
 }
 
+// More visible voxels than a texel buffer of 2^27 has room for, as most devices have.
+TEST_F(Sparse, AVolumeOf512By512By1200IsWholeWhenHalfOfItIsVisible) {
+    const auto volume = tall({512, 512, 1200}, 600);
+    PathTracer t = tracerWith(device(), volume, {.viewValues = std::uint64_t{1} << 27}, 16);
+    ASSERT_TRUE(t.setTransferFunction(band(900, 2000)).ok());
+    const auto statistics = *t.statistics();
+    EXPECT_TRUE(statistics.messages.empty());
+    EXPECT_EQ(statistics.voxels.coarseBlocks, 0u);
+    EXPECT_GT(statistics.voxels.poolBytes, std::uint64_t{2} << 27);
+}
+
 // More voxels than the device's texel buffers take, more bytes than its storage buffers do, a size that no
 // block divides.
 TEST_F(Sparse, AVolumeOf512By512By2000IsShownWithinTheLimitsOfTheDevice) {
     const auto volume = tall({512, 512, 2000}, 200);
-    const std::uint64_t limit = std::uint64_t(device()->info().maxTexelBufferElements) * 2;
+    const std::uint64_t limit =
+        poolRoom({}, device()->info(), device()->memoryAvailableBytes(), 0).slotCount * kSlotBytes;
     PathTracer t = tracerWith(device(), volume, {}, 16);
     ASSERT_TRUE(t.setTransferFunction(band(900, 2000)).ok());
     EXPECT_TRUE(t.statistics()->messages.empty());

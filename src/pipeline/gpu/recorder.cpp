@@ -114,10 +114,12 @@ Binding::Binding(const Buffer& buffer)
       buffer_{buffer.handle(), 0, VK_WHOLE_SIZE},
       usage_(buffer.usage()) {}
 
-Binding::Binding(const TexelBuffer& texels)
+Binding::Binding(const TexelBuffer& texels) : Binding(texels, 0) {}
+
+Binding::Binding(const TexelBuffer& texels, std::size_t view)
     : kind_(Kind::texelBuffer),
       label_(&texels.buffer().label()),
-      view_(texels.view()),
+      view_(texels.view(view)),
       usage_(texels.buffer().usage()) {}
 
 Binding::Binding(const Image& image)

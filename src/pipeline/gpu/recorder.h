@@ -41,10 +41,11 @@ struct Threads {
 // A resource for one binding. Which kind of descriptor it becomes is for the shader to say.
 class Binding {
   public:
-    Binding(const Buffer& buffer);                        // buffer (std430, scalar) or uniform block
-    Binding(const TexelBuffer& texels);                   // samplerBuffer or imageBuffer
-    Binding(const Image& image);                          // image2D, image3D, texture2D
-    Binding(const Image& image, const Sampler& sampler);  // sampler2D, sampler3D
+    Binding(const Buffer& buffer);                         // buffer (std430, scalar) or uniform block
+    Binding(const TexelBuffer& texels);                    // samplerBuffer or imageBuffer
+    Binding(const TexelBuffer& texels, std::size_t view);  // likewise, one of its views
+    Binding(const Image& image);                           // image2D, image3D, texture2D
+    Binding(const Image& image, const Sampler& sampler);   // sampler2D, sampler3D
 
   private:
     friend class Recorder;

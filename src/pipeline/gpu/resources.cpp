@@ -149,9 +149,13 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
     MACULA_CHECK(options.elements > 0);
     MACULA_CHECK(bytesPerTexel(options.format) > 0);
     const std::string what = fmt::format("texel buffer \"{}\"", options.label);
+    const std::uint64_t ofView = options.elementsOfView > 0 ? options.elementsOfView : options.elements;
     const std::uint64_t limit = device->info().maxTexelBufferElements;
-    if (options.elements > limit)
+    if (std::min(options.elements, ofView) > limit)
         return tooLarge(*device, what, fmt::format("{} elements", options.elements), std::to_string(limit));
+    const std::uint64_t viewBytes = ofView * bytesPerTexel(options.format);
+    // The most that minTexelBufferOffsetAlignment may be.
+    MACULA_CHECK(ofView >= options.elements || viewBytes % 256 == 0);
 
     VkFormatProperties properties{};
     vkGetPhysicalDeviceFormatProperties(device->physical(), options.format, &properties);
@@ -172,11 +176,14 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
     VkBufferViewCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
     info.buffer = result.buffer_.handle();
     info.format = options.format;
-    info.range = VK_WHOLE_SIZE;
-    VkBufferView view = VK_NULL_HANDLE;
-    if (const VkResult status = vkCreateBufferView(device->handle(), &info, nullptr, &view); status < 0)
-        return device->failed(status, fmt::format("create the {}", what));
-    result.view_ = Handle(device, view);
+    for (std::uint64_t first = 0; first < options.elements; first += ofView) {
+        info.offset = first * bytesPerTexel(options.format);
+        info.range = std::min(viewBytes, result.buffer_.bytes() - info.offset);
+        VkBufferView view = VK_NULL_HANDLE;
+        if (const VkResult status = vkCreateBufferView(device->handle(), &info, nullptr, &view); status < 0)
+            return device->failed(status, fmt::format("create the {}", what));
+        result.views_.emplace_back(device, view);
+    }
     return result;
 }
 

@@ -69,10 +69,12 @@ class Buffer {
 
 struct TexelBufferOptions {
     std::string label = "texel buffer";
-    std::uint64_t elements = 0;             // above 0, at most DeviceInfo::maxTexelBufferElements
+    std::uint64_t elements = 0;  // above 0, at most DeviceInfo::maxTexelBufferElements if all are in one view
     VkFormat format = VK_FORMAT_UNDEFINED;  // one of bytesPerTexel
     VkBufferUsageFlags usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
     MemoryKind memory = MemoryKind::deviceLocal;
+    // Elements of each view but the last, whose bytes are a multiple of 256; 0: there is one view.
+    std::uint64_t elementsOfView = 0;
 };
 
 // A buffer that shaders read by texelFetch: `usamplerBuffer` for R16_UINT and R32_UINT, `samplerBuffer` for
@@ -83,7 +85,8 @@ class TexelBuffer {
                                       const TexelBufferOptions& options);
 
     const Buffer& buffer() const { return buffer_; }
-    VkBufferView view() const { return view_.get(); }
+    std::size_t viewCount() const { return views_.size(); }
+    VkBufferView view(std::size_t index = 0) const { return views_[index].get(); }
     VkFormat format() const { return format_; }
     std::uint64_t elements() const { return elements_; }
 
@@ -91,7 +94,7 @@ class TexelBuffer {
     TexelBuffer() = default;
 
     Buffer buffer_;
-    Handle<VkBufferView> view_;
+    std::vector<Handle<VkBufferView>> views_;  // dropped before the buffer
     VkFormat format_ = VK_FORMAT_UNDEFINED;
     std::uint64_t elements_ = 0;
 };

@@ -138,9 +138,11 @@ Result<void> DeviceScene::showSecond() {
     if (!shown.second) return {};
     if (!second_) {
         BrickGrid grid = makeBrickGrid(*shown.second->volume);
-        // The volume itself needs memory too.
-        const MemoryLimits limits{.voxelBytes =
-                                      std::min(limits_.voxelBytes, device_->memoryAvailableBytes() / 2)};
+        // The volume itself needs memory too. One view is all that shaders have of this pool.
+        const std::uint64_t viewBytes = sizeof(std::uint16_t) << trace::poolViewShift(limits_, device_->info());
+        const MemoryLimits limits{
+            .voxelBytes = std::min({limits_.voxelBytes, device_->memoryAvailableBytes() / 2, viewBytes}),
+            .viewValues = limits_.viewValues};
         MACULA_TRY(DeviceVolume voxels, DeviceVolume::create(device_, shown.second->volume, grid, limits));
         second_.emplace(Second{shown.second->volume, {std::move(grid), {}}, {}, {}, std::move(voxels)});
     }
@@ -310,6 +312,11 @@ std::vector<Message> DeviceScene::messages() const {
 
 std::vector<gpu::Binding> DeviceScene::bindings() const {
     MACULA_CHECK(isComplete());
+    // Those beyond the last are not read.
+    const gpu::TexelBuffer& pool = voxels_->pool();
+    const auto poolView = [&pool](std::size_t view) {
+        return gpu::Binding(pool, view < pool.viewCount() ? view : 0);
+    };
     return {voxels_->pool(),
             *extinction_,
             *albedo_,
@@ -321,7 +328,10 @@ std::vector<gpu::Binding> DeviceScene::bindings() const {
             second_ ? second_->voxels.pool() : *noEntries_,
             second_ ? second_->voxels.table() : *noBlocks_,
             *additionTable_,
-            tints_ ? *tints_ : *noWords_};
+            tints_ ? *tints_ : *noWords_,
+            poolView(1),
+            poolView(2),
+            poolView(3)};
 }
 
 }  // namespace macula::trace

@@ -54,6 +54,9 @@ class DeviceScene {
     bool holdsCoarseBlocks() const {
         return (voxels_ && voxels_->holdsCoarseBlocks()) || (second_ && second_->voxels.holdsCoarseBlocks());
     }
+    // Of the pool of voxels (kPoolViews in shaders/trace/host.glsl).
+    int poolViews() const { return voxels_ && voxels_->isShown() ? int(voxels_->pool().viewCount()) : 1; }
+    int poolViewShift() const { return voxels_ ? voxels_->viewShift() : 0; }
     // In the look that makeReadyFor() prepared last.
     bool hasSecond() const { return additions_.second.has_value() && !projection_; }
     bool hasTints() const { return additions_.tints.has_value() && !projection_; }
@@ -93,7 +96,7 @@ class DeviceScene {
     // What a person has to know about what is shown.
     std::vector<Message> messages() const;
 
-    // When complete: bindings 1 to 12 of shaders/trace/host.glsl.
+    // When complete: bindings 1 to 15 of shaders/trace/host.glsl.
     std::vector<gpu::Binding> bindings() const;
 
   private:

@@ -81,21 +81,21 @@ Result<void> DeviceVolume::show(const BrickGrid& grid, std::span<const float> bo
     MACULA_TRY_VOID(device_->waitForAll());
 
     // The pool that is held already may be used, even if the device has become short of memory meanwhile.
-    std::uint64_t allowed = std::max(
-        slotsAllowed(limits_, device_->info(), device_->memoryAvailableBytes(), room_.slots() * kSlotBytes),
-        room_.slots());
+    PoolRoom allowed =
+        poolRoom(limits_, device_->info(), device_->memoryAvailableBytes(), room_.slots() * kSlotBytes);
+    allowed.slotCount = std::max(allowed.slotCount, room_.slots());
     while (true) {
-        plan_ = fitBlocks(grid, wanted, extinctionPerMm, allowed);
+        plan_ = fitBlocks(grid, wanted, extinctionPerMm, allowed.slotCount);
         message_ = coarseningMessage(plan_, memory_.shownBlocks, allowed);
         memory_.coarseBlocks = plan_.coarse;
-        auto brought = bring(grid, allowed);
+        auto brought = bring(grid, allowed.slotCount);
         if (brought.ok()) return {};
         pool_.reset();
         room_ = {};
         forgetAll(grid);
         // The device has less than it said: then that has to do.
         if (brought.error().code != ErrorCode::outOfMemory || plan_.slots < 2) return brought;
-        allowed = plan_.slots / 2;
+        allowed = {.slotCount = plan_.slots / 2, .bound = PoolBound::memory};
     }
 }
 
@@ -144,9 +144,11 @@ Result<void> DeviceVolume::makeRoom(const BrickGrid& grid, std::uint64_t slotsAl
 }
 
 Result<void> DeviceVolume::growPool(std::uint64_t slots) {
-    MACULA_TRY(auto pool, gpu::TexelBuffer::create(device_, {.label = "voxels",
-                                                             .elements = slots * kSlotValues,
-                                                             .format = VK_FORMAT_R16_UINT}));
+    MACULA_TRY(auto pool,
+               gpu::TexelBuffer::create(device_, {.label = "voxels",
+                                                  .elements = slots * kSlotValues,
+                                                  .format = VK_FORMAT_R16_UINT,
+                                                  .elementsOfView = std::uint64_t{1} << viewShift()}));
     if (pool_) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "grow voxels"));
         recorder.copy(pool_->buffer(), 0, pool.buffer(), 0, pool_->buffer().bytes());

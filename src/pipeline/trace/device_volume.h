@@ -40,6 +40,8 @@ class DeviceVolume {
     // What shaders/trace/host.glsl reads by fetchCorners: R16_UINT, when shown; and words of blocks,
     // RGBA32_UINT.
     const gpu::TexelBuffer& pool() const { return *pool_; }
+    // Its views: log2 of the values of each but the last.
+    int viewShift() const { return poolViewShift(limits_, device_->info()); }
     const gpu::TexelBuffer& table() const { return table_; }
 
     std::span<const std::uint8_t> levels() const { return plan_.levels; }  // by block

@@ -28,7 +28,7 @@ class SceneView {
     // Nobody has changed the scene since it was looked at.
     bool isCurrent() const { return edition_ == scene_->edition(); }
 
-    // When it is current: bindings 0 to 12 of shaders/trace/host.glsl.
+    // When it is current: bindings 0 to 15 of shaders/trace/host.glsl.
     std::vector<gpu::Binding> bindings() const;
 
   private:

@@ -41,7 +41,9 @@ SceneKind kindOf(const DeviceScene& scene) {
             .gradientOpacity = scene.hasGradientOpacity(),
             .coarse = scene.holdsCoarseBlocks(),
             .second = scene.hasSecond(),
-            .tints = scene.hasTints()};
+            .tints = scene.hasTints(),
+            .poolViews = scene.poolViews(),
+            .poolViewShift = scene.poolViews() > 1 ? scene.poolViewShift() : 0};
 }
 
 TraceVariant variantOf(const Settings& settings, SceneKind scene) {
@@ -66,6 +68,8 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                                         {"kCoarse", variant.scene.coarse},
                                         {"kSecond", variant.scene.second},
                                         {"kTints", variant.scene.tints},
+                                        {"kPoolViews", variant.scene.poolViews},
+                                        {"kPoolViewShift", variant.scene.poolViewShift},
                                         {"kShading", variant.shading},
                                         {"kCast", castOf(variant.look)}}}));
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
@@ -106,7 +110,9 @@ Result<const gpu::Kernel*> TraceKernels::find(std::map<SceneKind, gpu::Kernel>& 
                                                    {"kGradientOpacity", scene.gradientOpacity},
                                                    {"kCoarse", scene.coarse},
                                                    {"kSecond", scene.second},
-                                                   {"kTints", scene.tints}}};
+                                                   {"kTints", scene.tints},
+                                                   {"kPoolViews", scene.poolViews},
+                                                   {"kPoolViewShift", scene.poolViewShift}}};
     options.specializations.insert(options.specializations.end(), more.begin(), more.end());
     MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, code, options));
     return &kernels.emplace(scene, std::move(kernel)).first->second;

@@ -26,11 +26,10 @@ struct SceneKind {
     bool greyFaces = false;  // of a clip; counts for surface points only
     bool second = false;     // a second volume in the same picture
     bool tints = false;      // segments with colours
+    int poolViews = 1;       // of the pool of voxels, each but the last with 2^poolViewShift values
+    int poolViewShift = 0;   // counts where there are several
 
-    bool operator<(const SceneKind& b) const {
-        return std::tie(clip, mask, gradientOpacity, coarse, greyFaces, second, tints) <
-               std::tie(b.clip, b.mask, b.gradientOpacity, b.coarse, b.greyFaces, b.second, b.tints);
-    }
+    auto operator<=>(const SceneKind&) const = default;
 };
 
 // The kind that kernels have to be compiled for, in the look prepared last; without greyFaces.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "pipeline/volume/coarsening.h"
 
@@ -13,24 +14,46 @@ namespace {
 constexpr std::uint64_t kSlotBytes = kSlotValues * sizeof(std::uint16_t);
 constexpr double kMiB = 1024.0 * 1024.0;
 
+const char* adviceFor(PoolBound bound) {
+    switch (bound) {
+        case PoolBound::setting:
+            return "Show less of the volume by another preset or a clip, or allow more memory for voxels.";
+        case PoolBound::buffers:
+            return "Show less of the volume by another preset or a clip: this device's buffers hold no more.";
+        case PoolBound::memory:
+            break;
+    }
+    return "Show less of the volume by another preset or a clip, or use a device with more memory.";
+}
+
 }  // namespace
 
-std::uint64_t slotsAllowed(const MemoryLimits& limits, const gpu::DeviceInfo& device,
-                           std::uint64_t availableBytes, std::uint64_t heldBytes) {
+int poolViewShift(const MemoryLimits& limits, const gpu::DeviceInfo& device) {
+    const std::uint64_t most = std::min<std::uint64_t>(limits.viewValues, device.maxTexelBufferElements);
+    return std::bit_width(most) - 1;
+}
+
+PoolRoom poolRoom(const MemoryLimits& limits, const gpu::DeviceInfo& device, std::uint64_t availableBytes,
+                  std::uint64_t heldBytes) {
     constexpr std::uint64_t kMostValues = std::uint64_t{1} << 31;  // shaders index with 31 bits
     const std::uint64_t values =
-        std::min<std::uint64_t>(device.maxTexelBufferElements, kMostValues - kSlotValues);
-    const std::uint64_t available = availableBytes + heldBytes;
-    return std::min({limits.voxelBytes, values * sizeof(std::uint16_t), device.maxAllocationBytes,
-                     available - available / 8}) /
-           kSlotBytes;
+        std::min(kMostPoolViews << poolViewShift(limits, device), kMostValues - kSlotValues);
+    const std::uint64_t buffers =
+        std::min<std::uint64_t>(values * sizeof(std::uint16_t), device.maxAllocationBytes);
+    const std::uint64_t all = availableBytes + heldBytes;
+    const std::uint64_t memory = all - all / 8;
+    const std::uint64_t least = std::min({limits.voxelBytes, buffers, memory});
+    return {.slotCount = least / kSlotBytes,
+            .bound = least == memory    ? PoolBound::memory
+                     : least == buffers ? PoolBound::buffers
+                                        : PoolBound::setting};
 }
 
 std::optional<Message> coarseningMessage(const Coarsening& coarsening, std::uint64_t shownBlocks,
-                                         std::uint64_t slotsAllowed) {
+                                         const PoolRoom& room) {
     if (coarsening.coarse == 0) return std::nullopt;
     const std::uint64_t wanted = coarsening.slotsWanted * kSlotBytes;
-    const std::uint64_t allowed = slotsAllowed * kSlotBytes;
+    const std::uint64_t allowed = room.slotCount * kSlotBytes;
     const int edge = 1 << coarsening.coarsest;
     const double percent = 100.0 * double(coarsening.coarse) / double(shownBlocks);
     return Message{Severity::warning,
@@ -45,7 +68,7 @@ std::optional<Message> coarseningMessage(const Coarsening& coarsening, std::uint
                                "are shown {} voxels as one along each edge{}.",
                                double(wanted) / kMiB, double(allowed) / kMiB, coarsening.coarse, shownBlocks,
                                percent, edge, edge > 2 ? " or less" : ""),
-                   "Show less of the volume by another preset or a clip, or use a device with more memory."};
+                   adviceFor(room.bound)};
 }
 
 }  // namespace macula::trace

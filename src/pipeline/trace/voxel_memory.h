@@ -16,7 +16,16 @@ namespace macula::trace {
 struct MemoryLimits {
     // The most that voxels may take; the device's memory and limits hold besides.
     std::uint64_t voxelBytes = UINT64_MAX;
+    // The most voxels in one view of the pool (kMostPoolViews), a power of two from 128 on; what the device
+    // allows holds besides. Smaller than that for tests only.
+    std::uint64_t viewValues = std::uint64_t{1} << 31;
 };
+
+// The pool of voxels is one buffer, but one view of it holds no more than the device's texel buffers do,
+// 2^27 values on most: shaders choose among as many.
+inline constexpr std::uint64_t kMostPoolViews = 4;
+// Values of each view but the last, a power of two: log2.
+int poolViewShift(const MemoryLimits& limits, const gpu::DeviceInfo& device);
 
 struct VoxelMemory {
     std::uint64_t visibleBricks = 0;
@@ -29,13 +38,19 @@ struct VoxelMemory {
     std::uint64_t uploadedBytes = 0;   // likewise; of voxels
 };
 
-// Slots (coarsening.h) of the pool of voxels: what the limits, the device, and its memory that is free now
-// allow. Some memory is left for pictures. `heldBytes` is what an earlier pool has of it.
-std::uint64_t slotsAllowed(const MemoryLimits& limits, const gpu::DeviceInfo& device,
-                           std::uint64_t availableBytes, std::uint64_t heldBytes);
+// What bounds the pool.
+enum class PoolBound { setting, buffers, memory };
+struct PoolRoom {
+    std::uint64_t slotCount = 0;  // coarsening.h
+    PoolBound bound = PoolBound::memory;
+};
+// What the limits, the device, and its memory that is free now allow. Some memory is left for pictures.
+// `heldBytes` is what an earlier pool has of it.
+PoolRoom poolRoom(const MemoryLimits& limits, const gpu::DeviceInfo& device, std::uint64_t availableBytes,
+                  std::uint64_t heldBytes);
 
 // The message "voxels-coarsened", for the person who looks; nothing when all is shown as finely as it is.
 std::optional<Message> coarseningMessage(const Coarsening& coarsening, std::uint64_t shownBlocks,
-                                         std::uint64_t slotsAllowed);
+                                         const PoolRoom& room);
 
 }  // namespace macula::trace

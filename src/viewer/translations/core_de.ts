@@ -5163,6 +5163,14 @@
         <translation>Zeigen Sie mit einer anderen Voreinstellung oder einem Beschnitt weniger vom Volumen, oder verwenden Sie ein Gerät mit mehr Speicher.</translation>
     </message>
     <message>
+        <source>Show less of the volume by another preset or a clip, or allow more memory for voxels.</source>
+        <translation>Zeigen Sie mit einer anderen Voreinstellung oder einem Beschnitt weniger vom Volumen, oder erlauben Sie mehr Speicher für Voxel.</translation>
+    </message>
+    <message>
+        <source>Show less of the volume by another preset or a clip: this device&apos;s buffers hold no more.</source>
+        <translation>Zeigen Sie mit einer anderen Voreinstellung oder einem Beschnitt weniger vom Volumen: Die Puffer dieses Geräts fassen nicht mehr.</translation>
+    </message>
+    <message>
         <source>There is nothing to trace yet.</source>
         <translation>Es gibt noch nichts zu verfolgen.</translation>
     </message>
