@@ -97,7 +97,7 @@ bool nextSegment(INOUT(BrickWalk) walk, INOUT(int) rounds) {
 // Moves on to the next tentative collision in what is shown: a Poisson process of rate `majorant` along the ray, which
 // may begin again at any point. False when the ray has left the volume first.
 bool nextTentative(INOUT(BrickWalk) walk, INOUT(Rng) rng, INOUT(int) rounds) {
-    float depth = -log(float(1.0) - random01(rng));
+    float depth = exponentialDepth(random01(rng));
     do {
         float segmentDepth = walk.majorant * (walk.segmentEndMm - walk.distanceMm);
         if (depth < segmentDepth) {
@@ -106,7 +106,7 @@ bool nextTentative(INOUT(BrickWalk) walk, INOUT(Rng) rng, INOUT(int) rounds) {
             if (cutEnd < float(0.0)) return true;
             leap(walk, cutEnd);
             segmentDepth = float(0.0);
-            depth = -log(float(1.0) - random01(rng));
+            depth = exponentialDepth(random01(rng));
         }
         depth -= segmentDepth;
         rounds += 1;

@@ -29,6 +29,9 @@ vec3 worldFromEnvironment(vec3 direction) {
 // dense matter: it says all or nothing. With a looser one it says how much (docs/speed-and-accuracy.md, "What a sample is worth").
 #define SHADOW_LOOSENESS 4.0
 
+// Matter at its bound may pass it by rounding.
+#define ROUNDED_BOUND 1.001
+
 // A path under way. It is a chain of rays: flights to the next collision, and after each a shadow ray to the light. Both
 // are followed by the same few lines, a stride at a time, so that the lanes of a GPU stay together while one flies, its
 // neighbour looks for light, and a third has started its next sample.
@@ -45,6 +48,7 @@ struct Path {
     float secondShare;   // of the second volume in it, see mixture.glsl
     int vertices;
     int rounds;          // of all loops so far: a device may allow a kernel only so many
+    int aboveBound;      // collisions in matter that was denser than the bound of its brick: a fault, light passes there
     bool shadow;         // the ray under way is a shadow ray
     Net net;             // where its choices come from: 2k + 1 light of vertex k, 2k the way to it; 0 only where surface.glsl starts it
     float face;          // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
@@ -100,6 +104,7 @@ Path startPath(vec3 originVoxel, vec3 worldDirection, Net net) {
     path.secondShare = float(0.0);
     path.vertices = 0;
     path.rounds = 0;
+    path.aboveBound = 0;
     path.shadow = false;
     return path;
 }
@@ -125,9 +130,11 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
         path.entry = entryAt(at, rng);
         Mixture matter = mixtureAt(at, path.entry);
         path.secondShare = secondShareOf(matter);
-        float real = min(totalOf(matter) / path.walk.majorant, float(1.0));
+        float real = totalOf(matter) / path.walk.majorant;
         bool seesAll = params.clipShadows != 0 && (path.shadow || path.vertices > 0);
         if (useMask() && !seesAll && isMasked(at)) real = float(0.0);
+        path.aboveBound += real > float(ROUNDED_BOUND) ? 1 : 0;
+        real = min(real, float(1.0));
         float chance = random01(rng);
         if (path.shadow) {
             path.transmittance *= float(1.0) - real;

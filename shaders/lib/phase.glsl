@@ -2,8 +2,11 @@
 // after; g > 0 scatters forward. Normalised over the sphere.
 
 float phaseHenyeyGreenstein(float cosine, float g) {
-    float d = float(1.0) + g * g - float(2.0) * g * cosine;
-    return (float(1.0) - g * g) / (float(4.0 * PI) * d * sqrt(d));
+    // 1 + g^2 - 2 g cosine, and 1 - g^2, without cancellation.
+    float least = float(1.0) - abs(g);
+    float along = g < float(0.0) ? -cosine : cosine;
+    float d = least * least + float(2.0) * abs(g) * (float(1.0) - along);
+    return least * (float(1.0) + abs(g)) / (float(4.0 * PI) * d * sqrt(d));
 }
 
 // Two vectors that make an orthonormal frame with `n` (Duff et al. 2017, "Building an orthonormal basis, revisited").
@@ -24,7 +27,7 @@ vec3 samplePhase(vec3 forward, float g, vec2 u) {
     }
     cosine = clamp(cosine, float(-1.0), float(1.0));
     float sine = sqrt(max(float(0.0), float(1.0) - cosine * cosine));
-    float azimuth = float(2.0 * PI) * u.y;
+    float azimuth = float(2.0 * PI) * (u.y - float(0.5));  // Vulkan bounds the errors of sin and cos from -pi to pi only
     vec3 a;
     vec3 b;
     orthonormalFrame(forward, a, b);

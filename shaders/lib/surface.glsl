@@ -20,7 +20,7 @@
 
 vec3 directionOnSphere(float cosine, float turn) {
     float sine = sqrt(max(float(0.0), float(1.0) - cosine * cosine));
-    float azimuth = float(2.0 * PI) * turn;
+    float azimuth = float(2.0 * PI) * (turn - float(0.5));  // as in samplePhase
     return vec3(sine * cos(azimuth), sine * sin(azimuth), cosine);
 }
 

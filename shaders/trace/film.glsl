@@ -8,10 +8,7 @@ layout(binding = 17, scalar) buffer Lost {
 layout(binding = 18, scalar) buffer Counts {
     uint counts[];  // finite samples
 };
-layout(binding = 19, scalar) buffer Faults {
-    uint nonFinite;  // samples that were not a number
-    uint abandoned;  // paths that would have taken too many rounds
-};
+#include "trace/faults.glsl"
 layout(binding = 20, scalar) buffer Squares {
     vec2 squares[];  // sum of squares of luminance, and its compensation. Coverage is 0 or 1, and its own square.
 };

@@ -26,6 +26,7 @@ void main() {
     uint finite = 0u;
     uint done = 0u;
     int rounds = 0;  // of the samples done
+    int above = 0;   // likewise, Path.aboveBound
     Rng rng;
     Path path = startSample(pixel, plan.firstSample, rng);
     while (done < plan.sampleCount && rounds + path.rounds < kMaxRounds) {
@@ -40,9 +41,11 @@ void main() {
             }
             done += 1u;
             rounds += path.rounds;
+            above += path.aboveBound;
             path = startSample(pixel, plan.firstSample + done, rng);
         }
     }
+    if (done < plan.sampleCount) above += path.aboveBound;  // of the one that is given up
     sums[index] = sum;
     lost[index] = compensation;
     squares[index] = square;
@@ -50,4 +53,5 @@ void main() {
     TELL_PIXEL(index);
     if (finite < done) atomicAdd(nonFinite, done - finite);
     if (done < plan.sampleCount) atomicAdd(abandoned, plan.sampleCount - done);
+    if (above > 0) atomicAdd(aboveBound, uint(above));
 }

@@ -11,6 +11,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(constant_id = 1) const int kMaxRounds = 16000;  // as in path_samples.glsl
 
+#define FAULTS_BINDING 18
+#include "trace/faults.glsl"
 layout(binding = 16, scalar) readonly buffer Plan {
     PlannedBlock planned[];  // by work group along x
 };
@@ -29,6 +31,7 @@ void main() {
     uint stride = 64u * gl_NumWorkGroups.x;
     uint number = gl_WorkGroupID.z;  // of the sample under way, from the plan's first on
     int rounds = 0;                  // of the samples done
+    int above = 0;                   // likewise, Path.aboveBound
     Rng rng;
     Path path = startSample(pixel, plan.firstSample + number, rng);
     while (number < plan.sampleCount && rounds + path.rounds < kMaxRounds) {
@@ -37,8 +40,11 @@ void main() {
             traced[number * stride + place] = vec4(path.radiance, path.coverage);
             number += gl_NumWorkGroups.z;
             rounds += path.rounds;
+            above += path.aboveBound;
             path = startSample(pixel, plan.firstSample + number, rng);
         }
     }
+    if (number < plan.sampleCount) above += path.aboveBound;  // of the one that is given up
     for (; number < plan.sampleCount; number += gl_NumWorkGroups.z) traced[number * stride + place] = vec4(0.0, 0.0, 0.0, -1.0);
+    if (above > 0) atomicAdd(aboveBound, uint(above));
 }

@@ -48,6 +48,7 @@ TEST_F(Render, PhantomToPng) {
     EXPECT_EQ(statistics["converged"], false);  // nothing was asked for
     EXPECT_EQ(statistics["nonFiniteSamples"], 0);
     EXPECT_EQ(statistics["abandonedSamples"], 0);
+    EXPECT_EQ(statistics["collisionsAboveBound"], 0);
     EXPECT_EQ(statistics["series"], "phantom");
     EXPECT_EQ(statistics["preset"], "cinematic-chest");
 }

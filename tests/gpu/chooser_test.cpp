@@ -87,5 +87,17 @@ TEST(VulkanError, writesBytesForPeople) {
     EXPECT_EQ(bytesText(~0ull), "16.0 EiB");
 }
 
+TEST(SubgroupSize, IsNarrowWhereThreadsPartWays) {
+    const auto sizeFor = [](std::uint32_t least, std::uint32_t most) {
+        return subgroupSizeForDivergence({.minSubgroupSize = least, .maxSubgroupSize = most});
+    };
+    EXPECT_EQ(sizeFor(32, 64), 32u);  // AMD since RDNA
+    EXPECT_EQ(sizeFor(64, 64), 0u);   // AMD before
+    EXPECT_EQ(sizeFor(32, 32), 0u);   // NVIDIA
+    EXPECT_EQ(sizeFor(8, 32), 0u);    // Intel
+    EXPECT_EQ(sizeFor(8, 8), 0u);     // lavapipe
+    EXPECT_EQ(sizeFor(0, 0), 0u);     // none can be required
+}
+
 }  // namespace
 }  // namespace macula::gpu

@@ -18,6 +18,7 @@ TEST_F(ExtremesOnDevice, areThoseOfTheReference) {
         const auto image = t.readback();
         ASSERT_TRUE(image.ok());
         EXPECT_EQ(t.statistics()->nonFiniteSamples, 0u);
+        EXPECT_EQ(t.statistics()->collisionsAboveBound, 0u);
         const Medium medium = makeMedium(*scene.volume, makeBrickGrid(*scene.volume), scene.function);
         const auto params = makeTraceParams(*scene.volume, medium, scene.environment, scene.view, settings);
         const auto sums = ReferenceTracer(*scene.volume, medium, scene.environment)

@@ -77,6 +77,7 @@ TEST_F(MixtureOnDevice, PathsAndRaysGiveThePictureOfTheReference) {
         const auto statistics = t.statistics();
         ASSERT_TRUE(statistics.ok());
         EXPECT_EQ(statistics->nonFiniteSamples, 0u);
+        EXPECT_EQ(statistics->collisionsAboveBound, 0u);
 
         // Without them it is the picture of before, to the last bit.
         ASSERT_TRUE(t.setAdditions({}).ok());

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pipeline/trace/portions.h"
+
 namespace macula::trace {
 namespace {
 
@@ -87,6 +89,26 @@ TEST(Pace, StaysANumberAtTheExtremes) {
     EXPECT_LT(known, 1.0);
     pace.learn(kWork, 0.0, 1.0);
     EXPECT_EQ(pace.perMs(kWork), known);
+}
+
+// However large a picture is: at a hundred and fiftieth of an H100's speed some 80 ns for a pixel that is
+// marched, and 12 ns for one of a stage of the filter, no submission comes near the 2 s after which Windows
+// resets a card.
+TEST(Portions, AreFarBelowWhatDriversAllow) {
+    constexpr double kMostMs = 200.0;
+    for (const int width : {1, 8, 640, 1920, 3840, 7680, 16384}) {
+        for (const int height : {1, 7, 480, 2160, 16384}) {
+            const int marched = rowsToMarchAtOnce(false, width, height);
+            EXPECT_GE(marched, 8);
+            EXPECT_LT(double(width) * marched * 80e-6, kMostMs) << width << " " << height;
+            for (const bool isInterruptible : {false, true}) {
+                const FilterPortion portion = filterPortion(false, isInterruptible, width, height);
+                EXPECT_GE(portion.rowsAtOnce, std::min(height, 8));
+                EXPECT_LT((double(width) * portion.rowsAtOnce + double(portion.enoughPixels)) * 12e-6,
+                          kMostMs);
+            }
+        }
+    }
 }
 
 }  // namespace

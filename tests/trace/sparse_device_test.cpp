@@ -96,8 +96,10 @@ void expectFound(const std::shared_ptr<gpu::Device>& device, const std::shared_p
     const EntryMap map = entryMapOf(*volume);
     const Medium medium = makeMedium(*volume, grid, function);
     const auto show = blocksToShow(grid, medium.bounds);
-    const Coarsening plan = fitBlocks(grid, show, medium.extinctionPerMm,
-                                      std::min(limits.voxelBytes / kSlotBytes, std::uint64_t{1} << 30));
+    const Coarsening plan =
+        fitBlocks(grid, show, medium.extinctionPerMm,
+                  std::min({limits.voxelBytes / kSlotBytes, kMostPoolViews * limits.viewValues / kSlotValues,
+                            std::uint64_t{1} << 30}));
     EXPECT_EQ(scene.voxelMemory().coarseBlocks, plan.coarse);
     EXPECT_EQ(scene.messages().size(), plan.coarse > 0 ? 1u : 0u);
     const auto expected = coarsened(*volume, grid, plan.levels);
@@ -125,8 +127,8 @@ TEST_F(Sparse, EveryVoxelIsFoundAtEveryLevelOnEveryKindOfDevice) {
             expectFound(on, volume, band(-1, most), {});            // all
             expectFound(on, volume, band(2000, 2400), {});          // some
             expectFound(on, volume, band(most + 1, most + 2), {});  // nothing
-            // In views of one, two and four blocks, as large volumes have them.
-            for (const std::uint64_t slots : {1, 2, 4})
+            // In views of so many blocks, as large volumes have them; few are coarse, of 16 all are whole.
+            for (const std::uint64_t slots : {1, 2, 4, 16})
                 expectFound(on, volume, band(2000, 2400), {.viewValues = slots * kSlotValues});
             for (const std::uint64_t slots : {7, 2, 1, 0})
                 expectFound(on, volume, band(-1, most), {.voxelBytes = slots * kSlotBytes + 100});
@@ -241,6 +243,9 @@ TEST_F(Sparse, SeveralViewsOfThePoolShowWhatOneShows) {
         for (const TransferFunction& function : {band(-1, 400), band(-1, 4000), band(1000, 1200)}) {
             for (PathTracer* t : {&whole, &parts}) ASSERT_TRUE(t->setTransferFunction(function).ok());
             EXPECT_EQ(pictureOf(parts, 2), pictureOf(whole, 2)) << int(look);
+            if (function.opacity.back().value == 4000 || look == Look::mip) {
+                EXPECT_GT(parts.statistics()->voxels.poolBytes, 2u << 15) << "several views";
+            }
             EXPECT_TRUE(parts.statistics()->messages.empty());
         }
     }
@@ -359,6 +364,8 @@ TEST_F(Sparse, BudgetsAreTheLeastOfAllLimits) {
     expect({.viewValues = 1 << 20}, 8192 * kMiB, 0, 8 * kMiB, PoolBound::buffers);
     expect({}, 80 * kMiB, 0, 70 * kMiB, PoolBound::memory);  // what is free
     expect({}, 40 * kMiB, 40 * kMiB, 70 * kMiB, PoolBound::memory);
+    expect({.isSecond = true}, 80 * kMiB, 0, 40 * kMiB, PoolBound::memory);
+    expect({.isSecond = true}, 8192 * kMiB, 0, 256 * kMiB, PoolBound::buffers);  // one view
     expect({.voxelBytes = 5 * kMiB}, 80 * kMiB, 0, 5 * kMiB, PoolBound::setting);
     info.maxTexelBufferElements = UINT32_MAX;
     info.maxAllocationBytes = UINT64_MAX;

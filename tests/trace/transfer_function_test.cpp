@@ -62,8 +62,10 @@ TEST(TransferFunction, RefusesCurvesThatMeanNothing) {
     f.unitDistanceMm = 0.0;
     EXPECT_FALSE(validate(f).ok());
     f = example();
-    f.anisotropy = 1.0;
+    f.anisotropy = 0.995;
     EXPECT_FALSE(validate(f).ok());
+    f.anisotropy = -0.99;
+    EXPECT_TRUE(validate(f).ok());
 }
 
 TEST(TransferFunction, FitsTheForegroundOfTheVolume) {

@@ -182,6 +182,7 @@ class Unbiased : public DeviceTest, public ::testing::WithParamInterface<std::tu
             EXPECT_TRUE(*t.trace(samples));
             tally.add(meansOf(t.readback()->radiance, 1.0));
             EXPECT_EQ(t.statistics()->abandonedSamples + t.statistics()->nonFiniteSamples, 0u);
+            EXPECT_EQ(t.statistics()->collisionsAboveBound, 0u);
         }
         return tally;
     }

@@ -104,6 +104,7 @@ Json toJson(const RenderRecord& record) {
             {"converged", record.statistics.converged},
             {"nonFiniteSamples", record.statistics.nonFiniteSamples},
             {"abandonedSamples", record.statistics.abandonedSamples},
+            {"collisionsAboveBound", record.statistics.collisionsAboveBound},
             {"voxels",
              {{"visibleBricks", record.statistics.voxels.visibleBricks},
               {"shownBlocks", record.statistics.voxels.shownBlocks},

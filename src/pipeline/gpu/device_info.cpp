@@ -149,6 +149,11 @@ std::string_view deviceTypeName(DeviceType type) {
     return "other device";
 }
 
+std::uint32_t subgroupSizeForDivergence(const DeviceInfo& device) {
+    constexpr std::uint32_t kNarrow = 32;
+    return device.minSubgroupSize <= kNarrow && device.maxSubgroupSize > kNarrow ? kNarrow : 0;
+}
+
 std::string describe(const DeviceInfo& device) {
     return fmt::format("{}, {}, {}, {}", device.name, deviceTypeName(device.type),
                        bytesText(device.memoryBytes), device.driver);

@@ -50,6 +50,10 @@ struct DeviceInfo {
     bool usable() const { return whyNotUsable.empty(); }
 };
 
+// The subgroup size to require (KernelOptions) of kernels whose threads part ways, as paths do: 32 where the
+// driver would choose more and 32 can be had, as on AMD's cards; else 0, what the driver chooses.
+std::uint32_t subgroupSizeForDivergence(const DeviceInfo& device);
+
 // One line for people: "llvmpipe (LLVM 15.0.6, 256 bits), CPU, 2.0 GiB, llvmpipe Mesa 22.3.6".
 std::string describe(const DeviceInfo& device);
 

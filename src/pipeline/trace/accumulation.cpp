@@ -74,6 +74,7 @@ Result<void> Accumulation::record(gpu::Recorder& recorder, const SceneView& scen
             list->emplace_back(*planned_);
             list->emplace_back(*traced_);
         }
+        bindings.emplace_back(film_->faultsBuffer());
         MACULA_TRY(const gpu::Kernel* add, kernels.addSamples());
         recorder.dispatch(samples, {pixels.x, pixels.y, threadsPerPixel}, bindings);
         recorder.dispatch(*add, pixels, toAdd);

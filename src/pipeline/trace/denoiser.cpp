@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "pipeline/gpu/recorder.h"
+#include "pipeline/trace/portions.h"
 #include "shaders/trace.h"
 #include "shared/denoise_params.h"
 
@@ -22,21 +23,6 @@ constexpr int kFirstSweep = 5;  // strides in the first sweep
 // In which of two buffers the filter leaves the noise, after one sweep as after both.
 constexpr std::size_t kNoiseIsIn = 1;
 static_assert(kFirstSweep % 2 == kNoiseIsIn && kStrides.size() % 2 == kNoiseIsIn);
-
-// Pixels of one dispatch for whoever may be interrupted: on a CPU device, where a pixel of a pass takes up to
-// 0.3 microseconds, some 40 ms.
-constexpr int kPixelsCpu = 1 << 17;
-constexpr int kPixelsGpu = 1 << 22;
-
-int rowsToFilterAtOnce(const gpu::Device& device, int width) {
-    return std::max((device.isCpu() ? kPixelsCpu : kPixelsGpu) / width / 8 * 8, 8);
-}
-
-// Pixels of all stages that go to the device together, for whoever may be interrupted. A graphics card is
-// done with those of a small picture sooner than the host can wait for each by itself.
-int pixelsToSubmitAtOnce(const gpu::Device& device) {
-    return device.isCpu() ? 1 : 1 << 20;
-}
 
 Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
                                     std::uint64_t pixels, VkFormat format = VK_FORMAT_R32G32B32A32_SFLOAT) {
@@ -126,7 +112,9 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     const bool limitsSpecks = how != Denoising::little;
     const int stages = 2 + passes + (limitsSpecks ? 1 : 0);
     const std::shared_ptr<gpu::Device>& device = result_.device();
-    const int rowsAtOnce = keepGoing ? rowsToFilterAtOnce(*device, width_) : height_;
+    const FilterPortion portion =
+        filterPortion(device->isCpu(), static_cast<bool>(keepGoing), width_, height_);
+    const int rowsAtOnce = portion.rowsAtOnce;
 
     const shared::DenoisePush firstPush =
         pushOf({width_, height_}, pixelAngle, history ? historySamples : 0.0f, fovea);
@@ -171,7 +159,7 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
         do {
             pixels += std::int64_t(std::min(rowsAtOnce, height_ - row_)) * width_;
             recordSome(recorder);
-        } while (stage_ < stages && (!keepGoing || pixels < pixelsToSubmitAtOnce(*device)));
+        } while (stage_ < stages && pixels < portion.enoughPixels);
         const Result<gpu::Ticket> ticket = recorder.submit();
         if (!ticket) {
             giveUp();

@@ -138,11 +138,8 @@ Result<void> DeviceScene::showSecond() {
     if (!shown.second) return {};
     if (!second_) {
         BrickGrid grid = makeBrickGrid(*shown.second->volume);
-        // The volume itself needs memory too. One view is all that shaders have of this pool.
-        const std::uint64_t viewBytes = sizeof(std::uint16_t) << trace::poolViewShift(limits_, device_->info());
-        const MemoryLimits limits{
-            .voxelBytes = std::min({limits_.voxelBytes, device_->memoryAvailableBytes() / 2, viewBytes}),
-            .viewValues = limits_.viewValues};
+        MemoryLimits limits = limits_;
+        limits.isSecond = true;
         MACULA_TRY(DeviceVolume voxels, DeviceVolume::create(device_, shown.second->volume, grid, limits));
         second_.emplace(Second{shown.second->volume, {std::move(grid), {}}, {}, {}, std::move(voxels)});
     }

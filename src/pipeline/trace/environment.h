@@ -43,6 +43,8 @@ struct LightRig {
 struct EnvironmentTexel {
     glm::vec3 radiance{0.0f};
     float pdfPerSr = 0.0f;  // of a direction in this texel, under sampling; the solid-angle Jacobian is in it
+
+    bool operator==(const EnvironmentTexel&) const = default;
 };
 
 // Equirectangular, piecewise constant per texel, laid out as a panorama that is looked at from inside. Frame:
@@ -68,6 +70,8 @@ class Environment {
     // The cumulative distribution by which texels are importance-sampled by power: for each row where its
     // share of the unit interval begins; after them, for each texel, where its share of its row begins.
     std::span<const float> cumulative() const { return cumulative_; }
+
+    bool operator==(const Environment&) const = default;
 
   private:
     int width_ = 0;

@@ -20,7 +20,7 @@ class Film {
     int height() const { return height_; }
 
     void clear(gpu::Recorder& recorder) const;
-    // Bindings 9 to 13 of shaders/trace/film.glsl.
+    // The first bindings of shaders/trace/film.glsl; the plan comes after them.
     void appendTo(std::vector<gpu::Binding>& bindings) const;
 
     const gpu::Buffer& sums() const { return sums_; }       // vec4: premultiplied radiance and coverage
@@ -32,10 +32,12 @@ class Film {
     }  // vec2: sum of squares of luminance, and its compensation
 
     struct Faults {
-        std::uint32_t nonFinite = 0;  // samples that were not a number
-        std::uint32_t abandoned = 0;  // paths that would have taken too many rounds
+        std::uint32_t nonFinite = 0;   // samples that were not a number
+        std::uint32_t abandoned = 0;   // paths that would have taken too many rounds
+        std::uint32_t aboveBound = 0;  // collisions in matter that was denser than the bound of its brick
     };
     Result<Faults> faults() const;  // waits
+    const gpu::Buffer& faultsBuffer() const { return faults_; }
 
   private:
     Film(int width, int height, gpu::Buffer sums, gpu::Buffer lost, gpu::Buffer counts, gpu::Buffer faults,

@@ -5,16 +5,12 @@
 #include "pipeline/gpu/reading.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
+#include "pipeline/trace/portions.h"
 #include "pipeline/trace/scene_view.h"
 
 namespace macula::trace {
 
 namespace {
-
-// Rows of one dispatch on a CPU device, where a pixel takes about a microsecond: short enough for a cancel.
-constexpr int kPixelsPerDispatchCpu = 1 << 15;
-// On a graphics card far from the seconds after which a driver takes it for dead.
-constexpr int kPixelsPerDispatchGpu = 1 << 21;
 
 Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
                                     std::uint64_t pixels) {
@@ -26,11 +22,6 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
 }
 
 }  // namespace
-
-int rowsToMarchAtOnce(const gpu::Device& device, int width, int height) {
-    const int pixels = device.isCpu() ? kPixelsPerDispatchCpu : kPixelsPerDispatchGpu;
-    return std::clamp(pixels / width / 8 * 8, 8, height + 7);
-}
 
 Guides::Guides(int width, int height, gpu::TexelBuffer surfaces, gpu::TexelBuffer matters,
                gpu::TexelBuffer motions)
@@ -51,7 +42,7 @@ Result<Guides> Guides::create(const std::shared_ptr<gpu::Device>& device, int wi
 Result<void> Guides::compute(const SceneView& scene, const gpu::Kernel& kernel,
                              const shared::GuidePush& before, const std::function<bool()>& keepGoing) {
     const auto& device = surfaces_.buffer().device();
-    const int rows = rowsToMarchAtOnce(*device, width_, height_);
+    const int rows = rowsToMarchAtOnce(device->isCpu(), width_, height_);
     shared::GuidePush push = before;
     while (!isWhole()) {
         push.firstRow = rows_;

@@ -54,8 +54,4 @@ class Guides {
     gpu::TexelBuffer motions_;
 };
 
-// The rows that fit into one dispatch, in whole groups, of a picture whose centre rays are marched through
-// matter.
-int rowsToMarchAtOnce(const gpu::Device& device, int width, int height);
-
 }  // namespace macula::trace

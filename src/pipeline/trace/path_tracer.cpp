@@ -362,6 +362,10 @@ Result<bool> PathTracer::traceFor(double budgetMs, const std::function<bool()>& 
     return !t.accumulation.plan().hasPass();
 }
 
+double PathTracer::meanSamples() const {
+    return impl_->accumulation.plan().meanSamples();
+}
+
 Result<ErrorEstimate> PathTracer::estimateError() {
     Impl& t = *impl_;
     MACULA_TRY_VOID(t.prepare());
@@ -584,6 +588,7 @@ Result<Statistics> PathTracer::statistics() const {
         MACULA_TRY(const Film::Faults faults, t.accumulation.film().faults());
         statistics.nonFiniteSamples = faults.nonFinite;
         statistics.abandonedSamples = faults.abandoned;
+        statistics.collisionsAboveBound = faults.aboveBound;
     }
     return statistics;
 }

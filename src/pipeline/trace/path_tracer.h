@@ -48,9 +48,12 @@ struct Statistics {
     bool converged = false;              // it is below Settings::errorThreshold, and nowhere far above
     std::uint64_t nonFiniteSamples = 0;  // dropped from the picture, never hidden
     std::uint64_t abandonedSamples = 0;  // likewise: paths too long for the device
-    bool denoised = false;               // whether display() and readback() give a filtered picture
-    double deviceMs = 0.0;               // spent tracing since the last change
-    std::uint32_t dispatches = 0;        // of samples, since then
+    // Collisions in matter that was denser than the bound that its brick was said to have: light passed where
+    // it should not. There are none; one is a fault of Macula.
+    std::uint64_t collisionsAboveBound = 0;
+    bool denoised = false;         // whether display() and readback() give a filtered picture
+    double deviceMs = 0.0;         // spent tracing since the last change
+    std::uint32_t dispatches = 0;  // of samples, since then
     VoxelMemory voxels;
     std::vector<Message> messages;  // what a person has to know about what is shown
 };
@@ -212,7 +215,9 @@ class PathTracer {
     Result<TracedImage> readback();                                              // waits
     Result<TracedColours> readColours();                                         // waits
     Result<std::vector<std::uint8_t>> readDisplay(const glm::vec3& background);  // RGBA8, opaque; waits
-    Result<Statistics> statistics() const;
+    Result<Statistics> statistics() const;  // waits
+    // Of a pixel, traced so far; of a pass under way what of it is done. Waits for nothing.
+    double meanSamples() const;
     // What a person has to know about what is shown; part of statistics().
     std::vector<Message> messages() const;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "pipeline/gpu/recorder.h"
-#include "pipeline/trace/guides.h"
+#include "pipeline/trace/portions.h"
 
 namespace macula::trace {
 
@@ -16,7 +16,7 @@ Result<void> findLayers(const std::shared_ptr<gpu::Device>& device, const SceneV
         layers.reset();  // both at once may be more than there is room for
         MACULA_TRY(layers, gpu::Buffer::create(device, {.label = "layers", .bytes = bytes}));
     }
-    const int rows = rowsToMarchAtOnce(*device, width, height);
+    const int rows = rowsToMarchAtOnce(device->isCpu(), width, height);
     shared::LayersPush push{};
     for (; push.firstRow < height; push.firstRow += rows) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "layers"));

@@ -71,7 +71,8 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                                         {"kPoolViews", variant.scene.poolViews},
                                         {"kPoolViewShift", variant.scene.poolViewShift},
                                         {"kShading", variant.shading},
-                                        {"kCast", castOf(variant.look)}}}));
+                                        {"kCast", castOf(variant.look)}},
+                    .subgroupSize = gpu::subgroupSizeForDivergence(device_->info())}));
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
 }
 

@@ -36,12 +36,12 @@ int poolViewShift(const MemoryLimits& limits, const gpu::DeviceInfo& device) {
 PoolRoom poolRoom(const MemoryLimits& limits, const gpu::DeviceInfo& device, std::uint64_t availableBytes,
                   std::uint64_t heldBytes) {
     constexpr std::uint64_t kMostValues = std::uint64_t{1} << 31;  // shaders index with 31 bits
-    const std::uint64_t values =
-        std::min(kMostPoolViews << poolViewShift(limits, device), kMostValues - kSlotValues);
+    const std::uint64_t views = limits.isSecond ? 1 : kMostPoolViews;
+    const std::uint64_t values = std::min(views << poolViewShift(limits, device), kMostValues - kSlotValues);
     const std::uint64_t buffers =
         std::min<std::uint64_t>(values * sizeof(std::uint16_t), device.maxAllocationBytes);
     const std::uint64_t all = availableBytes + heldBytes;
-    const std::uint64_t memory = all - all / 8;
+    const std::uint64_t memory = limits.isSecond ? all / 2 : all - all / 8;
     const std::uint64_t least = std::min({limits.voxelBytes, buffers, memory});
     return {.slotCount = least / kSlotBytes,
             .bound = least == memory    ? PoolBound::memory

@@ -13,17 +13,23 @@ struct Coarsening;  // not included: it says `slots`, which Qt makes a keyword
 
 namespace macula::trace {
 
+// The pool of voxels is one buffer, but one view of it holds no more than the device's texel buffers do, 2^27
+// values on most: shaders choose among so many views.
+inline constexpr std::uint64_t kMostPoolViews = 4;
+
 struct MemoryLimits {
     // The most that voxels may take; the device's memory and limits hold besides.
     std::uint64_t voxelBytes = UINT64_MAX;
-    // The most voxels in one view of the pool (kMostPoolViews), a power of two from 128 on; what the device
-    // allows holds besides. Smaller than that for tests only.
+    // The most voxels in one view of the pool, a power of two from 128 on; what the device allows holds
+    // besides. Tests alone take less than the default.
     std::uint64_t viewValues = std::uint64_t{1} << 31;
+    // Of a second volume: at most half of the memory that is free, and a pool in one view, as its shaders
+    // read.
+    bool isSecond = false;
+
+    bool operator==(const MemoryLimits&) const = default;
 };
 
-// The pool of voxels is one buffer, but one view of it holds no more than the device's texel buffers do,
-// 2^27 values on most: shaders choose among as many.
-inline constexpr std::uint64_t kMostPoolViews = 4;
 // Values of each view but the last, a power of two: log2.
 int poolViewShift(const MemoryLimits& limits, const gpu::DeviceInfo& device);
 

@@ -118,8 +118,8 @@ Result<void> validate(const TransferFunction& function) {
     if (!(function.density >= 0.0 && std::isfinite(function.density)))
         return fail("The preset's density must be 0 or above.");
     if (!isFraction(function.albedo)) return fail("The preset's albedo must lie in 0 to 1.");
-    if (!(std::abs(function.anisotropy) < 1.0))
-        return fail("The preset's scattering anisotropy must lie between -1 and 1.");
+    if (!(std::abs(function.anisotropy) <= kMostScatteringAnisotropy))
+        return fail("The preset's scattering anisotropy must lie between -0.99 and 0.99.");
     if (function.fitToVolume && !(function.fitToVolume->low < function.fitToVolume->high)) {
         return fail("The preset's range to fit to the volume is empty.");
     }

@@ -44,6 +44,10 @@ struct Lighting {
 
 enum class Interpolation { nearest, linear, cubic };
 
+// Of the absolute value of Henyey-Greenstein's g: nearer to 1, light goes so straight on that single floats
+// do not tell its directions apart.
+inline constexpr double kMostScatteringAnisotropy = 0.99;
+
 // Curves over values, constant beyond their first and last point. Colours are interpolated as encoded, in
 // `colourSpace`, as the tools do that presets come from, and made linear afterwards. Two points at the same
 // value are a step: the later one holds from that value on.
@@ -57,7 +61,7 @@ struct TransferFunction {
     double unitDistanceMm = 1.0;
     double density = 1.0;     // multiplies extinction
     double albedo = 1.0;      // multiplies the linear colour; 1 loses no light
-    double anisotropy = 0.0;  // Henyey-Greenstein g, -1 < g < 1
+    double anisotropy = 0.0;  // Henyey-Greenstein g, at most kMostScatteringAnisotropy
     // When set, the curves are stretched so that this interval of their values falls on an interval of the
     // volume's (volume_fit.h): MR values mean nothing across scanners.
     struct Fit {

@@ -103,7 +103,8 @@ void readVendorPart(const JsonNode& node, const JsonNode& property, TransferFunc
 }
 
 void readProperty(const JsonNode& property, TransferFunction& function) {
-    if (const auto g = property.find("scatteringAnisotropy")) function.anisotropy = g->number({-0.99, 0.99});
+    if (const auto g = property.find("scatteringAnisotropy"))
+        function.anisotropy = g->number({-kMostScatteringAnisotropy, kMostScatteringAnisotropy});
     if (const auto type = property.find("interpolationType")) {
         const auto* const known = std::find(kInterpolations.begin(), kInterpolations.end(), type->text());
         if (known == kInterpolations.end()) return type->fail("\"nearest\", \"linear\" or \"cubic\"");

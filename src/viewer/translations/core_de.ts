@@ -3195,6 +3195,10 @@
         <translation>%1 Abtastungen waren nicht endlich und wurden weggelassen; bitte melden Sie das.</translation>
     </message>
     <message>
+        <source>Light met matter %1 times that was denser than its bound, and passed too easily; please report this.</source>
+        <translation>Licht traf %1-mal auf Materie, die dichter war als ihre Schranke, und drang zu leicht hindurch; bitte melden Sie dies.</translation>
+    </message>
+    <message>
         <source>%1 light paths were too long for the device and were dropped.</source>
         <translation>%1 Lichtpfade waren zu lang für das Gerät und wurden weggelassen.</translation>
     </message>
@@ -5307,8 +5311,8 @@
         <translation>Die Albedo der Voreinstellung muss in 0 bis 1 liegen.</translation>
     </message>
     <message>
-        <source>The preset's scattering anisotropy must lie between -1 and 1.</source>
-        <translation>Die Streuanisotropie der Voreinstellung muss zwischen -1 und 1 liegen.</translation>
+        <source>The preset's scattering anisotropy must lie between -0.99 and 0.99.</source>
+        <translation>Die Streuanisotropie der Voreinstellung muss zwischen -0,99 und 0,99 liegen.</translation>
     </message>
     <message>
         <source>The preset's range to fit to the volume is empty.</source>

@@ -9,7 +9,7 @@
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/light/light_slots.h"
-#include "pipeline/trace/guides.h"
+#include "pipeline/trace/portions.h"
 #include "shaders/hybrid.h"
 #include "shared/light_params.h"
 #include "shared/pixel_layers.h"
@@ -77,7 +77,7 @@ Result<void> LightTable::begin(trace::PathTracer& tracer, const Camera& camera, 
     if (!pixels_ || pixels_->bytes() != bytes) {
         MACULA_TRY(pixels_, gpu::Buffer::create(device, {.label = "lit picture", .bytes = bytes}));
     }
-    const int rows = trace::rowsToMarchAtOnce(*device, sizePx.x, sizePx.y);
+    const int rows = trace::rowsToMarchAtOnce(device->isCpu(), sizePx.x, sizePx.y);
     for (; push.firstRow < sizePx.y; push.firstRow += rows) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "light a view"));
         recorder.dispatch(kernel_,
