@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/hosted/lent_handles.h"
+#include "c/kept_scene.h"
 #include "pipeline/gpu/recovery.h"
 
 struct macula_device {
@@ -15,4 +16,5 @@ struct macula_device {
     macula::gpu::LastingDevice lasting;
     // Of devices that were lost and replaced since the last picture was begun.
     std::shared_ptr<std::vector<std::string>> told;
+    macula::c::LastScene lastScene = {};  // last: it is on the device
 };

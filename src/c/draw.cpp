@@ -1,3 +1,4 @@
+#include <chrono>
 #include <cstring>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -5,6 +6,7 @@
 
 #include "app/choice/clip_choice.h"
 #include "app/choice/lights_choice.h"
+#include "app/elapsed.h"
 #include "app/frame/projection_windows.h"
 #include "app/picture/drawn_picture.h"
 #include "app/picture/picture_effort.h"
@@ -103,13 +105,30 @@ void copyRows(const std::vector<std::uint8_t>& rgba, const macula_picture& pictu
         std::memcpy(picture.rgba + y * picture.row_bytes, rgba.data() + y * row, row);
 }
 
+// Draws with the scene that the last picture has left on the device, as far as it is the same. Nothing is
+// left after a failure, nor after an exception: what is half changed must not be drawn.
+Result<app::DrawnPicture> drawOn(const std::shared_ptr<gpu::Device>& device,
+                                 std::optional<app::PictureDrawer>& left, const app::PictureRequest& request,
+                                 Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    std::optional<app::PictureDrawer> drawer = std::exchange(left, std::nullopt);
+    MACULA_TRY_VOID(app::PictureDrawer::adapt(drawer, device, request, progress));
+    MACULA_TRY(app::DrawnPicture drawn, drawer->draw(request.camera, progress));
+    drawn.seconds = app::secondsSince(start);
+    left = std::move(drawer);
+    return drawn;
+}
+
 Result<void> draw(macula_device& device, macula_view& view, const macula_picture& picture, Progress& progress,
                   macula_drawn* told) {
     MACULA_TRY(Scene scene, sceneOf(view, picture, progress));
     device.told->clear();
+    device.lastScene.be(view.scene);
     app::DrawnPicture drawn;
     MACULA_TRY_VOID(device.lasting.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-        MACULA_TRY(drawn, app::drawPicture(on, scene.request, progress));
+        MACULA_TRY(drawn, view.scene->use(&device.lastScene, [&](std::optional<app::PictureDrawer>& left) {
+            return drawOn(on, left, scene.request, progress);
+        }));
         return {};
     }));
     std::vector<std::string> notes = scene.record.notes;

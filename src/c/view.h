@@ -3,6 +3,7 @@
 
 #include <macula.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "app/study/study_input.h"
 #include "base/camera.h"
 #include "base/volume.h"
+#include "c/kept_scene.h"
 
 namespace macula::c {
 
@@ -40,4 +42,5 @@ struct macula_view {
     std::string device;
     std::string record;  // JSON
     std::optional<macula::Camera> drawnFrom;
+    std::shared_ptr<macula::c::KeptScene> scene = std::make_shared<macula::c::KeptScene>();
 };

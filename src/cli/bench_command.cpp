@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
+#include "cli/name_option.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
 #include "evaluate/baseline.h"
@@ -33,10 +34,7 @@ Result<void> benchTrace(Options options) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
     printNotes(study.notes, study.warnings);
-    options.benchmark.view = study.view;
-    MACULA_TRY(const auto results,
-               evaluate::benchmarkTracing(study.device, study.volume, study.function, study.environment,
-                                          options.benchmark, progress));
+    MACULA_TRY(const auto results, evaluate::benchmarkTracing(study, options.benchmark, progress));
     nlohmann::ordered_json json = reportOf(study, options.benchmark, results);
     if (baseline) baseline->compare(evaluate::kTraceRatios, json["results"]);
     fmt::print("{}\n", jsonText(json));
@@ -52,12 +50,20 @@ void addBench(CLI::App& app, Action& action) {
     auto* command =
         bench->add_subcommand("trace", "The path tracer beside the scalar C++ reference, as JSON");
     addBenchStudyOptions(*command, options->study, 512);
+    addBenchCamera(*command, options->study);
     command->add_option("--spp", options->benchmark.samplesPerPixel, "Samples per pixel of one turn")
         ->capture_default_str()
         ->check(CLI::Range(1, 4096));
-    command->add_option("--bounces", options->benchmark.settings.bounces, "Vertices of a path")
+    command->add_option("--bounces", options->benchmark.bounces, "Vertices of a path")
         ->capture_default_str()
         ->check(CLI::Range(1, trace::kMaxBounces));
+    command
+        ->add_option_function<int>(
+            "--filter",
+            [options](int filter) { options->benchmark.filter = static_cast<trace::Filter>(filter); },
+            "How values between voxels are found (default: one way after the other)")
+        ->transform(asFilter())
+        ->option_text(kFilterNames);
     command->add_option("--repetitions", options->benchmark.repetitions, "Turns; medians are printed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));

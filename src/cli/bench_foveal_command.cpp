@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "cli/command.h"
+#include "cli/name_option.h"
 #include "cli/number_range.h"
 #include "cli/study_options.h"
 #include "cli/study_report.h"
@@ -29,8 +30,16 @@ void addBenchFoveal(CLI::App& bench, Action& action) {
         "One picture for the fovea, with guides and denoising, beside the scalar C++ reference; and the time "
         "to a given error; as JSON");
     addBenchStudyOptions(*command, options->study, 512);
+    addBenchCamera(*command, options->study);
     addNumber(*command, "--spp", o.samples, "Samples per pixel", 1, 4096);
     addNumber(*command, "--bounces", o.bounces, "Vertices of a path", 1, trace::kMaxBounces);
+    command
+        ->add_option_function<int>(
+            "--filter",
+            [options](int filter) { options->foveal.filter = static_cast<trace::Filter>(filter); },
+            "How values between voxels are found (default: trilinear)")
+        ->transform(asFilter())
+        ->option_text(kFilterNames);
     addNumber(*command, "--repetitions", o.repetitions, "Turns; medians are printed", 1, 1000);
     command->add_option("--flip", o.flip, "The error to be reached, against the converged picture")
         ->capture_default_str()

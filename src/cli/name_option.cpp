@@ -7,6 +7,7 @@
 
 #include "app/camera/view_directions.h"
 #include "app/choice/nearest_name.h"
+#include "pipeline/trace/settings.h"
 
 namespace macula::cli {
 
@@ -35,6 +36,13 @@ CLI::Validator asViewDirection() {
         return {};
     };
     return {toNumber, kViewDirectionNames, "direction"};
+}
+
+CLI::Validator asFilter() {
+    std::map<std::string, int> filters;
+    for (const trace::Filter filter : {trace::Filter::trilinear, trace::Filter::stochastic})
+        filters.emplace(trace::nameOf(filter), static_cast<int>(filter));
+    return oneOf(std::move(filters));
 }
 
 }  // namespace macula::cli

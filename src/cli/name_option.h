@@ -14,6 +14,10 @@ CLI::Validator oneOf(std::map<std::string, int> numbersByName);
 // For an option of type ViewDirection, or several: names become values, and for others there is a sentence.
 CLI::Validator asViewDirection();
 
+// For an option of type trace::Filter, as int.
+CLI::Validator asFilter();
+inline constexpr const char* kFilterNames = "trilinear|stochastic";
+
 // "anterior|posterior|...", for help.
 inline constexpr const char* kViewDirectionNames = "anterior|posterior|left|right|superior|inferior";
 

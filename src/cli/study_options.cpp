@@ -43,4 +43,13 @@ void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& option
     command.add_option("--device", options.device, "Device by number or part of its name");
 }
 
+void addBenchCamera(CLI::App& command, evaluate::BenchStudyOptions& options) {
+    command
+        .add_option(
+            "--camera", options.camera,
+            "JSON file as of macula render (default: from the front, all of the volume in the picture)")
+        ->option_text("FILE")
+        ->check(CLI::ExistingFile);
+}
+
 }  // namespace macula::cli

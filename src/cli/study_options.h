@@ -25,5 +25,7 @@ void addSession(CLI::App& command, std::filesystem::path& session);
 
 // What the benchmarks of the tracer have in common; `size` is the default.
 void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& options, int size);
+// --camera, of those that look from one place.
+void addBenchCamera(CLI::App& command, evaluate::BenchStudyOptions& options);
 
 }  // namespace macula::cli

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "app/camera/camera_file.h"
 #include "app/choice/lights_choice.h"
 #include "app/open_device.h"
 #include "app/study/study_input.h"
@@ -32,22 +33,23 @@ Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& pr
         MACULA_TRY(then, app::choosePresetFor(study, options.thenPreset));
     }
     MACULA_TRY(trace::Environment environment, app::chooseLights(options.lights));
+    Camera camera = frameBox(study.volume->worldBox(), ViewDirection::anterior, 30.0, 1.0);
+    if (!options.camera.empty()) {
+        MACULA_TRY(camera, app::readCamera(options.camera));
+    }
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
     MACULA_TRY(auto device, gpu::Device::create(instance, app::deviceOptions(options.device)));
-    return BenchStudy{
-        .volume = study.volume,
-        .function = std::move(preset.function),
-        .environment = std::move(environment),
-        .device = std::move(device),
-        .view = {.camera = frameBox(study.volume->worldBox(), ViewDirection::anterior, 30.0, 1.0),
-                 .width = options.size,
-                 .height = options.size},
-        .seriesDigest = study.seriesDigest,
-        .preset = std::move(preset.publicName),
-        .lights = app::publicLightsName(options.lights),
-        .notes = std::move(study.notes),
-        .warnings = std::move(study.warnings),
-        .then = std::move(then)};
+    return BenchStudy{.volume = study.volume,
+                      .function = std::move(preset.function),
+                      .environment = std::move(environment),
+                      .device = std::move(device),
+                      .view = {.camera = camera, .width = options.size, .height = options.size},
+                      .seriesDigest = study.seriesDigest,
+                      .preset = std::move(preset.publicName),
+                      .lights = app::publicLightsName(options.lights),
+                      .notes = std::move(study.notes),
+                      .warnings = std::move(study.warnings),
+                      .then = std::move(then)};
 }
 
 Result<image::Image> BenchStudy::readShown(trace::PathTracer& tracer) const {

@@ -29,7 +29,8 @@ struct BenchStudyOptions {
     std::string thenPreset;  // another, for who changes it; empty: none
     std::string lights;
     std::string device;
-    int size = 512;  // of the picture, which is square
+    std::filesystem::path camera;  // as app::readCamera; empty: from the front, all of the volume in it
+    int size = 512;                // of the picture, which is square
 };
 
 struct BenchStudy {
@@ -37,7 +38,7 @@ struct BenchStudy {
     TransferFunction function;
     trace::Environment environment;
     std::shared_ptr<gpu::Device> device;
-    trace::View view;  // from the front, all of the volume in it
+    trace::View view;
     std::string seriesDigest;
     std::string preset;  // names that may be told
     std::string lights;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "app/camera/camera_file.h"
 #include "app/frame/times_report.h"
 #include "base/parallel.h"
 
@@ -109,16 +110,19 @@ Json reportOf(const BenchStudy& study, const TraceBenchmarkOptions& options,
               std::span<const TraceBenchmark> results) {
     Json json = describe("trace", study);
     json["referenceThreads"] = coreCount();
-    json["bounces"] = options.settings.bounces;
+    json["camera"] = app::toJson(study.view.camera);
+    json["bounces"] = options.bounces;
     json["samplesPerPixel"] = options.samplesPerPixel;
     json["repetitions"] = options.repetitions;
     json["results"] = Json::array();
     for (const TraceBenchmark& result : results) {
         json["results"].push_back({{"filter", trace::nameOf(result.filter)},
-                                   {"device", sampleJson(result.device, options.view)},
-                                   {"reference", sampleJson(result.reference, options.view)},
+                                   {"device", sampleJson(result.device, study.view)},
+                                   {"call", sampleJson(result.call, study.view)},
+                                   {"reference", sampleJson(result.reference, study.view)},
                                    {"wallRatio", result.ratio.wall},
-                                   {"cpuRatio", result.ratio.cpu}});
+                                   {"cpuRatio", result.ratio.cpu},
+                                   {"callOverDevice", result.calls.wall}});
     }
     return json;
 }
@@ -126,7 +130,9 @@ Json reportOf(const BenchStudy& study, const TraceBenchmarkOptions& options,
 Json reportOf(const BenchStudy& study, const FovealOptions& options, const FovealReport& result) {
     Json json = describe("foveal", study);
     json["referenceThreads"] = coreCount();
+    json["camera"] = app::toJson(study.view.camera);
     json["bounces"] = options.bounces;
+    json["filter"] = trace::nameOf(options.filter);
     json["samplesPerPixel"] = options.samples;
     json["repetitions"] = options.repetitions;
     json["sideBySide"] = options.sideBySide > 0 ? Json(options.sideBySide) : Json();

@@ -25,10 +25,7 @@ class Bench {
         : study_(study), options_(options), progress_(progress) {}
 
     trace::Settings settings(trace::Denoising denoising, std::uint32_t seed) const {
-        return {.bounces = options_.bounces,
-                .seed = seed,
-                .filter = trace::Filter::trilinear,
-                .denoising = denoising};
+        return {.bounces = options_.bounces, .seed = seed, .filter = options_.filter, .denoising = denoising};
     }
 
     // Kernels made, and nothing known of the view.
@@ -49,8 +46,13 @@ class Bench {
 
     Result<void> traceMore(trace::PathTracer& tracer, Sampling sampling) const {
         if (sampling == Sampling::even) return trace(tracer, 1);
-        constexpr double kPortionMs = 100.0;
-        MACULA_TRY_VOID(tracer.traceFor(kPortionMs, [&] { return !progress_.cancelled(); }));
+        // On a CPU device for as long as a window waits for a picture; a card does many passes meanwhile, of
+        // which each may be enough.
+        const double portionMs = study_.device->isCpu() ? 100.0 : 0.0;
+        MACULA_TRY(bool whole, tracer.traceFor(portionMs, [&] { return !progress_.cancelled(); }));
+        while (!whole && portionMs == 0.0 && !progress_.cancelled()) {
+            MACULA_TRY(whole, tracer.traceFor(portionMs));
+        }
         return progress_.cancelled() ? Result<void>(cancelled()) : Result<void>();
     }
 

@@ -15,6 +15,7 @@ namespace macula::evaluate {
 struct FovealOptions {
     std::uint32_t samples = 4;
     int bounces = kBenchBounces;
+    trace::Filter filter = trace::Filter::trilinear;
     int repetitions = 5;  // device and reference take turns; medians are told
     double flip = 0.05;   // the error that is to be reached
     // Samples of a pixel that are traced side by side; 0: as many as the device likes.

@@ -2,13 +2,14 @@
 // something on every machine, milliseconds only on one.
 #pragma once
 
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "evaluate/bench_study.h"
 #include "evaluate/measurement.h"
-#include "pipeline/trace/path_tracer.h"
+#include "pipeline/trace/settings.h"
 
 namespace macula::evaluate {
 
@@ -16,26 +17,27 @@ namespace macula::evaluate {
 inline constexpr int kBenchBounces = 4;
 
 struct TraceBenchmarkOptions {
-    trace::View view;  // 512 x 512 unless told otherwise
-    trace::Settings settings{.bounces = kBenchBounces};
+    int bounces = kBenchBounces;
+    std::optional<trace::Filter> filter;  // nothing: both, one after the other
     std::uint32_t samplesPerPixel = 16;
-    int repetitions = 5;  // device and reference take turns, so that a busy neighbour hits both
+    int repetitions = 5;  // those that are compared take turns, so that a busy neighbour hits all
 };
 
-// Medians over the repetitions.
+// Medians over the repetitions, of one sample of every pixel.
 struct TraceBenchmark {
     trace::Filter filter = trace::Filter::trilinear;
-    Spent device;  // on one sample of every pixel
+    Spent device;  // samples alone
+    // A whole picture of so many samples, as `macula render` and macula_draw make it (app::PictureDrawer) of
+    // a scene that is on the device: the view is set, samples are traced in portions, their noise is
+    // estimated, and the picture is displayed and read.
+    Spent call;
     Spent reference;
     Ratio ratio;  // device over reference
+    Ratio calls;  // call over device
 };
 
-// One report per filter, `settings.filter` is not used. The first dispatches, which compile the kernel, are
-// not timed.
-Result<std::vector<TraceBenchmark>> benchmarkTracing(const std::shared_ptr<gpu::Device>& device,
-                                                     const std::shared_ptr<const Volume>& volume,
-                                                     const TransferFunction& function,
-                                                     const trace::Environment& environment,
+// One report per filter. The first dispatches, which compile kernels, are not timed.
+Result<std::vector<TraceBenchmark>> benchmarkTracing(const BenchStudy& study,
                                                      const TraceBenchmarkOptions& options,
                                                      Progress& progress);
 

@@ -74,6 +74,7 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
 }
 
 void MainWindow::onModel(const hybrid::ModelNews& model) {
+    if (hybrid::isFitToBeShown(model)) isFirstStart_ = false;  // what it takes is compiled now
     if (panes_->isShown(Pane::volume))
         modelText_->setFullText(modelText(model, isFirstStart_), aboutModel(model, isFirstStart_));
 }

@@ -55,6 +55,69 @@ class DrawnPictureTest : public gpu::GpuTest {
     }
 };
 
+// Whatever changed meanwhile, what stays on the device shows what it would if it were brought there anew.
+TEST_F(DrawnPictureTest, OfASceneThatStaysOnTheDeviceIsAsIfItWereDrawnAlone) {
+    std::optional<PictureDrawer> kept;
+    Progress progress;
+    PictureRequest asked = request();
+    asked.samplesPerPixel = 9;
+    const auto expectSame = [&](const char* what) {
+        gpu::expectOk(PictureDrawer::adapt(kept, device(), asked, progress));
+        const DrawnPicture again = gpu::expectOk(kept->draw(asked.camera, progress));
+        const DrawnPicture alone = draw(asked);
+        EXPECT_EQ(again.rgba, alone.rgba) << what;
+        EXPECT_EQ(again.camera, alone.camera) << what;
+        EXPECT_EQ(again.statistics.samplesPerPixel, alone.statistics.samplesPerPixel) << what;
+        return std::pair(again.statistics.voxels.uploadedBlocks, alone.statistics.voxels.uploadedBlocks);
+    };
+    expectSame("first");
+    expectSame("nothing changed");
+    asked.scene.function = choosePreset("cinematic-soft-tissue")->function;
+    expectSame("preset");
+    asked.scene.clip.planes = {{.normal = {1, 0, 0}, .offsetMm = 0.0}};
+    const auto [more, all] = expectSame("clip");
+    EXPECT_EQ(more, 0u) << "they are there";
+    EXPECT_GT(all, 0u);
+    asked.scene.environment = *chooseLights("headlight");
+    expectSame("lights");
+    asked.settings.denoising = trace::Denoising::on;
+    expectSame("denoised");
+    asked.settings.denoising = trace::Denoising::off;
+    for (const trace::Look look : {trace::Look::dvr, trace::Look::mip, trace::Look::cinematic}) {
+        asked.settings.look = look;
+        expectSame("look");
+    }
+    asked.memory.voxelBytes = 20'000;
+    expectSame("little memory");
+    asked.scene.clip.planes.front().offsetMm = 30.0;
+    expectSame("another clip in it");
+    asked.memory = {};
+    expectSame("memory");
+    asked.scene.clip = {};
+    asked.scene.function = request().scene.function;
+    asked.sizePx = {33, 40};
+    expectSame("size, and back");
+    asked.settings.errorThreshold = 0.1;
+    expectSame("noise");
+    asked.scene.volume =
+        std::make_shared<const Volume>(phantom::make({.size = {40, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}}));
+    expectSame("volume");
+}
+
+TEST_F(DrawnPictureTest, WhatIsStoppedKeepsNothing) {
+    std::optional<PictureDrawer> kept;
+    Progress progress;
+    PictureRequest asked = request();
+    gpu::expectOk(PictureDrawer::adapt(kept, device(), asked, progress));
+    Progress stopping;
+    stopping.token().cancel();
+    asked.scene.function = choosePreset("cinematic-soft-tissue")->function;
+    const auto stopped = PictureDrawer::adapt(kept, device(), asked, stopping);
+    ASSERT_FALSE(stopped.ok());
+    EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
+    EXPECT_FALSE(kept.has_value());
+}
+
 // Who has no device, and writes down a view alone, gets the camera that a picture is drawn by.
 TEST_F(DrawnPictureTest, TheCameraThatFitsIsTheSameWithoutADevice) {
     for (const trace::Look look : {trace::Look::cinematic, trace::Look::mip}) {

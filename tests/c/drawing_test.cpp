@@ -61,6 +61,31 @@ TEST_F(CDrawing, FromTheFrontThePatientsLeftIsAtTheRightAndFromBehindAtTheLeft) 
     EXPECT_GT(left(), 3.0 * right());
 }
 
+// A view leaves its scene on the device, whichever view or device comes next, and whoever is closed first.
+TEST_F(CDrawing, ViewsAndDevicesTakeTurns) {
+    const auto pixelsOf = [&](macula_device* on, macula_view* view) {
+        std::ranges::fill(rgba_, std::uint8_t(7));
+        EXPECT_EQ(macula_draw(on, view, &picture_, nullptr, &drawn_), MACULA_DONE) << lastError().message;
+        return rgba_;
+    };
+    const std::vector<std::uint8_t> first = pixelsOf(device(), view_.get());
+    auto other = viewOf(TwoBalls().study());
+    ASSERT_EQ(macula_view_set_direction(other.get(), "posterior"), MACULA_DONE);
+    const std::vector<std::uint8_t> behind = pixelsOf(device(), other.get());
+    EXPECT_NE(behind, first);
+    macula_device* second = nullptr;
+    ASSERT_EQ(macula_device_open(nullptr, &second), MACULA_DONE);
+    EXPECT_EQ(pixelsOf(second, view_.get()), first);
+    EXPECT_EQ(pixelsOf(device(), view_.get()), first);
+    EXPECT_EQ(pixelsOf(second, other.get()), behind);
+    EXPECT_EQ(pixelsOf(device(), other.get()), behind);
+    EXPECT_EQ(pixelsOf(second, other.get()), behind);
+    macula_device_close(second);
+    EXPECT_EQ(pixelsOf(device(), other.get()), behind);
+    other.reset();
+    EXPECT_EQ(pixelsOf(device(), view_.get()), first);
+}
+
 // Voxels that are stored from left to right show the same patient.
 TEST_F(CDrawing, OfMirroredVoxelsThePatientStaysAsHeIs) {
     TwoBalls mirrored;

@@ -29,6 +29,37 @@ TEST_F(Bench, CastMeasuresEveryLook) {
         << ran.err;
 }
 
+TEST_F(Bench, TraceTellsTheTimesOfSamplesAndOfWholePictures) {
+    const std::vector<std::string> command{"bench", "trace", "--size",        "16",
+                                           "--spp", "2",     "--repetitions", "1"};
+    const auto with = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), command.begin(), command.end());
+        return more;
+    };
+    const Ran both = runMacula(command);
+    ASSERT_EQ(both.exitCode, 0) << both.err;
+    EXPECT_EQ(json::parse(both.out)["results"].size(), 2u);
+
+    const std::string camera = R"({"positionMm": [0, -750, 0], "targetMm": [0, 0, 0], "up": [0, 0, 1],)"
+                               R"( "verticalFovDeg": 5.8})";
+    std::ofstream(at("camera.json")) << camera;
+    const Ran one = runMacula(with({"--camera", at("camera.json"), "--filter", "stochastic"}));
+    ASSERT_EQ(one.exitCode, 0) << one.err;
+    const json report = json::parse(one.out);
+    EXPECT_EQ(report["camera"]["verticalFovDeg"], 5.8);
+    ASSERT_EQ(report["results"].size(), 1u);
+    const json& result = report["results"][0];
+    EXPECT_EQ(result["filter"], "stochastic");
+    for (const char* part : {"device", "call", "reference"})
+        EXPECT_GT(result[part]["secondsPerSample"].get<double>(), 0.0) << part;
+    EXPECT_GT(result["callOverDevice"].get<double>(), 0.0);
+
+    EXPECT_EQ(runMacula(with({"--filter", "cubic"})).exitCode, 2);
+    EXPECT_EQ(runMacula(with({"--camera", at("missing.json")})).exitCode, 2);
+    std::ofstream(at("camera.json")) << "{}";
+    EXPECT_EQ(runMacula(with({"--camera", at("camera.json")})).exitCode, 3);
+}
+
 TEST_F(Bench, FovealTellsTheTimesAndTheWayToAnError) {
     const Ran ran = runMacula(
         {"bench", "foveal", "--size", "16", "--repetitions", "1", "--converged-spp", "32", "--flip", "0.2"});

@@ -27,18 +27,17 @@ Result<Camera> cameraOf(const PictureRequest& request, const trace::PathTracer& 
 }
 
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
-    // Samples are traced in small portions, so that progress moves and Ctrl-C is quick.
-    const std::uint32_t portion = std::clamp<std::uint32_t>(samplesPerPixel / 64, 1, 16);
+    // All at once: the tracer asks between its dispatches, and lanes that have many samples each wait less for
+    // one another.
     progress.beginStage("Tracing", samplesPerPixel);
-    for (std::uint32_t done = 0; done < samplesPerPixel;) {
-        const std::uint32_t count = std::min(portion, samplesPerPixel - done);
-        MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
-        if (!whole || progress.cancelled()) {
-            return stopped();
-        }
-        done += count;
-        progress.advance(count);
-    }
+    std::size_t told = 0;
+    const auto tell = [&] {
+        const auto done = static_cast<std::size_t>(tracer.meanSamples() + 1e-6);
+        if (done > told) progress.advance(done - std::exchange(told, done));
+        return !progress.cancelled();
+    };
+    MACULA_TRY(const bool whole, tracer.trace(samplesPerPixel, tell));
+    if (!whole || progress.cancelled()) return stopped();
     return {};
 }
 
@@ -85,12 +84,47 @@ Result<PictureDrawer> PictureDrawer::create(const std::shared_ptr<gpu::Device>& 
     MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
     MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
     MACULA_TRY_VOID(tracer.setSettings(request.settings));
-    return PictureDrawer(gpu::describe(device->info()), request, std::move(tracer));
+    return PictureDrawer(device, request, std::move(tracer));
+}
+
+Result<void> PictureDrawer::change(const PictureRequest& request, const Progress& progress) {
+    const StudyScene before = std::exchange(request_, request).scene;
+    const StudyScene& scene = request_.scene;
+    const auto bring = [&](bool isSame, auto&& set) -> Result<void> {
+        if (isSame) return {};
+        if (progress.cancelled()) return stopped();
+        return set();
+    };
+    MACULA_TRY_VOID(bring(scene.clip == before.clip, [&] { return tracer_.setClip(scene.clip); }));
+    MACULA_TRY_VOID(
+        bring(scene.additions == before.additions, [&] { return tracer_.setAdditions(scene.additions); }));
+    MACULA_TRY_VOID(bring(scene.function == before.function,
+                          [&] { return tracer_.setTransferFunction(scene.function); }));
+    MACULA_TRY_VOID(bring(scene.environment == before.environment,
+                          [&] { return tracer_.setEnvironment(scene.environment); }));
+    return tracer_.setSettings(request_.settings);
+}
+
+Result<void> PictureDrawer::adapt(std::optional<PictureDrawer>& kept,
+                                  const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
+                                  const Progress& progress) {
+    if (kept && kept->device_ == device && kept->request_.scene.volume == request.scene.volume &&
+        kept->request_.memory == request.memory) {
+        if (Result<void> changed = kept->change(request, progress); !changed) {
+            kept.reset();
+            return changed;
+        }
+        // Where not all has room, what was shown before may have left another part of it.
+        if (kept->tracer_.messages().empty()) return {};
+    }
+    kept.reset();  // first: the device may have no room for both
+    MACULA_TRY(kept, create(device, request, progress));
+    return {};
 }
 
 Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
-    DrawnPicture drawn{.device = device_};
+    DrawnPicture drawn{.device = gpu::describe(device_->info())};
     if (camera) {
         drawn.camera = *camera;
     } else {
@@ -153,6 +187,11 @@ std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest
     if (statistics.abandonedSamples > 0)
         notes.push_back({fmt::format("{} light paths were too long for the device and were dropped.",
                                      statistics.abandonedSamples)});
+    if (statistics.collisionsAboveBound > 0)
+        notes.push_back(
+            {fmt::format("Light met matter {} times that was denser than its bound, and passed too easily; "
+                         "please report this.",
+                         statistics.collisionsAboveBound)});
     return notes;
 }
 

@@ -34,14 +34,20 @@ class PictureDrawer {
     // Fails as trace::PathTracer, and with `cancelled`.
     static Result<PictureDrawer> create(const std::shared_ptr<gpu::Device>& device,
                                         const PictureRequest& request, const Progress& progress);
+    // Makes `kept` one for that device and request: what it has of the scene on the device stays there, only
+    // the rest is brought to it. Nothing is kept where it fails, as create does.
+    static Result<void> adapt(std::optional<PictureDrawer>& kept, const std::shared_ptr<gpu::Device>& device,
+                              const PictureRequest& request, const Progress& progress);
     // As drawPicture; nothing: a camera that what can be seen fills.
     Result<DrawnPicture> draw(const std::optional<Camera>& camera, Progress& progress);
 
   private:
-    PictureDrawer(std::string device, PictureRequest request, trace::PathTracer tracer)
+    PictureDrawer(std::shared_ptr<gpu::Device> device, PictureRequest request, trace::PathTracer tracer)
         : device_(std::move(device)), request_(std::move(request)), tracer_(std::move(tracer)) {}
+    // Of the same volume, with the same room for it.
+    Result<void> change(const PictureRequest& request, const Progress& progress);
 
-    std::string device_;
+    std::shared_ptr<gpu::Device> device_;
     PictureRequest request_;
     trace::PathTracer tracer_;
 };

@@ -41,8 +41,9 @@ class LastingDevice {
     // losses, and lostTooOften.
     static Result<LastingDevice> open(Instance instance, DeviceOptions options, Tell tell);
 
-    // Runs `use`, and again on another device if the one it had was lost. When `use` returns nothing may be
-    // left on the device. Errors: those of `use` and of open().
+    // Runs `use`, and again on another device if the one it had was lost. A device lives as long as `use` has
+    // left something on it, also when it was lost: `use` leaves nothing where it fails. Errors: those of
+    // `use` and of open().
     Result<void> run(const Use& use);
 
   private:

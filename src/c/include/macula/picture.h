@@ -52,7 +52,10 @@ typedef struct macula_drawn {
     macula_camera camera; /* that it was drawn with; its size is set */
 } macula_drawn;
 
-/* `drawn` may be null. Blocks; MACULA_CANCELLED leaves the pixels as they were. */
+/* `drawn` may be null. Blocks; MACULA_CANCELLED leaves the pixels as they were. The view's scene stays on the
+ * device, so that its next picture takes little more than its samples, until another view is drawn there or
+ * one of both is closed. With a table left out or voxels cut, all but the voxels is made anew. No thread
+ * closes a view that was drawn on a lent device while another closes the device. */
 MACULA_API macula_status macula_draw(macula_device* device, macula_view* view, const macula_picture* picture,
                                      const macula_progress* progress, macula_drawn* drawn);
 /* Sentences that whoever sees the last picture should know: show them. Null for an index that is too large.
