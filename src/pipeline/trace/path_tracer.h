@@ -215,7 +215,7 @@ class PathTracer {
     Result<TracedImage> readback();                                              // waits
     Result<TracedColours> readColours();                                         // waits
     Result<std::vector<std::uint8_t>> readDisplay(const glm::vec3& background);  // RGBA8, opaque; waits
-    Result<Statistics> statistics() const;  // waits
+    Result<Statistics> statistics() const;                                       // waits
     // Of a pixel, traced so far; of a pass under way what of it is done. Waits for nothing.
     double meanSamples() const;
     // What a person has to know about what is shown; part of statistics().
