@@ -110,8 +110,9 @@ TEST(TraceLayout, OfSurfacePoints) {
     expectLayoutMatches<CandidatePush>(
         *candidates->pushConstants->block.find("push"),
         {MACULA_FIELD(CandidatePush, first), MACULA_FIELD(CandidatePush, round)});
-    expectLayoutMatches<SurfaceCell>(*candidates->bindings[13].block.find("cells"),
-                                     {MACULA_FIELD(SurfaceCell, low), MACULA_FIELD(SurfaceCell, high)});
+    expectLayoutMatches<SurfaceCell>(
+        *candidates->bindings[candidates->bindings.size() - 3].block.find("cells"),
+        {MACULA_FIELD(SurfaceCell, low), MACULA_FIELD(SurfaceCell, high)});
     expectLayoutMatches<SurfaceCandidate>(
         *candidates->bindings.back().block.find("candidates"),
         {MACULA_FIELD(SurfaceCandidate, at), MACULA_FIELD(SurfaceCandidate, weight),
