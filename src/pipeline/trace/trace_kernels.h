@@ -29,7 +29,7 @@ struct SceneKind {
     int poolViews = 1;       // of the pool of voxels, each but the last with 2^poolViewShift values
     int poolViewShift = 0;   // counts where there are several
 
-    auto operator<=>(const SceneKind&) const = default;
+    auto operator<=>(const SceneKind&) const = default;  // NOLINT(modernize-use-nullptr): its mistake
 };
 
 // The kind that kernels have to be compiled for, in the look prepared last; without greyFaces.
