@@ -36,8 +36,8 @@ class KeptScene {
     std::optional<app::PictureDrawer> drawer_;
 };
 
-// A device keeps the scene of one view at a time, so that what is left there takes no more than a picture
-// did. It is dropped with the device too, which a host may have lent.
+// A device keeps the scene of one view at a time, so that it never holds more than one picture needed. The
+// device's end drops the scene as well, because a host may have lent the device.
 class LastScene {
   public:
     LastScene() = default;

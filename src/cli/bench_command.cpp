@@ -58,10 +58,8 @@ void addBench(CLI::App& app, Action& action) {
         ->capture_default_str()
         ->check(CLI::Range(1, trace::kMaxBounces));
     command
-        ->add_option_function<int>(
-            "--filter",
-            [options](int filter) { options->benchmark.filter = static_cast<trace::Filter>(filter); },
-            "How values between voxels are found (default: one way after the other)")
+        ->add_option("--filter", options->benchmark.filter,
+                     "How values between voxels are found (default: one way after the other)")
         ->transform(asFilter())
         ->option_text(kFilterNames);
     command->add_option("--repetitions", options->benchmark.repetitions, "Turns; medians are printed")

@@ -33,11 +33,7 @@ void addBenchFoveal(CLI::App& bench, Action& action) {
     addBenchCamera(*command, options->study);
     addNumber(*command, "--spp", o.samples, "Samples per pixel", 1, 4096);
     addNumber(*command, "--bounces", o.bounces, "Vertices of a path", 1, trace::kMaxBounces);
-    command
-        ->add_option_function<int>(
-            "--filter",
-            [options](int filter) { options->foveal.filter = static_cast<trace::Filter>(filter); },
-            "How values between voxels are found (default: trilinear)")
+    command->add_option("--filter", o.filter, "How values between voxels are found (default: trilinear)")
         ->transform(asFilter())
         ->option_text(kFilterNames);
     addNumber(*command, "--repetitions", o.repetitions, "Turns; medians are printed", 1, 1000);

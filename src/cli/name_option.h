@@ -14,7 +14,7 @@ CLI::Validator oneOf(std::map<std::string, int> numbersByName);
 // For an option of type ViewDirection, or several: names become values, and for others there is a sentence.
 CLI::Validator asViewDirection();
 
-// For an option of type trace::Filter, as int.
+// For an option of type trace::Filter: a name becomes the value.
 CLI::Validator asFilter();
 inline constexpr const char* kFilterNames = "trilinear|stochastic";
 

@@ -26,12 +26,12 @@ LinesOver linesOver(std::vector<std::string> names, const app::Drawing& drawing)
 // What is on screen, how it was made, and how far it has come.
 QString fidelityText(const app::FrameShown& frame);
 
-// What the peripheral model is doing; empty where there is nothing to say. `isFirstStart` of the device, see
-// app::DeviceReady: then it takes longer.
+// What the peripheral model is doing; empty where there is nothing to say. At a first start
+// (app::DeviceReady::isFirstStart) the device compiles kernels, and the text says that it takes longer.
 QString modelText(const hybrid::ModelNews& model, bool isFirstStart);
 
-// What it began with; why it takes longer; or why there is none, and what is shown instead. Empty where there
-// is nothing to say.
+// The tool tip of modelText: it says what the model began with, why it takes longer, or why there is none and
+// what is shown instead. Empty where there is nothing to say.
 QString aboutModel(const hybrid::ModelNews& model, bool isFirstStart);
 
 // A preset that was made for another kind of values, or of images, than those of the volume: what its colours

@@ -27,8 +27,8 @@ Result<Camera> cameraOf(const PictureRequest& request, const trace::PathTracer& 
 }
 
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
-    // All at once: the tracer asks between its dispatches, and lanes that have many samples each wait less
-    // for one another.
+    // One pass has all samples: the tracer asks between its dispatches, and lanes wait less for one another
+    // in a long pass.
     progress.beginStage("Tracing", samplesPerPixel);
     std::size_t told = 0;
     const auto tell = [&] {

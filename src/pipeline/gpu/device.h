@@ -122,8 +122,8 @@ class Device : public std::enable_shared_from_this<Device> {
     std::uint64_t bytesRead() const { return bytesRead_; }
     void countRead(std::uint64_t bytes) { bytesRead_ += bytes; }
 
-    // Whether its kernels were never compiled before: DeviceOptions::kernelsFolder has none of this device,
-    // its driver and this version of Macula. False where none are kept.
+    // Whether this version of Macula starts for the first time on this device and driver:
+    // DeviceOptions::kernelsFolder holds no pipeline cache (VkPipelineCache) of them. False without a folder.
     bool isFirstStart() const;
 
     // What transfer.h copies through.

@@ -1,7 +1,8 @@
 // How much of a picture goes to the device at once, where each pixel takes about as long as any other.
 //
-// A graphics driver takes a device for dead that is busy for long with one submission: after 2 s on Windows.
-// The limits below keep a card at a hundred and fiftieth of an H100's speed under a tenth of that.
+// A graphics driver takes a device for dead that is busy with one submission for long: Windows does so after
+// 2 s (timeout detection and recovery). With these limits a submission takes less than 0.2 s on a card that
+// has a 150th of an H100's speed. That is an estimate; nobody has measured such a card.
 #pragma once
 
 #include <algorithm>
