@@ -52,6 +52,11 @@ struct Path {
     bool shadow;         // the ray under way is a shadow ray
     Net net;             // where its choices come from: 2k + 1 light of vertex k, 2k the way to it; 0 only where surface.glsl starts it
     float face;          // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
+    // Where there is a cache of indirect light. From the first vertex on, radiance and throughput are of that light alone.
+    uvec4 cells;         // of the first vertex, once the path has gone on from it; y 0: it has not
+    vec3 direct;         // light of the first vertex that is not indirect
+    vec3 albedo;         // what indirect light is multiplied by there
+    float chance;        // 0 to 1; the path goes on from there when it is low, as those of its neighbours do
 };
 
 // A ray from the eye meets what the clip leaves.
@@ -106,6 +111,10 @@ Path startPath(vec3 originVoxel, vec3 worldDirection, Net net) {
     path.rounds = 0;
     path.aboveBound = 0;
     path.shadow = false;
+    path.cells = uvec4(0u);
+    path.direct = vec3(0.0);
+    path.albedo = vec3(1.0);
+    path.chance = float(0.0);
     return path;
 }
 
@@ -151,6 +160,35 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
     return false;
 }
 
+// At the first vertex, with its direct light: true when the path takes its indirect light from the cache, and is complete. One
+// that goes on has its weight made good where the cache is a control variate.
+bool endsInCache(INOUT(Path) path, INOUT(Rng) rng) {
+    uvec4 cells;
+    vec4 found = indirectAt(path.origin, path.direction, rng, cells);
+    float goesOn = float(INDIRECT_DOUBT) / (float(INDIRECT_DOUBT) + found.w);
+    if (params.indirectLeast > float(0.0)) goesOn = max(goesOn, params.indirectLeast);
+    vec3 light = path.throughput * vec3(found);
+    if (path.chance >= goesOn) {
+        path.radiance += light;
+        return true;
+    }
+    path.cells = cells;
+    path.direct = path.radiance;
+    path.albedo = path.throughput;
+    if (params.indirectLeast > float(0.0)) {
+        path.direct += light * (float(1.0) - float(1.0) / goesOn);
+        path.albedo /= goesOn;
+    }
+    path.radiance = vec3(0.0);
+    path.throughput = vec3(1.0);
+    return false;
+}
+
+// What a complete path brings.
+vec3 lightOf(Path path) {
+    return useIndirect() ? path.direct + path.albedo * path.radiance : path.radiance;
+}
+
 // What comes after a ray that has ended: after a flight a vertex, and a shadow ray from it; after a shadow ray its light,
 // and a new flight. False when the path is complete.
 bool decide(INOUT(Path) path, INOUT(Rng) rng) {
@@ -159,6 +197,10 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         path.radiance += path.pending * path.transmittance;
         path.vertices += 1;
         if (path.vertices >= params.bounces) return false;
+        bool ends = false;
+        // A loop, not an if: lavapipe skips it where no lane is there.
+        for (bool asks = useIndirect() && path.vertices == 1; asks; asks = false) ends = endsInCache(path, rng);
+        if (ends) return false;
         float strength = max(path.throughput.x, max(path.throughput.y, path.throughput.z));
         if (strength < float(ROULETTE_BELOW)) {
             if (random01(rng) * float(ROULETTE_BELOW) >= strength) return false;
@@ -218,6 +260,11 @@ EyeRay eyeRay(vec2 pixel) {
     return EyeRay(params.originVoxel, vec3(0.0), normalize(params.forward + inPlane));
 }
 
+float blockChance(ivec2 block, uint sampleIndex) {
+    uint bits = hashOf(hashOf(uint(block.x), uint(block.y)), hashOf(sampleIndex, params.seed));
+    return float(bits >> 8u) * float(1.0 / 16777216.0);
+}
+
 // The path of one sample of a pixel, and the random numbers it will use.
 Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
     rng = makeRng(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
@@ -227,5 +274,8 @@ Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
     float x = float(pixel.x) + random01(rng);
     float y = float(pixel.y) + random01(rng);
     EyeRay ray = eyeRay(vec2(x, y));
-    return startPath(ray.originVoxel, ray.direction, net);
+    Path path = startPath(ray.originVoxel, ray.direction, net);
+    // One for a block of the picture: of lanes that work together, the longest path takes the time of all.
+    if (useIndirect()) path.chance = blockChance(pixel / 8, sampleIndex);
+    return path;
 }

@@ -15,7 +15,7 @@
 // points. It is the integral of min(2 E2(t), 1) over all depths t, times 1/2 over 1/4.
 #define FACE_WEIGHT 1.8
 
-// Rounds of a ray after which it is given up, see path.comp: more than any takes but along the densest of surfaces.
+// Rounds of a ray after which it is given up, see path_samples.glsl: more than any takes but along the densest of surfaces.
 #define MANY_SURFACE_ROUNDS 4000
 
 vec3 directionOnSphere(float cosine, float turn) {

@@ -15,6 +15,7 @@
 #include "lib/brick_walk.glsl"
 #include "lib/environment.glsl"
 #include "lib/picture.glsl"
+#include "lib/indirect.glsl"
 #include "lib/path.glsl"
 #include "lib/guides.glsl"
 #include "lib/cast.glsl"

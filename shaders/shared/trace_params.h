@@ -62,6 +62,14 @@ MACULA_SHARED_CONST int kCastMean = 3;
     FIELD(float, parallelMm) /* above 0: rays are parallel, and the picture shows what an eye would at this \
                                 distance */                                                                 \
     FIELD(float, lightStrength) /* multiplies what the environment sends */                                 \
+    /* The cache of indirect light, see shaders/lib/indirect.glsl. */                                       \
+    FIELD(vec3, indirectCellsPerVoxel) /* of the smallest cells */                                          \
+    FIELD(float, indirectWidth) /* of a cell, in smallest cells: of a parallel view; else at a distance of  \
+                                   one of them */                                                           \
+    FIELD(float, indirectUnit)  /* radiance of one unit of its sums */                                      \
+    FIELD(float, indirectLeast) /* the least chance of a path to go on where the cache is a control         \
+                                   variate; 0: its light is taken for true */                               \
+    FIELD(int, indirectStride)  /* of rows and columns of pixels one in so many tells what it finds */      \
     /* Gradient opacity, see shaders/lib/gradient.glsl. */                                                  \
     FIELD(float, gradientScale) /* steps of its table per (entry per mm) */                                 \
     FIELD(int, gradientLast)    /* index of its last step; 0: none */                                       \
@@ -107,6 +115,12 @@ struct PlannedBlock {
     uint block;
     uint firstSample;  // index of its first sample, for the random sequence
     uint sampleCount;
+};
+
+// Samples that are traced side by side: what path_side.comp takes from.
+struct SidePush {
+    uint blockCount;   // of the plan
+    uint mostSamples;  // that a block of it has
 };
 
 // How noisy a block is as it is shown, see shaders/lib/noise.glsl.

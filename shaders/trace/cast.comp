@@ -8,7 +8,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "trace/film.glsl"
 
-// See path.comp. A ray takes some thousand rounds, and neighbours about as many.
+// See path_samples.glsl. A ray takes some thousand rounds, and neighbours about as many.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
 void main() {

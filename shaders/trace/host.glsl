@@ -4,6 +4,7 @@
 #define INOUT(type) inout type
 #define PRECISE precise
 
+#include "shared/indirect_light.h"
 #include "shared/trace_params.h"
 
 layout(constant_id = 0) const bool kTrilinear = true;
@@ -60,28 +61,28 @@ uint poolValue(int index) {
 // 31), and where in the pool, in units of 8 values; or, at level 3, its one value. What no visible brick touches has such a
 // value too: one of its own, so that even where rounding carries a point across a face there is nothing to be met
 // (src/pipeline/volume/voxel_blocks.h).
-float valueIn(uint word, ivec3 within) {
+const uint kOneValue = 3u;  // the level
+
+// Where in the pool the value of a voxel within a block lies; anywhere where the block has one.
+int placeIn(uint word, ivec3 within) {
     int level = int(word >> 30);
-    int rest = int(word & 0x3fffffffu);
     int inside = (within.z << 6) | (within.y << 3) | within.x;
     if (kCoarse) {
         ivec3 cell = within >> level;
         inside = (((cell.z << (3 - level)) | cell.y) << (3 - level)) | cell.x;
     }
-    uint value = poolValue(level == 3 ? 0 : (rest << 3) + inside);
-    return float(level == 3 ? uint(rest) : value);
+    return level == int(kOneValue) ? 0 : (int(word & 0x3fffffffu) << 3) + inside;
+}
+float valueOf(uint word, uint inPool) {
+    return float(word >> 30 == kOneValue ? word & 0x3fffffffu : inPool);
+}
+
+float valueIn(uint word, ivec3 within) {
+    return valueOf(word, poolValue(placeIn(word, within)));
 }
 // The same of the second volume.
 float secondValueIn(uint word, ivec3 within) {
-    int level = int(word >> 30);
-    int rest = int(word & 0x3fffffffu);
-    int inside = (within.z << 6) | (within.y << 3) | within.x;
-    if (kCoarse) {
-        ivec3 cell = within >> level;
-        inside = (((cell.z << (3 - level)) | cell.y) << (3 - level)) | cell.x;
-    }
-    uint value = texelFetch(secondPoolTexels, level == 3 ? 0 : (rest << 3) + inside).x;
-    return float(level == 3 ? uint(rest) : value);
+    return valueOf(word, texelFetch(secondPoolTexels, placeIn(word, within)).x);
 }
 
 // The table has four words in a texel, which costs little more than one: for brick (x, y) those of the blocks
@@ -208,4 +209,43 @@ bool hasGreyFaces() {
     return kGreyFaces;
 }
 
+#ifdef INDIRECT_BINDING  // the first of three: of kernels that trace paths
+layout(constant_id = 13) const bool kIndirect = false;
+layout(binding = INDIRECT_BINDING) uniform usamplerBuffer indirectTags;  // of four cells, by bucket
+layout(binding = INDIRECT_BINDING + 1) uniform usamplerBuffer indirectCells;  // sums of light, and samples
+layout(binding = INDIRECT_BINDING + 2, scalar) writeonly buffer IndirectRecords {
+    IndirectRecord indirectRecords[];
+};
+bool useIndirect() {
+    return kIndirect;
+}
+uvec4 fetchIndirectTags(int bucket) {
+    return texelFetch(indirectTags, bucket);
+}
+uvec4 fetchIndirectCell(int cell) {
+    return texelFetch(indirectCells, cell);
+}
+#else
+bool useIndirect() {
+    return false;
+}
+uvec4 fetchIndirectTags(int bucket) {
+    return uvec4(0u);
+}
+uvec4 fetchIndirectCell(int cell) {
+    return uvec4(0u);
+}
+#endif
+
 #include "lib/trace_lib.glsl"
+
+#ifdef INDIRECT_BINDING
+// Keeps what the last path of a pixel that went on from its first vertex has found; of some pixels.
+void tellIndirect(ivec2 pixel, IndirectRecord record) {
+    ivec2 at = pixel + ivec2(params.seed % 61u, params.seed % 59u);
+    if (record.cells.y == 0u || at.x % params.indirectStride != 0 || at.y % params.indirectStride != 0) return;
+    ivec2 place = pixel / params.indirectStride;
+    int columns = (params.imageSize.x + params.indirectStride - 1) / params.indirectStride;
+    indirectRecords[place.y * columns + place.x] = record;
+}
+#endif

@@ -2,6 +2,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
+#define INDIRECT_BINDING 22
 #include "trace/host.glsl"
 
 #define EXTEND_SAMPLE(path, rng) extendPath(path, rng)

@@ -4,10 +4,11 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 
+#define INDIRECT_BINDING 22
 #include "trace/host.glsl"
 #include "shared/primary_vertex.h"
 
-layout(binding = 22, scalar) writeonly buffer Primaries {
+layout(binding = 25, scalar) writeonly buffer Primaries {
     PrimaryVertex primaries[];  // of kPrimarySamples samples, picture after picture; what is not written was cleared before
 };
 
@@ -33,7 +34,7 @@ void tellSample(Path path, uint sampleIndex) {
     vec3 fromEyeMm = path.coverage > 0.0 ? metMm : vec3(0.0);
     [[unroll]] for (uint k = 0u; k < kPrimarySamples; ++k) {
         found[k].fromEyeMm = k == place ? fromEyeMm : found[k].fromEyeMm;
-        found[k].radiance = k == place ? path.radiance : found[k].radiance;
+        found[k].radiance = k == place ? lightOf(path) : found[k].radiance;
     }
     isFound |= 1u << place;
 }

@@ -27,16 +27,18 @@ void main() {
     uint done = 0u;
     int rounds = 0;  // of the samples done
     int above = 0;   // likewise, Path.aboveBound
+    IndirectRecord record = IndirectRecord(uvec4(0u), vec3(0.0));
     Rng rng;
     Path path = startSample(pixel, plan.firstSample, rng);
     while (done < plan.sampleCount && rounds + path.rounds < kMaxRounds) {
         rounds += 1;
         if (!EXTEND_SAMPLE(path, rng)) {
-            vec4 value = vec4(path.radiance, path.coverage);
+            vec4 value = vec4(lightOf(path), path.coverage);
             if (isFinite(value) && isFinite(sum + value)) {
                 accumulate(sum, compensation, value);
-                accumulate(square, squareOfLuminance(path.radiance));
+                accumulate(square, squareOfLuminance(value.xyz));
                 finite += 1u;
+                if (useIndirect() && path.cells.y != 0u) record = IndirectRecord(path.cells, path.radiance);
                 TELL_SAMPLE(path, plan.firstSample + done);
             }
             done += 1u;
@@ -50,6 +52,7 @@ void main() {
     lost[index] = compensation;
     squares[index] = square;
     counts[index] += finite;
+    if (useIndirect()) tellIndirect(pixel, record);
     TELL_PIXEL(index);
     if (finite < done) atomicAdd(nonFinite, done - finite);
     if (done < plan.sampleCount) atomicAdd(abandoned, plan.sampleCount - done);

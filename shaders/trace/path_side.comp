@@ -1,50 +1,90 @@
-// Traces the samples of the pixels of some blocks, several of a pixel side by side, and keeps what each of them brings:
-// add_samples.comp adds it to the picture. The samples are those of path.comp. src/pipeline/trace/side_by_side.h says what for.
+// Traces the samples of the pixels of some blocks, and keeps what each of them brings: add_samples.comp adds it to the picture.
+// The samples are those of path.comp. src/pipeline/trace/side_by_side.h says what for.
 //
-// Work groups: along x the blocks, along z the threads of a pixel.
+// A thread takes one sample after another, of whichever pixel comes next, until none is left: it is never idle while others
+// follow long paths (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs": persistent threads). Which
+// thread traces a sample does not change it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
+#define INDIRECT_BINDING 19
 #include "trace/host.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 64) in;
 
 layout(constant_id = 1) const int kMaxRounds = 16000;  // as in path_samples.glsl
+// Each thread takes no more than its share. Where groups run one after another the first would take all, and lavapipe would end
+// its loop.
+layout(constant_id = 14) const bool kShares = false;
 
 #define FAULTS_BINDING 18
 #include "trace/faults.glsl"
 layout(binding = 16, scalar) readonly buffer Plan {
-    PlannedBlock planned[];  // by work group along x
+    PlannedBlock planned[];
 };
 layout(binding = 17, scalar) writeonly buffer Traced {
     vec4 traced[];  // radiance and coverage, 64 pixels of each block for one sample, then for the next; coverage -1: abandoned
 };
+layout(binding = 22, scalar) buffer Taken {
+    uint taken;  // samples, of the first of each pixel, then of the second, and so on; some are of no pixel or beyond its plan
+};
+layout(push_constant, scalar) uniform Push {
+    SidePush push;
+};
+
+struct Sample {
+    uint item;  // as they are taken
+    ivec2 pixel;
+    uint number;  // of the sample, from the first of the plan on
+    uint index;   // for the random sequence
+};
+
+// False when none is left, for this thread or at all.
+bool takeSample(inout uint mayTake, out Sample next) {
+    uint places = 64u * push.blockCount;
+    int columns = (params.imageSize.x + 7) / 8;
+    next = Sample(0u, ivec2(0), 0u, 0u);
+    bool isSample = false;
+    bool isLast = false;
+    while (!isSample && !isLast) {
+        isLast = mayTake == 0u;
+        next.item = isLast ? 0xffffffffu : atomicAdd(taken, 1u);
+        isLast = next.item >= push.mostSamples * places;
+        uint place = isLast ? 0u : next.item % places;
+        PlannedBlock plan = planned[place / 64u];
+        int block = int(plan.block);
+        next.pixel = 8 * ivec2(block % columns, block / columns) + ivec2(place % 8u, place % 64u / 8u);
+        next.number = next.item / places;
+        next.index = plan.firstSample + next.number;
+        isSample = !isLast && next.number < plan.sampleCount && all(lessThan(next.pixel, params.imageSize));
+        mayTake -= isLast ? 0u : 1u;
+    }
+    return isSample;
+}
 
 void main() {
-    PlannedBlock plan = planned[gl_WorkGroupID.x];
-    int block = int(plan.block);
-    int columns = (params.imageSize.x + 7) / 8;
-    ivec2 pixel = 8 * ivec2(block % columns, block / columns) + ivec2(gl_LocalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, params.imageSize))) return;
-
-    uint place = 64u * gl_WorkGroupID.x + gl_LocalInvocationIndex;
-    uint stride = 64u * gl_NumWorkGroups.x;
-    uint number = gl_WorkGroupID.z;  // of the sample under way, from the plan's first on
-    int rounds = 0;                  // of the samples done
-    int above = 0;                   // likewise, Path.aboveBound
+    uint mayTake = 0xffffffffu;
+    if (kShares) {
+        uint threads = 64u * gl_NumWorkGroups.x;
+        mayTake = (64u * push.blockCount * push.mostSamples + threads - 1u) / threads;
+    }
+    int rounds = 0;  // of the samples done; where there are shares
+    int above = 0;   // of all samples, Path.aboveBound
     Rng rng;
-    Path path = startSample(pixel, plan.firstSample + number, rng);
-    while (number < plan.sampleCount && rounds + path.rounds < kMaxRounds) {
-        rounds += 1;
-        if (!extendPath(path, rng)) {
-            traced[number * stride + place] = vec4(path.radiance, path.coverage);
-            number += gl_NumWorkGroups.z;
-            rounds += path.rounds;
+    Sample next;
+    bool hasSample = takeSample(mayTake, next);
+    Path path = startSample(next.pixel, next.index, rng);
+    while (hasSample) {
+        bool isLost = rounds + path.rounds >= kMaxRounds;
+        if (isLost || !extendPath(path, rng)) {
+            traced[next.item] = isLost ? vec4(0.0, 0.0, 0.0, -1.0) : vec4(lightOf(path), path.coverage);
+            if (useIndirect() && !isLost && next.number == 0u && isFinite(vec4(path.radiance, 1.0)))
+                tellIndirect(next.pixel, IndirectRecord(path.cells, path.radiance));
+            if (kShares) rounds += path.rounds;
             above += path.aboveBound;
-            path = startSample(pixel, plan.firstSample + number, rng);
+            hasSample = takeSample(mayTake, next);
+            path = startSample(next.pixel, next.index, rng);
         }
     }
-    if (number < plan.sampleCount) above += path.aboveBound;  // of the one that is given up
-    for (; number < plan.sampleCount; number += gl_NumWorkGroups.z) traced[number * stride + place] = vec4(0.0, 0.0, 0.0, -1.0);
     if (above > 0) atomicAdd(aboveBound, uint(above));
 }

@@ -8,7 +8,7 @@
 
 layout(local_size_x = 64) in;
 
-// As in path.comp.
+// As in path_samples.glsl.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
 const int kTaps = 8;            // of a thread

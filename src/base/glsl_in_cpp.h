@@ -20,6 +20,8 @@ struct GlslInCpp {
     using bvec3 = glm::bvec3;
     using ivec2 = glm::ivec2;
     using ivec3 = glm::ivec3;
+    using uvec2 = glm::uvec2;
+    using uvec4 = glm::uvec4;
 
     static Real min(Real a, Real b) { return b < a ? b : a; }
     static int min(int a, int b) { return b < a ? b : a; }

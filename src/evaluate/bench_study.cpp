@@ -7,6 +7,7 @@
 #include "app/open_device.h"
 #include "app/study/study_input.h"
 #include "evaluate/shown_picture.h"
+#include "pipeline/trace/device_scene.h"
 
 namespace macula::evaluate {
 
@@ -17,9 +18,9 @@ Result<app::SceneOnDevice> BenchStudy::putOnDevice() const {
 
 Result<trace::PathTracer> BenchStudy::makeTracer() const {
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
-    MACULA_TRY_VOID(tracer.setVolume(volume));
-    MACULA_TRY_VOID(tracer.setTransferFunction(function));
-    MACULA_TRY_VOID(tracer.setEnvironment(environment));
+    MACULA_TRY_VOID(tracer.scene().setVolume(volume));
+    MACULA_TRY_VOID(tracer.scene().setTransferFunction(function));
+    MACULA_TRY_VOID(tracer.scene().setEnvironment(environment));
     MACULA_TRY_VOID(tracer.setView(view));
     return tracer;
 }

@@ -149,12 +149,20 @@ Json reportOf(const BenchStudy& study, const FovealOptions& options, const Fovea
                                {"flipOfItsHalf", result.convergedFlip},
                                {"plain", toJson(result.plain)},
                                {"denoised", toJson(result.denoised)},
-                               {"adaptiveDenoised", toJson(result.adaptive)}};
+                               {"adaptiveDenoised", toJson(result.adaptive)},
+                               {"cached", toJson(result.cached)},
+                               {"cachedDenoised", toJson(result.cachedDenoised)},
+                               {"corrected", toJson(result.corrected)},
+                               {"correctedDenoised", toJson(result.correctedDenoised)}};
         const auto ratio = [&](const char* name, const TimeToError& time) {
             if (time.reached && result.plain.reached) json["timeToError"][name] = time.ms / result.plain.ms;
         };
         ratio("denoisedOverPlain", result.denoised);
         ratio("adaptiveDenoisedOverPlain", result.adaptive);
+        ratio("cachedOverPlain", result.cached);
+        ratio("cachedDenoisedOverPlain", result.cachedDenoised);
+        ratio("correctedOverPlain", result.corrected);
+        ratio("correctedDenoisedOverPlain", result.correctedDenoised);
     }
     return json;
 }

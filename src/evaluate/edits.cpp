@@ -17,6 +17,7 @@
 #include "image/metrics.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
+#include "pipeline/trace/device_scene.h"
 #include "pipeline/volume/volume_fit.h"
 #include "pipeline/volume/window.h"
 
@@ -142,8 +143,8 @@ class Measurement {
         Edit edit{.name = named.name};
         MACULA_TRY(const Shown estimated, estimate(named.drawing, edit));
         trace::PathTracer& tracer = scene_.tracer;
-        MACULA_TRY_VOID(tracer.setClip(named.drawing.clip ? *named.drawing.clip : Clip{}));
-        MACULA_TRY_VOID(tracer.setTransferFunction(*named.drawing.transferFunction));
+        MACULA_TRY_VOID(tracer.scene().setClip(named.drawing.clip ? *named.drawing.clip : Clip{}));
+        MACULA_TRY_VOID(tracer.scene().setTransferFunction(*named.drawing.transferFunction));
         MACULA_TRY(const Shown traced, trace(options_.sizePx, options_.truthSamples));
         MACULA_TRY(Shown small, trace(report_.smallPx, 1));
         small = scaledUp(small);

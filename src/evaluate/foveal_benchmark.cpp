@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <functional>
+#include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 
 #include "evaluate/measurement.h"
 #include "image/metrics.h"
+#include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/reference_tracer.h"
 #include "pipeline/trace/scene.h"
 
@@ -18,6 +20,21 @@ Error cancelled() {
 }
 
 enum class Sampling { even, adaptive };
+
+struct Contender {
+    trace::Denoising denoising = trace::Denoising::off;
+    Sampling sampling = Sampling::even;
+    trace::Indirect indirect = trace::Indirect::traced;
+};
+
+// The view, turned about its target and its up axis.
+trace::View turned(trace::View view, double degrees) {
+    Camera& camera = view.camera;
+    const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), glm::radians(degrees), glm::normalize(camera.up));
+    camera.positionMm =
+        camera.targetMm + glm::dvec3(turn * glm::dvec4(camera.positionMm - camera.targetMm, 0.0));
+    return view;
+}
 
 class Bench {
   public:
@@ -34,7 +51,7 @@ class Bench {
         MACULA_TRY_VOID(tracer.setSettings(settings));
         tracer.setSideBySide(options_.sideBySide);
         MACULA_TRY([[maybe_unused]] const FovealTimes first, show(tracer, 1));
-        MACULA_TRY_VOID(tracer.setTransferFunction(study_.function));
+        MACULA_TRY_VOID(tracer.scene().setTransferFunction(study_.function));
         return tracer;
     }
 
@@ -94,7 +111,7 @@ class Bench {
         MACULA_TRY(trace::PathTracer tracer, warmTracer(all));
         std::vector<FovealTimes> turns;
         for (int turn = 0; turn < options_.repetitions; ++turn) {
-            MACULA_TRY_VOID(tracer.setTransferFunction(study_.function));
+            MACULA_TRY_VOID(tracer.scene().setTransferFunction(study_.function));
             MACULA_TRY(FovealTimes times, show(tracer, options_.samples));
             MACULA_TRY(times.referenceTraceMs, timedMs([&]() -> Result<void> {
                            (void)reference.trace(params, all.filter, trace::Precision::single, 0,
@@ -132,11 +149,31 @@ class Bench {
         return converged;
     }
 
+    // As a hand moves the view to where it is.
+    Result<void> lookAround(trace::PathTracer& tracer, trace::Settings own) const {
+        constexpr int kPictures = 16;
+        constexpr double kTurnDeg = 1.0;  // from one to the next
+        for (int i = kPictures; i > 0; --i) {
+            own.seed += 1;
+            MACULA_TRY_VOID(tracer.setSettings(own));
+            MACULA_TRY_VOID(tracer.setView(turned(study_.view, i * kTurnDeg)));
+            MACULA_TRY_VOID(trace(tracer, 1));
+        }
+        own.seed += 1;
+        MACULA_TRY_VOID(tracer.setSettings(own));
+        MACULA_TRY_VOID(tracer.setView(study_.view));
+        tracer.forgetViews();
+        return {};
+    }
+
     // A little more each time until the picture is near enough. Only what a viewer would do counts: all
     // tracing, the guides once, and the denoising and display of the last picture.
-    Result<TimeToError> timeToError(trace::Denoising denoising, Sampling sampling,
-                                    const image::Image& converged) const {
-        MACULA_TRY(trace::PathTracer tracer, warmTracer(settings(denoising, 1)));
+    Result<TimeToError> timeToError(const Contender& contender, const image::Image& converged) const {
+        const auto& [denoising, sampling, indirect] = contender;
+        trace::Settings own = settings(denoising, 1);
+        own.indirect = indirect;
+        MACULA_TRY(trace::PathTracer tracer, warmTracer(own));
+        if (indirect != trace::Indirect::traced) MACULA_TRY_VOID(lookAround(tracer, own));
         TimeToError result;
         double traceMs = 0.0;
         double guidesMs = 0.0;
@@ -186,11 +223,16 @@ Result<FovealReport> measureFoveal(const BenchStudy& study, const FovealOptions&
     if (options.convergedSamples == 0) return report;
     progress.beginStage("Tracing the converged picture", options.convergedSamples);
     MACULA_TRY(const image::Image converged, bench.converge(report));
-    progress.beginStage("Measuring the time to an error", 3);
+    progress.beginStage("Measuring the time to an error", 7);
     using enum trace::Denoising;
-    MACULA_TRY(report.plain, bench.timeToError(off, Sampling::even, converged));
-    MACULA_TRY(report.denoised, bench.timeToError(on, Sampling::even, converged));
-    MACULA_TRY(report.adaptive, bench.timeToError(on, Sampling::adaptive, converged));
+    using enum trace::Indirect;
+    MACULA_TRY(report.plain, bench.timeToError({off}, converged));
+    MACULA_TRY(report.denoised, bench.timeToError({on}, converged));
+    MACULA_TRY(report.adaptive, bench.timeToError({on, Sampling::adaptive}, converged));
+    MACULA_TRY(report.cached, bench.timeToError({off, Sampling::even, cached}, converged));
+    MACULA_TRY(report.cachedDenoised, bench.timeToError({on, Sampling::even, cached}, converged));
+    MACULA_TRY(report.corrected, bench.timeToError({off, Sampling::even, corrected}, converged));
+    MACULA_TRY(report.correctedDenoised, bench.timeToError({on, Sampling::even, corrected}, converged));
     return report;
 }
 

@@ -51,6 +51,10 @@ struct FovealReport {
     TimeToError plain;           // even samples, as they come
     TimeToError denoised;        // the same, filtered
     TimeToError adaptive;        // samples where noise is, filtered
+    // Even samples with the cache of indirect light, which pictures of one sample from nearby views have
+    // filled as those of a moving hand do; their time does not count.
+    TimeToError cached, cachedDenoised;
+    TimeToError corrected, correctedDenoised;
 };
 
 Result<FovealReport> measureFoveal(const BenchStudy& study, const FovealOptions& options, Progress& progress);

@@ -12,6 +12,7 @@
 #include "image/metrics.h"
 #include "pipeline/hybrid/views/truth_pictures.h"
 #include "pipeline/splat/draw/displayed.h"
+#include "pipeline/trace/device_scene.h"
 
 namespace macula::evaluate {
 
@@ -58,7 +59,7 @@ class Measurement {
         MACULA_TRY(trace::PathTracer tracer, study_.makeTracer());
         MACULA_TRY(report.rest, compare(app::RecordingPhase::resting, first, tracer));
         if (second) {
-            MACULA_TRY_VOID(tracer.setTransferFunction(study_.then->function));
+            MACULA_TRY_VOID(tracer.scene().setTransferFunction(study_.then->function));
             MACULA_TRY(RestCourse rest, compare(app::RecordingPhase::changed, *second, tracer));
             report.change = {.preset = study_.then->publicName,
                              .times = *changeTimes(recording_),

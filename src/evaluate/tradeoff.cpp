@@ -11,6 +11,7 @@
 #include "evaluate/measurement.h"
 #include "image/masked_metrics.h"
 #include "image/metrics.h"
+#include "pipeline/trace/device_scene.h"
 
 namespace macula::evaluate {
 
@@ -67,7 +68,7 @@ class Bench {
         MACULA_TRY_VOID(tracer.setSettings(settings));
         MACULA_TRY([[maybe_unused]] const bool warm, tracer.trace(1));
         MACULA_TRY([[maybe_unused]] const image::Image ignored, study_.readShown(tracer));
-        MACULA_TRY_VOID(tracer.setTransferFunction(study_.function));
+        MACULA_TRY_VOID(tracer.scene().setTransferFunction(study_.function));
         double traceMs = 0.0;
         std::uint32_t done = 0;
         for (const std::uint32_t samples : options_.samples) {

@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "base/log.h"
 #include "pipeline/hybrid/frame/fovea_size.h"
+#include "pipeline/trace/device_scene.h"
 
 namespace macula::xr {
 
@@ -46,11 +47,11 @@ Result<RoomView> RoomView::create(const std::shared_ptr<gpu::Device>& device, Ro
     MACULA_CHECK(scene.volume && scene.drawing.transferFunction && scene.drawing.lights);
     MACULA_TRY_VOID(checkDrawing(scene.drawing));
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
-    MACULA_TRY_VOID(tracer.setVolume(scene.volume));
-    MACULA_TRY_VOID(tracer.setClip(scene.drawing.clip ? *scene.drawing.clip : Clip{}));
-    if (scene.drawing.additions) MACULA_TRY_VOID(tracer.setAdditions(*scene.drawing.additions));
-    MACULA_TRY_VOID(tracer.setTransferFunction(*scene.drawing.transferFunction));
-    MACULA_TRY_VOID(tracer.setEnvironment(trace::Environment::fromRig(*scene.drawing.lights)));
+    MACULA_TRY_VOID(tracer.scene().setVolume(scene.volume));
+    MACULA_TRY_VOID(tracer.scene().setClip(scene.drawing.clip ? *scene.drawing.clip : Clip{}));
+    if (scene.drawing.additions) MACULA_TRY_VOID(tracer.scene().setAdditions(*scene.drawing.additions));
+    MACULA_TRY_VOID(tracer.scene().setTransferFunction(*scene.drawing.transferFunction));
+    MACULA_TRY_VOID(tracer.scene().setEnvironment(trace::Environment::fromRig(*scene.drawing.lights)));
     MACULA_TRY_VOID(tracer.setSettings(scene.drawing.settings));
     MACULA_TRY_VOID(tracer.setView({.width = 64, .height = 64}));  // whoever asks what is seen needs one
     MACULA_TRY(hybrid::HybridFrame hybrid, hybrid::HybridFrame::create(device, tracer));
@@ -204,8 +205,8 @@ Result<void> RoomView::apply(const RoomState& state) {
     const bool isOtherPreset = state.transferFunction != shown_.transferFunction;
     const bool isOtherClip = state.clip != shown_.clip;
     shown_ = state;
-    if (isOtherClip) MACULA_TRY_VOID(tracer_.setClip(state.clip ? *state.clip : Clip{}));
-    if (isOtherPreset) MACULA_TRY_VOID(tracer_.setTransferFunction(*state.transferFunction));
+    if (isOtherClip) MACULA_TRY_VOID(tracer_.scene().setClip(state.clip ? *state.clip : Clip{}));
+    if (isOtherPreset) MACULA_TRY_VOID(tracer_.scene().setTransferFunction(*state.transferFunction));
     return applyScene();
 }
 

@@ -55,12 +55,23 @@ Film::Faults faultsWith(const std::shared_ptr<gpu::Device>& device, float bounds
         film.appendTo(bindings);
         bindings.emplace_back(*planned);
     }
+    EXPECT_TRUE(view.scene().indirect().makeBindable().ok());
+    view.scene().indirect().appendTo(bindings);
+    const auto taken = gpu::Buffer::create(device, {.label = "taken", .bytes = sizeof(std::uint32_t)});
+    if (isSideBySide) bindings.emplace_back(*taken);
     TraceVariant variant = variantOf(settings, kindOf(view.scene()));
     variant.isSideBySide = isSideBySide;
     TraceKernels kernels(device);
     auto recorder = gpu::Recorder::create(device, "trace").value();
     film.clear(recorder);
-    recorder.dispatch(*kernels.samples(variant)->kernel, {std::uint32_t(8 * plan.size()), 8, 1}, bindings);
+    recorder.fill(*taken, 0);
+    const gpu::Kernel& kernel = *kernels.samples(variant)->kernel;
+    if (isSideBySide) {
+        recorder.dispatch(kernel, {std::uint32_t(64 * plan.size())},
+                          shared::SidePush{std::uint32_t(plan.size()), 1}, bindings);
+    } else {
+        recorder.dispatch(kernel, {std::uint32_t(8 * plan.size()), 8}, bindings);
+    }
     EXPECT_TRUE(recorder.submit().ok());
     return film.faults().value();
 }

@@ -166,7 +166,7 @@ TEST_F(CastOnDevice, DrawsWhatTheReferenceDraws) {
             settings.window = DisplayWindow{.center = 0, .width = 2000, .explanation = {}, .function = {}};
             if (trial % 2 == 1) settings.shading = Shading::headlight;
             PathTracer t = tracer(volume, function, kSky, view, settings);
-            ASSERT_TRUE(t.setClip(clip).ok());
+            ASSERT_TRUE(t.scene().setClip(clip).ok());
             ASSERT_TRUE(*t.trace(3));
             const auto image = t.readback();
             ASSERT_TRUE(image.ok()) << image.error().message;

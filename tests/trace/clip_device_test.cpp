@@ -38,7 +38,7 @@ TEST_F(ClipOnDevice, drawsTheSamplesOfTheReference) {
         clip.removedCastsShadow = trial % 2 == 1;
         if (trial % 3 == 0)
             clip.greyFaces = DisplayWindow{.center = 40, .width = 400, .explanation = {}, .function = {}};
-        ASSERT_TRUE(t.setClip(clip).ok());
+        ASSERT_TRUE(t.scene().setClip(clip).ok());
         ASSERT_TRUE(*t.trace(kSamples));
         const auto image = t.readback();
         ASSERT_TRUE(image.ok()) << image.error().message;
@@ -57,7 +57,7 @@ TEST_F(ClipOnDevice, drawsTheSamplesOfTheReference) {
         EXPECT_LT(glm::length(bias), 4e-3) << "clip " << trial;
     }
     // And without a clip all of it is there again.
-    ASSERT_TRUE(t.setClip({}).ok());
+    ASSERT_TRUE(t.scene().setClip({}).ok());
     ASSERT_TRUE(*t.trace(kSamples));
     PathTracer fresh = tracer(volume, bone, sky, view, settings);
     ASSERT_TRUE(*fresh.trace(kSamples));
@@ -78,7 +78,7 @@ TEST_F(ClipOnDevice, facesAreExactlyGrey) {
         tracer(volume, unseen, Environment::constant(glm::vec3(1.0f)), view, {.bounces = 1, .exposure = 2.5});
     Clip clip{.planes = {{{0, 1, 0}, 3.0}}};
     clip.greyFaces = DisplayWindow{.center = 115, .width = 40, .explanation = {}, .function = "LINEAR_EXACT"};
-    ASSERT_TRUE(t.setClip(clip).ok());
+    ASSERT_TRUE(t.scene().setClip(clip).ok());
     ASSERT_TRUE(*t.trace(16));
     const auto shown = t.readDisplay(glm::vec3(0.0f));
     ASSERT_TRUE(shown.ok());
@@ -119,7 +119,7 @@ TEST_F(ClipOnDevice, masksAsTheReferenceDoes) {
         for (const bool casts : {false, true}) {
             Clip clip{.mask = Mask{map, {7}, Keep::inside}};
             clip.removedCastsShadow = casts;
-            ASSERT_TRUE(t.setClip(clip).ok());
+            ASSERT_TRUE(t.scene().setClip(clip).ok());
             ASSERT_TRUE(*t.trace(kSamples));
             const auto image = t.readback();
             ASSERT_TRUE(image.ok()) << image.error().message;

@@ -111,7 +111,8 @@ TEST_F(DenoiseContrast, ALowContrastLesionAndAFissureStay) {
         Mean fissure;
         for (std::uint32_t seed = 0; seed < 6; ++seed) {
             Settings settings{.bounces = 2, .seed = 10 + seed};
-            ASSERT_TRUE(t.setTransferFunction(tissueFunction()).ok());  // nothing is known from before
+            ASSERT_TRUE(
+                t.scene().setTransferFunction(tissueFunction()).ok());  // nothing is known from before
             ASSERT_TRUE(t.setSettings(settings).ok());
             ASSERT_TRUE(*t.trace(samples));
             settings.denoising = Denoising::on;

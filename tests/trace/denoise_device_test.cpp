@@ -226,16 +226,17 @@ TEST_F(DenoiseOnDevice, IsNeverWorseThanThePlainPicture) {
     PathTracer t = tracer(scene.volume, scene.bone, cases[0].environment, view, {});
     for (const Case& seen : cases) {
         SCOPED_TRACE(seen.name);
-        ASSERT_TRUE(t.setTransferFunction(seen.function).ok());
-        ASSERT_TRUE(t.setEnvironment(seen.environment).ok());
-        ASSERT_TRUE(t.setClip(seen.clip).ok());
+        ASSERT_TRUE(t.scene().setTransferFunction(seen.function).ok());
+        ASSERT_TRUE(t.scene().setEnvironment(seen.environment).ok());
+        ASSERT_TRUE(t.scene().setClip(seen.clip).ok());
         ASSERT_TRUE(t.setSettings({.bounces = kBounces, .seed = 1000}).ok());
         ASSERT_TRUE(*t.trace(160));
         const auto truth = t.readback();
         for (const std::uint32_t samples : {1u, 4u, 64u}) {
             for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
                 SCOPED_TRACE(fmt::format("{} samples, seed {}", samples, seed));
-                ASSERT_TRUE(t.setTransferFunction(seen.function).ok());  // nothing is known from before
+                ASSERT_TRUE(
+                    t.scene().setTransferFunction(seen.function).ok());  // nothing is known from before
                 ASSERT_TRUE(t.setSettings({.bounces = kBounces, .seed = seed}).ok());
                 ASSERT_TRUE(*t.trace(samples));
                 const auto plain = t.readback();
@@ -287,15 +288,17 @@ TEST_F(DenoiseOnDevice, ASeriesUsesTheViewBeforeAndAnyChangeOfMatterOrLightForge
     const auto nothing = [](PathTracer&) {};
     const TracedImage alone = at(false, nothing);
     EXPECT_LT(squaredError(at(true, nothing), *truth), 0.8 * squaredError(alone, *truth));
-    EXPECT_EQ(at(true, [&](PathTracer& p) { EXPECT_TRUE(p.setTransferFunction(scene.bone).ok()); }).radiance,
+    EXPECT_EQ(at(true, [&](PathTracer& p) { EXPECT_TRUE(p.scene().setTransferFunction(scene.bone).ok()); })
+                  .radiance,
               alone.radiance);
-    EXPECT_EQ(at(true, [&](PathTracer& p) { EXPECT_TRUE(p.setEnvironment(sky).ok()); }).radiance,
+    EXPECT_EQ(at(true, [&](PathTracer& p) { EXPECT_TRUE(p.scene().setEnvironment(sky).ok()); }).radiance,
               alone.radiance);
-    EXPECT_EQ(at(true, [&](PathTracer& p) { EXPECT_TRUE(p.setClip({}).ok()); }).radiance, alone.radiance);
+    EXPECT_EQ(at(true, [&](PathTracer& p) { EXPECT_TRUE(p.scene().setClip({}).ok()); }).radiance,
+              alone.radiance);
     EXPECT_EQ(at(true,
                  [&](PathTracer& p) {
-                     EXPECT_TRUE(p.setVolume(scene.volume).ok());
-                     EXPECT_TRUE(p.setTransferFunction(scene.bone).ok());
+                     EXPECT_TRUE(p.scene().setVolume(scene.volume).ok());
+                     EXPECT_TRUE(p.scene().setTransferFunction(scene.bone).ok());
                  })
                   .radiance,
               alone.radiance);
@@ -316,15 +319,15 @@ TEST_F(DenoiseOnDevice, ASmallMoveOfTheGazeKeepsWhatWasKnownAndAJumpForgetsIt) {
     const auto after = [&](bool before, const View& view, const Settings& settings, const Clip& clip = {}) {
         Settings other = plain;
         other.seed = 1;
-        EXPECT_TRUE(t.setClip({}).ok() && t.setView(first).ok() && t.setSettings(other).ok());
-        EXPECT_TRUE(t.setTransferFunction(scene.bone).ok());  // forgets
+        EXPECT_TRUE(t.scene().setClip({}).ok() && t.setView(first).ok() && t.setSettings(other).ok());
+        EXPECT_TRUE(t.scene().setTransferFunction(scene.bone).ok());  // forgets
         EXPECT_TRUE(*t.trace(8));
         EXPECT_TRUE(t.display(glm::vec3(0.0f)).ok());
         if (!before) {
-            EXPECT_TRUE(t.setTransferFunction(scene.bone).ok());
+            EXPECT_TRUE(t.scene().setTransferFunction(scene.bone).ok());
         }
         if (!clip.isNothing()) {
-            EXPECT_TRUE(t.setClip(clip).ok());
+            EXPECT_TRUE(t.scene().setClip(clip).ok());
         }
         EXPECT_TRUE(t.setView(view).ok() && t.setSettings(settings).ok());
         EXPECT_TRUE(*t.trace(1));
@@ -399,7 +402,7 @@ TEST_F(DenoiseOnDevice, ATurnForgetsSoonerWhereTheLightsTurnWithIt) {
                 EXPECT_TRUE(*t.trace(4));
                 EXPECT_TRUE(t.display(glm::vec3(0.0f)).ok());
                 if (!known) {
-                    EXPECT_TRUE(t.setTransferFunction(scene.bone).ok());  // forgets
+                    EXPECT_TRUE(t.scene().setTransferFunction(scene.bone).ok());  // forgets
                 }
                 EXPECT_TRUE(t.setView(turned(degrees)).ok() && t.setSettings(settings).ok());
                 EXPECT_TRUE(*t.trace(1));

@@ -48,11 +48,11 @@ using Begin = std::function<void(Part)>;
 // Two views, the second denoised with what the first knew.
 Result<void> draw(
     PathTracer& tracer, const Study& study, Drawn& drawn, const Begin& begin = [](Part) {}) {
-    MACULA_TRY_VOID(tracer.setVolume(study.volume));
-    MACULA_TRY_VOID(tracer.setClip(study.clip));
+    MACULA_TRY_VOID(tracer.scene().setVolume(study.volume));
+    MACULA_TRY_VOID(tracer.scene().setClip(study.clip));
     begin(Part::uploading);
-    MACULA_TRY_VOID(tracer.setTransferFunction(study.function));
-    MACULA_TRY_VOID(tracer.setEnvironment(Environment::fromRig(LightRig{})));
+    MACULA_TRY_VOID(tracer.scene().setTransferFunction(study.function));
+    MACULA_TRY_VOID(tracer.scene().setEnvironment(Environment::fromRig(LightRig{})));
     MACULA_TRY_VOID(tracer.setSettings(study.settings));
     View view = study.view;
     for (int i = 0; i < 2; ++i) {

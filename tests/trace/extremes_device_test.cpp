@@ -55,7 +55,7 @@ TEST_F(ExtremesOnDevice, aMillionSamplesDoNotDrift) {
     const Settings settings{.bounces = 1, .seed = 5, .filter = Filter::stochastic};
     const TransferFunction function = scenes::homogeneous(0.1);
     PathTracer t = tracer(volume, function, sky, view, settings);
-    ASSERT_TRUE(t.setClip(clip).ok());
+    ASSERT_TRUE(t.scene().setClip(clip).ok());
     constexpr std::uint32_t kSamples = 1'000'000;
     ASSERT_TRUE(*t.trace(kSamples));
     EXPECT_EQ(t.statistics()->samplesPerPixel, kSamples);

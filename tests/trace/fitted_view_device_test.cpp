@@ -107,7 +107,7 @@ TEST_F(FittedViewOf, ThePhantomUnderPresets) {
         PathTracer t = tracerOf(volume, preset);
         for (const ViewDirection from : kSides)
             expectFits(t, isThin, {200, 200}, from, preset.name + " " + std::to_string(int(from)));
-        ASSERT_TRUE(t.setClip({.planes = {{{1, 0, 0}, 0.0}}}).ok());
+        ASSERT_TRUE(t.scene().setClip({.planes = {{{1, 0, 0}, 0.0}}}).ok());
         expectFits(t, isThin, {200, 200}, ViewDirection::anterior, preset.name + " half");
     }
     EXPECT_EQ(drawn, 2);
@@ -123,7 +123,7 @@ TEST_F(FittedViewOf, NothingIsNothing) {
     // What a face of a clip may show counts.
     const Clip faces{.planes = {{{0, 1, 0}, 60.0}},
                      .greyFaces = DisplayWindow{.center = 1000, .width = 10, .function = "LINEAR_EXACT"}};
-    ASSERT_TRUE(t.setClip(faces).ok());
+    ASSERT_TRUE(t.scene().setClip(faces).ok());
     EXPECT_FALSE(t.outlineMm()->empty());
 }
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gpu/shared_device.h"
+#include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::trace {
@@ -14,9 +15,9 @@ class DeviceTest : public gpu::SharedDeviceTest {
                              const Environment& environment, const View& view, const Settings& settings) {
         auto made = PathTracer::create(device());
         PathTracer result = std::move(made).value();
-        EXPECT_TRUE(result.setVolume(volume).ok());
-        EXPECT_TRUE(result.setTransferFunction(function).ok());
-        EXPECT_TRUE(result.setEnvironment(environment).ok());
+        EXPECT_TRUE(result.scene().setVolume(volume).ok());
+        EXPECT_TRUE(result.scene().setTransferFunction(function).ok());
+        EXPECT_TRUE(result.scene().setEnvironment(environment).ok());
         EXPECT_TRUE(result.setSettings(settings).ok());
         EXPECT_TRUE(result.setView(view).ok());
         return result;

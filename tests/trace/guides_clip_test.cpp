@@ -179,7 +179,7 @@ TEST_F(GuidesAtCuts, AreThoseOfADenseMarch) {
     PathTracer t = tracer(volume, tissue, sky, view, {});
     for (const ClippedScene& scene : clippedScenes(*volume)) {
         SCOPED_TRACE(scene.name);
-        ASSERT_TRUE(t.setClip(scene.clip).ok());
+        ASSERT_TRUE(t.scene().setClip(scene.clip).ok());
         const auto onDevice = t.readGuides();
         ASSERT_TRUE(onDevice.ok());
         std::optional<MaskBits> bits;

@@ -57,7 +57,7 @@ TEST_F(GuidesOnDevice, DepthIsWhereTransmittanceFallsToOneHalf) {
     const auto image = t.readback();
     ASSERT_TRUE(image.ok());
     for (const float mm : image->depthMm) EXPECT_NEAR(mm, 3000 - 5 + std::log(2.0) / 0.2, 0.01);
-    ASSERT_TRUE(t.setTransferFunction(scenes::homogeneous(0.05)).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(scenes::homogeneous(0.05)).ok());
     const auto thin = t.readback();
     for (const float mm : thin->depthMm) EXPECT_TRUE(std::isinf(mm));
 }
@@ -116,7 +116,7 @@ TEST_F(GuidesOnDevice, NormalsAreRightBesideBricksThatShowNothing) {
             .planes = {{kept, glm::dot(kept, glm::dvec3(24.0))}},
             .greyFaces = DisplayWindow{.center = 5000, .width = 10000, .function = "LINEAR_EXACT"}};
         PathTracer face = tracer(volume, nothing, sky, view, {});
-        ASSERT_TRUE(face.setClip(clip).ok());
+        ASSERT_TRUE(face.scene().setClip(clip).ok());
         expectNormals(*face.readGuides(), outwards, "face");
     }
 }

@@ -29,7 +29,7 @@ TEST_F(LayersOnDevice, AreThoseOfTheReferenceInEachSmallScene) {
         SCOPED_TRACE(scene.name);
         const Settings settings = scene.settings(Look::cinematic, Filter::trilinear, 5);
         PathTracer t = tracer(scene.volume, scene.function, scene.environment(), scene.view, settings);
-        ASSERT_TRUE(t.setClip(scene.clip).ok());
+        ASSERT_TRUE(t.scene().setClip(scene.clip).ok());
         const auto pixels = t.readLayers();
         ASSERT_TRUE(pixels.ok());
 
@@ -113,7 +113,7 @@ TEST_F(LayersOnDevice, EndAtAFace) {
     Clip clip;
     clip.planes = {{.normal = {0, 1, 0}, .offsetMm = 2.0}};
     clip.greyFaces = DisplayWindow{.center = 500, .width = 1000};
-    ASSERT_TRUE(t.setClip(clip).ok());
+    ASSERT_TRUE(t.scene().setClip(clip).ok());
     const auto pixels = t.readLayers();
     ASSERT_TRUE(pixels.ok());
     const PixelLayers& middle = (*pixels)[8 * 16 + 8];

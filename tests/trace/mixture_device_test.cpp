@@ -60,7 +60,7 @@ TEST_F(MixtureOnDevice, PathsAndRaysGiveThePictureOfTheReference) {
             tracer(phantom.scene.volume, phantom.scene.function, kSky, phantom.scene.view, settings);
         ASSERT_TRUE(t.trace(kSamples).ok());
         const glm::dvec4 alone = meanOf(*t.readback());
-        ASSERT_TRUE(t.setAdditions(phantom.scene.additions).ok());
+        ASSERT_TRUE(t.scene().setAdditions(phantom.scene.additions).ok());
         ASSERT_TRUE(t.trace(kSamples).ok());
         const glm::dvec4 found = meanOf(*t.readback());
         const auto params = phantom.params(settings);
@@ -80,7 +80,7 @@ TEST_F(MixtureOnDevice, PathsAndRaysGiveThePictureOfTheReference) {
         EXPECT_EQ(statistics->collisionsAboveBound, 0u);
 
         // Without them it is the picture of before, to the last bit.
-        ASSERT_TRUE(t.setAdditions({}).ok());
+        ASSERT_TRUE(t.scene().setAdditions({}).ok());
         ASSERT_TRUE(t.trace(kSamples).ok());
         EXPECT_EQ(meanOf(*t.readback()), alone);
     }
@@ -89,7 +89,7 @@ TEST_F(MixtureOnDevice, PathsAndRaysGiveThePictureOfTheReference) {
 TEST_F(MixtureOnDevice, GuidesAreThoseOfTheReference) {
     const Phantom phantom;
     PathTracer t = tracer(phantom.scene.volume, phantom.scene.function, kSky, phantom.scene.view, {});
-    ASSERT_TRUE(t.setAdditions(phantom.scene.additions).ok());
+    ASSERT_TRUE(t.scene().setAdditions(phantom.scene.additions).ok());
     const auto pixels = t.readGuides();
     ASSERT_TRUE(pixels.ok());
     const auto expected = phantom.reference().guides(
@@ -120,7 +120,7 @@ TEST_F(MixtureOnDevice, WhatIsSeenIsOfBoth) {
     const double outline = extentMm(*t.outlineMm());
     Additions soft = phantom.scene.additions;
     soft.tints.reset();
-    ASSERT_TRUE(t.setAdditions(soft).ok());
+    ASSERT_TRUE(t.scene().setAdditions(soft).ok());
     const Box both = *t.seenMm();
     EXPECT_GT(glm::length(both.high - both.low), glm::length(bones.high - bones.low));
     EXPECT_GT(extentMm(*t.outlineMm()), outline + 10.0);
@@ -128,7 +128,7 @@ TEST_F(MixtureOnDevice, WhatIsSeenIsOfBoth) {
     ASSERT_TRUE(t.setSettings({.look = Look::mip}).ok());
     ASSERT_TRUE(t.trace(1).ok());
     const glm::dvec4 with = meanOf(*t.readback());
-    ASSERT_TRUE(t.setAdditions({}).ok());
+    ASSERT_TRUE(t.scene().setAdditions({}).ok());
     ASSERT_TRUE(t.trace(1).ok());
     EXPECT_EQ(meanOf(*t.readback()), with);
 }
@@ -161,21 +161,21 @@ TEST_F(MixtureOnDevice, OtherColoursAreATableAlone) {
     };
     const auto fresh = [&](const Additions& additions) {
         PathTracer t = tracer(phantom.scene.volume, phantom.scene.function, kSky, phantom.scene.view, {});
-        EXPECT_TRUE(t.setAdditions(additions).ok());
+        EXPECT_TRUE(t.scene().setAdditions(additions).ok());
         return pictureOf(t);
     };
     PathTracer t = tracer(phantom.scene.volume, phantom.scene.function, kSky, phantom.scene.view, {});
-    ASSERT_TRUE(t.setAdditions(phantom.scene.additions).ok());
+    ASSERT_TRUE(t.scene().setAdditions(phantom.scene.additions).ok());
     const auto before = pictureOf(t);
-    ASSERT_TRUE(t.setAdditions(other).ok());
+    ASSERT_TRUE(t.scene().setAdditions(other).ok());
     const auto after = pictureOf(t);
     EXPECT_NE(after, before);
     EXPECT_EQ(after, fresh(other));
     // Segments that come and go change no bounds either.
     other.tints.reset();
-    ASSERT_TRUE(t.setAdditions(other).ok());
+    ASSERT_TRUE(t.scene().setAdditions(other).ok());
     EXPECT_EQ(pictureOf(t), fresh(other));
-    ASSERT_TRUE(t.setAdditions(phantom.scene.additions).ok());
+    ASSERT_TRUE(t.scene().setAdditions(phantom.scene.additions).ok());
     EXPECT_EQ(pictureOf(t), before);
 }
 
@@ -183,13 +183,13 @@ TEST_F(MixtureOnDevice, OtherColoursAreATableAlone) {
 TEST_F(MixtureOnDevice, AnotherVolumeHasNoColoursOfTheLastOne) {
     const Phantom phantom;
     PathTracer t = tracer(phantom.scene.volume, phantom.scene.function, kSky, phantom.scene.view, {});
-    ASSERT_TRUE(t.setAdditions(phantom.scene.additions).ok());
+    ASSERT_TRUE(t.scene().setAdditions(phantom.scene.additions).ok());
     const auto slab = scenes::slab(10.0, kPixels);
-    ASSERT_TRUE(t.setVolume(slab.volume).ok());
-    ASSERT_TRUE(t.setTransferFunction(scenes::homogeneous(0.2)).ok());
+    ASSERT_TRUE(t.scene().setVolume(slab.volume).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(scenes::homogeneous(0.2)).ok());
     ASSERT_TRUE(t.trace(1).ok());
-    EXPECT_FALSE(t.setAdditions(phantom.scene.additions).ok());
-    ASSERT_TRUE(t.setAdditions({}).ok());
+    EXPECT_FALSE(t.scene().setAdditions(phantom.scene.additions).ok());
+    ASSERT_TRUE(t.scene().setAdditions({}).ok());
     ASSERT_TRUE(t.trace(1).ok());
 }
 

@@ -296,9 +296,9 @@ TEST_F(PathTracerTest, ADeviceWithMemoryOfItsOwnTracesTheSamePicture) {
     const auto card = *gpu::Device::create(instance(), {.separateMemory = true});
     auto made = PathTracer::create(card);
     PathTracer t = std::move(made).value();
-    ASSERT_TRUE(t.setVolume(volume).ok());
-    ASSERT_TRUE(t.setTransferFunction(bone).ok());
-    ASSERT_TRUE(t.setEnvironment(sky).ok());
+    ASSERT_TRUE(t.scene().setVolume(volume).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(bone).ok());
+    ASSERT_TRUE(t.scene().setEnvironment(sky).ok());
     ASSERT_TRUE(t.setView(front(*volume, 72, ViewDirection::left)).ok());
     ASSERT_TRUE(*t.trace(1));
     ASSERT_TRUE(t.display(glm::vec3(0.0f)).ok());
@@ -316,7 +316,7 @@ TEST_F(PathTracerTest, AnyChangeStartsANewPicture) {
     PathTracer t = tracer(volume, scenes::homogeneous(0.2), Environment::constant(glm::vec3(1.0f)), view, {});
     ASSERT_TRUE(*t.trace(4));
     EXPECT_EQ(t.statistics()->samplesPerPixel, 4u);
-    ASSERT_TRUE(t.setEnvironment(Environment::constant(glm::vec3(0.5f))).ok());
+    ASSERT_TRUE(t.scene().setEnvironment(Environment::constant(glm::vec3(0.5f))).ok());
     EXPECT_EQ(t.statistics()->samplesPerPixel, 0u);
     ASSERT_TRUE(*t.trace(2));
     EXPECT_EQ(t.statistics()->samplesPerPixel, 2u);
@@ -430,7 +430,7 @@ TEST_F(PathTracerTest, RefusesWhatCannotBeTraced) {
     EXPECT_TRUE(t.trace(1).ok());
     TransferFunction broken = scenes::homogeneous(0.2);
     broken.opacity.clear();
-    EXPECT_FALSE(t.setTransferFunction(broken).ok());
+    EXPECT_FALSE(t.scene().setTransferFunction(broken).ok());
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ TEST_F(PrimariesTest, TellOfThePictureInEachSmallScene) {
         const Settings settings = scene.settings(Look::cinematic, Filter::trilinear, 5);
         PathTracer tracer =
             DeviceTest::tracer(scene.volume, scene.function, scene.environment(), scene.view, settings);
-        ASSERT_TRUE(tracer.setClip(scene.clip).ok());
+        ASSERT_TRUE(tracer.scene().setClip(scene.clip).ok());
         std::vector<PrimaryVertex> vertices;
         for (const std::uint32_t samples : {2u, 1u, 2u}) {
             const auto more = found(tracer, samples);
@@ -130,7 +130,7 @@ TEST_F(PrimariesTest, OfFacesShowTheirGrey) {
     Clip clip;
     clip.planes = {{.normal = {0, 1, 0}, .offsetMm = 2.0}};
     clip.greyFaces = DisplayWindow{.center = 500, .width = 1000};
-    ASSERT_TRUE(tracer.setClip(clip).ok());
+    ASSERT_TRUE(tracer.scene().setClip(clip).ok());
     std::size_t onFace = 0;
     for (const PrimaryVertex& vertex : found(tracer, 2)) {
         if (!met(vertex)) continue;
@@ -190,8 +190,9 @@ TEST_F(PrimariesTest, ComeWithTheirPictureWhileTheNextIsTraced) {
             for (const auto& on : {card, device()}) {
                 auto made = PathTracer::create(on);
                 PathTracer tracer = std::move(made).value();
-                ASSERT_TRUE(tracer.setVolume(volume).ok() && tracer.setTransferFunction(function).ok() &&
-                            tracer.setEnvironment(light).ok() && tracer.setSettings(settings).ok() &&
+                ASSERT_TRUE(tracer.scene().setVolume(volume).ok() &&
+                            tracer.scene().setTransferFunction(function).ok() &&
+                            tracer.scene().setEnvironment(light).ok() && tracer.setSettings(settings).ok() &&
                             tracer.setView(view).ok());
                 ASSERT_TRUE(tracer.addPrimaries(2).ok());
                 ViewReading reading;

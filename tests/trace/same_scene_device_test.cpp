@@ -57,12 +57,12 @@ TEST_F(SameScene, WhatOneIsToldHoldsForAllAndNoSampleOfBeforeStays) {
     ASSERT_TRUE(*a.trace(3));
     Clip half;
     half.planes = {{glm::dvec3(1, 0, 0), 0.0}};
-    ASSERT_TRUE(a.setClip(half).ok());
+    ASSERT_TRUE(a.scene().setClip(half).ok());
     EXPECT_EQ(b.statistics()->samplesPerPixel, 0u);
     ASSERT_TRUE(*b.trace(2));
     EXPECT_EQ(b.statistics()->samplesPerPixel, 2u);
     PathTracer alone = first();
-    ASSERT_TRUE(alone.setClip(half).ok());
+    ASSERT_TRUE(alone.scene().setClip(half).ok());
     ASSERT_TRUE(*alone.trace(2));
     EXPECT_EQ(picture(b), picture(alone));
     // The box of what is seen is that of the half.

@@ -51,10 +51,10 @@ Scene sceneOf(double scale) {
 PathTracer tracerOf(const Scene& scene, const std::shared_ptr<gpu::Device>& device,
                     const Settings& settings) {
     PathTracer t = *PathTracer::create(device);
-    EXPECT_TRUE(t.setVolume(scene.volume).ok());
-    EXPECT_TRUE(t.setClip(scene.clip).ok());
-    EXPECT_TRUE(t.setTransferFunction(scene.function).ok());
-    EXPECT_TRUE(t.setEnvironment(Environment::constant(glm::vec3(1.0f))).ok());
+    EXPECT_TRUE(t.scene().setVolume(scene.volume).ok());
+    EXPECT_TRUE(t.scene().setClip(scene.clip).ok());
+    EXPECT_TRUE(t.scene().setTransferFunction(scene.function).ok());
+    EXPECT_TRUE(t.scene().setEnvironment(Environment::constant(glm::vec3(1.0f))).ok());
     EXPECT_TRUE(t.setSettings(settings).ok());
     EXPECT_TRUE(t.setView(scene.view).ok());
     return t;

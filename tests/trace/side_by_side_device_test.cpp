@@ -15,7 +15,7 @@ class SideBySideOnDevice : public DeviceTest {
     static PathTracer tracerOf(const scenes::SmallScene& scene, std::uint32_t seed) {
         PathTracer made = tracer(scene.volume, scene.function, scene.environment(), scene.view,
                                  scene.settings(Look::cinematic, Filter::trilinear, seed));
-        EXPECT_TRUE(made.setClip(scene.clip).ok());
+        EXPECT_TRUE(made.scene().setClip(scene.clip).ok());
         return made;
     }
     static TracedImage picture(PathTracer& t, std::uint32_t sideBySide, std::uint32_t samples) {

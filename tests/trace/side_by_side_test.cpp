@@ -33,6 +33,20 @@ TEST(SideBySide, ASmallPictureOnACardHasAThreadForEachSample) {
     EXPECT_EQ(card.threadsPerPixel(0), 1u);
 }
 
+// Each takes sample after sample: more than the card holds at once would only wait.
+TEST(SideBySide, NoMoreThreadsThanTheCardHolds) {
+    const SideBySide card(kLargeCard);
+    EXPECT_EQ(card.threads(kFovea, 1), 64 * kFovea);
+    EXPECT_EQ(card.threads(kFovea, 4), 64 * 4 * kFovea);
+    EXPECT_EQ(card.threads(kFovea, 16), 64u * 4224u);
+    EXPECT_EQ(card.threads(kFrame, 1), 64u * 4224u);
+    EXPECT_EQ(SideBySide(1).threads(10, 4), 64u);
+    SideBySide forced(0);
+    forced.force(3);
+    EXPECT_EQ(forced.threads(10, 2), 64u * 10u * 2u);
+    EXPECT_EQ(forced.threads(10, 7), 64u * 10u * 3u);
+}
+
 // And the longest row is as short as it can be.
 TEST(SideBySide, NoThreadIsInVain) {
     const SideBySide device(kLargeCard);

@@ -37,8 +37,8 @@ PathTracer tracerWith(const std::shared_ptr<gpu::Device>& device, const std::sha
                       const MemoryLimits& limits, int size) {
     auto made = PathTracer::create(device, limits);
     PathTracer result = std::move(made).value();
-    EXPECT_TRUE(result.setVolume(volume).ok());
-    EXPECT_TRUE(result.setEnvironment(Environment::constant(glm::vec3(1.0f))).ok());
+    EXPECT_TRUE(result.scene().setVolume(volume).ok());
+    EXPECT_TRUE(result.scene().setEnvironment(Environment::constant(glm::vec3(1.0f))).ok());
     EXPECT_TRUE(result.setView(viewOf(*volume, size)).ok());
     return result;
 }
@@ -154,11 +154,11 @@ TEST_F(Sparse, WhatIsNotUploadedIsNotMissed) {
         PathTracer few = tracerWith(device(), volume, {}, 48);
         ASSERT_TRUE(all.setSettings({.filter = filter}).ok());
         ASSERT_TRUE(few.setSettings({.filter = filter}).ok());
-        ASSERT_TRUE(all.setTransferFunction(band(0, 9000)).ok());
+        ASSERT_TRUE(all.scene().setTransferFunction(band(0, 9000)).ok());
         EXPECT_EQ(all.statistics()->voxels.poolBytes, 729 * kSlotBytes);
-        ASSERT_TRUE(all.setTransferFunction(band(1500, 1700)).ok());
+        ASSERT_TRUE(all.scene().setTransferFunction(band(1500, 1700)).ok());
         EXPECT_EQ(all.statistics()->voxels.uploadedBytes, 0u);
-        ASSERT_TRUE(few.setTransferFunction(band(1500, 1700)).ok());
+        ASSERT_TRUE(few.scene().setTransferFunction(band(1500, 1700)).ok());
         EXPECT_LT(few.statistics()->voxels.poolBytes, 400 * kSlotBytes);
         EXPECT_EQ(pictureOf(all, 8), pictureOf(few, 8));
     }
@@ -182,28 +182,28 @@ TEST_F(Sparse, OnlyTheDifferenceIsUploaded) {
     }
     ASSERT_GT(onlyInB, 50u);
     PathTracer t = tracerWith(device(), volume, {}, 32);
-    ASSERT_TRUE(t.setTransferFunction(inner).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(inner).ok());
     EXPECT_EQ(t.statistics()->voxels.uploadedBlocks, inA);
     EXPECT_EQ(t.statistics()->voxels.uploadedBytes, inA * kSlotBytes);
     EXPECT_EQ(t.statistics()->voxels.poolBytes, inA * kSlotBytes);
-    ASSERT_TRUE(t.setTransferFunction(outer).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(outer).ok());
     EXPECT_EQ(t.statistics()->voxels.uploadedBytes, onlyInB * kSlotBytes);
     for (const TransferFunction& again : {inner, outer, inner}) {  // was there, and is still
-        ASSERT_TRUE(t.setTransferFunction(again).ok());
+        ASSERT_TRUE(t.scene().setTransferFunction(again).ok());
         EXPECT_EQ(t.statistics()->voxels.uploadedBytes, 0u);
     }
     TransferFunction colours = inner;
     colours.colour = {{0.0, {1, 0.2, 0.1}}};
-    ASSERT_TRUE(t.setTransferFunction(colours).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(colours).ok());
     EXPECT_EQ(t.statistics()->voxels.uploadedBytes, 0u);
     // A clip hides bricks like a curve does.
-    ASSERT_TRUE(t.setTransferFunction(band(0, 9000)).ok());
-    ASSERT_TRUE(t.setClip({.planes = {{{1, 0, 0}, 36.0}}}).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(band(0, 9000)).ok());
+    ASSERT_TRUE(t.scene().setClip({.planes = {{{1, 0, 0}, 36.0}}}).ok());
     EXPECT_EQ(t.statistics()->voxels.uploadedBytes, 0u);
     EXPECT_LT(t.statistics()->voxels.shownBlocks, 600u);
     PathTracer clipped = tracerWith(device(), volume, {}, 32);
-    ASSERT_TRUE(clipped.setClip({.planes = {{{1, 0, 0}, 36.0}}}).ok());
-    ASSERT_TRUE(clipped.setTransferFunction(band(0, 9000)).ok());
+    ASSERT_TRUE(clipped.scene().setClip({.planes = {{{1, 0, 0}, 36.0}}}).ok());
+    ASSERT_TRUE(clipped.scene().setTransferFunction(band(0, 9000)).ok());
     EXPECT_EQ(clipped.statistics()->voxels.uploadedBlocks, t.statistics()->voxels.shownBlocks);
     EXPECT_EQ(pictureOf(clipped, 4), pictureOf(t, 4));
 }
@@ -217,7 +217,7 @@ TEST_F(Sparse, WhatIsHiddenMakesRoom) {
     std::vector<std::vector<glm::vec4>> expected;
     for (const TransferFunction& look : looks) {
         PathTracer fresh = tracerWith(device(), volume, {}, 32);
-        ASSERT_TRUE(fresh.setTransferFunction(look).ok());
+        ASSERT_TRUE(fresh.scene().setTransferFunction(look).ok());
         most = std::max(most, fresh.statistics()->voxels.poolBytes);
         expected.push_back(pictureOf(fresh, 4));
     }
@@ -225,7 +225,7 @@ TEST_F(Sparse, WhatIsHiddenMakesRoom) {
     std::mt19937 random(9);
     for (int turn = 0; turn < 12; ++turn) {
         const std::size_t look = random() % std::size(looks);
-        ASSERT_TRUE(t.setTransferFunction(looks[look]).ok());
+        ASSERT_TRUE(t.scene().setTransferFunction(looks[look]).ok());
         EXPECT_LE(t.statistics()->voxels.poolBytes, most);
         EXPECT_TRUE(t.statistics()->messages.empty());
         EXPECT_EQ(pictureOf(t, 4), expected[look]) << turn;
@@ -241,7 +241,7 @@ TEST_F(Sparse, SeveralViewsOfThePoolShowWhatOneShows) {
         PathTracer parts = tracerWith(device(), volume, {.viewValues = std::uint64_t{1} << 15}, 32);
         for (PathTracer* t : {&whole, &parts}) ASSERT_TRUE(t->setSettings({.look = look}).ok());
         for (const TransferFunction& function : {band(-1, 400), band(-1, 4000), band(1000, 1200)}) {
-            for (PathTracer* t : {&whole, &parts}) ASSERT_TRUE(t->setTransferFunction(function).ok());
+            for (PathTracer* t : {&whole, &parts}) ASSERT_TRUE(t->scene().setTransferFunction(function).ok());
             EXPECT_EQ(pictureOf(parts, 2), pictureOf(whole, 2)) << int(look);
             if (function.opacity.back().value == 4000 || look == Look::mip) {
                 EXPECT_GT(parts.statistics()->voxels.poolBytes, 2u << 15) << "several views";
@@ -256,7 +256,7 @@ TEST_F(Sparse, WhatBoundThePoolIsTold) {
     const auto volume = onion(72);  // 729 blocks
     const auto adviceWith = [&](const MemoryLimits& limits) {
         PathTracer t = tracerWith(device(), volume, limits, 16);
-        EXPECT_TRUE(t.setTransferFunction(band(-1, 5000)).ok());
+        EXPECT_TRUE(t.scene().setTransferFunction(band(-1, 5000)).ok());
         const auto messages = t.statistics()->messages;
         return messages.size() == 1 ? messages.front().action : std::string();
     };
@@ -269,7 +269,7 @@ TEST_F(Sparse, WhatBoundThePoolIsTold) {
 TEST_F(Sparse, NothingVisibleUploadsNothingAndShowsNothing) {
     const auto volume = onion(72);
     PathTracer t = tracerWith(device(), volume, {}, 16);
-    ASSERT_TRUE(t.setTransferFunction(band(60000, 60001)).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(band(60000, 60001)).ok());
     const VoxelMemory memory = t.statistics()->voxels;
     EXPECT_EQ(memory.visibleBricks, 0u);
     EXPECT_EQ(memory.shownBlocks, 0u);
@@ -287,7 +287,7 @@ TEST_F(Sparse, ACoarseVolumeIsTracedAsIfItWereSo) {
     const Environment sky = Environment::constant(glm::vec3(1.0f));
     for (const std::uint64_t slots : {200u, 20u, 3u}) {
         PathTracer t = tracerWith(device(), volume, {.voxelBytes = slots * kSlotBytes}, 48);
-        ASSERT_TRUE(t.setTransferFunction(look).ok());
+        ASSERT_TRUE(t.scene().setTransferFunction(look).ok());
         Medium medium = makeMedium(*volume, grid, look);
         const Coarsening plan =
             fitBlocks(grid, blocksToShow(grid, medium.bounds), medium.extinctionPerMm, slots);
@@ -314,14 +314,14 @@ TEST_F(Sparse, ACoarsePictureIsNearTheFineOneAndSaysSo) {
     TransferFunction bone = scenes::homogeneous(1.0);
     bone.opacity = {{150, 0.0}, {400, 0.8}};
     PathTracer fine = tracerWith(device(), volume, {}, 64);
-    ASSERT_TRUE(fine.setTransferFunction(bone).ok());
+    ASSERT_TRUE(fine.scene().setTransferFunction(bone).ok());
     EXPECT_TRUE(fine.statistics()->messages.empty());
     const auto expected = pictureOf(fine, 32);
     const std::uint64_t full = fine.statistics()->voxels.uploadedBytes;
     double last = 0.0;
     for (const std::uint64_t part : {2, 6, 40}) {
         PathTracer t = tracerWith(device(), volume, {.voxelBytes = full / part}, 64);
-        ASSERT_TRUE(t.setTransferFunction(bone).ok());
+        ASSERT_TRUE(t.scene().setTransferFunction(bone).ok());
         const auto statistics = *t.statistics();
         EXPECT_LE(statistics.voxels.poolBytes, full / part);
         ASSERT_EQ(statistics.messages.size(), 1u);
@@ -397,7 +397,7 @@ TEST_F(Sparse, MemoryGrowsWithWhatIsVisible) {
     for (const int percent : {0, 5, 10, 25, 50, 75, 100}) {
         const int slices = 160 * percent / 100;
         PathTracer t = tracerWith(device(), tall(kSize, slices), {}, 8);
-        ASSERT_TRUE(t.setTransferFunction(band(900, 2000)).ok());
+        ASSERT_TRUE(t.scene().setTransferFunction(band(900, 2000)).ok());
         const VoxelMemory memory = t.statistics()->voxels;
         // No more than two layers of blocks beside what is visible: interpolation reaches over, and slices
         // end in blocks.
@@ -410,7 +410,7 @@ TEST_F(Sparse, MemoryGrowsWithWhatIsVisible) {
 
 TEST_F(Sparse, ATenthOfALargeVolumeTakesATenthOfItsSize) {
     PathTracer t = tracerWith(device(), tall({512, 512, 1024}, 102), {}, 16);
-    ASSERT_TRUE(t.setTransferFunction(band(900, 2000)).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(band(900, 2000)).ok());
     const VoxelMemory memory = t.statistics()->voxels;
     const double dense = 2.0 * 512 * 512 * 1024;
     RecordProperty("poolMiB", std::to_string(double(memory.poolBytes) / 1048576.0));
@@ -427,7 +427,7 @@ TEST_F(Sparse, ATenthOfALargeVolumeTakesATenthOfItsSize) {
 TEST_F(Sparse, AVolumeOf512By512By1200IsWholeWhenHalfOfItIsVisible) {
     const auto volume = tall({512, 512, 1200}, 600);
     PathTracer t = tracerWith(device(), volume, {.viewValues = std::uint64_t{1} << 27}, 16);
-    ASSERT_TRUE(t.setTransferFunction(band(900, 2000)).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(band(900, 2000)).ok());
     const auto statistics = *t.statistics();
     EXPECT_TRUE(statistics.messages.empty());
     EXPECT_EQ(statistics.voxels.coarseBlocks, 0u);
@@ -441,12 +441,12 @@ TEST_F(Sparse, AVolumeOf512By512By2000IsShownWithinTheLimitsOfTheDevice) {
     const std::uint64_t limit =
         poolRoom({}, device()->info(), device()->memoryAvailableBytes(), 0).slotCount * kSlotBytes;
     PathTracer t = tracerWith(device(), volume, {}, 16);
-    ASSERT_TRUE(t.setTransferFunction(band(900, 2000)).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(band(900, 2000)).ok());
     EXPECT_TRUE(t.statistics()->messages.empty());
     EXPECT_LE(double(t.statistics()->voxels.poolBytes), 0.11 * 2.0 * 512 * 512 * 2000);
     const auto tenth = pictureOf(t, 1);
     // All of it.
-    ASSERT_TRUE(t.setTransferFunction(band(-1, 2000)).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(band(-1, 2000)).ok());
     const auto statistics = *t.statistics();
     EXPECT_LE(statistics.voxels.poolBytes, limit);
     if (limit < std::uint64_t{2} * 512 * 512 * 2000) {
@@ -460,7 +460,7 @@ TEST_F(Sparse, AVolumeOf512By512By2000IsShownWithinTheLimitsOfTheDevice) {
     };
     EXPECT_GT(covered(all), 3 * std::max<std::ptrdiff_t>(covered(tenth), 1));
     // And back.
-    ASSERT_TRUE(t.setTransferFunction(band(900, 2000)).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(band(900, 2000)).ok());
     EXPECT_TRUE(t.statistics()->messages.empty());
     EXPECT_EQ(pictureOf(t, 1), tenth);
 }

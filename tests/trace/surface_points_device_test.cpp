@@ -145,7 +145,7 @@ TEST_F(SurfacePointsTest, NoneInWhatClipAndMaskRemove) {
     Clip clip;
     clip.planes = {{{1.0, 0.0, 0.0}, 3.0}};
     clip.cut = Octant{.pointMm = {8.0, 0.0, 0.0}, .towards = {1, -1, 1}};
-    ASSERT_TRUE(t.setClip(clip).ok());
+    ASSERT_TRUE(t.scene().setClip(clip).ok());
     const Found cut = find(t, {.count = 2000, .paths = 32});
     std::size_t onPlane = 0;
     for (const glm::dvec3& p : cut.atMm) {
@@ -165,14 +165,14 @@ TEST_F(SurfacePointsTest, NoneInWhatClipAndMaskRemove) {
     auto map = LabelMap::create(kSize, volume->worldFromVoxel(), {{.number = 1, .label = "a"}}, labels);
     Clip masked;
     masked.mask = Mask{std::make_shared<const LabelMap>(std::move(map).value()), {1}, Keep::inside};
-    ASSERT_TRUE(t.setClip(masked).ok());
+    ASSERT_TRUE(t.scene().setClip(masked).ok());
     const Found half = find(t, {.count = 1000, .paths = 32});
     ASSERT_GT(half.atMm.size(), 900u);
     for (const glm::dvec3& p : half.atMm) EXPECT_LT(p.y, 1e-3);  // half way between the voxels
 
     // What is behind a mask of everything cannot be seen.
     masked.mask->numbers = {7};
-    ASSERT_TRUE(t.setClip(masked).ok());
+    ASSERT_TRUE(t.scene().setClip(masked).ok());
     EXPECT_TRUE(find(t, {.count = 100}).atMm.empty());
 }
 
@@ -183,7 +183,7 @@ TEST_F(SurfacePointsTest, LieOnFacesThatShowValues) {
     clip.planes = {{{1.0, 0.0, 0.0}, 2.5}};
     clip.greyFaces =
         DisplayWindow{.center = 500.0, .width = 1000.0, .explanation = {}, .function = "LINEAR_EXACT"};
-    ASSERT_TRUE(t.setClip(clip).ok());
+    ASSERT_TRUE(t.scene().setClip(clip).ok());
     const Found found = find(t, {.count = 1000, .paths = 32});
     ASSERT_GT(found.atMm.size(), 950u);
     for (std::size_t i = 0; i < found.atMm.size(); ++i) {
@@ -197,7 +197,7 @@ TEST_F(SurfacePointsTest, LieOnFacesThatShowValues) {
     EXPECT_NEAR(found.points.areaMm2 * double(found.atMm.size()) / area, 0.9, 0.1);
 
     // Matter behind a face is hidden by it: the rest of the dense block is seen at its other sides.
-    ASSERT_TRUE(t.setTransferFunction(above(500, 10.0)).ok());
+    ASSERT_TRUE(t.scene().setTransferFunction(above(500, 10.0)).ok());
     const Found block = find(t, {.count = 2000, .paths = 32});
     for (std::size_t i = 0; i < block.atMm.size(); ++i) {
         const glm::dvec3& p = block.atMm[i];
@@ -270,9 +270,9 @@ TEST_F(SurfacePointsTest, AreFiniteInExtremeScenes) {
     const auto first = ball(kRadius);
     PathTracer t = under(first, above(500, 1.0));
     for (const scenes::ExtremeScene& scene : scenes::extremeScenes()) {
-        ASSERT_TRUE(t.setVolume(scene.volume).ok());
-        ASSERT_TRUE(t.setTransferFunction(scene.function).ok());
-        ASSERT_TRUE(t.setEnvironment(scene.environment).ok());
+        ASSERT_TRUE(t.scene().setVolume(scene.volume).ok());
+        ASSERT_TRUE(t.scene().setTransferFunction(scene.function).ok());
+        ASSERT_TRUE(t.scene().setEnvironment(scene.environment).ok());
         ASSERT_TRUE(t.setView(scene.view).ok());
         const Found found = find(t, {.count = 200, .paths = 32});
         ASSERT_LE(found.atMm.size(), 200u) << scene.name;

@@ -6,6 +6,7 @@
 #include "shaders/trace.h"
 #include "shared/denoise_params.h"
 #include "shared/guide_params.h"
+#include "shared/indirect_light.h"
 #include "shared/pixel_layers.h"
 #include "shared/primary_vertex.h"
 #include "shared/surface_params.h"
@@ -40,7 +41,7 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
     for (const auto& code : {shaders::trace_path_comp, shaders::trace_cast_comp}) {
         const auto reflection = gpu::reflectSpirv(code.words);
         ASSERT_TRUE(reflection.ok());
-        const auto* planned = reflection->bindings.back().block.find("planned");
+        const auto* planned = reflection->bindings.at(21).block.find("planned");
         ASSERT_NE(planned, nullptr) << code.name;
         expectLayoutMatches<PlannedBlock>(*planned, kPlannedBlock);
     }
@@ -100,6 +101,26 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
         *display->pushConstants->block.find("push"),
         {MACULA_FIELD(DisplayPush, background), MACULA_FIELD(DisplayPush, exposure),
          MACULA_FIELD(DisplayPush, smoothing), MACULA_FIELD(DisplayPush, denoised)});
+}
+
+TEST(TraceLayout, OfSamplesSideBySide) {
+    const auto side = gpu::reflectSpirv(shaders::trace_path_side_comp.words);
+    ASSERT_TRUE(side.ok());
+    expectLayoutMatches<shared::SidePush>(
+        *side->pushConstants->block.find("push"),
+        {MACULA_FIELD(shared::SidePush, blockCount), MACULA_FIELD(shared::SidePush, mostSamples)});
+}
+
+TEST(TraceLayout, OfIndirectLight) {
+    using shared::IndirectPush, shared::IndirectRecord;
+    const auto add = gpu::reflectSpirv(shaders::trace_indirect_add_comp.words);
+    ASSERT_TRUE(add.ok());
+    expectLayoutMatches<IndirectRecord>(
+        *add->bindings.front().block.find("records"),
+        {MACULA_FIELD(IndirectRecord, cells), MACULA_FIELD(IndirectRecord, light)});
+    expectLayoutMatches<IndirectPush>(
+        *add->pushConstants->block.find("push"),
+        {MACULA_FIELD(IndirectPush, recordCount), MACULA_FIELD(IndirectPush, unit)});
 }
 
 TEST(TraceLayout, OfSurfacePoints) {

@@ -171,10 +171,10 @@ class Unbiased : public DeviceTest, public ::testing::WithParamInterface<std::tu
 
     Tally onDevice(PathTracer& t, const scenes::SmallScene& scene, std::uint32_t firstSeed,
                    std::uint32_t samples) const {
-        EXPECT_TRUE(t.setVolume(scene.volume).ok());
-        EXPECT_TRUE(t.setTransferFunction(scene.function).ok());
-        EXPECT_TRUE(t.setEnvironment(scene.environment()).ok());
-        EXPECT_TRUE(t.setClip(scene.clip).ok());
+        EXPECT_TRUE(t.scene().setVolume(scene.volume).ok());
+        EXPECT_TRUE(t.scene().setTransferFunction(scene.function).ok());
+        EXPECT_TRUE(t.scene().setEnvironment(scene.environment()).ok());
+        EXPECT_TRUE(t.scene().setClip(scene.clip).ok());
         EXPECT_TRUE(t.setView(scene.view).ok());
         Tally tally;
         for (std::uint32_t seed = firstSeed; seed < firstSeed + kSeeds; ++seed) {

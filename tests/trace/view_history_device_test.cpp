@@ -89,7 +89,7 @@ TEST_F(ViewHistoryOnDevice, GreyFacesKeepTheirGreyWhenTheExposureChanges) {
     const Environment even = Environment::constant(glm::vec3(1.0f));
     const auto greyOf = [](PathTracer& t) { return *t.readDisplay(glm::vec3(0.0f)); };
     PathTracer t = tracer(ball(), dense(), even, around(0, 32), settings);
-    ASSERT_TRUE(t.setClip(clip).ok());
+    ASSERT_TRUE(t.scene().setClip(clip).ok());
     ASSERT_TRUE(*t.trace(8));
     const auto before = greyOf(t);
     for (const double exposure : {4.0, 0.25}) {

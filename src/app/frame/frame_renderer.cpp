@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "pipeline/trace/device_scene.h"
 
 namespace macula::app {
 
@@ -406,7 +407,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
         applied_.volume = nullptr;
         applied_.transferFunction = nullptr;
         applied_.additions = nullptr;
-        MACULA_TRY_VOID(tracer.setVolume(input_.volume));
+        MACULA_TRY_VOID(tracer.scene().setVolume(input_.volume));
         applied_.volume = input_.volume;
         if (interrupted()) return false;
     }
@@ -416,7 +417,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
         traced_->sceneChanged();
         outlineOf_.reset();
         applied_.clip.reset();
-        MACULA_TRY_VOID(tracer.setClip(drawing.clip ? *drawing.clip : Clip{}));
+        MACULA_TRY_VOID(tracer.scene().setClip(drawing.clip ? *drawing.clip : Clip{}));
         applied_.clip = drawing.clip;
         if (interrupted()) return false;
     }
@@ -428,7 +429,7 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
             outlineOf_.reset();
         }
         applied_.additions.reset();
-        MACULA_TRY_VOID(tracer.setAdditions(drawing.additions ? *drawing.additions : Additions{}));
+        MACULA_TRY_VOID(tracer.scene().setAdditions(drawing.additions ? *drawing.additions : Additions{}));
         applied_.additions = drawing.additions;
         if (interrupted()) return false;
     }
@@ -438,14 +439,14 @@ Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
         traced_->sceneChanged();
         outlineOf_.reset();
         applied_.transferFunction = nullptr;
-        MACULA_TRY_VOID(tracer.setTransferFunction(*drawing.transferFunction));
+        MACULA_TRY_VOID(tracer.scene().setTransferFunction(*drawing.transferFunction));
         applied_.transferFunction = drawing.transferFunction;
         if (interrupted()) return false;
     }
     if (applied_.lights != drawing.lights) {
         traced_->sceneChanged();
         applied_.lights = nullptr;
-        MACULA_TRY_VOID(tracer.setEnvironment(trace::Environment::fromRig(*drawing.lights)));
+        MACULA_TRY_VOID(tracer.scene().setEnvironment(trace::Environment::fromRig(*drawing.lights)));
         applied_.lights = drawing.lights;
     }
     if (outlineOf_ != input_.study) {

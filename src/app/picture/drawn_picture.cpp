@@ -9,6 +9,7 @@
 #include "app/elapsed.h"
 #include "app/picture/fitted_view.h"
 #include "app/study/nothing_visible.h"
+#include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/scene.h"
 
 namespace macula::app {
@@ -77,12 +78,12 @@ Result<PictureDrawer> PictureDrawer::create(const std::shared_ptr<gpu::Device>& 
     if (progress.cancelled()) return stopped();
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, request.memory));
     if (progress.cancelled()) return stopped();
-    MACULA_TRY_VOID(tracer.setVolume(scene.volume));
+    MACULA_TRY_VOID(tracer.scene().setVolume(scene.volume));
     if (progress.cancelled()) return stopped();
-    MACULA_TRY_VOID(tracer.setClip(scene.clip));  // first: what it hides is not uploaded
-    MACULA_TRY_VOID(tracer.setAdditions(scene.additions));
-    MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
-    MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
+    MACULA_TRY_VOID(tracer.scene().setClip(scene.clip));  // first: what it hides is not uploaded
+    MACULA_TRY_VOID(tracer.scene().setAdditions(scene.additions));
+    MACULA_TRY_VOID(tracer.scene().setTransferFunction(scene.function));
+    MACULA_TRY_VOID(tracer.scene().setEnvironment(scene.environment));
     MACULA_TRY_VOID(tracer.setSettings(request.settings));
     return PictureDrawer(device, request, std::move(tracer));
 }
@@ -95,13 +96,13 @@ Result<void> PictureDrawer::change(const PictureRequest& request, const Progress
         if (progress.cancelled()) return stopped();
         return set();
     };
-    MACULA_TRY_VOID(bring(scene.clip == before.clip, [&] { return tracer_.setClip(scene.clip); }));
-    MACULA_TRY_VOID(
-        bring(scene.additions == before.additions, [&] { return tracer_.setAdditions(scene.additions); }));
+    MACULA_TRY_VOID(bring(scene.clip == before.clip, [&] { return tracer_.scene().setClip(scene.clip); }));
+    MACULA_TRY_VOID(bring(scene.additions == before.additions,
+                          [&] { return tracer_.scene().setAdditions(scene.additions); }));
     MACULA_TRY_VOID(bring(scene.function == before.function,
-                          [&] { return tracer_.setTransferFunction(scene.function); }));
+                          [&] { return tracer_.scene().setTransferFunction(scene.function); }));
     MACULA_TRY_VOID(bring(scene.environment == before.environment,
-                          [&] { return tracer_.setEnvironment(scene.environment); }));
+                          [&] { return tracer_.scene().setEnvironment(scene.environment); }));
     return tracer_.setSettings(request_.settings);
 }
 

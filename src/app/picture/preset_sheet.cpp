@@ -9,6 +9,7 @@
 #include "app/camera/view_directions.h"
 #include "app/choice/lights_choice.h"
 #include "app/picture/public_series.h"
+#include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/volume/window.h"
 
@@ -55,12 +56,12 @@ Result<LightsOfLooks> lightsOfLooks() {
 Result<void> drawRow(trace::PathTracer& tracer, const SheetRequest& request, const LightsOfLooks& lights,
                      const TransferFunction& preset, const SheetPlace& place, const Progress& progress,
                      Sheet& sheet) {
-    MACULA_TRY_VOID(tracer.setTransferFunction(preset));
+    MACULA_TRY_VOID(tracer.scene().setTransferFunction(preset));
     int column = place.panel * kLookCount;
     for (std::size_t i = 0; i < trace::kLooks.size(); ++i) {
         const trace::LookTraits& look = trace::kLooks[i];
         if (lights[i]) {
-            MACULA_TRY_VOID(tracer.setEnvironment(*lights[i]));
+            MACULA_TRY_VOID(tracer.scene().setEnvironment(*lights[i]));
         }
         MACULA_TRY_VOID(
             tracer.setSettings({.look = look.look, .window = presetWindow(preset, *request.volume)}));
@@ -91,13 +92,13 @@ Result<std::vector<std::uint8_t>> drawSheet(const std::shared_ptr<gpu::Device>& 
     Sheet sheet{.tilePx = request.tilePx, .columns = kLookCount * request.panels, .rgba = {}};
     sheet.rgba.resize(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
-    MACULA_TRY_VOID(tracer.setVolume(request.volume));
+    MACULA_TRY_VOID(tracer.scene().setVolume(request.volume));
     MACULA_TRY_VOID(tracer.setView({.camera = frameBox(request.volume->worldBox(), request.view, 30.0, 1.0),
                                     .width = request.tilePx,
                                     .height = request.tilePx}));
     MACULA_TRY(const LightsOfLooks lights, lightsOfLooks());
     // Looks without lights want some all the same.
-    MACULA_TRY_VOID(tracer.setEnvironment(trace::Environment::constant(glm::vec3(0.0f))));
+    MACULA_TRY_VOID(tracer.scene().setEnvironment(trace::Environment::constant(glm::vec3(0.0f))));
     progress.beginStage("Drawing", request.presets.size());
     for (std::size_t i = 0; i < request.presets.size(); ++i) {
         MACULA_TRY_VOID(

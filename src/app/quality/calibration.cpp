@@ -15,6 +15,7 @@
 #include "base/log.h"
 #include "base/phantom.h"
 #include "pipeline/gpu/device_info.h"
+#include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/volume/json_reader.h"
 #include "pipeline/volume/json_writer.h"
@@ -46,9 +47,9 @@ Result<trace::PathTracer> tracerOf(const std::shared_ptr<gpu::Device>& device,
     const auto volume = std::make_shared<const Volume>(phantom::make());
     MACULA_TRY(const trace::Environment lights, chooseLights(kDefaultLights));
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
-    MACULA_TRY_VOID(tracer.setVolume(volume));
-    MACULA_TRY_VOID(tracer.setTransferFunction(function));
-    MACULA_TRY_VOID(tracer.setEnvironment(lights));
+    MACULA_TRY_VOID(tracer.scene().setVolume(volume));
+    MACULA_TRY_VOID(tracer.scene().setTransferFunction(function));
+    MACULA_TRY_VOID(tracer.scene().setEnvironment(lights));
     MACULA_TRY_VOID(tracer.setSettings({.bounces = kBounces, .seed = 1, .filter = trace::Filter::trilinear}));
     MACULA_TRY_VOID(
         tracer.setView({.camera = frameBox(volume->worldBox(), ViewDirection::anterior, kFovDeg, 1.0),
@@ -88,7 +89,7 @@ Result<Calibration> measureCalibration(const std::shared_ptr<gpu::Device>& devic
                             .version = MACULA_VERSION};
     // The first makes the kernels.
     for (int i = 0; i <= kTimes; ++i) {
-        MACULA_TRY_VOID(tracer.setTransferFunction(preset.function));
+        MACULA_TRY_VOID(tracer.scene().setTransferFunction(preset.function));
         const Clock::time_point start = Clock::now();
         MACULA_TRY_VOID(tracer.trace(1, keepGoing));
         MACULA_TRY_VOID(stopped());

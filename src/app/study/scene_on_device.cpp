@@ -1,4 +1,5 @@
 #include "app/study/scene_on_device.h"
+#include "pipeline/trace/device_scene.h"
 
 #include <utility>
 
@@ -19,11 +20,11 @@ Result<hybrid::TracedScene> visibleScene(const StudyScene& scene) {
 Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const StudyScene& scene) {
     MACULA_TRY(hybrid::TracedScene traced, visibleScene(scene));
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
-    MACULA_TRY_VOID(tracer.setVolume(scene.volume));
-    MACULA_TRY_VOID(tracer.setClip(scene.clip));
-    MACULA_TRY_VOID(tracer.setAdditions(scene.additions));
-    MACULA_TRY_VOID(tracer.setTransferFunction(scene.function));
-    MACULA_TRY_VOID(tracer.setEnvironment(scene.environment));
+    MACULA_TRY_VOID(tracer.scene().setVolume(scene.volume));
+    MACULA_TRY_VOID(tracer.scene().setClip(scene.clip));
+    MACULA_TRY_VOID(tracer.scene().setAdditions(scene.additions));
+    MACULA_TRY_VOID(tracer.scene().setTransferFunction(scene.function));
+    MACULA_TRY_VOID(tracer.scene().setEnvironment(scene.environment));
     MACULA_TRY(const trace::Statistics statistics, tracer.statistics());
     SceneOnDevice onDevice{.traced = std::move(traced),
                            .tracer = std::move(tracer),

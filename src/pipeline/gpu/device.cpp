@@ -19,36 +19,23 @@ namespace {
 
 // Which of our optional features the device has; all required ones were checked by listDevices.
 struct Features {
-    VkPhysicalDeviceShaderAtomicFloatFeaturesEXT atomics{
-        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_FLOAT_FEATURES_EXT};
     VkPhysicalDeviceVulkan13Features v13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     VkPhysicalDeviceVulkan12Features v12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES, &v13};
     VkPhysicalDeviceVulkan11Features v11{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_1_FEATURES, &v12};
     VkPhysicalDeviceFeatures2 core{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &v11, {}};
 
-    Features(VkPhysicalDevice device, bool floatAtomicAdd) {
+    explicit Features(VkPhysicalDevice device) {
         const Offered offered(device);
-        core.features.shaderInt16 = offered.core.features.shaderInt16;
-        core.features.shaderInt64 = offered.core.features.shaderInt64;
         core.features.shaderStorageImageReadWithoutFormat =
             offered.core.features.shaderStorageImageReadWithoutFormat;
         core.features.shaderStorageImageWriteWithoutFormat =
             offered.core.features.shaderStorageImageWriteWithoutFormat;
-        v11.storageBuffer16BitAccess = offered.v11.storageBuffer16BitAccess;
-        v12.storageBuffer8BitAccess = offered.v12.storageBuffer8BitAccess;
-        v12.shaderInt8 = offered.v12.shaderInt8;
-        v12.shaderFloat16 = offered.v12.shaderFloat16;
         v12.timelineSemaphore = VK_TRUE;
         v12.scalarBlockLayout = VK_TRUE;
         v13.synchronization2 = VK_TRUE;
         v13.maintenance4 = VK_TRUE;
         v13.subgroupSizeControl = offered.v13.subgroupSizeControl;
         v13.computeFullSubgroups = offered.v13.computeFullSubgroups;
-        if (floatAtomicAdd) {
-            atomics.shaderBufferFloat32Atomics = VK_TRUE;
-            atomics.shaderBufferFloat32AtomicAdd = VK_TRUE;
-            v13.pNext = &atomics;
-        }
     }
     Features(const Features&) = delete;
     Features& operator=(const Features&) = delete;
@@ -147,7 +134,6 @@ Result<void> Device::borrow(const LentDevice& lent, VkPhysicalDevice physical) {
         return Error{ErrorCode::usage, "The queue that was lent is of a family that cannot compute.", "",
                      "Give a queue with compute, and the number of its family."};
     // Nobody knows whether these were enabled.
-    info_.floatAtomicAdd = false;
     info_.minSubgroupSize = 0;
     info_.maxSubgroupSize = 0;
     device_ = lent.handle;
@@ -167,7 +153,6 @@ Result<void> Device::open(const DeviceOptions& options, const std::string& doing
             return Error{ErrorCode::deviceNotUsable,
                          fmt::format("The device {} does not offer {}.", info_.name, extension), "",
                          "Update its driver, or choose another device with MACULA_DEVICE."};
-    if (info_.floatAtomicAdd) extensions.push_back(VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME);
     // What is good to have: memoryAvailableBytes, and images that other devices share (shared_image.h).
     for (const char* extension :
          {VK_EXT_MEMORY_BUDGET_EXTENSION_NAME, VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME,
@@ -180,7 +165,7 @@ Result<void> Device::open(const DeviceOptions& options, const std::string& doing
     queueInfo.queueCount = 1;
     queueInfo.pQueuePriorities = &priority;
 
-    const Features features(info_.physical, info_.floatAtomicAdd);
+    const Features features(info_.physical);
     VkDeviceCreateInfo deviceInfo{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO, &features.core};
     deviceInfo.queueCreateInfoCount = 1;
     deviceInfo.pQueueCreateInfos = &queueInfo;

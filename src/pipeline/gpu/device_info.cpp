@@ -91,7 +91,6 @@ DeviceInfo infoOf(VkPhysicalDevice device, std::size_t index) {
     }
     info.maxAllocationBytes =
         std::min({budget.bytes, properties11.maxMemoryAllocationSize, properties13.maxBufferSize});
-    info.floatAtomicAdd = hasFloatAtomicAdd(device);
     info.threadsAtOnce = threadsAtOnce(device, basic.deviceType);
     return info;
 }

@@ -42,7 +42,6 @@ struct DeviceInfo {
     // driver where it tells, else a guess by the type. 0 on CPU devices, which hold as many as they have
     // lanes.
     std::uint32_t threadsAtOnce = 0;
-    bool floatAtomicAdd = false;  // atomicAdd of floats in storage buffers (VK_EXT_shader_atomic_float)
 
     std::string whyNotUsable;  // empty when usable; else what it lacks: "Vulkan 1.3"
     VkPhysicalDevice physical = VK_NULL_HANDLE;

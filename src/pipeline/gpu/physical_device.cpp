@@ -47,15 +47,6 @@ std::optional<std::uint32_t> universalQueueFamily(VkPhysicalDevice device) {
     return std::nullopt;
 }
 
-bool hasFloatAtomicAdd(VkPhysicalDevice device) {
-    if (!hasExtension(device, VK_EXT_SHADER_ATOMIC_FLOAT_EXTENSION_NAME)) return false;
-    VkPhysicalDeviceShaderAtomicFloatFeaturesEXT atomics{
-        VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SHADER_ATOMIC_FLOAT_FEATURES_EXT};
-    VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &atomics, {}};
-    vkGetPhysicalDeviceFeatures2(device, &features);
-    return atomics.shaderBufferFloat32AtomicAdd == VK_TRUE;
-}
-
 std::uint32_t threadsAtOnce(VkPhysicalDevice device, VkPhysicalDeviceType type) {
     // A card of some years ago, and a chip beside a CPU: their drivers do not tell.
     constexpr std::uint32_t kDiscreteGuess = 1 << 16;

@@ -19,8 +19,6 @@ bool hasCompute(VkPhysicalDevice device, std::uint32_t queueFamily);
 // Valid bits of a timestamp of the family's queues; 0 when they have none.
 std::uint32_t timestampBits(VkPhysicalDevice device, std::uint32_t queueFamily);
 
-bool hasFloatAtomicAdd(VkPhysicalDevice device);
-
 std::uint32_t threadsAtOnce(VkPhysicalDevice device, VkPhysicalDeviceType type);  // as DeviceInfo
 
 struct HeapBudget {

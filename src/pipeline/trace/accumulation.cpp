@@ -55,6 +55,10 @@ double Accumulation::passMs(const TraceVariant& variant, int bounces) const {
 }
 
 Result<void> Accumulation::makeRoomForTraced(std::uint64_t blockSamples) {
+    if (!taken_) {
+        MACULA_TRY(taken_,
+                   gpu::Buffer::create(device_, {.label = "samples taken", .bytes = sizeof(std::uint32_t)}));
+    }
     const std::uint64_t bytes = blockSamples * shared::kBlockEdge * shared::kBlockEdge * sizeof(glm::vec4);
     if (traced_ && traced_->bytes() >= bytes) return {};
     traced_.reset();
@@ -64,7 +68,7 @@ Result<void> Accumulation::makeRoomForTraced(std::uint64_t blockSamples) {
 
 Result<void> Accumulation::record(gpu::Recorder& recorder, const SceneView& scene, TraceKernels& kernels,
                                   const gpu::Kernel& samples, const TraceVariant& variant,
-                                  std::uint32_t blocks, std::uint32_t threadsPerPixel) {
+                                  std::uint32_t blocks, std::uint32_t mostSamples) {
     std::vector<gpu::Binding> bindings = scene.bindings();
     const gpu::Threads pixels{blocks * shared::kBlockEdge, shared::kBlockEdge};
     if (variant.isSideBySide) {
@@ -75,13 +79,18 @@ Result<void> Accumulation::record(gpu::Recorder& recorder, const SceneView& scen
             list->emplace_back(*traced_);
         }
         bindings.emplace_back(film_->faultsBuffer());
+        scene.scene().indirect().appendTo(bindings);
+        bindings.emplace_back(*taken_);
         MACULA_TRY(const gpu::Kernel* add, kernels.addSamples());
-        recorder.dispatch(samples, {pixels.x, pixels.y, threadsPerPixel}, bindings);
+        recorder.fill(*taken_, 0);
+        recorder.dispatch(samples, {sideBySide_.threads(blocks, mostSamples)},
+                          shared::SidePush{.blockCount = blocks, .mostSamples = mostSamples}, bindings);
         recorder.dispatch(*add, pixels, toAdd);
         return {};
     }
     film_->appendTo(bindings);
     bindings.emplace_back(*planned_);
+    if (isPathTraced(variant.look)) scene.scene().indirect().appendTo(bindings);
     if (variant.tellsPrimaries) bindings.emplace_back(*primaries_);
     recorder.dispatch(samples, pixels, bindings);
     return {};
@@ -105,11 +114,14 @@ Result<void> Accumulation::step(const SceneView& scene, TraceKernels& kernels, c
     work.leavesIdle = std::uint64_t(blocks) * threads < sideBySide_.blocksAtOnce();
 
     if (variant.isSideBySide) MACULA_TRY_VOID(makeRoomForTraced(std::uint64_t(blocks) * most));
+    MACULA_TRY_VOID(scene.scene().indirect().makeBindable());
     MACULA_TRY(const TraceKernels::Found found, kernels.samples(variant));
     // Nothing reads it now: each dispatch is waited for.
     std::memcpy(planned_->mapped().data(), planned.data(), planned.size() * sizeof(shared::PlannedBlock));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "trace"));
-    MACULA_TRY_VOID(record(recorder, scene, kernels, *found.kernel, variant, blocks, threads));
+    MACULA_TRY_VOID(record(recorder, scene, kernels, *found.kernel, variant, blocks, most));
+    if (variant.usesIndirect && !plan_.hasPass())
+        MACULA_TRY_VOID(scene.scene().indirect().add(recorder, scene.params()));
     const auto start = Clock::now();
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());
     MACULA_TRY([[maybe_unused]] const bool done, device_->waitFor(ticket));

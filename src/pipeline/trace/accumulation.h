@@ -77,7 +77,7 @@ class Accumulation {
     Result<void> makeRoomForTraced(std::uint64_t blockSamples);
     Result<void> record(gpu::Recorder& recorder, const SceneView& scene, TraceKernels& kernels,
                         const gpu::Kernel& samples, const TraceVariant& variant, std::uint32_t blocks,
-                        std::uint32_t threadsPerPixel);
+                        std::uint32_t mostSamples);
 
     std::shared_ptr<gpu::Device> device_;
     Pace pace_;
@@ -85,6 +85,7 @@ class Accumulation {
     std::optional<Film> film_;
     std::optional<gpu::Buffer> planned_;    // PlannedBlock: what the dispatch under way does
     std::optional<gpu::Buffer> traced_;     // vec4: what samples that go side by side bring
+    std::optional<gpu::Buffer> taken_;      // uint: how many of these threads have taken
     std::optional<gpu::Buffer> primaries_;  // PrimaryVertex: kPrimarySamples for each pixel
     SamplingPlan plan_;
     std::uint64_t edition_ = 0;

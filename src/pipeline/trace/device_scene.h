@@ -14,6 +14,7 @@
 #include "pipeline/gpu/resources.h"
 #include "pipeline/trace/device_volume.h"
 #include "pipeline/trace/environment.h"
+#include "pipeline/trace/indirect_cache.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/volume/additions.h"
 #include "pipeline/volume/medium.h"
@@ -27,7 +28,7 @@ namespace macula::trace {
 class DeviceScene {
   public:
     explicit DeviceScene(std::shared_ptr<gpu::Device> device, const MemoryLimits& limits = {})
-        : device_(std::move(device)), limits_(limits) {}
+        : device_(std::move(device)), limits_(limits), indirect_(device_) {}
 
     const std::shared_ptr<gpu::Device>& device() const { return device_; }
     // Grows whenever bindings() gives something else, or something else can be seen: pictures of an earlier
@@ -83,6 +84,9 @@ class DeviceScene {
     // When made ready for them, see makeTraceParams.
     Result<shared::TraceParams> params(const View& view, const Settings& settings) const;
 
+    // What is known of its indirect light. It is no part of the scene, which stays as it is while that grows.
+    IndirectCache& indirect() const { return indirect_; }
+
     // Where an eye sees anything of it, LPS mm (visibleBoxMm): what a clip has removed is not in it, though
     // it may cast shadow. Empty, low > high, when there is nothing. When complete, and ready for a
     // path-traced look.
@@ -109,6 +113,7 @@ class DeviceScene {
     std::span<const float> secondBounds() const;
     std::shared_ptr<gpu::Device> device_;
     MemoryLimits limits_;
+    mutable IndirectCache indirect_;
     std::uint64_t edition_ = 0;
     std::shared_ptr<const Volume> volume_;
     BrickGrid grid_;

@@ -147,7 +147,9 @@ Result<Environment> Environment::fromImage(int width, int height, std::span<cons
     appendShares(begins, rows);
     for (int row = 0; row < height; ++row)
         appendShares(begins, std::span(power).subspan(std::size_t(row) * columns, columns));
-    const bool isLit = std::accumulate(rows.begin(), rows.end(), 0.0) > 0.0;
+    const double allPower = std::accumulate(rows.begin(), rows.end(), 0.0);
+    const bool isLit = allPower > 0.0;
+    environment.meanLuminance_ = allPower / (4.0 * kPi);
     for (std::size_t i = 0; i < radiance.size(); ++i) {
         const std::size_t row = i / columns;
         const std::span<const float> within =

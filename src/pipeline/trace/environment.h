@@ -71,12 +71,16 @@ class Environment {
     // share of the unit interval begins; after them, for each texel, where its share of its row begins.
     std::span<const float> cumulative() const { return cumulative_; }
 
+    // The luminance (Rec. 709) of its light, averaged over all directions.
+    double meanLuminance() const { return meanLuminance_; }
+
     bool operator==(const Environment&) const = default;
 
   private:
     int width_ = 0;
     int height_ = 0;
     LightFrame frame_ = LightFrame::patient;
+    double meanLuminance_ = 0.0;
     std::vector<EnvironmentTexel> texels_;
     std::vector<float> cumulative_;
 };

@@ -89,6 +89,8 @@ struct PathTracer::Impl {
     Result<void> prepare();
     Result<const gpu::Buffer*> denoised();
     TraceVariant variant() const;
+    bool usesIndirect() const;
+    LightOfScene lightOfScene() const;
     std::uint32_t mostPerDispatch() const;  // samples of a pixel
     void beginEvenPass(double samples);
     void beginPass(double leftMs);
@@ -123,25 +125,12 @@ void PathTracer::Impl::looksOther() {
     stale = true;
 }
 
-// The scene's edition tells all who look at it.
-Result<void> PathTracer::setVolume(std::shared_ptr<const Volume> volume) {
-    return impl_->scene.scene().setVolume(std::move(volume));
+DeviceScene& PathTracer::scene() {
+    return impl_->scene.scene();
 }
 
-Result<void> PathTracer::setTransferFunction(const TransferFunction& function) {
-    return impl_->scene.scene().setTransferFunction(function);
-}
-
-Result<void> PathTracer::setEnvironment(const Environment& environment) {
-    return impl_->scene.scene().setEnvironment(environment);
-}
-
-Result<void> PathTracer::setAdditions(const Additions& additions) {
-    return impl_->scene.scene().setAdditions(additions);
-}
-
-Result<void> PathTracer::setClip(const Clip& clip) {
-    return impl_->scene.scene().setClip(clip);
+const DeviceScene& PathTracer::scene() const {
+    return impl_->scene.scene();
 }
 
 Result<Box> PathTracer::seenMm() {
@@ -169,6 +158,7 @@ Result<void> PathTracer::setSettings(const Settings& settings) {
     // another light for each exposure, so that they look the same.
     Settings sameLight = sameSamples;
     sameLight.seed = settings.seed;
+    sameLight.indirect = settings.indirect;
     if (!impl_->scene.scene().hasGreyFaces()) sameLight.exposure = settings.exposure;
     if (settings != sameLight) impl_->looksOther();
     return isDenoised(settings) && impl_->scene.scene().isComplete() ? impl_->scene.scene().keepForGradients()
@@ -194,9 +184,25 @@ Result<void> PathTracer::setView(const View& view) {
     return {};
 }
 
+// Whether the cache of indirect light is good for anything.
+bool PathTracer::Impl::usesIndirect() const {
+    if (settings.indirect == Indirect::traced || !isPathTraced(settings.look)) return false;
+    if (verticesOf(settings) < 2 || scene.scene().lightFrame() == LightFrame::camera) return false;
+    return settings.indirect == Indirect::corrected || scene.scene().anisotropy() == 0.0;
+}
+
+LightOfScene PathTracer::Impl::lightOfScene() const {
+    return {.sceneEdition = scene.scene().edition(),
+            .bounces = settings.bounces,
+            .strength = settings.lightStrength,
+            .rotationDeg = settings.lightRotationDeg,
+            .exposure = scene.scene().hasGreyFaces() ? settings.exposure : 1.0};
+}
+
 TraceVariant PathTracer::Impl::variant() const {
     TraceVariant variant = variantOf(settings, kindOf(scene.scene()));
     variant.tellsPrimaries = tellsPrimaries;
+    variant.usesIndirect = usesIndirect();
     variant.isSideBySide = isPathTraced(settings.look) && !tellsPrimaries && accumulation.isSideBySide();
     return variant;
 }
@@ -222,6 +228,7 @@ Result<void> PathTracer::Impl::prepare() {
     const bool again = std::exchange(restarting, false);
     MACULA_TRY_VOID(
         scene.look(view, settings));  // first: a view that cannot be used must not enter the history
+    if (usesIndirect()) MACULA_TRY_VOID(scene.scene().indirect().prepare(lightOfScene()));
     if (again) {
         history.restart();
     } else {
@@ -275,10 +282,6 @@ Result<bool> PathTracer::trace(std::uint32_t samplesPerPixel, const std::functio
         if (keepGoing && !keepGoing()) break;
     }
     return !plan.hasPass();
-}
-
-double PathTracer::anisotropy() const {
-    return impl_->scene.scene().anisotropy();
 }
 
 Result<void> PathTracer::addPrimaries(std::uint32_t samplesPerPixel, const std::function<bool()>& keepGoing) {
@@ -433,18 +436,13 @@ Result<std::vector<GuidePixel>> PathTracer::readGuides() {
 }
 
 Result<std::vector<shared::PixelLayers>> PathTracer::readLayers() {
-    MACULA_TRY(const gpu::Buffer found, findLayers());
-    return gpu::read<shared::PixelLayers>(found);
+    std::optional<gpu::Buffer> found;
+    MACULA_TRY_VOID(findLayersIn(found));
+    return gpu::read<shared::PixelLayers>(*found);
 }
 
 const std::shared_ptr<gpu::Device>& PathTracer::device() const {
     return impl_->device;
-}
-
-Result<gpu::Buffer> PathTracer::findLayers() {
-    std::optional<gpu::Buffer> found;
-    MACULA_TRY_VOID(findLayersIn(found));
-    return *std::move(found);
 }
 
 Result<void> PathTracer::findLayersIn(std::optional<gpu::Buffer>& layers) {

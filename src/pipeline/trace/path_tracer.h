@@ -104,18 +104,11 @@ class PathTracer {
     PathTracer& operator=(PathTracer&&) noexcept;
     ~PathTracer();
 
-    // outOfMemory when the device cannot hold the grid of the volume; its voxels are uploaded when they
-    // become visible.
-    Result<void> setVolume(std::shared_ptr<const Volume> volume);
-    // After setVolume. Rebuilds the tables and the bound on extinction of every brick, and uploads the voxels
-    // that have become visible; coarsely, and with a message in statistics(), where not all fit.
-    Result<void> setTransferFunction(const TransferFunction& function);
-    Result<void> setEnvironment(const Environment& environment);
-    // What is shown of the volume; stays until it is set again.
-    Result<void> setClip(const Clip& clip);
-    // What is shown beside the volume: a second volume, coloured segments. Stays until it is set again, or
-    // another volume is.
-    Result<void> setAdditions(const Additions& additions);
+    // What is traced: volume, transfer function, environment, clip, and what is beside the volume. Whoever
+    // changes it, all pictures of it begin anew.
+    DeviceScene& scene();
+    const DeviceScene& scene() const;
+
     Result<void> setSettings(const Settings& settings);
     Result<void> setView(const View& view);
     // How long a dispatch of samples may take; 40 ms until it is set, at least 4. A graphics card gets no
@@ -139,9 +132,6 @@ class PathTracer {
     // Points around all of the matter that can be seen, LPS mm, for a view that fits (framePoints); none
     // where there is nothing. Projections show all of the volume instead. No view is needed.
     Result<std::vector<glm::dvec3>> outlineMm() const;
-
-    // Henyey-Greenstein g of what is shown; 0 before anything is.
-    double anisotropy() const;
 
     // Adds samples like trace(), 1 to kPrimarySamples, and gives where each has met matter first, or a grey
     // face of a clip, and what light left there towards the eye: row by row for one sample of each pixel,
@@ -194,12 +184,10 @@ class PathTracer {
     Result<std::vector<GuidePixel>> readGuides();  // row 0 on top; waits
 
     // The layers along the centre rays of the view that was set last, row 0 on top: a shared::PixelLayers for
-    // each pixel. Reading waits.
-    Result<gpu::Buffer> findLayers();
-    // The same into a buffer that is there, of as many pixels; in any other case it becomes a new one. What
-    // was submitted before still reads the last layers.
+    // each pixel, into a buffer that is there, of as many pixels; in any other case it becomes a new one.
+    // What was submitted before still reads the last layers.
     Result<void> findLayersIn(std::optional<gpu::Buffer>& layers);
-    Result<std::vector<shared::PixelLayers>> readLayers();
+    Result<std::vector<shared::PixelLayers>> readLayers();  // waits
 
     const std::shared_ptr<gpu::Device>& device() const;
 

@@ -17,6 +17,8 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     static constexpr int kCastMinimum = shared::kCastMinimum;
     static constexpr int kCastMean = shared::kCastMean;
     static constexpr uint kNetSamples = shared::kNetSamples;
+    static constexpr uint kIndirectBuckets = shared::kIndirectBuckets;
+    static constexpr uint kIndirectWays = shared::kIndirectWays;
 
     // As in the shaders, in this precision.
 #define float MACULA_REAL
@@ -55,6 +57,8 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
         secondEntries_ = tables.secondEntries;
         additions_ = tables.additions.data();
         tints_ = tables.tints;
+        indirectTags_ = tables.indirectTags;
+        indirectCells_ = tables.indirectCells;
         hasGradientOpacity_ = !tables.gradientOpacity.empty();
     }
 
@@ -114,6 +118,12 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     bool useGradientOpacity() const { return hasGradientOpacity_; }
     bool useShading() const { return cast.shading; }
     int castLook() const { return cast.kind; }
+    bool useIndirect() const { return !indirectTags_.empty(); }
+    uvec4 fetchIndirectTags(int bucket) const {
+        const auto* const tags = &indirectTags_[std::size_t(bucket) * kIndirectWays];
+        return {tags[0], tags[1], tags[2], tags[3]};
+    }
+    uvec4 fetchIndirectCell(int cell) const { return indirectCells_[std::size_t(cell)]; }
     bool hasGreyFaces() const { return clip_ && params.greyFaces != 0; }
 
     ReferenceTracer::Cast cast;  // what castSample() does
@@ -146,6 +156,10 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef CAST_STEPS_LATE
 #undef MANY_ROUNDS
 #undef CAST_OPAQUE
+#undef INDIRECT_DOUBT
+#undef INDIRECT_LEVELS
+#undef INDIRECT_WIDER
+#undef INDIRECT_PRIOR
 
   private:
     const std::uint16_t* entries_;
@@ -162,6 +176,8 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     const glm::vec4* additions_;
     std::span<const std::uint8_t> tints_;  // empty: none
     bool hasGradientOpacity_;
+    std::span<const std::uint32_t> indirectTags_;  // empty: all is traced
+    std::span<const glm::uvec4> indirectCells_;
 };
 
 #undef OUT

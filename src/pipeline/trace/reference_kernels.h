@@ -24,7 +24,7 @@ std::vector<glm::dvec4> traceOn(Host prototype, std::uint32_t firstSample, std::
                 auto path = host.startSample({x, int(row)}, s, rng);
                 while (host.extendPath(path, rng)) {
                 }
-                sum += glm::dvec4(glm::dvec3(path.radiance), double(path.coverage));
+                sum += glm::dvec4(glm::dvec3(host.lightOf(path)), double(path.coverage));
             }
             sums[row * std::size_t(width) + std::size_t(x)] = sum;
         }

@@ -1,6 +1,7 @@
 #include "pipeline/trace/reference_tracer.h"
 
 #include "pipeline/trace/reference_kernels.h"
+#include "shared/indirect_light.h"
 
 namespace macula::trace {
 
@@ -47,6 +48,13 @@ ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, con
     }
     tables->additions = additionTable(additions);
     if (additions.tints) tables->tints = additions.tints->box->voxels;
+    tables_ = std::move(tables);
+}
+
+void ReferenceTracer::useIndirect(std::vector<std::uint32_t> tags, std::vector<glm::uvec4> cells) {
+    auto tables = std::make_shared<Tables>(*tables_);
+    tables->indirectTags = std::move(tags);
+    tables->indirectCells = std::move(cells);
     tables_ = std::move(tables);
 }
 

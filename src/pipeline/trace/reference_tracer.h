@@ -25,6 +25,9 @@ class ReferenceTracer {
     ReferenceTracer(const Volume& volume, const Medium& medium, const Environment& environment,
                     const MaskBits* mask = nullptr, const Additions& additions = {});
 
+    // trace() uses a cache of indirect light from now on, as IndirectCache::Content has it; nothing: none.
+    void useIndirect(std::vector<std::uint32_t> tags, std::vector<glm::uvec4> cells);
+
     // Sum over samples [firstSample, firstSample + sampleCount) of premultiplied radiance and coverage, for
     // each pixel, row 0 on top; the same samples the device draws. On all cores.
     std::vector<glm::dvec4> trace(const shared::TraceParams& params, Filter filter, Precision precision,
@@ -90,6 +93,8 @@ class ReferenceTracer {
         std::vector<std::uint16_t> secondEntries;  // of a second volume; empty: none
         std::vector<glm::vec4> additions;          // what it and segments are made of: additionTable
         std::vector<std::uint8_t> tints;           // of segments, in their box; empty: none
+        std::vector<std::uint32_t> indirectTags;   // see useIndirect
+        std::vector<glm::uvec4> indirectCells;
     };
 
   private:

@@ -1,6 +1,7 @@
 // The reference in float, apart from the rest so that it can be compiled for the speed of this machine
 // (CMakeLists.txt): the benchmark must not win against a crippled opponent.
 #include "pipeline/trace/reference_kernels.h"
+#include "shared/indirect_light.h"
 
 namespace macula::trace::reference {
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
 #include "pipeline/volume/window.h"
+#include "shared/indirect_light.h"
 
 namespace macula::trace {
 
@@ -15,6 +17,9 @@ namespace {
 // along its normal; with all that follows it would be near 1. Three times the light makes the clear look
 // about as bright as the cinematic one.
 constexpr double kClearGain = 3.0;
+// Of paths where the cache of indirect light is a control variate: fewer would save little more time, and
+// each tells more of how noisy paths are.
+constexpr double kIndirectLeast = 0.25;
 
 // Voxel coordinates have integers at faces: centres are half a voxel on.
 glm::vec4 planeInVoxels(const HalfSpace& side, const glm::dmat4& worldFromVoxel) {
@@ -102,6 +107,25 @@ void writeLights(const LightFrame frame, const CameraBasis& eye, const Settings&
     params.lightStrength = static_cast<float>(gain * settings.lightStrength);
 }
 
+// Cells are cubes in the patient; one that is as wide as some pixels there is a power of two larger than the
+// smallest.
+void writeIndirectLight(const Volume& volume, const Environment& environment, const View& view,
+                        const Settings& settings, const FoveaInPlane& fovea, shared::TraceParams& params) {
+    const glm::dvec3 spacingMm = volume.spacingMm();
+    const double smallestMm =
+        double(shared::kIndirectLeastVoxels) * std::min({spacingMm.x, spacingMm.y, spacingMm.z});
+    params.indirectCellsPerVoxel = spacingMm / smallestMm;
+    const double pixelAtOne = 2.0 * fovea.halfSize.y / double(view.height);
+    const double atDistance = fovea.parallelMm > 0.0 ? fovea.parallelMm / smallestMm : 1.0;
+    params.indirectWidth = static_cast<float>(double(shared::kIndirectCellPixels) * pixelAtOne * atDistance);
+    const double unit =
+        environment.meanLuminance() * double(params.lightStrength) / double(shared::kIndirectUnitsOfMean);
+    params.indirectUnit = std::max(static_cast<float>(unit), std::numeric_limits<float>::min());
+    params.indirectLeast =
+        settings.indirect == Indirect::corrected ? static_cast<float>(kIndirectLeast) : 0.0f;
+    params.indirectStride = indirectStride(view.width, view.height);
+}
+
 Result<void> checkSettings(const Settings& settings) {
     const auto fail = [](std::string message, std::string hint) {
         return Error{ErrorCode::usage, std::move(message), {}, std::move(hint)};
@@ -162,6 +186,15 @@ Result<View> fovealWindow(const View& view, const glm::dvec2& gaze, double field
     return window;
 }
 
+int indirectStride(int width, int height) {
+    const auto columnsOf = [](int pixels, int stride) { return (pixels + stride - 1) / stride; };
+    int stride = 1;
+    while (std::int64_t(columnsOf(width, stride)) * columnsOf(height, stride) >
+           std::int64_t(shared::kIndirectMostRecords))
+        ++stride;
+    return stride;
+}
+
 Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& medium,
                                             const Environment& environment, const View& view,
                                             const Settings& settings, const Clip& clip,
@@ -212,6 +245,7 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.foveaRadius = static_cast<float>(fovea.radius);
     params.foveaMagnification = static_cast<float>(fovea.magnification);
     params.parallelMm = static_cast<float>(fovea.parallelMm);
+    writeIndirectLight(volume, environment, view, settings, fovea, params);
     return params;
 }
 

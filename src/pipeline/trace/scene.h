@@ -33,6 +33,10 @@ struct FoveaInPlane {
 };
 FoveaInPlane foveaInPlane(const View& view);
 
+// Pixels of a picture tell what they find of indirect light, one of so many along each side
+// (indirect_cache.h).
+int indirectStride(int width, int height);
+
 // Whether rays have to be clipped at all.
 bool isClipped(const shared::TraceParams& params);
 

@@ -16,9 +16,9 @@ Result<SceneView> SceneView::create(std::shared_ptr<DeviceScene> scene) {
 
 Result<void> SceneView::look(const View& view, const Settings& settings) {
     MACULA_TRY_VOID(scene_->makeReadyFor(settings));
-    MACULA_TRY(const shared::TraceParams params, scene_->params(view, settings));
+    MACULA_TRY(looked_, scene_->params(view, settings));
     MACULA_TRY(auto recorder, gpu::Recorder::create(scene_->device(), "look"));
-    recorder.update(params_, std::as_bytes(std::span(&params, 1)));
+    recorder.update(params_, std::as_bytes(std::span(&looked_, 1)));
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
     edition_ = scene_->edition();
     return {};

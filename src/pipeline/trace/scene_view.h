@@ -25,6 +25,7 @@ class SceneView {
 
     // When the scene is complete. What was submitted before still reads the last parameters.
     Result<void> look(const View& view, const Settings& settings);
+    const shared::TraceParams& params() const { return looked_; }  // of the view that was looked at last
     // Nobody has changed the scene since it was looked at.
     bool isCurrent() const { return edition_ == scene_->edition(); }
 
@@ -37,6 +38,7 @@ class SceneView {
 
     std::shared_ptr<DeviceScene> scene_;
     gpu::Buffer params_;
+    shared::TraceParams looked_{};
     std::uint64_t edition_ = UINT64_MAX;  // of the scene, when it was looked at
 };
 

@@ -38,6 +38,21 @@ constexpr std::string_view nameOf(Denoising denoising) {
                                             : "plain";
 }
 
+// Where light comes from that has been scattered more than once, in path-traced looks. It is the larger part
+// of what a path costs and of its noise, and differs little from place to place: a cache of it, filled by
+// paths (indirect_cache.h), can stand for all that follows on the first vertex. Lights that hang on the
+// camera leave nothing to be kept: with them all is traced.
+enum class Indirect {
+    traced,     // from paths alone: the same picture each time, to the last bit
+    cached,     // paths end where the cache knows enough. Biased by what differs within a cell
+                // (docs/speed-and-accuracy.md); traced where the phase function is not isotropic
+    corrected,  // the cache is a control variate: paths go on by chance, and tell how wrong it is. Unbiased
+};
+
+constexpr std::string_view nameOf(Indirect indirect) {
+    return indirect == Indirect::traced ? "traced" : indirect == Indirect::cached ? "cached" : "corrected";
+}
+
 // The shading of ray casting, which has no lights.
 enum class Shading {
     none,       // colours as the preset has them
@@ -71,6 +86,7 @@ struct Settings {
     // traceFor() stops when the standard error of what is shown (display-encoded, 0 to 1) is estimated to be
     // at most this; 0: never.
     double errorThreshold = 0.0;
+    Indirect indirect = Indirect::traced;
     // What projections are seen through; else the series' first window, else all of its values.
     std::optional<DisplayWindow> window = {};
 

@@ -45,6 +45,12 @@ std::uint32_t SideBySide::threadsPerPixel(std::uint32_t samples) const {
     return dividedUp(samples, row);
 }
 
+std::uint32_t SideBySide::threads(std::uint32_t blocks, std::uint32_t samples) const {
+    const std::uint64_t wanted = std::uint64_t(kThreadsOfBlock) * blocks * threadsPerPixel(samples);
+    const std::uint64_t atOnce = std::uint64_t(kThreadsOfBlock) * std::max(blocksAtOnce_, 1u);
+    return static_cast<std::uint32_t>(forced_ > 0 ? wanted : std::min(wanted, atOnce));
+}
+
 std::uint32_t SideBySide::mostSamples(std::uint32_t blocks, std::uint32_t samplesPerThread) const {
     const std::uint64_t wanted = std::uint64_t(mostThreads()) * samplesPerThread;
     const std::uint64_t kept = kMostBlockSamples / std::max(blocks, 1u);

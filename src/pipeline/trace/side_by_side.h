@@ -2,7 +2,8 @@
 //
 // One thread takes all samples of a pixel, one after another, where the pixels alone keep a graphics card
 // busy for long. A smaller picture, as that for a fovea, takes as long as the longest row of samples of one
-// thread, while most of the card is idle; so there each sample has its own thread. Measured on an H200
+// thread, while most of the card is idle; so there a thread takes
+// one sample after another, of whichever pixel comes next. Measured on an H200
 // (docs/measurements/gpu.md): up to twice as fast at 720 x 720, some 7 times at 181 x 181, no difference at
 // 1440 x 1440. CPU devices have a thread for each core: there is nothing to gain, and all samples of a pixel
 // stay in one thread.
@@ -33,8 +34,11 @@ class SideBySide {
     // and time have no part in which kernel a picture is made with.
     bool isFor(std::uint32_t blocks) const;
 
-    // Threads for each pixel in a dispatch of blocks that have at most so many samples; each takes as many
-    // samples, or one fewer. At least 1.
+    // Threads of a dispatch of so many blocks that have at most so many samples each: one for each of them,
+    // but no more than the device holds at once, because each takes the next sample when it is done.
+    std::uint32_t threads(std::uint32_t blocks, std::uint32_t samples) const;
+    // Threads for each pixel, if there were any number of them, in a dispatch of blocks that have at most so
+    // many samples; each takes as many samples, or one fewer. At least 1.
     std::uint32_t threadsPerPixel(std::uint32_t samples) const;
     // The most samples of a pixel in a pass over so many blocks, of which a thread takes at most
     // `samplesPerThread`; fewer where what they bring would need more memory than kMostBlockSamples. At least

@@ -8,7 +8,7 @@ namespace macula::trace {
 
 namespace {
 
-constexpr int kMaxRoundsCpu = 16000;    // see path.comp
+constexpr int kMaxRoundsCpu = 16000;    // see path_samples.glsl
 constexpr int kMaxRoundsGpu = 1 << 24;  // no limit is known: only so that nothing runs for ever
 
 int castOf(Look look) {
@@ -57,22 +57,23 @@ TraceVariant variantOf(const Settings& settings, SceneKind scene) {
 Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
     if (const auto found = samples_.find(variant); found != samples_.end())
         return Found{&found->second, false};
-    MACULA_TRY(gpu::Kernel kernel,
-               gpu::Kernel::create(
-                   device_, samplesCodeOf(variant),
-                   {.specializations = {{"kTrilinear", variant.filter == Filter::trilinear},
-                                        {"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
-                                        {"kClip", variant.scene.clip},
-                                        {"kMask", variant.scene.mask},
-                                        {"kGradientOpacity", variant.scene.gradientOpacity},
-                                        {"kCoarse", variant.scene.coarse},
-                                        {"kSecond", variant.scene.second},
-                                        {"kTints", variant.scene.tints},
-                                        {"kPoolViews", variant.scene.poolViews},
-                                        {"kPoolViewShift", variant.scene.poolViewShift},
-                                        {"kShading", variant.shading},
-                                        {"kCast", castOf(variant.look)}},
-                    .subgroupSize = gpu::subgroupSizeForDivergence(device_->info())}));
+    gpu::KernelOptions options{
+        .specializations = {{"kTrilinear", variant.filter == Filter::trilinear},
+                            {"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
+                            {"kClip", variant.scene.clip},
+                            {"kMask", variant.scene.mask},
+                            {"kGradientOpacity", variant.scene.gradientOpacity},
+                            {"kCoarse", variant.scene.coarse},
+                            {"kSecond", variant.scene.second},
+                            {"kTints", variant.scene.tints},
+                            {"kPoolViews", variant.scene.poolViews},
+                            {"kPoolViewShift", variant.scene.poolViewShift},
+                            {"kShading", variant.shading},
+                            {"kCast", castOf(variant.look)}},
+        .subgroupSize = gpu::subgroupSizeForDivergence(device_->info())};
+    if (isPathTraced(variant.look)) options.specializations.emplace_back("kIndirect", variant.usesIndirect);
+    if (variant.isSideBySide) options.specializations.emplace_back("kShares", device_->isCpu());
+    MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, samplesCodeOf(variant), options));
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
 }
 

@@ -43,10 +43,12 @@ struct TraceVariant {
     SceneKind scene = {};
     bool tellsPrimaries = false;  // paths tell their primary vertices: path_primaries.comp
     bool isSideBySide = false;    // samples of a pixel are: path_side.comp
+    bool usesIndirect = false;    // paths end in the cache of indirect light, and fill it
 
     bool operator<(const TraceVariant& b) const {
-        return std::tie(look, filter, shading, scene, tellsPrimaries, isSideBySide) <
-               std::tie(b.look, b.filter, b.shading, b.scene, b.tellsPrimaries, b.isSideBySide);
+        return std::tie(look, filter, shading, scene, tellsPrimaries, isSideBySide, usesIndirect) <
+               std::tie(b.look, b.filter, b.shading, b.scene, b.tellsPrimaries, b.isSideBySide,
+                        b.usesIndirect);
     }
 };
 

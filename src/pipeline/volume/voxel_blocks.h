@@ -25,7 +25,7 @@ constexpr std::uint32_t poolValues(std::uint8_t level) {
     return level < kSingle ? 512u >> (3 * level) : 0u;
 }
 
-// What the shaders read of a block, in lib/medium.glsl: the level above, below either where its values begin
+// What the shaders read of a block, in trace/host.glsl: the level above, below either where its values begin
 // in the pool, in units of 8 values, or the single value.
 constexpr std::uint32_t blockWord(std::uint8_t level, std::uint32_t unitOrValue) {
     return (std::uint32_t(level) << 30) | unitOrValue;

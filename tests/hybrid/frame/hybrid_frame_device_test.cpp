@@ -11,6 +11,7 @@
 
 #include "gpu/lose_device.h"
 #include "pipeline/gpu/transfer.h"
+#include "pipeline/trace/device_scene.h"
 #include "trace/extreme_scenes.h"
 #include "trace/gpu_scene.h"
 
@@ -416,9 +417,9 @@ TEST_F(HybridFrameTest, BadInputIsAnErrorAndTheFrameGoesOn) {
 TEST_F(HybridFrameTest, ALostDeviceIsTold) {
     const std::shared_ptr<gpu::Device> own = *gpu::Device::create(instance());
     trace::PathTracer screen = *trace::PathTracer::create(own);
-    ASSERT_TRUE(screen.setVolume(volume_).ok());
-    ASSERT_TRUE(screen.setTransferFunction(function_).ok());
-    ASSERT_TRUE(screen.setEnvironment(lights_).ok());
+    ASSERT_TRUE(screen.scene().setVolume(volume_).ok());
+    ASSERT_TRUE(screen.scene().setTransferFunction(function_).ok());
+    ASSERT_TRUE(screen.scene().setEnvironment(lights_).ok());
     HybridFrame frame = *HybridFrame::create(own, screen);
     ASSERT_TRUE(frame.setScene(trace::Settings{}).ok());
     ASSERT_TRUE(frame.aim(wholeView(4)).ok());

@@ -9,6 +9,7 @@
 #include "pipeline/hybrid/views/pose_sampling.h"
 #include "pipeline/hybrid/views/traced_scene.h"
 #include "pipeline/hybrid/views/view_tracing.h"
+#include "pipeline/trace/device_scene.h"
 #include "trace/gpu_scene.h"
 
 namespace macula::hybrid {
@@ -56,7 +57,7 @@ class LitViews : public trace::DeviceTest {
         const TransferFunction function = matter(opacity);
         trace::PathTracer tracer =
             trace::DeviceTest::tracer(volume, function, lights, scenes::lookAt(*volume), {});
-        EXPECT_TRUE(tracer.setClip(clip).ok());
+        EXPECT_TRUE(tracer.scene().setClip(clip).ok());
         const Box seenMm = TracedScene::create(volume, function, clip, lights)->seenMm();
         std::vector<Camera> cameras;
         const auto views = samplePoses(seenMm, initialTraining(13));

@@ -8,6 +8,7 @@
 #include "pipeline/hybrid/model/live_model.h"
 #include "pipeline/hybrid/model/model_store.h"
 #include "pipeline/hybrid/views/view_tracing.h"
+#include "pipeline/trace/device_scene.h"
 #include "trace/extreme_scenes.h"
 #include "trace/gpu_scene.h"
 
@@ -416,7 +417,7 @@ TEST_F(LiveModelTest, IsNeverDrawnForAnotherKeyAndComesBackAsItWas) {
 
     Clip half;
     half.planes = {{glm::dvec3(1, 0, 0), 0.0}};
-    ASSERT_TRUE(screen.setClip(half).ok());
+    ASSERT_TRUE(screen.scene().setClip(half).ok());
     ASSERT_TRUE(model.show("half", {}).ok());
     EXPECT_FALSE(model.canBeDrawn());
     EXPECT_EQ(model.news().stage, ModelStage::searching);
@@ -431,7 +432,7 @@ TEST_F(LiveModelTest, IsNeverDrawnForAnotherKeyAndComesBackAsItWas) {
     // Seen from the front, what lies to the patient's left, at +x, is at the right.
     EXPECT_GT(right, 10.0 * left);
 
-    ASSERT_TRUE(screen.setClip({}).ok());
+    ASSERT_TRUE(screen.scene().setClip({}).ok());
     ASSERT_TRUE(model.show("a", {}).ok());
     ASSERT_TRUE(model.canBeDrawn());
     EXPECT_EQ(model.news().steps, before.steps);
@@ -444,7 +445,7 @@ TEST_F(LiveModelTest, IsNeverDrawnForAnotherKeyAndComesBackAsItWas) {
 
 TEST_F(LiveModelTest, OfNothingThereIsNone) {
     trace::PathTracer screen = onScreen();
-    ASSERT_TRUE(screen.setTransferFunction(scenes::ramp(60000, 61000, 0.6, 1.0)).ok());
+    ASSERT_TRUE(screen.scene().setTransferFunction(scenes::ramp(60000, 61000, 0.6, 1.0)).ok());
     LiveModel model = beside(screen);
     ASSERT_TRUE(model.show("nothing", {}).ok());
     for (int i = 0; i < 10 && model.hasWork(); ++i) ASSERT_TRUE(model.work(20.0, always).ok());
@@ -522,9 +523,9 @@ TEST_F(LiveModelTest, WhatWasLearntOutlivesTheDevice) {
     const auto withOwnDevice = [&](const std::function<void(LiveModel&)>& doThis) {
         const std::shared_ptr<gpu::Device> own = *gpu::Device::create(instance());
         trace::PathTracer screen = *trace::PathTracer::create(own);
-        ASSERT_TRUE(screen.setVolume(volume_).ok());
-        ASSERT_TRUE(screen.setTransferFunction(function_).ok());
-        ASSERT_TRUE(screen.setEnvironment(lights_).ok());
+        ASSERT_TRUE(screen.scene().setVolume(volume_).ok());
+        ASSERT_TRUE(screen.scene().setTransferFunction(function_).ok());
+        ASSERT_TRUE(screen.scene().setEnvironment(lights_).ok());
         LiveModel model = *LiveModel::create(own, screen, shelf_, nullptr, options());
         ASSERT_TRUE(model.show("a", {}).ok());
         doThis(model);

@@ -5,6 +5,7 @@
 #include "pipeline/hybrid/views/drawn_views.h"
 #include "pipeline/hybrid/views/traced_scene.h"
 #include "pipeline/hybrid/views/view_tracing.h"
+#include "pipeline/trace/device_scene.h"
 #include "trace/extreme_scenes.h"
 #include "trace/gpu_scene.h"
 
@@ -25,7 +26,7 @@ class PeripheralTraced : public trace::DeviceTest {
     ModelStart startOf(trace::PathTracer& tracer, const Clip& clip, const std::string& key) {
         const auto scene = TracedScene::create(volume_, function_, clip, lights_);
         EXPECT_TRUE(scene.ok());
-        EXPECT_TRUE(tracer.setClip(clip).ok());
+        EXPECT_TRUE(tracer.scene().setClip(clip).ok());
         return startFromPoints(tracer, scene->seenMm(), key, {.count = 150, .paths = 32}, progress_).value();
     }
     TracedView traced(trace::PathTracer& tracer, const Camera& camera, std::uint32_t seed) {
@@ -85,7 +86,7 @@ TEST_F(PeripheralTraced, NothingToBeSeenOrCancelledIsNoStart) {
     EXPECT_EQ(startFromPoints(tracer, box, "", {.count = 50}, stopped).error().code, ErrorCode::cancelled);
     Clip nothing;
     nothing.planes.push_back({.normal = {0, 0, 1}, .offsetMm = 1000.0});
-    ASSERT_TRUE(tracer.setClip(nothing).ok());
+    ASSERT_TRUE(tracer.scene().setClip(nothing).ok());
     EXPECT_EQ(startFromPoints(tracer, box, "", {.count = 50}, progress_).error().code,
               ErrorCode::inputNotUsable);
 }

@@ -14,6 +14,7 @@
 #include "pipeline/hybrid/light/lit_view.h"
 #include "pipeline/hybrid/views/pose_sampling.h"
 #include "pipeline/hybrid/views/traced_scene.h"
+#include "pipeline/trace/device_scene.h"
 #include "trace/gpu_scene.h"
 
 namespace macula::hybrid {
@@ -80,8 +81,9 @@ class ViewSets : public trace::DeviceTest {
                                const TransferFunction& function) const {
         auto made = trace::PathTracer::create(device);
         trace::PathTracer tracer = std::move(made).value();
-        EXPECT_TRUE(tracer.setVolume(volume_).ok() && tracer.setTransferFunction(function).ok() &&
-                    tracer.setEnvironment(fromLeft()).ok());
+        EXPECT_TRUE(tracer.scene().setVolume(volume_).ok() &&
+                    tracer.scene().setTransferFunction(function).ok() &&
+                    tracer.scene().setEnvironment(fromLeft()).ok());
         return tracer;
     }
 

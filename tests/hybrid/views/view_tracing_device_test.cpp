@@ -22,6 +22,7 @@
 #include "pipeline/hybrid/views/truth_pictures.h"
 #include "pipeline/splat/draw/displayed.h"
 #include "pipeline/splat/draw/reference_rasterizer.h"
+#include "pipeline/trace/device_scene.h"
 #include "trace/extreme_scenes.h"
 #include "trace/gpu_scene.h"
 
@@ -92,8 +93,8 @@ TEST_F(Views, OfSidesThatAreNotTracedAreLitWhereLightGoesToAllSidesAlike) {
         trace::PathTracer tracer = this->tracer();
         TransferFunction function = function_;
         function.anisotropy = anisotropy;
-        ASSERT_TRUE(tracer.setTransferFunction(function).ok());
-        EXPECT_EQ(tracer.anisotropy(), anisotropy);
+        ASSERT_TRUE(tracer.scene().setTransferFunction(function).ok());
+        EXPECT_EQ(tracer.scene().anisotropy(), anisotropy);
         Progress progress;
         const FirstModelOptions options{.points = {.count = 60, .paths = 2},
                                         .views = 2,

@@ -12,6 +12,7 @@
 #include "pipeline/hybrid/light/lit_view.h"
 #include "pipeline/hybrid/views/coverage_views.h"
 #include "pipeline/hybrid/views/host_work.h"
+#include "pipeline/trace/device_scene.h"
 
 namespace macula::hybrid {
 
@@ -124,7 +125,7 @@ Result<TrainingPictures> litByAll(trace::PathTracer& tracer, const Box& seenMm, 
 
 Result<TrainingPictures> makePictures(trace::PathTracer& tracer, const Box& seenMm, const TrainingSet& set,
                                       const ViewTracing& tracing, Progress& progress) {
-    if (std::abs(tracer.anisotropy()) > kMostAnisotropy || set.traced.empty()) {
+    if (std::abs(tracer.scene().anisotropy()) > kMostAnisotropy || set.traced.empty()) {
         MACULA_TRY(TracedViews traced, traceViews(tracer, set.traced, tracing, progress));
         TrainingPictures pictures{
             .traced = std::move(traced.views), .fromKept = traced.fromKept, .times = traced.times};

@@ -1,0 +1,78 @@
+// The cache of indirect light: what arrives at the first vertices of paths from other matter, averaged over all directions, by
+// place. It changes slowly from place to place, and is the larger part of what a path costs and of its noise. Cells are found
+// by a hash of their coordinates, and looked up at a place that chance moves by up to half a cell: linear interpolation on
+// average (Binder, Fricke and Keller 2019, "Massively Parallel Path Space Filtering").
+//
+// A cell also has a side: which axis the eye looks along, so that both faces of a wall thinner than a cell have light of
+// their own. Where the phase function is not isotropic the light counts for the side alone.
+//
+// Needs: useIndirect(), a constant; fetchIndirectTags(bucket) and fetchIndirectCell(cell), see shared/indirect_light.h;
+// params.indirect*.
+
+// A path ends in a cell that knows n samples with the probability n / (n + this).
+#define INDIRECT_DOUBT 8.0
+#define INDIRECT_LEVELS 15  // the largest cell has 2^15 times the width of the smallest
+// A cell's light is a mean of what it knows and of what the cell that is 2^this times as wide knows, which counts for so many
+// samples.
+#define INDIRECT_WIDER 2
+#define INDIRECT_PRIOR 8.0
+
+// The width of cells at a place is 2^this times that of the smallest.
+int indirectLevel(vec3 at) {
+    vec3 fromEye = (at - params.originVoxel) * params.indirectCellsPerVoxel;
+    float width = params.indirectWidth * (params.parallelMm > float(0.0) ? float(1.0) : sqrt(dot(fromEye, fromEye)));
+    int level = 0;
+    for (float w = float(2.0); w <= width && level < INDIRECT_LEVELS; w *= float(2.0)) level += 1;
+    return level;
+}
+
+// Which of six sides is looked at in a direction.
+int indirectSide(vec3 direction) {
+    vec3 along = direction * direction;
+    if (along.x >= max(along.y, along.z)) return direction.x < float(0.0) ? 1 : 0;
+    if (along.y >= along.z) return direction.y < float(0.0) ? 3 : 2;
+    return direction.z < float(0.0) ? 5 : 4;
+}
+
+// Bucket and tag of the cell at a place in cells of a level, on a side.
+uvec2 indirectCell(vec3 place, int level, int side) {
+    vec3 low = floor(clamp(place, vec3(0.0), vec3(65534.0)));
+    uint a = (uint(low.x) << 16u) | uint(low.y);
+    uint b = (uint(low.z) << 16u) | (uint(level) << 8u) | uint(side);
+    return uvec2(hashOf(a, b) & (kIndirectBuckets - 1u), hashOf(b ^ 0x5bd1e995u, a) | 1u);
+}
+
+// Mean light and number of samples of a cell; of none 0.
+vec4 indirectIn(uvec2 cell) {
+    uvec4 tags = fetchIndirectTags(int(cell.x));
+    int way = tags.x == cell.y ? 0 : (tags.y == cell.y ? 1 : (tags.z == cell.y ? 2 : (tags.w == cell.y ? 3 : -1)));
+    if (way < 0) return vec4(0.0);
+    uvec4 sums = fetchIndirectCell(int(cell.x * kIndirectWays) + way);
+    float scale = params.indirectUnit / max(float(sums.w), float(1.0));
+    return vec4(float(sums.x) * scale, float(sums.y) * scale, float(sums.z) * scale, float(sums.w));
+}
+
+// The light at a place, in cells of a level; linear between cells on average. `own` is the one that the place is in.
+vec4 indirectOfLevel(vec3 at, int level, int side, INOUT(Rng) rng, OUT(uvec2) own) {
+    vec3 place = at * params.indirectCellsPerVoxel / float(1 << level) + vec3(1.0);  // moved by chance it is not below 0
+    own = indirectCell(place, level, side);
+    vec4 here = indirectIn(own);
+    vec4 there = indirectIn(indirectCell(place + random01Coarse3(rng) - vec3(0.5), level, side));
+    // Cells that know little are seldom met, because they lie beyond the surface, or far behind it where it is darker.
+    return random01(rng) * here.w < there.w ? there : here;
+}
+
+// The light at a vertex that was met in `direction`; w is how many samples of the vertex itself it is worth. `own` are the
+// cells that the vertex is in.
+vec4 indirectAt(vec3 at, vec3 direction, INOUT(Rng) rng, OUT(uvec4) own) {
+    int level = indirectLevel(at);
+    int side = indirectSide(direction);
+    uvec2 narrow;
+    uvec2 wide;
+    vec4 near = indirectOfLevel(at, level, side, rng, narrow);
+    vec4 around = indirectOfLevel(at, level + INDIRECT_WIDER, side, rng, wide);
+    own = uvec4(narrow, wide);
+    float prior = min(around.w, float(INDIRECT_PRIOR));
+    float counts = max(near.w + prior, float(1.0));
+    return vec4((vec3(near) * near.w + vec3(around) * prior) / counts, near.w + prior);
+}
