@@ -169,18 +169,18 @@ class Bench {
     // A little more each time until the picture is near enough. Only what a viewer would do counts: all
     // tracing, the guides once, and the denoising and display of the last picture.
     Result<TimeToError> timeToError(const Contender& contender, const image::Image& converged) const {
-        const auto& [denoising, sampling, indirect] = contender;
-        trace::Settings own = settings(denoising, 1);
-        own.indirect = indirect;
+        const bool isDenoised = contender.denoising == trace::Denoising::on;
+        trace::Settings own = settings(contender.denoising, 1);
+        own.indirect = contender.indirect;
         MACULA_TRY(trace::PathTracer tracer, warmTracer(own));
-        if (indirect != trace::Indirect::traced) MACULA_TRY_VOID(lookAround(tracer, own));
+        if (own.indirect != trace::Indirect::traced) MACULA_TRY_VOID(lookAround(tracer, own));
         TimeToError result;
         double traceMs = 0.0;
         double guidesMs = 0.0;
         while (!result.reached && result.samples < options_.convergedSamples) {
-            MACULA_TRY(const double ms, timedMs([&] { return traceMore(tracer, sampling); }));
+            MACULA_TRY(const double ms, timedMs([&] { return traceMore(tracer, contender.sampling); }));
             traceMs += ms;
-            if (denoising == trace::Denoising::on && guidesMs == 0.0) {
+            if (isDenoised && guidesMs == 0.0) {
                 MACULA_TRY(guidesMs, timedMs([&] { return guides(tracer); }));
             }
             MACULA_TRY(const double displayMs, timedMs([&] { return display(tracer); }));
