@@ -58,7 +58,6 @@ trace::Settings previewSettings(trace::Settings settings, std::uint32_t number) 
     settings.bounces = std::min(settings.bounces, kPreviewBounces);
     settings.seed += number;  // else the noise would stand still on the screen like dirt
     settings.filter = trace::Filter::stochastic;
-    settings.indirect = trace::Indirect::cached;
     return settings;
 }
 

@@ -238,7 +238,6 @@ TEST_F(HybridFrameTest, WhatWasTracedAtRestIsShownInMotion) {
 TEST_F(HybridFrameTest, AFoveaIsDenoisedAsItsAimSays) {
     trace::PathTracer screen = onScreen();
     const auto shown = [&](trace::Denoising denoising) {
-        EXPECT_TRUE(screen.scene().setEnvironment(lights_).ok());  // nothing is known of indirect light
         HybridFrame frame = beside(screen);
         FoveaAim aim = wholeView(1);
         aim.denoising = denoising;

@@ -59,7 +59,6 @@ Result<void> HybridFrame::aim(const FoveaAim& aim) {
     trace::Settings settings = settings_;
     settings.seed += count_++;
     settings.denoising = aim.denoising;
-    settings.indirect = trace::Indirect::cached;
     MACULA_TRY_VOID(tracer_.setSettings(settings));
     MACULA_TRY_VOID(tracer_.setView(view_));
     aim_ = aim;
