@@ -52,7 +52,8 @@ struct Path {
     bool shadow;         // the ray under way is a shadow ray
     Net net;             // where its choices come from: 2k + 1 light of vertex k, 2k the way to it; 0 only where surface.glsl starts it
     float face;          // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
-    // Where there is a cache of indirect light. From the first vertex on, radiance and throughput are of that light alone.
+    // These serve the cache of indirect light. Once a path has gone on from its first vertex, radiance and throughput above are
+    // of indirect light alone.
     uvec4 cells;         // of the first vertex, once the path has gone on from it; y 0: it has not
     vec3 direct;         // light of the first vertex that is not indirect
     vec3 albedo;         // what indirect light is multiplied by there
@@ -260,6 +261,7 @@ EyeRay eyeRay(vec2 pixel) {
     return EyeRay(params.originVoxel, vec3(0.0), normalize(params.forward + inPlane));
 }
 
+// A random number in [0, 1) that all pixels of a block share for a sample.
 float blockChance(ivec2 block, uint sampleIndex) {
     uint bits = hashOf(hashOf(uint(block.x), uint(block.y)), hashOf(sampleIndex, params.seed));
     return float(bits >> 8u) * float(1.0 / 16777216.0);

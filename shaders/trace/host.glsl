@@ -63,7 +63,7 @@ uint poolValue(int index) {
 // (src/pipeline/volume/voxel_blocks.h).
 const uint kOneValue = 3u;  // the level
 
-// Where in the pool the value of a voxel within a block lies; anywhere where the block has one.
+// Tells where in the pool the value of a voxel lies. A block of one value has none there, and gets a place that can be read.
 int placeIn(uint word, ivec3 within) {
     int level = int(word >> 30);
     int inside = (within.z << 6) | (within.y << 3) | within.x;

@@ -291,7 +291,7 @@ TEST_F(IndirectCacheTest, KeepsLightOfAnyStrength) {
     EXPECT_EQ(share(1.0), 0.0);
 }
 
-// A clip that leaves one voxel, far from the eye and near: the levels of cells end somewhere.
+// The eye is inside of the matter, and 10 m away: cells are as small as they get, and large.
 TEST_F(IndirectCacheTest, WorksFromAnyDistance) {
     scenes::SmallScene scene = whiteFurnace();
     scene.bounces = 8;

@@ -17,8 +17,8 @@ namespace {
 // along its normal; with all that follows it would be near 1. Three times the light makes the clear look
 // about as bright as the cinematic one.
 constexpr double kClearGain = 3.0;
-// Of paths where the cache of indirect light is a control variate: fewer would save little more time, and
-// each tells more of how noisy paths are.
+// Where the cache of indirect light is a control variate, a path goes on from its first vertex with at least
+// this probability: a lower one saves little time, and weighs the paths that go on so much that noise grows.
 constexpr double kIndirectLeast = 0.25;
 
 // Voxel coordinates have integers at faces: centres are half a voxel on.
@@ -107,8 +107,8 @@ void writeLights(const LightFrame frame, const CameraBasis& eye, const Settings&
     params.lightStrength = static_cast<float>(gain * settings.lightStrength);
 }
 
-// Cells are cubes in the patient; one that is as wide as some pixels there is a power of two larger than the
-// smallest.
+// The cells of the cache of indirect light are cubes in the patient. The shader doubles the smallest one
+// until a cell is about as wide as kIndirectCellPixels.
 void writeIndirectLight(const Volume& volume, const Environment& environment, const View& view,
                         const Settings& settings, const FoveaInPlane& fovea, shared::TraceParams& params) {
     const glm::dvec3 spacingMm = volume.spacingMm();

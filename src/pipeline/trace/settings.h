@@ -43,8 +43,9 @@ constexpr std::string_view nameOf(Denoising denoising) {
 // paths (indirect_cache.h), can stand for all that follows on the first vertex. Lights that hang on the
 // camera leave nothing to be kept: with them all is traced.
 enum class Indirect {
-    traced,     // from paths alone: the same picture each time, to the last bit
-    cached,     // paths end where the cache knows enough. Biased by what differs within a cell
+    traced,     // from paths alone: the same picture each time, to the last bit. What people see
+    cached,     // paths end where the cache knows enough. Biased by what differs within a cell: small bright
+                // things lose most of their light
                 // (docs/speed-and-accuracy.md); traced where the phase function is not isotropic
     corrected,  // the cache is a control variate: paths go on by chance, and tell how wrong it is. Unbiased
 };
