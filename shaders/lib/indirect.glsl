@@ -4,7 +4,8 @@
 // average (Binder, Fricke and Keller 2019, "Massively Parallel Path Space Filtering").
 //
 // A cell also has a side: which axis the eye looks along, so that both faces of a wall thinner than a cell have light of
-// their own. Where the phase function is not isotropic the light counts for the side alone.
+// their own. Where the phase function is not isotropic the light counts for the side alone. And it has a kind of matter,
+// by albedo and extinction: a calcification smaller than a cell must not have the light of the dark matter around it.
 //
 // Needs: useIndirect(), a constant; fetchIndirectTags(bucket) and fetchIndirectCell(cell), see shared/indirect_light.h;
 // params.indirect*.
@@ -16,6 +17,8 @@
 // samples.
 #define INDIRECT_WIDER 2
 #define INDIRECT_PRIOR 8.0
+#define INDIRECT_BRIGHTS 6.0  // kinds of matter between black and white
+#define INDIRECT_OCTAVES 3.0  // the extinction of the next kind is 2^this times as high
 
 // The width of cells at a place is 2^this times that of the smallest.
 int indirectLevel(vec3 at) {
@@ -34,11 +37,18 @@ int indirectSide(vec3 direction) {
     return direction.z < float(0.0) ? 5 : 4;
 }
 
-// Bucket and tag of the cell at a place in cells of a level, on a side.
-uvec2 indirectCell(vec3 place, int level, int side) {
+// Where matter lies among the kinds of it: by its albedo, and by its extinction per mm.
+vec2 indirectMatter(vec3 albedo, float extinction) {
+    float bright = max(albedo.x, max(albedo.y, albedo.z));
+    return vec2(bright * float(INDIRECT_BRIGHTS), (log2(max(extinction, float(1e-6))) + float(10.0)) / float(INDIRECT_OCTAVES));
+}
+
+// Bucket and tag of the cell at a place in cells of a level, on a side, of matter of the nearest kind.
+uvec2 indirectCell(vec3 place, int level, int side, vec2 matter) {
     vec3 low = floor(clamp(place, vec3(0.0), vec3(65534.0)));
+    vec2 kind = floor(clamp(matter + vec2(0.5), vec2(0.0), vec2(15.0)));
     uint a = (uint(low.x) << 16u) | uint(low.y);
-    uint b = (uint(low.z) << 16u) | (uint(level) << 8u) | uint(side);
+    uint b = (uint(low.z) << 16u) | (uint(level) << 11u) | (uint(kind.x) << 7u) | (uint(kind.y) << 3u) | uint(side);
     return uvec2(hashOf(a, b) & (kIndirectBuckets - 1u), hashOf(b ^ 0x5bd1e995u, a) | 1u);
 }
 
@@ -53,24 +63,26 @@ vec4 indirectIn(uvec2 cell) {
 }
 
 // The light at a place, in cells of a level; linear between cells on average. `own` is the one that the place is in.
-vec4 indirectOfLevel(vec3 at, int level, int side, INOUT(Rng) rng, OUT(uvec2) own) {
+vec4 indirectOfLevel(vec3 at, int level, int side, vec2 matter, INOUT(Rng) rng, OUT(uvec2) own) {
     vec3 place = at * params.indirectCellsPerVoxel / float(1 << level) + vec3(1.0);  // moved by chance it is not below 0
-    own = indirectCell(place, level, side);
+    own = indirectCell(place, level, side, matter);
     vec4 here = indirectIn(own);
-    vec4 there = indirectIn(indirectCell(place + random01Coarse3(rng) - vec3(0.5), level, side));
+    vec3 aside = random01Coarse3(rng) - vec3(0.5);
+    vec2 other = vec2(random01Coarse3(rng)) - vec2(0.5);
+    vec4 there = indirectIn(indirectCell(place + aside, level, side, matter + other));
     // Cells that know little are seldom met, because they lie beyond the surface, or far behind it where it is darker.
     return random01(rng) * here.w < there.w ? there : here;
 }
 
-// The light at a vertex that was met in `direction`; w is how many samples of the vertex itself it is worth. `own` are the
+// The light at a vertex in such matter that was met in `direction`; w is how many samples of the vertex itself it is worth. `own` are the
 // cells that the vertex is in.
-vec4 indirectAt(vec3 at, vec3 direction, INOUT(Rng) rng, OUT(uvec4) own) {
+vec4 indirectAt(vec3 at, vec3 direction, vec2 matter, INOUT(Rng) rng, OUT(uvec4) own) {
     int level = indirectLevel(at);
     int side = indirectSide(direction);
     uvec2 narrow;
     uvec2 wide;
-    vec4 near = indirectOfLevel(at, level, side, rng, narrow);
-    vec4 around = indirectOfLevel(at, level + INDIRECT_WIDER, side, rng, wide);
+    vec4 near = indirectOfLevel(at, level, side, matter, rng, narrow);
+    vec4 around = indirectOfLevel(at, level + INDIRECT_WIDER, side, matter, rng, wide);
     own = uvec4(narrow, wide);
     float prior = min(around.w, float(INDIRECT_PRIOR));
     float counts = max(near.w + prior, float(1.0));

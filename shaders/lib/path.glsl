@@ -56,6 +56,7 @@ struct Path {
     // of indirect light alone.
     uvec4 cells;         // of the first vertex, once the path has gone on from it; y 0: it has not
     vec3 direct;         // light of the first vertex that is not indirect
+    float extinction;    // per mm, at the first vertex
     vec3 albedo;         // what indirect light is multiplied by there
     float chance;        // 0 to 1; the path goes on from there when it is low, as those of its neighbours do
 };
@@ -114,6 +115,7 @@ Path startPath(vec3 originVoxel, vec3 worldDirection, Net net) {
     path.shadow = false;
     path.cells = uvec4(0u);
     path.direct = vec3(0.0);
+    path.extinction = float(0.0);
     path.albedo = vec3(1.0);
     path.chance = float(0.0);
     return path;
@@ -165,7 +167,7 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
 // that goes on has its weight made good where the cache is a control variate.
 bool endsInCache(INOUT(Path) path, INOUT(Rng) rng) {
     uvec4 cells;
-    vec4 found = indirectAt(path.origin, path.direction, rng, cells);
+    vec4 found = indirectAt(path.origin, path.direction, indirectMatter(path.throughput, path.extinction), rng, cells);
     float goesOn = float(INDIRECT_DOUBT) / (float(INDIRECT_DOUBT) + found.w);
     if (params.indirectLeast > float(0.0)) goesOn = max(goesOn, params.indirectLeast);
     vec3 light = path.throughput * vec3(found);
@@ -220,6 +222,8 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         path.coverage = float(1.0);
         path.origin = walkPosition(path.walk);
         path.throughput *= albedoAt(path.origin, path.entry, path.secondShare);
+        for (bool asks = useIndirect() && path.vertices == 0; asks; asks = false)
+            path.extinction = totalOf(mixtureAt(path.origin, path.entry));
         EnvironmentSample light = sampleEnvironment(netPoint(path.net, uint(2 * path.vertices + 1)));
         direction = worldFromEnvironment(light.direction);
         float phase = phaseHenyeyGreenstein(dot(path.direction, direction), params.anisotropy);

@@ -39,7 +39,7 @@ class Cached {
         EXPECT_TRUE(cache().prepare({.sceneEdition = device_->edition(), .bounces = settings.bounces}).ok());
         EXPECT_TRUE(accumulation_.begin(scene_.view.width, scene_.view.height).ok());
         TraceVariant variant = variantOf(settings, kindOf(*device_));
-        variant.usesIndirect = true;
+        variant.usesIndirect = settings.indirect != Indirect::traced;
         constexpr std::uint32_t kOfPass = 4;  // the longest paths are not lost to the device's limit then
         for (std::uint32_t done = 0; done < samples; done += kOfPass) {
             accumulation_.plan().beginEven(std::min(kOfPass, samples - done));
@@ -215,6 +215,44 @@ TEST_F(IndirectCacheTest, AsAControlVariateItHasNoBias) {
             EXPECT_LT(4.5 * error, 0.05 * traced[c]) << "the test must be able to see a bias";
             EXPECT_GT(std::abs(cachedLight[c] - traced[c]), 9.0 * error) << "what is wrong must show";
         }
+    }
+}
+
+// A calcification in soft tissue: as wide as a pixel, a quarter of a cell. What scatters within it is most of
+// its light, and must not be what cells know of the dark matter around it.
+TEST_F(IndirectCacheTest, ASmallBrightThingKeepsItsLight) {
+    constexpr glm::ivec3 kMiddle{9, 1, 9};
+    const auto values = [&](int i, int j, int k) {
+        const glm::ivec3 from = glm::abs(glm::ivec3(i, j, k) - kMiddle);
+        return std::uint16_t(std::max({from.x, from.y, from.z}) <= 1 ? 900 : 300);
+    };
+    const glm::ivec3 size{18, 18, 18};
+    const auto volume = scenes::volumeOf(size, scenes::grid(glm::dvec3(1.0), size), values);
+    for (const auto& [opacity, albedo] : {std::pair(0.6, 0.1), std::pair(0.05, 1.0)}) {
+        SCOPED_TRACE(albedo);
+        scenes::SmallScene scene{
+            .name = "a bright thing",
+            .volume = volume,
+            .function = scenes::ramp(80, 900, 0.5, 1.0),
+            .view = scenes::lookAt(*volume, 20.0, scenes::kSmallPixels),
+            .sky = {.width = 4, .height = 2, .radiance = std::vector<glm::vec3>(8, glm::vec3(1.0f))},
+            .bounces = 64};
+        scene.function.opacity = {{290, opacity}, {310, opacity}, {890, 0.95}, {900, 0.95}};
+        scene.function.colour = {{300, glm::dvec3(albedo)}, {890, glm::dvec3(1.0)}};
+        scene.function.albedo = 1.0;
+        Cached cached(device(), scene);
+        constexpr std::uint32_t kSamples = 256;
+        const std::vector<glm::vec4> traced = cached.sums(of(scene, Indirect::traced), kSamples);
+        cached.fill(of(scene, Indirect::cached), 100, 4);
+        const std::vector<glm::vec4> sums = cached.sums(of(scene, Indirect::cached), kSamples);
+        double brightest = 0.0;
+        double its = 0.0;
+        for (std::size_t i = 0; i < traced.size(); ++i) {
+            if (double(traced[i].r) <= brightest) continue;
+            brightest = double(traced[i].r);
+            its = double(sums[i].r);
+        }
+        EXPECT_NEAR(its / brightest, 1.0, 0.1);
     }
 }
 
