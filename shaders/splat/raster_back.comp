@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
 #extension GL_KHR_shader_subgroup_shuffle : require
+#extension GL_KHR_shader_subgroup_vote : require
 
 #include "splat/frame.glsl"
 #include "splat/screen.glsl"
@@ -37,6 +38,11 @@ float sumsOfEight(float v[8]) {
     return sum;
 }
 
+// Where the sums of a pair are, of the subgroup that the thread is in.
+uint placeOf(uint pair) {
+    return (pair * uint(kSlots) + gl_SubgroupID) * uint(kPairValues);
+}
+
 // The three values of the lane whose number differs in the bits of `mask`.
 vec3 ofLane(vec3 v, uint mask) {
     return vec3(subgroupShuffleXor(v.x, mask), subgroupShuffleXor(v.y, mask), subgroupShuffleXor(v.z, mask));
@@ -67,12 +73,15 @@ void main() {
         remaining[row] = dot(texelFetch(pictureTexels, pixel), g);
     }
     uvec2 range = entriesOfTile();
-    for (uint at = range.x; at < range.y; ++at) {
+    uint at = range.x;
+    // Behind the last pixel that lets light through nothing counts. All lanes of a subgroup go on together: they share sums.
+    for (float most = 1.0; at < range.y && subgroupAny(most >= view.minTransmittance); ++at) {
         uvec2 entry = texelFetch(entryTexels, int(at)).xy;
         Shown shown = fetchShown(int(entry.x));
         ScreenGradient sum = noGradient();
         float weight = 0.0;
         float pull = 0.0;
+        most = 0.0;
         [[unroll]] for (int row = 0; row < kRows; ++row) {
             weight += transmittance[row];
             vec2 before = sum.mean;
@@ -80,13 +89,18 @@ void main() {
                              transmittance[row], remaining[row], sum);
             weight -= transmittance[row];
             pull += abs(sum.mean.x - before.x) + abs(sum.mean.y - before.y);
+            most = max(most, transmittance[row]);
         }
         float values[8] = float[8](sum.mean.x, sum.mean.y, sum.conic.x, sum.conic.y, sum.conic.z, sum.opacity, sum.colour.x,
                                    sum.colour.y);
         float eight = sumsOfEight(values);
         vec3 three = sumsOfThree(vec3(sum.colour.z, weight, pull));
-        uint place = (entry.y * uint(kSlots) + gl_SubgroupID) * uint(kPairValues);
+        uint place = placeOf(entry.y);
         if (gl_SubgroupInvocationID < 8u) pairs[place + gl_SubgroupInvocationID] = eight;
         if (gl_SubgroupInvocationID < 3u) pairs[place + 8u + gl_SubgroupInvocationID] = three[gl_SubgroupInvocationID];
+    }
+    for (; at < range.y; ++at) {
+        uint place = placeOf(texelFetch(entryTexels, int(at)).y);
+        for (uint v = gl_SubgroupInvocationID; v < uint(kPairValues); v += uint(kLanes)) pairs[place + v] = 0.0;
     }
 }
