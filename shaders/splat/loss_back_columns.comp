@@ -2,7 +2,7 @@
 // of a column.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "splat/loss_setup.glsl"
+#include "splat/loss_strips.glsl"
 
 layout(binding = 1) uniform samplerBuffer terms;
 layout(binding = 2, scalar) writeonly buffer Summed {

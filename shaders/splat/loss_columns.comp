@@ -1,7 +1,7 @@
 // Second step of the loss: what SSIM needs of a window, summed along the columns. A thread for each strip of a column.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "splat/loss_setup.glsl"
+#include "splat/loss_strips.glsl"
 
 layout(binding = 1) uniform samplerBuffer pairs;
 layout(binding = 2, scalar) writeonly buffer Means {

@@ -4,6 +4,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_setup.glsl"
 
+layout(local_size_x = 8, local_size_y = 8) in;
 layout(constant_id = 1) const bool kDisplay = false;
 
 layout(binding = 1) uniform samplerBuffer rendered;
@@ -18,19 +19,7 @@ void main() {
     if (any(greaterThanEqual(pixel, params.imageSize))) return;
     int index = pixel.y * params.imageSize.x + pixel.x;
     bool known = texelFetch(windows, index).x > 0.0;
-    vec4 truth = known ? texelFetch(targets, index) : vec4(0.0);
-    vec4 render = known ? texelFetch(rendered, index) : vec4(0.0);
-    render = isFinite(render) ? render : truth;
-    ComparedPixel ours = comparedPixel(render, params.background, params.exposure, kDisplay);
-    ComparedPixel theirs = comparedPixel(truth, params.background, params.exposure, kDisplay);
-    vec4 x = ours.value;
-    vec4 y = theirs.value;
-    vec4 difference = x - y;
-    if (params.squareScale > 0.0) difference.xyz = comparedChange(ours.over, ours.over - theirs.over, kDisplay);
-    if (params.coverageOnly != 0u) {
-        y.xyz = x.xyz;
-        difference.xyz = vec3(0.0);
-    }
-    pairs[2 * index] = known ? x + y : vec4(0.0);
-    pairs[2 * index + 1] = known ? difference : vec4(0.0);
+    LossPair pair = pairOf(texelFetch(rendered, index), texelFetch(targets, index), known, kDisplay);
+    pairs[2 * index] = pair.sum;
+    pairs[2 * index + 1] = pair.difference;
 }

@@ -2,7 +2,7 @@
 // of a row.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "splat/loss_setup.glsl"
+#include "splat/loss_strips.glsl"
 
 layout(constant_id = 1) const bool kDisplay = false;
 layout(constant_id = 2) const bool kSimilar = true;  // SSIM takes part
@@ -47,15 +47,11 @@ void main() {
             int index = y * size.x + first + n;
             vec4 render = texelFetch(rendered, index);
             vec4 difference = texelFetch(pairs, 2 * index + 1);
-            bool finite = isFinite(render);
-            bool known = texelFetch(windows, index).x > 0.0 && finite;
-            vec4 back = params.l1Scale * sign(difference) + 2.0 * params.squareScale * difference;
-            if (kSimilar)
-                back += params.dssimScale * (a[n] + b[n] * texelFetch(pairs, 2 * index) + c[n] * difference);
-            vec3 over = comparedPixel(render, params.background, params.exposure, kDisplay).over;
-            vec4 gradient = comparedPixelBack(over, back, params.background, params.exposure, kDisplay);
+            bool known = texelFetch(windows, index).x > 0.0 && isFinite(render);
+            vec4 ofSimilarity = kSimilar ? a[n] + b[n] * texelFetch(pairs, 2 * index) + c[n] * difference : vec4(0.0);
+            vec4 gradient = gradientOf(render, difference, ofSimilarity, kDisplay);
             gradients[index] = known ? gradient : vec4(0.0);
-            part += vec4(dot(abs(difference), vec4(1.0)), dot(difference, difference), finite ? 0.0 : 1.0, 0.0);
+            part += lossPartOf(render, difference);
         }
     }
     parts[y * ((size.x + kOutputs - 1) / kOutputs) + int(gl_GlobalInvocationID.x)] = part;

@@ -2,7 +2,7 @@
 // strip of a row.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "splat/loss_setup.glsl"
+#include "splat/loss_strips.glsl"
 
 layout(binding = 1) uniform samplerBuffer means;
 layout(binding = 2) uniform samplerBuffer windows;  // 1 / the taps on known pixels; 0 where the pixel is unknown

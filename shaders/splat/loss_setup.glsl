@@ -1,7 +1,4 @@
-// What all kernels of the loss begin with: a strip of kOutputs pixels for each thread, and the parameters.
-//
-// What the steps pass on lies together for each pixel: in pictures of their own, a power of two apart, all would want the same lines
-// of the cache (at 512 x 512 on lavapipe that took half as long again).
+// What all kernels of the loss begin with: the parameters, and what is compared of a pixel.
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
 
@@ -13,10 +10,40 @@
 #include "lib/splat_ssim.glsl"
 #include "shared/splat_loss_params.h"
 
-// Pixels of a strip: what it reads is more by 10, so that neighbours are read by few threads.
-layout(constant_id = 0) const int kOutputs = 8;
-layout(local_size_x = 8, local_size_y = 8) in;
-
 layout(binding = 0, scalar) readonly buffer Params {
     SplatLossParams params;
 };
+
+struct LossPair {
+    vec4 sum;  // of the two pictures, as they are compared
+    vec4 difference;
+};
+
+// What is not finite in either picture is taken to be equal, and black if it is in the target (not `known`).
+LossPair pairOf(vec4 render, vec4 truth, bool known, bool display) {
+    if (!known) return LossPair(vec4(0.0), vec4(0.0));
+    render = isFinite(render) ? render : truth;
+    ComparedPixel ours = comparedPixel(render, params.background, params.exposure, display);
+    ComparedPixel theirs = comparedPixel(truth, params.background, params.exposure, display);
+    vec4 x = ours.value;
+    vec4 y = theirs.value;
+    vec4 difference = x - y;
+    if (params.squareScale > 0.0) difference.xyz = comparedChange(ours.over, ours.over - theirs.over, display);
+    if (params.coverageOnly != 0u) {
+        y.xyz = x.xyz;
+        difference.xyz = vec3(0.0);
+    }
+    return LossPair(x + y, difference);
+}
+
+// The gradient by a finite premultiplied pixel of a known one; `ofSimilarity` is that of 1 - SSIM by the pixel as compared.
+vec4 gradientOf(vec4 render, vec4 difference, vec4 ofSimilarity, bool display) {
+    vec4 back = params.l1Scale * sign(difference) + 2.0 * params.squareScale * difference + params.dssimScale * ofSimilarity;
+    vec3 over = comparedPixel(render, params.background, params.exposure, display).over;
+    return comparedPixelBack(over, back, params.background, params.exposure, display);
+}
+
+// What a pixel adds to the sums of the loss: |difference|, its square; 1 where the render is not finite; 0.
+vec4 lossPartOf(vec4 render, vec4 difference) {
+    return vec4(dot(abs(difference), vec4(1.0)), dot(difference, difference), isFinite(render) ? 0.0 : 1.0, 0.0);
+}

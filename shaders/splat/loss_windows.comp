@@ -1,27 +1,28 @@
 // Once for each target: 1 / the taps of the SSIM window around a pixel that fall on known pixels; 0 where the pixel itself is
-// not finite. And how many those are, summed over rows.
+// not finite. By tiles.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#include "splat/loss_setup.glsl"
+#include "splat/loss_tile.glsl"
 
 layout(binding = 1) uniform samplerBuffer targets;
 layout(binding = 2, scalar) writeonly buffer Windows {
     float windows[];
 };
 
+shared float known[kWide * kWide];
+
+vec4 windowed(int at, int which) {
+    return vec4(known[at]);
+}
+
 void main() {
-    ivec2 size = params.imageSize;
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, size))) return;
-    float taps = 0.0;
-    for (int dy = -5; dy <= 5; ++dy) {
-        for (int dx = -5; dx <= 5; ++dx) {
-            ivec2 at = pixel + ivec2(dx, dy);
-            ivec2 near = clamp(at, ivec2(0), size - ivec2(1));
-            bool known = at == near && isFinite(texelFetch(targets, near.y * size.x + near.x));
-            taps += known ? ssimTap(dx) * ssimTap(dy) : 0.0;
-        }
+    for (int at = thread(); at < kWide * kWide; at += kThreads) {
+        ivec2 pixel = widePixel(at);
+        known[at] = isInPicture(pixel) && isFinite(texelFetch(targets, indexOf(pixel))) ? 1.0 : 0.0;
     }
-    int index = pixel.y * size.x + pixel.x;
-    windows[index] = isFinite(texelFetch(targets, index)) ? 1.0 / taps : 0.0;
+    float taps = windowSum(0).x;
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (!isInPicture(pixel)) return;
+    int own = (int(gl_LocalInvocationID.y) + kReach) * kWide + int(gl_LocalInvocationID.x) + kReach;
+    windows[indexOf(pixel)] = known[own] > 0.0 ? 1.0 / taps : 0.0;
 }

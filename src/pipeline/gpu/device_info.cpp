@@ -61,6 +61,7 @@ DeviceInfo infoOf(VkPhysicalDevice device, std::size_t index) {
     info.maxStorageBufferBytes = basic.limits.maxStorageBufferRange;
     info.maxTexelBufferElements = basic.limits.maxTexelBufferElements;
     info.maxPushConstantBytes = basic.limits.maxPushConstantsSize;
+    info.maxSharedBytes = basic.limits.maxComputeSharedMemorySize;
     info.maxGroupsX = basic.limits.maxComputeWorkGroupCount[0];
     info.maxImageEdge2D = basic.limits.maxImageDimension2D;
     info.maxImageEdge3D = basic.limits.maxImageDimension3D;

@@ -32,6 +32,7 @@ struct DeviceInfo {
     std::uint32_t maxStorageBufferBytes = 0;
     std::uint32_t maxTexelBufferElements = 0;
     std::uint32_t maxPushConstantBytes = 0;
+    std::uint32_t maxSharedBytes = 0;  // of the threads of a group
     std::uint32_t maxImageEdge2D = 0;
     std::uint32_t maxImageEdge3D = 0;
     std::uint32_t subgroupSize = 0;  // of kernels that require none; where the driver may choose, the largest

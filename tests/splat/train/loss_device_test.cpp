@@ -17,11 +17,15 @@ std::vector<glm::vec4> narrowed(const Pixels& pixels) {
     return {pixels.begin(), pixels.end()};
 }
 
-class LossOnDevice : public gpu::SharedDeviceTest {
+// Both ways, whatever the device.
+class LossOnDevice : public gpu::SharedDeviceTest, public testing::WithParamInterface<LossWork> {
   protected:
     static const std::shared_ptr<const LossKernels>& kernels() {
-        static const std::shared_ptr<const LossKernels> made = *LossKernels::create(device());
-        return made;
+        static const std::shared_ptr<const LossKernels> strips =
+            *LossKernels::create(device(), LossWork::byStrips);
+        static const std::shared_ptr<const LossKernels> tiles =
+            *LossKernels::create(device(), LossWork::byTiles);
+        return GetParam() == LossWork::byTiles ? tiles : strips;
     }
     static DevicePicture uploaded(int width, int height, const Pixels& pixels) {
         return std::move(*DevicePicture::upload(device(), "picture", width, height, narrowed(pixels)));
@@ -70,7 +74,7 @@ class LossOnDevice : public gpu::SharedDeviceTest {
     }
 };
 
-TEST_F(LossOnDevice, IsThatOfTheReference) {
+TEST_P(LossOnDevice, IsThatOfTheReference) {
     for (const auto& [width, height] :
          {std::pair(1, 1), std::pair(1, 37), std::pair(53, 1), std::pair(7, 5), std::pair(75, 41)}) {
         for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
@@ -86,7 +90,7 @@ TEST_F(LossOnDevice, IsThatOfTheReference) {
     }
 }
 
-TEST_F(LossOnDevice, OfEachMeasureIsThatOfTheReference) {
+TEST_P(LossOnDevice, OfEachMeasureIsThatOfTheReference) {
     for (const LossMeasure measure : {LossMeasure::similar, LossMeasure::absolute, LossMeasure::squared}) {
         for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
             for (const bool coverageOnly : {false, true}) {
@@ -102,7 +106,7 @@ TEST_F(LossOnDevice, OfEachMeasureIsThatOfTheReference) {
     }
 }
 
-TEST_F(LossOnDevice, IsThatOfTheReferenceAtFullSizeAndOverAnyBackground) {
+TEST_P(LossOnDevice, IsThatOfTheReferenceAtFullSizeAndOverAnyBackground) {
     const Pixels render = randomPicture(512, 512, 1);
     Pixels target = render;
     for (std::size_t i = 0; i < target.size(); ++i)
@@ -116,7 +120,7 @@ TEST_F(LossOnDevice, IsThatOfTheReferenceAtFullSizeAndOverAnyBackground) {
 }
 
 // Whatever colours the target has; and the model's colours are not moved.
-TEST_F(LossOnDevice, OfCoverageAloneKnowsNoColours) {
+TEST_P(LossOnDevice, OfCoverageAloneKnowsNoColours) {
     const Pixels render = randomPicture(53, 41, 1);
     Pixels target = randomPicture(53, 41, 2);
     for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
@@ -137,7 +141,7 @@ TEST_F(LossOnDevice, OfCoverageAloneKnowsNoColours) {
     }
 }
 
-TEST_F(LossOnDevice, OfEqualPicturesIsNothingToTheLastBit) {
+TEST_P(LossOnDevice, OfEqualPicturesIsNothingToTheLastBit) {
     const Pixels picture = randomPicture(61, 33, 3);
     for (const LossEncoding encode : {LossEncoding::none, LossEncoding::display}) {
         const Outcome outcome =
@@ -148,7 +152,7 @@ TEST_F(LossOnDevice, OfEqualPicturesIsNothingToTheLastBit) {
     }
 }
 
-TEST_F(LossOnDevice, LeavesOutWhatIsNotFinite) {
+TEST_P(LossOnDevice, LeavesOutWhatIsNotFinite) {
     Pixels render = randomPicture(40, 30, 5);
     Pixels target = randomPicture(40, 30, 6);
     target[0].x = kNan;
@@ -168,7 +172,7 @@ TEST_F(LossOnDevice, LeavesOutWhatIsNotFinite) {
     for (const glm::vec4& pixel : nothing.gradient) ASSERT_EQ(pixel, glm::vec4(0.0f));
 }
 
-TEST_F(LossOnDevice, TakesWhateverAPictureMayHold) {
+TEST_P(LossOnDevice, TakesWhateverAPictureMayHold) {
     const Pixels zero = filled(24, 20, glm::dvec4(0.0));
     const Pixels one = filled(24, 20, glm::dvec4(1.0));
     std::mt19937 random(9);
@@ -203,7 +207,7 @@ TEST_F(LossOnDevice, TakesWhateverAPictureMayHold) {
     }
 }
 
-TEST_F(LossOnDevice, IsTheSameBitsEachTime) {
+TEST_P(LossOnDevice, IsTheSameBitsEachTime) {
     const Pixels render = randomPicture(200, 90, 1);
     const Pixels target = randomPicture(200, 90, 2);
     const LossOptions options{.encode = LossEncoding::display};
@@ -218,7 +222,7 @@ TEST_F(LossOnDevice, IsTheSameBitsEachTime) {
 }
 
 // Room is for pixels, whatever their shape; what was there before is not in the way.
-TEST_F(LossOnDevice, ComparesPicturesOfAnyShapeInOneRoom) {
+TEST_P(LossOnDevice, ComparesPicturesOfAnyShapeInOneRoom) {
     Loss loss = std::move(*Loss::create(device(), kernels(), 75 * 41));
     EXPECT_EQ(loss.mostPixels(), 75u * 41u);
     const LossOptions options{.encode = LossEncoding::display};
@@ -240,14 +244,14 @@ TEST_F(LossOnDevice, ComparesPicturesOfAnyShapeInOneRoom) {
 }
 
 // On every device: 64 GiB in one buffer.
-TEST_F(LossOnDevice, RoomThatThereIsNotIsAnError) {
+TEST_P(LossOnDevice, RoomThatThereIsNotIsAnError) {
     const auto loss = Loss::create(device(), kernels(), std::uint64_t(1) << 30);
     ASSERT_FALSE(loss.ok());
     EXPECT_EQ(loss.error().code, ErrorCode::outOfMemory);
 }
 
 // What all of it is for: a picture that follows the gradient becomes the target, alpha included.
-TEST_F(LossOnDevice, LeadsToTheTarget) {
+TEST_P(LossOnDevice, LeadsToTheTarget) {
     const Pixels target = randomPicture(24, 24, 4);
     std::vector<glm::vec4> pixels = narrowed(filled(24, 24, {0.2, 0.2, 0.2, 0.5}));
     const LossTarget truth = std::move(*LossTarget::create(*kernels(), uploaded(24, 24, target)));
@@ -269,7 +273,7 @@ TEST_F(LossOnDevice, LeadsToTheTarget) {
     EXPECT_LT(lastLoss, 0.1f * firstLoss);
 }
 
-TEST_F(LossOnDevice, DownsamplesLikeTheReference) {
+TEST_P(LossOnDevice, DownsamplesLikeTheReference) {
     const glm::ivec2 sizes[][2] = {
         {{7, 5}, {4, 3}}, {{64, 48}, {32, 24}}, {{1, 1}, {1, 1}}, {{1, 9}, {1, 5}}, {{101, 37}, {13, 37}}};
     for (const auto& [from, to] : sizes) {
@@ -291,6 +295,11 @@ TEST_F(LossOnDevice, DownsamplesLikeTheReference) {
             }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Work, LossOnDevice, testing::Values(LossWork::byStrips, LossWork::byTiles),
+                         [](const auto& work) {
+                             return work.param == LossWork::byStrips ? "byStrips" : "byTiles";
+                         });
 
 }  // namespace
 }  // namespace macula::splat

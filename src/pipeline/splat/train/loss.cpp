@@ -18,6 +18,11 @@ constexpr int kColumnOutputs = 4;
 constexpr int kRowOutputsCpu = 8;
 constexpr int kRowOutputsGpu = 4;
 
+// See shaders/splat/loss_tile.glsl.
+constexpr int kTile = 16;
+constexpr std::uint32_t kTileSharedBytes =
+    32768;  // what its largest kernel needs of a group's memory, rounded up
+
 constexpr VkBufferUsageFlags kReadAndWritten =
     VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT;
 
@@ -44,22 +49,44 @@ void write(gpu::Recorder& recorder, const gpu::Buffer& buffer, const shared::Spl
 
 }  // namespace
 
-Result<std::shared_ptr<const LossKernels>> LossKernels::create(const std::shared_ptr<gpu::Device>& device) {
+LossWork lossWorkOf(const gpu::Device& device) {
+    const bool fits = device.info().maxSharedBytes >= kTileSharedBytes;
+    return fits && !device.isCpu() ? LossWork::byTiles : LossWork::byStrips;
+}
+
+Result<std::shared_ptr<const LossKernels>> LossKernels::create(const std::shared_ptr<gpu::Device>& device,
+                                                               LossWork work) {
     const auto make = [&](const gpu::ShaderCode& code, std::vector<gpu::Specialization> specializations) {
         return gpu::Kernel::create(device, code, {.specializations = std::move(specializations)});
     };
-    const int rowOutputs = device->isCpu() ? kRowOutputsCpu : kRowOutputsGpu;
-    MACULA_TRY(gpu::Kernel windows, make(shaders::splat_loss_windows_comp, {}));
-    MACULA_TRY(gpu::Kernel comparePlain, make(shaders::splat_loss_compare_comp, {{"kDisplay", false}}));
-    MACULA_TRY(gpu::Kernel compareDisplay, make(shaders::splat_loss_compare_comp, {{"kDisplay", true}}));
-    MACULA_TRY(gpu::Kernel columns, make(shaders::splat_loss_columns_comp, {{"kOutputs", kColumnOutputs}}));
-    MACULA_TRY(gpu::Kernel rows, make(shaders::splat_loss_rows_comp, {{"kOutputs", rowOutputs}}));
-    MACULA_TRY(gpu::Kernel backColumns,
-               make(shaders::splat_loss_back_columns_comp, {{"kOutputs", kColumnOutputs}}));
-    const auto makeGradient = [&](bool display, bool similar) {
-        return make(shaders::splat_loss_gradient_comp,
-                    {{"kOutputs", rowOutputs}, {"kDisplay", display}, {"kSimilar", similar}});
+    const auto forEncodings = [&](const gpu::ShaderCode& code) -> Result<ByEncoding> {
+        MACULA_TRY(gpu::Kernel plain, make(code, {{"kDisplay", false}}));
+        MACULA_TRY(gpu::Kernel display, make(code, {{"kDisplay", true}}));
+        return ByEncoding{std::move(plain), std::move(display)};
     };
+    const int rowOutputs = device->isCpu() ? kRowOutputsCpu : kRowOutputsGpu;
+    const auto makeSimilarity = [&]() -> Result<Similarity> {
+        if (work == LossWork::byTiles) {
+            MACULA_TRY(ByEncoding terms, forEncodings(shaders::splat_loss_tile_terms_comp));
+            return Similarity(Tiles{std::move(terms)});
+        }
+        MACULA_TRY(gpu::Kernel columns,
+                   make(shaders::splat_loss_columns_comp, {{"kOutputs", kColumnOutputs}}));
+        MACULA_TRY(gpu::Kernel rows, make(shaders::splat_loss_rows_comp, {{"kOutputs", rowOutputs}}));
+        MACULA_TRY(gpu::Kernel backColumns,
+                   make(shaders::splat_loss_back_columns_comp, {{"kOutputs", kColumnOutputs}}));
+        return Similarity(Strips{rowOutputs, std::move(columns), std::move(rows), std::move(backColumns)});
+    };
+    const auto makeGradient = [&](bool display, bool similar) {
+        return work == LossWork::byTiles
+                   ? make(shaders::splat_loss_tile_gradient_comp,
+                          {{"kDisplay", display}, {"kSimilar", similar}})
+                   : make(shaders::splat_loss_gradient_comp,
+                          {{"kOutputs", rowOutputs}, {"kDisplay", display}, {"kSimilar", similar}});
+    };
+    MACULA_TRY(auto similarity, makeSimilarity());
+    MACULA_TRY(gpu::Kernel windows, make(shaders::splat_loss_windows_comp, {}));
+    MACULA_TRY(ByEncoding compare, forEncodings(shaders::splat_loss_compare_comp));
     MACULA_TRY(gpu::Kernel gradientPlain, makeGradient(false, false));
     MACULA_TRY(gpu::Kernel gradientPlainSimilar, makeGradient(false, true));
     MACULA_TRY(gpu::Kernel gradientDisplay, makeGradient(true, false));
@@ -68,12 +95,9 @@ Result<std::shared_ptr<const LossKernels>> LossKernels::create(const std::shared
     MACULA_TRY(gpu::Kernel totalSimilar, make(shaders::splat_loss_total_comp, {{"kSimilar", true}}));
     MACULA_TRY(gpu::Kernel downsample, make(shaders::splat_downsample_comp, {}));
     return std::make_shared<const LossKernels>(
-        LossKernels{.rowOutputs = rowOutputs,
+        LossKernels{.similarity = std::move(similarity),
                     .windows = std::move(windows),
-                    .compare = {std::move(comparePlain), std::move(compareDisplay)},
-                    .columns = std::move(columns),
-                    .rows = std::move(rows),
-                    .backColumns = std::move(backColumns),
+                    .compare = std::move(compare),
                     .gradient = {{{std::move(gradientPlain), std::move(gradientPlainSimilar)},
                                   {std::move(gradientDisplay), std::move(gradientDisplaySimilar)}}},
                     .total = {std::move(total), std::move(totalSimilar)},
@@ -124,9 +148,10 @@ Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
     };
     constexpr VkFormat kFour = VK_FORMAT_R32G32B32A32_SFLOAT;
     MACULA_TRY(gpu::TexelBuffer pairs, make("sums and differences", 2 * mostPixels, kFour));
-    MACULA_TRY(gpu::TexelBuffer means, make("means over windows", 4 * mostPixels, kFour));
+    const bool hasMeans = std::holds_alternative<LossKernels::Strips>(kernels->similarity);
+    MACULA_TRY(gpu::TexelBuffer means, make("means over windows", hasMeans ? 4 * mostPixels : 1, kFour));
     MACULA_TRY(gpu::TexelBuffer terms, make("terms of windows", 3 * mostPixels, kFour));
-    // The sums of each strip: there are as many strips as pixels where a picture is one pixel wide.
+    // There are as many strips, or tiles, as pixels where a picture is one pixel wide, or has one.
     MACULA_TRY(gpu::TexelBuffer ssimParts, make("parts of SSIM", mostPixels, VK_FORMAT_R32_SFLOAT));
     MACULA_TRY(gpu::TexelBuffer differenceParts, make("parts of differences", mostPixels, kFour));
     MACULA_TRY(gpu::Buffer params, makeParams(device));
@@ -151,8 +176,11 @@ void Loss::record(gpu::Recorder& recorder, const DevicePicture& render, const Lo
     const bool display = options.encode == LossEncoding::display;
     const std::size_t encode = display ? 1 : 0;
     const gpu::Threads pixels = threadsOf(width, height);
-    const gpu::Threads columns{static_cast<std::uint32_t>(width), stripsOf(height, kColumnOutputs)};
-    const gpu::Threads rows{stripsOf(width, kernels_->rowOutputs), static_cast<std::uint32_t>(height)};
+    const auto* strips = std::get_if<LossKernels::Strips>(&kernels_->similarity);
+    const auto* tiles = std::get_if<LossKernels::Tiles>(&kernels_->similarity);
+    const gpu::Threads rows =
+        strips ? gpu::Threads{stripsOf(width, strips->rowOutputs), static_cast<std::uint32_t>(height)}
+               : pixels;
     const bool squared = step.measure == LossMeasure::squared;
     const float dssimWeight = step.measure == LossMeasure::similar ? options.dssimWeight : 0.0f;
     const std::size_t similar = dssimWeight > 0.0f ? 1 : 0;
@@ -164,20 +192,29 @@ void Loss::record(gpu::Recorder& recorder, const DevicePicture& render, const Lo
            .l1Scale = squared ? 0.0f : share * (1.0f - dssimWeight),
            .dssimScale = share * dssimWeight,
            .squareScale = squared ? kSquaresWeight * share : 0.0f,
-           .partCount = rows.x * rows.y,
+           .partCount = strips ? rows.x * rows.y : stripsOf(width, kTile) * stripsOf(height, kTile),
            .coverageOnly = step.coverageOnly ? 1u : 0u});
 
     const auto label = recorder.label("loss");
-    recorder.dispatch(kernels_->compare[encode], pixels,
-                      {params_, render.texels, target.picture().texels, target.windows(), pairs_.buffer()});
-    if (similar != 0) {
-        recorder.dispatch(kernels_->columns, columns, {params_, pairs_, means_.buffer()});
-        recorder.dispatch(kernels_->rows, rows,
-                          {params_, means_, target.windows(), terms_.buffer(), ssimParts_.buffer()});
-        recorder.dispatch(kernels_->backColumns, columns, {params_, terms_, means_.buffer()});
+    if (similar != 0 && tiles != nullptr) {
+        recorder.dispatch(tiles->terms[encode], pixels,
+                          {params_, render.texels, target.picture().texels, target.windows(), pairs_.buffer(),
+                           terms_.buffer(), ssimParts_.buffer()});
+    } else {
+        recorder.dispatch(
+            kernels_->compare[encode], pixels,
+            {params_, render.texels, target.picture().texels, target.windows(), pairs_.buffer()});
     }
+    if (similar != 0 && strips != nullptr) {
+        const gpu::Threads columns{static_cast<std::uint32_t>(width), stripsOf(height, kColumnOutputs)};
+        recorder.dispatch(strips->columns, columns, {params_, pairs_, means_.buffer()});
+        recorder.dispatch(strips->rows, rows,
+                          {params_, means_, target.windows(), terms_.buffer(), ssimParts_.buffer()});
+        recorder.dispatch(strips->backColumns, columns, {params_, terms_, means_.buffer()});
+    }
+    const gpu::TexelBuffer& ofWindows = strips ? means_ : terms_;
     recorder.dispatch(kernels_->gradient[encode][similar], rows,
-                      {params_, means_, pairs_, target.windows(), render.texels, gradient_.texels.buffer(),
+                      {params_, ofWindows, pairs_, target.windows(), render.texels, gradient_.texels.buffer(),
                        differenceParts_.buffer()});
     recorder.dispatch(kernels_->total[similar], {1}, {params_, ssimParts_, differenceParts_, result_});
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <variant>
 
 #include "base/result.h"
 #include "pipeline/gpu/kernel.h"
@@ -15,19 +16,39 @@
 
 namespace macula::splat {
 
+// How SSIM is summed over windows. The gradients differ by rounding.
+enum class LossWork {
+    byStrips,  // kernels for columns and rows, with their sums in the device's memory
+    byTiles,   // in the memory that a group of threads shares
+};
+// By tiles on graphics cards.
+LossWork lossWorkOf(const gpu::Device& device);
+
 // The kernels of the loss, for pictures of any size.
 struct LossKernels {
-    int rowOutputs = 0;  // pixels of a row in one strip: one sum of the loss for each
+    using ByEncoding = std::array<gpu::Kernel, 2>;
+    struct Strips {
+        int rowOutputs = 0;  // pixels of a row in one strip
+        gpu::Kernel columns;
+        gpu::Kernel rows;
+        gpu::Kernel backColumns;
+    };
+    struct Tiles {
+        ByEncoding terms;
+    };
+    using Similarity = std::variant<Strips, Tiles>;
+    Similarity similarity;
     gpu::Kernel windows;
-    std::array<gpu::Kernel, 2> compare;  // by LossEncoding
-    gpu::Kernel columns;
-    gpu::Kernel rows;
-    gpu::Kernel backColumns;
+    ByEncoding compare;
     std::array<std::array<gpu::Kernel, 2>, 2> gradient;  // by LossEncoding, and whether SSIM takes part
-    std::array<gpu::Kernel, 2> total;                    // likewise
+    std::array<gpu::Kernel, 2> total;                    // by whether it does
     gpu::Kernel downsample;
 
-    static Result<std::shared_ptr<const LossKernels>> create(const std::shared_ptr<gpu::Device>& device);
+    static Result<std::shared_ptr<const LossKernels>> create(const std::shared_ptr<gpu::Device>& device,
+                                                             LossWork work);
+    static Result<std::shared_ptr<const LossKernels>> create(const std::shared_ptr<gpu::Device>& device) {
+        return create(device, lossWorkOf(*device));
+    }
 };
 
 // A picture to be compared with, and which of its pixels are known. 20 bytes for each pixel on the device.
@@ -54,8 +75,8 @@ class LossTarget {
 // uses the device.
 class Loss {
   public:
-    // outOfMemory when the device cannot hold 180 bytes for each pixel, or 64 for each in one buffer
-    // (DeviceInfo::maxStorageBufferBytes): more than 1400 x 1400 pixels on lavapipe.
+    // outOfMemory when the device cannot hold 180 bytes for each pixel (by tiles 96), or 64 (48) for each in
+    // one buffer (DeviceInfo::maxStorageBufferBytes): more than 1400 x 1400 pixels on lavapipe.
     static Result<Loss> create(const std::shared_ptr<gpu::Device>& device,
                                std::shared_ptr<const LossKernels> kernels, std::uint64_t mostPixels);
 
@@ -79,9 +100,9 @@ class Loss {
     std::shared_ptr<const LossKernels> kernels_;
     gpu::Buffer params_;
     gpu::TexelBuffer pairs_;      // 2 vec4 for each pixel: render + target as compared, and render - target
-    gpu::TexelBuffer means_;      // 4 vec4, and then 3
+    gpu::TexelBuffer means_;      // of strips: 4 vec4, and then 3
     gpu::TexelBuffer terms_;      // 3 vec4
-    gpu::TexelBuffer ssimParts_;  // by strip
+    gpu::TexelBuffer ssimParts_;  // by strip or tile
     gpu::TexelBuffer differenceParts_;
     DevicePicture gradient_;
     gpu::Buffer result_;
