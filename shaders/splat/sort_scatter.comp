@@ -9,11 +9,13 @@
 layout(binding = 1, scalar) readonly buffer Items {
     uvec2 items[];  // key, value
 };
+layout(constant_id = 0) const bool kScanned = true;  // sort_scan was here; else each block sums what it needs: of few blocks that is less than a dispatch
+
 layout(binding = 2, scalar) readonly buffer Counts {
-    uint counts[];  // by digit, then by block: of the same digit in the blocks before
+    uint counts[];  // by digit, then by block: of the same digit in the blocks before, or if not kScanned in the block
 };
 layout(binding = 3, scalar) readonly buffer Totals {
-    uint totals[];  // by digit
+    uint totals[];  // by digit, if kScanned
 };
 layout(binding = 4, scalar) writeonly buffer Sorted {
     uvec2 sorted[];
@@ -39,6 +41,22 @@ void scanPlaces(uint thread) {
         place += count;
     }
     barrier();
+}
+
+// Items of a digit: all of them, and those in the blocks before this one.
+void countDigit(uint digit, out uint total, out uint before) {
+    uint first = digit * state.blocks;
+    if (kScanned) {
+        total = totals[digit];
+        before = counts[first + gl_WorkGroupID.x];
+        return;
+    }
+    total = 0u;
+    before = 0u;
+    for (uint block = 0u; block < state.blocks; ++block) {
+        if (block == gl_WorkGroupID.x) before = total;
+        total += counts[first + block];
+    }
 }
 
 void main() {
@@ -77,7 +95,10 @@ void main() {
         }
         barrier();
     }
-    digitBase[thread] = sumBefore(totals[thread]) + counts[thread * state.blocks + gl_WorkGroupID.x];
+    uint total;
+    uint before;
+    countDigit(thread, total, before);
+    digitBase[thread] = sumBefore(total) + before;
     [[unroll]] for (uint i = 0u; i < kOwn; ++i) {
         uint at = thread * kOwn + i;
         uint digit = digitOf(key[i]);

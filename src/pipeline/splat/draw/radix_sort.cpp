@@ -14,21 +14,24 @@ namespace {
 constexpr int kDigitBits = 8;
 static_assert(1u << kDigitBits == shared::kSortDigits && shared::kSortDigits == shared::kListThreads);
 
+// Of so many blocks at most, each sums the counts of the others itself, and a pass has two dispatches instead
+// of three: between dispatches a card stands still for longer than these sums take.
+constexpr std::uint64_t kFewBlocks = 128;
+constexpr std::uint64_t kBytesOfBlock = shared::kSortDigits * 4;
+
 Result<gpu::Buffer> makeCounts(const std::shared_ptr<gpu::Device>& device, std::uint64_t most) {
     MACULA_CHECK_LE(most, kMostSorted);
     const std::uint64_t blocks =
         std::max<std::uint64_t>(1, (most + shared::kSortBlock - 1) / shared::kSortBlock);
-    return gpu::Buffer::create(device, {.label = "digits", .bytes = blocks * shared::kSortDigits * 4});
+    return gpu::Buffer::create(device, {.label = "digits", .bytes = blocks * kBytesOfBlock});
 }
 
 }  // namespace
 
-RadixSort::RadixSort(std::shared_ptr<gpu::Device> device, gpu::Kernel count, gpu::Kernel scan,
-                     gpu::Kernel scatter, gpu::Buffer counts, gpu::Buffer totals)
+RadixSort::RadixSort(std::shared_ptr<gpu::Device> device, Kernels kernels, gpu::Buffer counts,
+                     gpu::Buffer totals)
     : device_(std::move(device)),
-      count_(std::move(count)),
-      scan_(std::move(scan)),
-      scatter_(std::move(scatter)),
+      kernels_(std::move(kernels)),
       counts_(std::move(counts)),
       totals_(std::move(totals)) {}
 
@@ -36,11 +39,13 @@ Result<RadixSort> RadixSort::create(const std::shared_ptr<gpu::Device>& device, 
     MACULA_TRY(gpu::Kernel count, gpu::Kernel::create(device, shaders::splat_sort_count_comp));
     MACULA_TRY(gpu::Kernel scan, gpu::Kernel::create(device, shaders::splat_sort_scan_comp));
     MACULA_TRY(gpu::Kernel scatter, gpu::Kernel::create(device, shaders::splat_sort_scatter_comp));
+    MACULA_TRY(gpu::Kernel withoutScan, gpu::Kernel::create(device, shaders::splat_sort_scatter_comp,
+                                                            {.specializations = {{"kScanned", false}}}));
     MACULA_TRY(gpu::Buffer counts, makeCounts(device, most));
     MACULA_TRY(gpu::Buffer totals,
-               gpu::Buffer::create(device, {.label = "digits of all", .bytes = shared::kSortDigits * 4}));
-    return RadixSort(device, std::move(count), std::move(scan), std::move(scatter), std::move(counts),
-                     std::move(totals));
+               gpu::Buffer::create(device, {.label = "digits of all", .bytes = kBytesOfBlock}));
+    return RadixSort(device, {std::move(count), std::move(scan), std::move(scatter), std::move(withoutScan)},
+                     std::move(counts), std::move(totals));
 }
 
 Result<void> RadixSort::makeRoom(std::uint64_t most) {
@@ -53,12 +58,15 @@ const gpu::Buffer& RadixSort::record(gpu::Recorder& recorder, const gpu::Buffer&
     const gpu::Recorder::Groups blocks{state, offsetof(shared::SplatListState, groups)};
     const gpu::Buffer* from = &items;
     const gpu::Buffer* to = &other;
+    const bool scans = counts_.bytes() > kFewBlocks * kBytesOfBlock;
+    const gpu::Kernel& scatter = scans ? kernels_.scatter : kernels_.scatterWithoutScan;
     for (int shift = 0; shift < bits; shift += kDigitBits) {
         const shared::SplatSortPush push{static_cast<std::uint32_t>(shift)};
-        recorder.dispatch(count_, blocks, push, {state, *from, counts_});
-        recorder.dispatch(scan_, {shared::kSortDigits * shared::kListThreads}, push,
-                          {state, counts_, totals_});
-        recorder.dispatch(scatter_, blocks, push, {state, *from, counts_, totals_, *to});
+        recorder.dispatch(kernels_.count, blocks, push, {state, *from, counts_});
+        if (scans)
+            recorder.dispatch(kernels_.scan, {shared::kSortDigits * shared::kListThreads}, push,
+                              {state, counts_, totals_});
+        recorder.dispatch(scatter, blocks, push, {state, *from, counts_, totals_, *to});
         std::swap(from, to);
     }
     return *from;

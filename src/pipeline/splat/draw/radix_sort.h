@@ -31,13 +31,16 @@ class RadixSort {
                               const gpu::Buffer& other, int bits) const;
 
   private:
-    RadixSort(std::shared_ptr<gpu::Device> device, gpu::Kernel count, gpu::Kernel scan, gpu::Kernel scatter,
-              gpu::Buffer counts, gpu::Buffer totals);
+    struct Kernels {
+        gpu::Kernel count;
+        gpu::Kernel scan;
+        gpu::Kernel scatter;  // after scan
+        gpu::Kernel scatterWithoutScan;
+    };
+    RadixSort(std::shared_ptr<gpu::Device> device, Kernels kernels, gpu::Buffer counts, gpu::Buffer totals);
 
     std::shared_ptr<gpu::Device> device_;
-    gpu::Kernel count_;
-    gpu::Kernel scan_;
-    gpu::Kernel scatter_;
+    Kernels kernels_;
     gpu::Buffer counts_;
     gpu::Buffer totals_;
 };
