@@ -75,7 +75,7 @@ class LossTarget {
 // uses the device.
 class Loss {
   public:
-    // outOfMemory when the device cannot hold 180 bytes for each pixel (by tiles 96), or 64 (48) for each in
+    // outOfMemory when the device cannot hold 180 bytes for each pixel (by tiles 116), or 64 (48) for each in
     // one buffer (DeviceInfo::maxStorageBufferBytes): more than 1400 x 1400 pixels on lavapipe.
     static Result<Loss> create(const std::shared_ptr<gpu::Device>& device,
                                std::shared_ptr<const LossKernels> kernels, std::uint64_t mostPixels);
