@@ -12,7 +12,7 @@ struct SplatLossParams {
     float l1Scale;      // of a sum over pixels and channels, to the loss
     float dssimScale;   // likewise
     float squareScale;  // likewise; above 0: squares are compared, and l1Scale and dssimScale are 0
-    uint partCount;     // of sums over strips, for the sum of them all
+    uint partCount;     // of strips or tiles, for the sum of them all
     uint coverageOnly;  // not 0: colours count as right, whatever they are
 };
 

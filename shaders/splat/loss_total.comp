@@ -1,4 +1,4 @@
-// Sums over strips to sums over the picture, always in the same order. One group.
+// Sums over strips or tiles to sums over the picture, always in the same order. One group.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shared/splat_loss_params.h"

@@ -74,7 +74,7 @@ void main() {
     }
     uvec2 range = entriesOfTile();
     uint at = range.x;
-    // Behind the last pixel that lets light through nothing counts. All lanes of a subgroup go on together: they share sums.
+    // Once all pixels are below minTransmittance nothing counts. All lanes of a subgroup go on together: they share sums.
     for (float most = 1.0; at < range.y && subgroupAny(most >= view.minTransmittance); ++at) {
         uvec2 entry = texelFetch(entryTexels, int(at)).xy;
         Shown shown = fetchShown(int(entry.x));

@@ -12,8 +12,8 @@ namespace macula::splat {
 
 namespace {
 
-// Pixels of a strip, see shaders/splat/loss_setup.glsl. On lavapipe by measurement: 20 ms at 512 x 512; 16 in
-// rows are 1 ms faster, and 0.5 s longer to compile. On a GPU as many sums as its registers hold.
+// Pixels of a strip, see shaders/splat/loss_strips.glsl. On lavapipe by measurement: 20 ms at 512 x 512; 16
+// in rows are 1 ms faster, and 0.5 s longer to compile. On a GPU as many sums as its registers hold.
 constexpr int kColumnOutputs = 4;
 constexpr int kRowOutputsCpu = 8;
 constexpr int kRowOutputsGpu = 4;
@@ -151,7 +151,7 @@ Result<Loss> Loss::create(const std::shared_ptr<gpu::Device>& device,
     const bool hasMeans = std::holds_alternative<LossKernels::Strips>(kernels->similarity);
     MACULA_TRY(gpu::TexelBuffer means, make("means over windows", hasMeans ? 4 * mostPixels : 1, kFour));
     MACULA_TRY(gpu::TexelBuffer terms, make("terms of windows", 3 * mostPixels, kFour));
-    // There are as many strips, or tiles, as pixels where a picture is one pixel wide, or has one.
+    // A picture one pixel wide has as many strips as pixels. Tiles are fewer.
     MACULA_TRY(gpu::TexelBuffer ssimParts, make("parts of SSIM", mostPixels, VK_FORMAT_R32_SFLOAT));
     MACULA_TRY(gpu::TexelBuffer differenceParts, make("parts of differences", mostPixels, kFour));
     MACULA_TRY(gpu::Buffer params, makeParams(device));
