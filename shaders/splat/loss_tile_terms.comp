@@ -1,5 +1,5 @@
 // First step of the loss by tiles: both pictures as they are compared, and what each window of SSIM says of its pixels'
-// gradients. What loss_compare, loss_columns and loss_rows do, with nothing between them in the device's memory.
+// gradients. It stands for loss_compare, loss_columns and loss_rows, and keeps their sums out of the device's memory.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_tile.glsl"

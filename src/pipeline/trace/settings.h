@@ -44,8 +44,8 @@ constexpr std::string_view nameOf(Denoising denoising) {
 // camera leave nothing to be kept: with them all is traced.
 enum class Indirect {
     traced,     // from paths alone: the same picture each time, to the last bit. What people see
-    cached,     // paths end where the cache knows enough. Biased by what differs within a cell, in matter of
-                // one kind (docs/speed-and-accuracy.md);
+    cached,     // paths end where the cache knows enough. Matter of one kind has the same light all over a
+                // cell, which is a bias (docs/speed-and-accuracy.md). All is
                 // traced where the phase function is not isotropic
     corrected,  // the cache is a control variate: paths go on by chance, and tell how wrong it is. Unbiased
 };

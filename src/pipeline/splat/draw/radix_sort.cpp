@@ -14,8 +14,8 @@ namespace {
 constexpr int kDigitBits = 8;
 static_assert(1u << kDigitBits == shared::kSortDigits && shared::kSortDigits == shared::kListThreads);
 
-// Of so many blocks at most, each sums the counts of the others itself, and a pass has two dispatches instead
-// of three. Between dispatches a card stands still; nobody has measured whether the sums take less.
+// Up to so many blocks the scatter kernel sums the counts of all blocks itself, so that a pass of the radix
+// sort needs no prefix sum of its own. Nobody has measured on a card which of the two is faster.
 constexpr std::uint64_t kFewBlocks = 128;
 constexpr std::uint64_t kBytesOfBlock = shared::kSortDigits * 4;
 

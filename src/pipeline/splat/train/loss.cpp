@@ -18,7 +18,7 @@ constexpr int kColumnOutputs = 4;
 constexpr int kRowOutputsCpu = 8;
 constexpr int kRowOutputsGpu = 4;
 
-// See shaders/splat/loss_tile.glsl.
+// Edge in pixels of a group's tile: kTile in shaders/splat/loss_tile.glsl.
 constexpr int kTile = 16;
 constexpr std::uint32_t kTileSharedBytes =
     32768;  // what its largest kernel needs of a group's memory, rounded up
