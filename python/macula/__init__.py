@@ -268,7 +268,8 @@ class View(_Handle):
             self._open(), _camera(position_mm, target_mm, up, vertical_fov_deg, parallel_height_mm)))
 
     def set_direction(self, direction=None):
-        """Where the viewer stands: "anterior", "posterior", "left", "right", "superior" or "inferior"."""
+        """Where the viewer stands: "anterior", "posterior", "left", "right", "superior", "inferior" or
+        "oblique"; None: the front, of a short stack of slices oblique."""
         _check(_library.macula_view_set_direction(self._open(), _bytes(direction)))
 
     @property
@@ -525,7 +526,7 @@ class Study(_Handle):
         return numpy.asarray(view)
 
     def view(self):
-        """A View of the volume that is loaded: all of it, from the front."""
+        """A View of the volume that is loaded: all of it, from the usual direction."""
         handle = ctypes.c_void_p()
         _check(_library.macula_view_create(self._open(), handle))
         return View(handle, _library.macula_view_close)

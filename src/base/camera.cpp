@@ -20,6 +20,15 @@ struct StandardView {
     glm::dvec3 up;
 };
 
+StandardView obliqueView() {
+    const double azimuth = glm::radians(kObliqueAzimuthDeg);
+    const double elevation = glm::radians(kObliqueElevationDeg);
+    const glm::dvec3 level(std::sin(azimuth), -std::cos(azimuth), 0.0);
+    const glm::dvec3 superior(0, 0, 1);
+    return {level * std::cos(elevation) + superior * std::sin(elevation),
+            superior * std::cos(elevation) - level * std::sin(elevation)};
+}
+
 StandardView standardView(ViewDirection direction) {
     const glm::dvec3 superior{0, 0, 1};
     const glm::dvec3 anterior{0, -1, 0};
@@ -36,6 +45,8 @@ StandardView standardView(ViewDirection direction) {
             return {{0, 0, 1}, anterior};
         case ViewDirection::inferior:
             return {{0, 0, -1}, anterior};
+        case ViewDirection::oblique:
+            return obliqueView();
     }
     return {{0, -1, 0}, superior};
 }
@@ -105,6 +116,12 @@ Camera standingBefore(Camera camera, const Box& box) {
     if (behindMm > 0.0)
         camera.positionMm -= (behindMm + kBeforeOfDiagonal * box.diagonal()) / distanceMm * view;
     return camera;
+}
+
+ViewDirection usualDirection(const Box& volumeMm) {
+    constexpr double kShort = 0.5;
+    const glm::dvec3 size = volumeMm.high - volumeMm.low;
+    return size.z < kShort * std::max(size.x, size.y) ? ViewDirection::oblique : ViewDirection::anterior;
 }
 
 CameraBasis standardBasis(ViewDirection from) {

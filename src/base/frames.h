@@ -36,7 +36,10 @@ bool isInvertibleAffine(const glm::dmat4& transform);
 std::string orientationLetters(const glm::dvec3& directionLps);
 
 // How a person is looked at. `anterior` stands in front of the patient; the patient's left is then on the
-// right side of the picture, as in every radiological display.
-enum class ViewDirection { anterior, posterior, left, right, superior, inferior };
+// right side of the picture, as in every radiological display. `oblique` stands there too, kObliqueAzimuthDeg
+// towards the patient's left and kObliqueElevationDeg above: it shows what a thin stack of slices holds.
+enum class ViewDirection { anterior, posterior, left, right, superior, inferior, oblique };
+inline constexpr double kObliqueAzimuthDeg = 25.0;
+inline constexpr double kObliqueElevationDeg = 35.0;
 
 }  // namespace macula

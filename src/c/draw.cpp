@@ -80,7 +80,7 @@ Result<Scene> sceneOf(const macula_view& view, const macula_picture& picture, Pr
     request.scene.clip = seen.shown.clip;
     MACULA_TRY(request.scene.environment, lightsOf(view, seen.state));
     request.camera = seen.state.camera;
-    request.from = view.wish.view.value_or(request.from);
+    request.from = view.wish.view;
     request.sizePx = {picture.width, picture.height};
     request.settings = app::settingsOf(seen.state, app::SeriesWindows(), view.study.volume.get());
     request.samplesPerPixel = effort.samplesPerPixel;

@@ -33,7 +33,7 @@ struct macula_live {
     std::unique_ptr<macula::app::HostedLoop> loop;
     // Of the view that is shown.
     std::optional<macula::Camera> camera;
-    macula::ViewDirection from = macula::ViewDirection::anterior;
+    std::optional<macula::ViewDirection> from = {};
     std::vector<std::string> notesOfView;
     // Of the last frame.
     std::vector<std::string> notes;
@@ -82,7 +82,7 @@ Result<void> show(macula_live& live, const macula_view& view, Progress& progress
         app::drawingOf(seen.state, catalogue, app::SeriesWindows(), view.study.volume, std::move(clip));
     MACULA_TRY_VOID(live.loop->show(std::move(scene), progress));
     live.camera = seen.state.camera;
-    live.from = view.wish.view.value_or(ViewDirection::anterior);
+    live.from = view.wish.view;
     live.notesOfView = std::move(seen.notes);
     return {};
 }

@@ -166,10 +166,11 @@ macula_status macula_view_set_camera(macula_view* view, const macula_camera* cam
 
 macula_status macula_view_set_direction(macula_view* view, const char* direction) {
     return changed(view, [&](macula_view& of) -> Result<void> {
-        const auto known = app::viewDirectionOf(textOf(direction).empty() ? "anterior" : direction);
-        if (!known)
+        const bool isChosen = !textOf(direction).empty();
+        const auto known = isChosen ? app::viewDirectionOf(direction) : std::nullopt;
+        if (isChosen && !known)
             return badArgument("There is no such direction to look from.",
-                               "They are anterior, posterior, left, right, superior and inferior.");
+                               "They are anterior, posterior, left, right, superior, inferior and oblique.");
         of.wish.view = known;
         of.chosen.camera.reset();
         return {};

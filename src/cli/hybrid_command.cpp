@@ -53,7 +53,10 @@ void addHybrid(CLI::App& app, Action& action) {
     auto* path =
         command->add_option("--path", o.cameraPath, "JSON file: cameras by time, see docs/hybrid-frame.md");
     auto* view =
-        command->add_option("--view", o.state.view, "Where the viewer stands first (default: anterior)")
+        command
+            ->add_option(
+                "--view", o.state.view,
+                "Where the viewer stands first (default: anterior; of a short stack of slices oblique)")
             ->transform(asViewDirection())
             ->option_text(kViewDirectionNames);
     auto* camera =

@@ -30,8 +30,8 @@ CLI::Validator asViewDirection() {
         const auto direction = app::viewDirectionOf(text);
         if (!direction)
             return text +
-                   " is no direction: choose anterior (the front), posterior, left, right, superior or "
-                   "inferior";
+                   " is no direction: choose anterior (the front), posterior, left, right, superior, "
+                   "inferior or oblique";
         text = std::to_string(static_cast<int>(*direction));
         return {};
     };
@@ -40,7 +40,7 @@ CLI::Validator asViewDirection() {
 
 CLI::Validator asFilter() {
     std::map<std::string, int> filters;
-    for (const trace::Filter filter : {trace::Filter::trilinear, trace::Filter::stochastic})
+    for (const trace::Filter filter : trace::kFilters)
         filters.emplace(trace::nameOf(filter), static_cast<int>(filter));
     return oneOf(std::move(filters));
 }

@@ -25,7 +25,7 @@ Result<Camera> usualCamera(const PresentationOptions& options, const app::StudyS
                            const Volume& volume, Progress& progress) {
     MACULA_TRY(const app::ShownClip shown, app::shownClip(state, volume, progress));
     app::FittedView view;
-    view.from = options.state.view.value_or(view.from);
+    view.from = options.state.view;
     if (options.state.fovDeg > 0.0) view.verticalFovDeg = options.state.fovDeg;
     view.isParallel = options.state.isParallel;
     return app::fittedCamera(app::outlineOnHostMm(volume, *state.preset, shown.clip), state.settings.look,

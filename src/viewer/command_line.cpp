@@ -56,7 +56,7 @@ Result<int> parseDays(const QString& source, const QString& text) {
 Result<ViewDirection> parseView(const QString& text) {
     if (const auto direction = app::viewDirectionOf(text.toStdString())) return *direction;
     return usage(QStringLiteral("There is no view '%1'.").arg(text),
-                 "The views are anterior, posterior, left, right, superior and inferior.");
+                 "The views are anterior, posterior, left, right, superior, inferior and oblique.");
 }
 
 Result<app::Layout> parseLayout(const QString& text) {
@@ -99,9 +99,9 @@ struct Options {
     const QCommandLineOption preset{"preset", "What is seen, e.g. ct-bone.", "NAME"};
     const QCommandLineOption lights{"lights", "Where the light comes from, e.g. studio.", "NAME"};
     const QCommandLineOption view{"view",
-                                  "Looked at from anterior, posterior, left, right, superior or "
-                                  "inferior.",
-                                  "DIRECTION", "anterior"};
+                                  "Looked at from anterior, posterior, left, right, superior, inferior "
+                                  "or oblique (default: anterior; of a short stack of slices oblique).",
+                                  "DIRECTION"};
     const QCommandLineOption device{"device", "Index or part of the name of the Vulkan device.", "NAME"};
     const QCommandLineOption size{
         "size", "Of the 3D picture in pixels, e.g. 800x600; of the window, where slices are shown.", "WxH"};
@@ -234,7 +234,9 @@ Result<CommandLine> parseCommandLine(const QStringList& arguments) {
     result.preset = parser.value(options.preset);
     result.lights = parser.value(options.lights);
     result.device = parser.value(options.device);
-    MACULA_TRY(result.view, parseView(parser.value(options.view)));
+    if (parser.isSet(options.view)) {
+        MACULA_TRY(result.view, parseView(parser.value(options.view)));
+    }
     if (parser.isSet(options.size)) {
         MACULA_TRY(result.size, parseSize(parser.value(options.size)));
     }

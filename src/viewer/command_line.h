@@ -19,8 +19,8 @@ struct CommandLine {
     QString preset;                 // empty: by modality
     QString lights;                 // empty: the default
     QString device;
-    ViewDirection view = ViewDirection::anterior;
-    std::optional<QSize> size;  // of the picture
+    std::optional<ViewDirection> view = {};  // nothing: usualDirection
+    std::optional<QSize> size;               // of the picture
     app::Layout layout = app::Layout::fourPanes;
     bool choosesLayout = false;
     std::optional<Language> language = {};  // nothing: as settings or the desktop have it

@@ -72,7 +72,9 @@ std::optional<app::StudyState> MainWindow::stateAsLeft(const app::OpenedStudy& s
 // A camera that nobody has moved goes on fitting what is visible, in a window of another size too.
 app::StudyState MainWindow::stateToKeep() const {
     app::StudyState now = state();
-    if (viewport_->framedFrom() == options_.firstView) now.camera.reset();
+    if (!study().volume) return now;
+    const ViewDirection first = options_.firstView.value_or(usualDirection(study().volume->worldBox()));
+    if (viewport_->framedFrom() == first) now.camera.reset();
     return now;
 }
 

@@ -148,7 +148,7 @@ void Viewport::connectWindow() {
 }
 
 void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names,
-                        app::Drawing drawing, ViewDirection from) {
+                        app::Drawing drawing, std::optional<ViewDirection> from) {
     window_->endDrag();  // what a hand holds, handle or transfer function, is of the study before
     ++input_.study;
     outline_.reset();
@@ -239,10 +239,10 @@ void Viewport::setPictureSizeHint(QSize pixels) {
                        [container = container_] { container->setMinimumSize(kSmallestPicture); });
 }
 
-void Viewport::showFrom(ViewDirection from) {
+void Viewport::showFrom(std::optional<ViewDirection> from) {
     if (!input_.volume) return;
-    framedFrom_ = from;
-    app::OrbitCamera camera = app::turnedTo(camera_, from);
+    framedFrom_ = from.value_or(usualDirection(input_.volume->worldBox()));
+    app::OrbitCamera camera = app::turnedTo(camera_, framedFrom_);
     camera.verticalFovDeg = kVerticalFovDeg;
     setCamera(app::fitted(camera, outlineMm(), aspect()));
     untouched_ = true;

@@ -44,7 +44,7 @@ class Viewport : public QWidget {
     // of study, drawing or camera. `names` are lines that say whose it is: they stand over each of its
     // pictures, unless they are hidden. A drag ends.
     void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, app::Drawing drawing,
-                  ViewDirection from);
+                  std::optional<ViewDirection> from);
     void showNames(bool shown);
     bool namesShown() const { return namesShown_; }
     void setDrawing(app::Drawing drawing);
@@ -68,7 +68,7 @@ class Viewport : public QWidget {
     // Whether rays are parallel; as much is shown of what the camera turns around.
     void setParallel(bool isParallel);
 
-    void showFrom(ViewDirection from);
+    void showFrom(std::optional<ViewDirection> from);  // nothing: usualDirection
     void showFrom(const Camera& camera);  // as near as a turntable comes to it: see app::orbitCameraOf
     void centreOn(const glm::dvec3& mm);  // turns around that from now on
     void fit();                           // what is visible, from the side where the camera is

@@ -21,8 +21,9 @@ TEST(Camera, FromTheFrontThePatientsLeftIsOnTheRightOfThePicture) {
 }
 
 TEST(Camera, EveryStandardViewSeesTheWholeBox) {
-    for (const auto from : {ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left,
-                            ViewDirection::right, ViewDirection::superior, ViewDirection::inferior}) {
+    for (const auto from :
+         {ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left, ViewDirection::right,
+          ViewDirection::superior, ViewDirection::inferior, ViewDirection::oblique}) {
         for (const double aspect : {0.5, 1.0, 2.0}) {
             const Camera camera = frameBox(kBox, from, 40, aspect);
             const auto frame = basis(camera);
@@ -49,7 +50,23 @@ TEST(Camera, RefusesWhatHasNoView) {
 }
 
 constexpr std::array kDirections{ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left,
-                                 ViewDirection::right,    ViewDirection::superior,  ViewDirection::inferior};
+                                 ViewDirection::right,    ViewDirection::superior,  ViewDirection::inferior,
+                                 ViewDirection::oblique};
+
+TEST(Camera, AShortStackIsLookedAtFromTheFrontAndAbove) {
+    const Box head{{-100, -120, 0}, {100, 120, 180}};
+    const Box slab{{-170, -170, -280}, {170, 170, -204}};
+    EXPECT_EQ(usualDirection(head), ViewDirection::anterior);
+    EXPECT_EQ(usualDirection(slab), ViewDirection::oblique);
+    EXPECT_EQ(usualDirection({{0, 0, 0}, {1, 1, 1}}), ViewDirection::anterior);
+    const auto axes = basis(frameBox(slab, ViewDirection::oblique, 30, 1.0));
+    ASSERT_TRUE(axes.ok());
+    EXPECT_GT(axes->forward.y, 0.5) << "to the back";
+    EXPECT_LT(axes->forward.z, -0.5) << "and down";
+    EXPECT_LT(axes->forward.x, 0.0) << "from the patient's left";
+    EXPECT_GT(axes->right.x, 0.5) << "which stays on the right of the picture";
+    EXPECT_GT(axes->up.z, 0.5);
+}
 
 TEST(Camera, ParallelRaysShowAsMuchOfThePlaneOfTheTarget) {
     const Camera eye{.positionMm = {30, -700, 50}, .targetMm = {10, -20, 30}, .verticalFovDeg = 25};

@@ -157,6 +157,7 @@ TEST_F(DrawingTest, TheTableGoesOnceItIsAskedForAndComesAndGoesAtOnceFromThenOn)
 TEST_F(DrawingTest, AClipAndAWindowAreUndoneToTheSamePicture) {
     window_->showStudy(personOnATable());
     action("look-mip").trigger();
+    pressKey(Qt::Key_A);
     ASSERT_TRUE(waitForConverged());
     const QImage whole = middle();
     const QString first = window_->fidelity();

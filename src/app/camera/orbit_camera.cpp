@@ -108,6 +108,10 @@ OrbitCamera turnedTo(OrbitCamera camera, ViewDirection from) {
         case ViewDirection::inferior:
             camera.elevationDeg = -90.0;
             break;
+        case ViewDirection::oblique:
+            camera.azimuthDeg = kObliqueAzimuthDeg;
+            camera.elevationDeg = kObliqueElevationDeg;
+            break;
     }
     return camera;
 }

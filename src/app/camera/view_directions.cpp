@@ -13,7 +13,8 @@ const std::map<std::string, ViewDirection>& viewDirections() {
     static const std::map<std::string, ViewDirection> directions{
         {"anterior", ViewDirection::anterior}, {"posterior", ViewDirection::posterior},
         {"left", ViewDirection::left},         {"right", ViewDirection::right},
-        {"superior", ViewDirection::superior}, {"inferior", ViewDirection::inferior}};
+        {"superior", ViewDirection::superior}, {"inferior", ViewDirection::inferior},
+        {"oblique", ViewDirection::oblique}};
     return directions;
 }
 

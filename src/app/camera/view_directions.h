@@ -1,5 +1,5 @@
 // The directions that a patient is looked at from, as a person types them: anterior, posterior, left, right,
-// superior, inferior.
+// superior, inferior, oblique.
 #pragma once
 
 #include <optional>

@@ -277,7 +277,8 @@ class Recording {
             // What can be seen is known when it is on the device.
             const double aspect = double(options_.sizePx.x) / double(options_.sizePx.y);
             const auto corners = cornersOf(input_.volume->worldBox());
-            OrbitCamera start = turnedTo({}, options_.from);
+            OrbitCamera start =
+                turnedTo({}, options_.from.value_or(usualDirection(input_.volume->worldBox())));
             start.isParallel = options_.isParallel;
             publish(RecordingPhase::opening, toCamera(fitted(start, corners, aspect)));
             MACULA_TRY_VOID(wait([&] { return tape_->outlineMm() != nullptr; }));

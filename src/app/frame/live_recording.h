@@ -25,8 +25,8 @@ struct RecordingOptions {
     // The way of the camera. Nothing: what is seen fills the picture, from `from`, and the camera goes around
     // it, one turn in `turnS`, for `movingS`; 0: it stands still.
     std::optional<CameraPath> path;
-    ViewDirection from = ViewDirection::anterior;
-    bool isParallel = false;  // of a camera that is made here
+    std::optional<ViewDirection> from = {};  // nothing: usualDirection
+    bool isParallel = false;                 // of a camera that is made here
     double turnS = 60.0;
     double movingS = 10.0;
     double learningS = 5.0;     // from the first traced picture on, before a hand begins to move the camera

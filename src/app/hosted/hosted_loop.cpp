@@ -217,7 +217,9 @@ void HostedLoop::change(HostedScene scene) {
     publish(input);
 }
 
-Result<Camera> HostedLoop::fittingCamera(FrameInput input, ViewDirection from, Progress& progress) {
+Result<Camera> HostedLoop::fittingCamera(FrameInput input, std::optional<ViewDirection> asked,
+                                         Progress& progress) {
+    const ViewDirection from = asked.value_or(usualDirection(input.volume->worldBox()));
     const auto corners = cornersOf(input.volume->worldBox());
     const double aspect = double(input.width) / double(input.height);
     if (!outlineMm_) {

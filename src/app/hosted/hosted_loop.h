@@ -47,10 +47,10 @@ struct HostedScene {
 
 struct HostedWish {
     glm::ivec2 sizePx{0};
-    std::optional<Camera> camera = {};  // nothing: what is seen fills the picture, from `from`
-    ViewDirection from = ViewDirection::anterior;
-    glm::dvec2 gaze{0.0};   // as FrameInput
-    bool isMoving = false;  // a hand or a head moves: stay fast
+    std::optional<Camera> camera = {};       // nothing: what is seen fills the picture, from `from`
+    std::optional<ViewDirection> from = {};  // nothing: usualDirection
+    glm::dvec2 gaze{0.0};                    // as FrameInput
+    bool isMoving = false;                   // a hand or a head moves: stay fast
     // How long there is for it; the first picture of a pose may take longer. 0: a slice.
     double forAboutMs = 0.0;
 };
@@ -112,7 +112,7 @@ class HostedLoop {
     // Until it is done, or there is nothing more to do. `isTimeUp` is asked between dispatches.
     Result<void> goOn(const std::function<bool()>& isDone, const std::function<bool()>& isTimeUp,
                       Progress& progress);
-    Result<Camera> fittingCamera(FrameInput input, ViewDirection from, Progress& progress);
+    Result<Camera> fittingCamera(FrameInput input, std::optional<ViewDirection> asked, Progress& progress);
     Result<void> waitForStore(Progress& progress, const char* stage);
     Result<ModelTaken> takeModel(bool withTraining);
     Result<void> checkIsStored(std::int64_t sinceMs);

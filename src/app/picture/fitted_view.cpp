@@ -17,7 +17,8 @@ Camera fittedCamera(std::vector<glm::dvec3> outlineMm, trace::Look look, const V
         outlineMm.assign(corners.begin(), corners.end());
     }
     const auto frame = view.isParallel ? frameInParallel : framePoints;
-    return frame(outlineMm, standardBasis(view.from), view.verticalFovDeg, view.aspectWidthOverHeight);
+    const ViewDirection from = view.from.value_or(usualDirection(volume.worldBox()));
+    return frame(outlineMm, standardBasis(from), view.verticalFovDeg, view.aspectWidthOverHeight);
 }
 
 std::vector<glm::dvec3> outlineOnHostMm(const Volume& volume, const TransferFunction& function,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "base/camera.h"
@@ -14,7 +15,7 @@
 namespace macula::app {
 
 struct FittedView {
-    ViewDirection from = ViewDirection::anterior;
+    std::optional<ViewDirection> from = {};  // nothing: usualDirection
     double verticalFovDeg = 30.0;
     bool isParallel = false;
     double aspectWidthOverHeight = 1.0;

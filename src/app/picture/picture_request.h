@@ -16,7 +16,7 @@ struct PictureRequest {
     StudyScene scene;
     // Patient LPS mm; nothing: one from `from`, of `verticalFovDeg`, that what can be seen fills.
     std::optional<Camera> camera;
-    ViewDirection from = ViewDirection::anterior;
+    std::optional<ViewDirection> from = {};  // nothing: usualDirection
     double verticalFovDeg = 30.0;
     bool isParallel = false;  // of a camera that is made here
     glm::ivec2 sizePx{768};   // each from 1 to trace::kMaxPictureSide

@@ -59,7 +59,7 @@ Result<void> makeFolder(const fs::path& folder) {
 
 Result<RecordingOptions> optionsOf(const RecordingWish& wish, const std::optional<Camera>& camera) {
     RecordingOptions options = wish.recording;
-    options.from = wish.state.view.value_or(options.from);
+    options.from = wish.state.view;
     options.isParallel = wish.state.isParallel;
     MACULA_TRY(options.sizePx, parseSize(wish.size));
     if (!wish.cameraPath.empty()) {

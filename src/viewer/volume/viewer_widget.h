@@ -15,8 +15,8 @@ namespace macula::viewer {
 struct ViewerWidgetOptions {
     std::string device = {};                        // as in gpu::chooseDevice
     std::shared_ptr<app::SceneKeeper> keeper = {};  // of models between runs; null: nothing is written
-    ViewDirection firstView = ViewDirection::anterior;
-    bool showsNames = true;  // patient and study over the picture
+    std::optional<ViewDirection> firstView = {};    // nothing: usualDirection
+    bool showsNames = true;                         // patient and study over the picture
 };
 
 // Shows the study of the session, and whatever panels that look at the same session choose. Others are
@@ -47,7 +47,7 @@ class ViewerWidget : public QWidget {
     void onStudyShown();
 
     ViewerSession& session_;
-    ViewDirection firstView_;
+    std::optional<ViewDirection> firstView_;
     ShownVolume* shown_;
     Viewport* viewport_;
 };

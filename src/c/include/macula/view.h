@@ -14,7 +14,7 @@ extern "C" {
 
 typedef struct macula_view macula_view;
 
-/* Of the volume that is loaded now: all of it, from the front, with the preset for what the series shows. */
+/* Of the volume that is loaded now: all of it, from the usual direction, with the usual preset. */
 MACULA_API macula_status macula_view_create(const macula_study* study, macula_view** view);
 /* By name, number or file, as --preset of `macula render`; null: the one for what the series shows. `fit`,
  * not 0: its range is stretched to the volume, for MR. */
@@ -37,9 +37,9 @@ MACULA_API macula_status macula_view_remove_table(macula_view* view, int32_t rem
 
 /* Replaces a direction. */
 MACULA_API macula_status macula_view_set_camera(macula_view* view, const macula_camera* camera);
-/* "anterior", "posterior", "left", "right", "superior", "inferior": where the viewer stands; what is seen
- * fills the picture. null: "anterior". Replaces a camera. From the front, the patient's left is at the right
- * of the picture. */
+/* "anterior", "posterior", "left", "right", "superior", "inferior", "oblique": where the viewer stands; what
+ * is seen fills the picture. null: "anterior", of a short stack of slices "oblique". Replaces a camera. From
+ * the front, the patient's left is at the right of the picture. */
 MACULA_API macula_status macula_view_set_direction(macula_view* view, const char* direction);
 /* All that was chosen, as the JSON of views that the viewer and --session of `macula render` save and open.
  * Lives until this is asked again or the view is closed. MACULA_USAGE for lights of a panorama. */
