@@ -3,7 +3,7 @@
 //
 // Needs from its host: params.volumeSize, fetchStored(voxel) in table entries, fetchCorners(low, high,
 // near, far): the same for the eight corners between two voxels that are at most 1 apart, fetchExtinction(entry) per mm, and
-// useTrilinear(), a constant.
+// useTrilinear() and useSmooth(), constants.
 
 // The eight voxels around a point, and where between them it lies.
 struct Corners {
@@ -40,8 +40,19 @@ float stochasticEntry(vec3 p, INOUT(Rng) rng) {
     return fetchStored(clamp(voxel, ivec3(0), params.volumeSize - ivec3(1)));
 }
 
+// Interpolation at a place that chance moves by up to a voxel along each axis, by the sum of two even numbers: on average values
+// are weighted by a cubic B-spline (a hat over a hat), which has no kinks at the planes of voxels. What is averaged is optics,
+// not values, but within the width of one voxel: one fetch, as for interpolation (stochastic texture filtering, Pharr et al. 2024).
+vec3 movedByChance(vec3 p, INOUT(Rng) rng) {
+    vec3 first = random01Coarse3(rng);
+    return p + first + random01Coarse3(rng) - vec3(1.0);
+}
+
 float entryAt(vec3 p, INOUT(Rng) rng) {
-    return useTrilinear() ? trilinearEntry(p) : stochasticEntry(p, rng);
+    vec3 at = p;
+    // A loop, not an if: lavapipe skips it.
+    for (bool moves = useSmooth(); moves; moves = false) at = movedByChance(p, rng);
+    return useTrilinear() ? trilinearEntry(at) : stochasticEntry(at, rng);
 }
 
 // The tables hold one entry for each stored value, linear between: a curve is exact at every value a voxel can have, and

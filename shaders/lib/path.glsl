@@ -1,8 +1,8 @@
 // Light paths from the eye: free flights, and at every vertex next-event estimation to the environment. Background
 // is not part of the answer: a path that leaves the volume adds nothing, the light it could have met was added at its
-// vertices.
+// vertices; but after a vertex with a surface it adds its share of that (lightAhead).
 //
-// Needs, beside mixture, walk, phase and environment: fetchAlbedo(entry), params.voxelFromWorld*, params.worldFrom*,
+// Needs, beside mixture, walk, phase, environment, scattering and material: useSurfaces(), a constant, fetchAlbedo(entry), params.voxelFromWorld*, params.worldFrom*,
 // params.bounces, params.anisotropy, params.lightStrength.
 
 vec3 voxelsPerMm(vec3 worldDirection) {
@@ -18,6 +18,11 @@ float voxelMm(vec3 directionVoxel) {
 vec3 worldFromEnvironment(vec3 direction) {
     return params.worldFromEnvironmentX * direction.x + params.worldFromEnvironmentY * direction.y +
            params.worldFromEnvironmentZ * direction.z;
+}
+
+vec3 environmentFromWorld(vec3 direction) {
+    return vec3(dot(params.worldFromEnvironmentX, direction), dot(params.worldFromEnvironmentY, direction),
+                dot(params.worldFromEnvironmentZ, direction));
 }
 
 // Russian roulette: below this a ray or path goes on only with a probability in proportion, and its weight is made
@@ -51,6 +56,8 @@ struct Path {
     int aboveBound;      // collisions in matter that was denser than the bound of its brick: a fault, light passes there
     bool shadow;         // the ray under way is a shadow ray
     Net net;             // where its choices come from: 2k + 1 light of vertex k, 2k the way to it; 0 only where surface.glsl starts it
+    vec3 next;           // where surfaces are: the direction after the vertex under way, drawn there
+    float nextPdf;       // per steradian, with which it was; 0: light that it leads to was counted at the vertex
     float face;          // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
     // These serve the cache of indirect light. Once a path has gone on from its first vertex, radiance and throughput above are
     // of indirect light alone.
@@ -113,6 +120,8 @@ Path startPath(vec3 originVoxel, vec3 worldDirection, Net net) {
     path.rounds = 0;
     path.aboveBound = 0;
     path.shadow = false;
+    path.next = vec3(0.0);
+    path.nextPdf = float(0.0);
     path.cells = uvec4(0u);
     path.direct = vec3(0.0);
     path.extinction = float(0.0);
@@ -192,6 +201,29 @@ vec3 lightOf(Path path) {
     return useIndirect() ? path.direct + path.albedo * path.radiance : path.radiance;
 }
 
+// Where a path that was sent on from a vertex with a surface has left the volume: the light there. It could have been found by
+// the vertex's look for light as well, and each way counts with its share of both chances (multiple importance sampling,
+// balance heuristic, Veach and Guibas 1995).
+vec3 lightAhead(Path path) {
+    vec4 light = fetchEnvironment(environmentTexel(environmentFromWorld(path.direction)));
+    return path.throughput * vec3(light) * (params.lightStrength * path.nextPdf / (path.nextPdf + light.w));
+}
+
+// At a vertex where there may be a surface: what a look for light would bring, and where the path goes on. At the last one
+// it does not, and the look finds all of the light.
+void scatterAtVertex(INOUT(Path) path, EnvironmentSample light, vec3 towardsLight, vec3 albedo, INOUT(Rng) rng) {
+    Matter matter = matterAt(path.origin, path.direction, albedo, path.secondShare, rng);
+    bool isOnlyLook = matter.surface <= float(0.0) || path.vertices + 1 >= params.bounces;
+    Scattering there = scattering(matter, path.direction, towardsLight);
+    float chances = light.pdfPerSr + (isOnlyLook ? float(0.0) : there.pdfPerSr);
+    path.pending = light.pdfPerSr > float(0.0) ? path.throughput * there.perSr * light.radiance * (params.lightStrength / chances) : vec3(0.0);
+    float choice = random01(rng);
+    path.next = scatteredDirection(matter, path.direction, netPoint(path.net, uint(2 * path.vertices + 2)), choice);
+    Scattering onwards = scattering(matter, path.direction, path.next);
+    path.throughput *= onwards.perSr / max(onwards.pdfPerSr, float(1e-20));
+    path.nextPdf = isOnlyLook ? float(0.0) : onwards.pdfPerSr;
+}
+
 // What comes after a ray that has ended: after a flight a vertex, and a shadow ray from it; after a shadow ray its light,
 // and a new flight. False when the path is complete.
 bool decide(INOUT(Path) path, INOUT(Rng) rng) {
@@ -209,7 +241,8 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
             if (random01(rng) * float(ROULETTE_BELOW) >= strength) return false;
             path.throughput *= float(ROULETTE_BELOW) / strength;
         }
-        path.direction = samplePhase(path.direction, params.anisotropy, netPoint(path.net, uint(2 * path.vertices)));
+        path.direction = useSurfaces() ? path.next
+                                       : samplePhase(path.direction, params.anisotropy, netPoint(path.net, uint(2 * path.vertices)));
         direction = path.direction;
     } else {
         if (path.transmittance > float(0.0)) {  // out of the volume, or at a face
@@ -217,17 +250,23 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
                 path.radiance = vec3(path.face);
                 path.coverage = float(1.0);
             }
+            if (useSurfaces() && path.nextPdf > float(0.0)) path.radiance += lightAhead(path);
             return false;
         }
         path.coverage = float(1.0);
         path.origin = walkPosition(path.walk);
-        path.throughput *= albedoAt(path.origin, path.entry, path.secondShare);
+        vec3 albedo = albedoAt(path.origin, path.entry, path.secondShare);
         for (bool asks = useIndirect() && path.vertices == 0; asks; asks = false)
             path.extinction = totalOf(mixtureAt(path.origin, path.entry));
         EnvironmentSample light = sampleEnvironment(netPoint(path.net, uint(2 * path.vertices + 1)));
         direction = worldFromEnvironment(light.direction);
-        float phase = phaseHenyeyGreenstein(dot(path.direction, direction), params.anisotropy);
-        path.pending = light.pdfPerSr > float(0.0) ? path.throughput * light.radiance * (params.lightStrength * phase / light.pdfPerSr) : vec3(0.0);
+        if (useSurfaces()) {
+            scatterAtVertex(path, light, direction, albedo, rng);
+        } else {
+            path.throughput *= albedo;
+            float phase = phaseHenyeyGreenstein(dot(path.direction, direction), params.anisotropy);
+            path.pending = light.pdfPerSr > float(0.0) ? path.throughput * light.radiance * (params.lightStrength * phase / light.pdfPerSr) : vec3(0.0);
+        }
     }
     bool wasShadow = path.shadow;
     path.walk = startLightWalk(path.origin, voxelsPerMm(direction));

@@ -14,6 +14,8 @@
 #include "lib/clip.glsl"
 #include "lib/brick_walk.glsl"
 #include "lib/environment.glsl"
+#include "lib/scattering.glsl"
+#include "lib/material.glsl"
 #include "lib/picture.glsl"
 #include "lib/indirect.glsl"
 #include "lib/path.glsl"

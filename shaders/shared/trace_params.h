@@ -9,6 +9,9 @@ MACULA_SHARED_CONST int kClipNoBall = 0;
 MACULA_SHARED_CONST int kClipKeepBall = 1;
 MACULA_SHARED_CONST int kClipCutBall = 2;
 
+MACULA_SHARED_CONST int kCoatSteps = 32;
+MACULA_SHARED_CONST int kCoatPlaces = kCoatSteps + 1;
+
 // What is cast: matter, or a projection of values.
 MACULA_SHARED_CONST int kCastMatter = 0;
 MACULA_SHARED_CONST int kCastMaximum = 1;
@@ -36,6 +39,13 @@ MACULA_SHARED_CONST int kCastMean = 3;
     FIELD(int, bounces)           /* vertices of a path */                                                  \
     FIELD(uint, seed)                                                                                       \
     FIELD(float, anisotropy) /* Henyey-Greenstein g */                                                      \
+    /* Surfaces, see shaders/lib/material.glsl. */                                                          \
+    FIELD(float, surfaceWeight)           /* 0: there are none */                                           \
+    FIELD(float, surfaceGradient)         /* entries per mm, at which half of that is surface */            \
+    FIELD(float, surfaceAlpha)            /* width of the distribution of facets */                         \
+    FIELD(float, surfaceReflectance)      /* of a facet, of light that falls on it straight */              \
+    ARRAY(float, coatAlbedo, kCoatPlaces) /* by the root of the cosine, see shaders/lib/scattering.glsl */  \
+    FIELD(float, coatMean)                /* of light from all sides */                                     \
     /* What is clipped, see shaders/lib/clip.glsl. A plane keeps dot(xyz, p) + w >= 0, p in voxel           \
      * coordinates. */                                                                                      \
     ARRAY(vec4, clipPlanes,                                                                                 \

@@ -8,6 +8,8 @@
 #include "shared/trace_params.h"
 
 layout(constant_id = 0) const bool kTrilinear = true;
+layout(constant_id = 15) const bool kSmooth = false;
+layout(constant_id = 16) const bool kSurfaces = false;
 layout(constant_id = 2) const bool kClip = false;
 layout(constant_id = 3) const bool kMask = false;
 layout(constant_id = 4) const bool kGradientOpacity = false;
@@ -163,6 +165,9 @@ float fetchCumulative(int index) {
 bool useTrilinear() {
     return kTrilinear;
 }
+bool useSmooth() {
+    return kSmooth;
+}
 bool useClip() {
     return kClip;
 }
@@ -195,6 +200,9 @@ int fetchTint(ivec3 voxel) {
 }
 vec4 fetchTintColour(int tint) {
     return texelFetch(additionTexels, params.secondEntryCount + tint - 1);
+}
+bool useSurfaces() {
+    return kSurfaces;
 }
 bool useGradientOpacity() {
     return kGradientOpacity;

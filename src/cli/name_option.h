@@ -16,9 +16,9 @@ CLI::Validator asViewDirection();
 
 // For an option of type trace::Filter: a name becomes the value.
 CLI::Validator asFilter();
-inline constexpr const char* kFilterNames = "trilinear|stochastic";
+inline constexpr const char* kFilterNames = "trilinear|stochastic|smooth";
 
 // "anterior|posterior|...", for help.
-inline constexpr const char* kViewDirectionNames = "anterior|posterior|left|right|superior|inferior";
+inline constexpr const char* kViewDirectionNames = "anterior|posterior|left|right|superior|inferior|oblique";
 
 }  // namespace macula::cli

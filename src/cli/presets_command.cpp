@@ -80,6 +80,10 @@ Result<void> show(const Options& options) {
         fmt::print("effective range    {:g} to {:g}\n", preset.effectiveRange->low,
                    preset.effectiveRange->high);
     if (preset.fitToVolume) fmt::print("fitted             to each volume\n");
+    if (const Surface& surface = preset.surface; surface.weight > 0.0)
+        fmt::print(
+            "surface            weight {:g}, half of it at {:g} per mm, roughness {:g}, reflectance {:g}\n",
+            surface.weight, surface.gradientPerMm, surface.roughness, surface.reflectance);
     printOpacity("opacity of " + fmt::format("{:g} mm", preset.unitDistanceMm), preset.opacity);
     if (!preset.gradientOpacity.empty())
         printOpacity("gradient opacity (units per voxel)", preset.gradientOpacity);

@@ -62,9 +62,12 @@ void addInput(CLI::App& command, app::RenderWish& o) {
 
 // Options of the camera and the size of the picture.
 void addCamera(CLI::App& command, app::RenderWish& o) {
-    auto* view = command.add_option("--view", o.state.view, "Where the viewer stands (default: anterior)")
-                     ->transform(asViewDirection())
-                     ->option_text(kViewDirectionNames);
+    auto* view =
+        command
+            .add_option("--view", o.state.view,
+                        "Where the viewer stands (default: anterior; of a short stack of slices oblique)")
+            ->transform(asViewDirection())
+            ->option_text(kViewDirectionNames);
     command
         .add_option("--camera", o.state.camera,
                     "JSON file: positionMm, targetMm, up, verticalFovDeg; patient LPS mm")
@@ -111,6 +114,13 @@ void addEffort(CLI::App& command, app::RenderWish& o) {
     command.add_flag_function(
         "--denoise,!--no-denoise", [&o](std::int64_t count) { o.effort.denoise = count > 0; },
         "Filter the noise out, guided by what is seen, or not; the picture says that it is denoised");
+    command
+        .add_option(
+            "--filter", o.effort.filter,
+            "How values between voxels are found, see docs/presets.md (default: that of --quality, or "
+            "trilinear)")
+        ->transform(asFilter())
+        ->option_text(kFilterNames);
     command.add_option("--seed", o.seed, "Of the random numbers; the same seed gives the same picture");
 }
 

@@ -103,7 +103,8 @@ class Bench {
 
     Result<void> measureTimes(FovealReport& report) const {
         const TransferFunction function = fitted(study_.function, *study_.volume);
-        const Medium medium = makeMedium(*study_.volume, makeBrickGrid(*study_.volume), function);
+        const Medium medium =
+            makeMedium(*study_.volume, makeBrickGrid(*study_.volume, reachOf(options_.filter)), function);
         const trace::ReferenceTracer reference(*study_.volume, medium, study_.environment);
         const trace::Settings all = settings(trace::Denoising::on, 1);
         MACULA_TRY(const shared::TraceParams params,

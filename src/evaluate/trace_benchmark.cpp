@@ -68,18 +68,17 @@ class Turns {
 Result<std::vector<TraceBenchmark>> benchmarkTracing(const BenchStudy& study,
                                                      const TraceBenchmarkOptions& options,
                                                      Progress& progress) {
-    const Medium medium =
-        makeMedium(*study.volume, makeBrickGrid(*study.volume), fitted(study.function, *study.volume));
-    const trace::ReferenceTracer reference(*study.volume, medium, study.environment);
-    MACULA_TRY(const shared::TraceParams params,
-               trace::makeTraceParams(*study.volume, medium, study.environment, study.view,
-                                      {.bounces = options.bounces}));
-
     std::vector<trace::Filter> filters{trace::Filter::trilinear, trace::Filter::stochastic};
     if (options.filter) filters = {*options.filter};
     progress.beginStage("Measuring", filters.size() * static_cast<std::size_t>(options.repetitions + 1));
     std::vector<TraceBenchmark> reports;
     for (const trace::Filter filter : filters) {
+        const Medium medium = makeMedium(*study.volume, makeBrickGrid(*study.volume, trace::reachOf(filter)),
+                                         fitted(study.function, *study.volume));
+        const trace::ReferenceTracer reference(*study.volume, medium, study.environment);
+        MACULA_TRY(const shared::TraceParams params,
+                   trace::makeTraceParams(*study.volume, medium, study.environment, study.view,
+                                          {.bounces = options.bounces}));
         MACULA_TRY(Turns turns, Turns::begin(study, options, filter, progress));
         progress.advance();
 

@@ -156,6 +156,8 @@ TEST(EditedTransfer, widensAboutAValue) {
     for (double gradient = 0.0; gradient < 500.0; gradient += 13.0)
         EXPECT_NEAR(gradientOpacityAt(after, 2.5 * gradient), gradientOpacityAt(before, gradient), 1e-9);
     EXPECT_LT(farthest(widened(after, 1.0 / 2.5, 300.0), before), 1e-8);
+    EXPECT_EQ(widened(builtIn("cinematic-bone"), 2.5, 300.0).surface.gradientPerMm,
+              2.5 * builtIn("cinematic-bone").surface.gradientPerMm);
     EXPECT_EQ(widened(ramp(), 0.5, 400.0).effectiveRange, (ValueRange{200.0, 400.0}));
     EXPECT_EQ(widened(before, 1.0, 123.4), before);
 }

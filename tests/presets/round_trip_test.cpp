@@ -29,6 +29,7 @@ void expectEqual(const TransferFunction& a, const TransferFunction& b) {
     EXPECT_EQ(a.density, b.density);
     EXPECT_EQ(a.albedo, b.albedo);
     EXPECT_EQ(a.anisotropy, b.anisotropy);
+    EXPECT_EQ(a.surface, b.surface);
     EXPECT_EQ(a.fitToVolume, b.fitToVolume);
     EXPECT_EQ(a.lighting, b.lighting);
     EXPECT_EQ(a.interpolation, b.interpolation);
@@ -88,6 +89,8 @@ TEST(RoundTrip, AnyNumbers) {
         f.density = 0.001 + fraction(random);
         f.albedo = fraction(random);
         f.anisotropy = 0.9 * fraction(random);
+        f.surface = {fraction(random), 1e3 * fraction(random) + 1e-3, 0.1 + 0.9 * fraction(random),
+                     fraction(random)};
         f.unitDistanceMm = 0.1 + fraction(random);
         f.lighting = {run % 5 == 0, fraction(random), fraction(random), fraction(random),
                       100.0 * fraction(random)};

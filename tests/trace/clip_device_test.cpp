@@ -113,7 +113,7 @@ TEST_F(ClipOnDevice, masksAsTheReferenceDoes) {
                     .width = kSize,
                     .height = kSize};
     const TransferFunction opaque = scenes::homogeneous(50.0);
-    for (const Filter filter : {Filter::trilinear, Filter::stochastic}) {
+    for (const Filter filter : kFilters) {
         const Settings settings{.bounces = 2, .seed = 9, .filter = filter};
         PathTracer t = tracer(volume, opaque, sky, view, settings);
         for (const bool casts : {false, true}) {
@@ -124,7 +124,8 @@ TEST_F(ClipOnDevice, masksAsTheReferenceDoes) {
             const auto image = t.readback();
             ASSERT_TRUE(image.ok()) << image.error().message;
             const MaskBits bits = maskBits(*clip.mask, *volume);
-            const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), opaque, clip, &bits);
+            const Medium medium =
+                makeMedium(*volume, makeBrickGrid(*volume, reachOf(filter)), opaque, clip, &bits);
             const auto params = makeTraceParams(*volume, medium, sky, view, settings, clip);
             const auto sums = ReferenceTracer(*volume, medium, sky, &bits)
                                   .trace(*params, filter, Precision::single, 0, kSamples);

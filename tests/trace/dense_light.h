@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "trace/dense_coat.h"
 #include "trace/dense_scene.h"
 #include "trace/small_scenes.h"
 
@@ -16,6 +17,7 @@ class DenseLight : DenseScene {
     DenseLight(const SmallScene& scene, trace::Filter filter, double gain)
         : DenseScene(*scene.volume, scene.function, scene.clip, scene.view, filter),
           sky_(scene.sky),
+          coat_(scene.function.surface),
           gain_(gain),
           rotation_(glm::radians(scene.lightRotationDeg)) {
         double power = 0.0;
@@ -53,8 +55,12 @@ class DenseLight : DenseScene {
                 towardsLight(number(vertex, kLight), number(vertex, kLightRow), number(vertex, kLightColumn));
             const Marched shadow =
                 march(point, beam.direction, true, stepVoxels, number(vertex, kLightStep), false);
-            light += albedoAt(voxelOf(point)) * beam.light *
-                     (std::exp(-shadow.depth) * phase(glm::dot(direction, beam.direction)) / kVertices);
+            const glm::dvec3 voxel = voxelOf(point);
+            const Around a = around(voxel);
+            glm::dvec3 perSr(0.0);
+            for (std::size_t c = 0; c < 8; ++c)
+                perSr += a.weight[c] * scatteredPerSr(a.voxel[c], albedoAt(voxel), direction, beam.direction);
+            light += perSr * beam.light * (std::exp(-shadow.depth) / kVertices);
         }
         return {coverage * gain_ * light, coverage};
     }
@@ -70,13 +76,23 @@ class DenseLight : DenseScene {
         for (int vertex = 0; vertex < bounces; ++vertex) {
             if (!fly(point, direction, vertex > 0, random)) return sum;
             sum.a = 1.0;
-            throughput *= albedoSeen(voxelOf(point), random);
+            const glm::dvec3 albedo = albedoSeen(voxelOf(point), random);
+            const std::size_t near = voxelNear(voxelOf(point), random);
             const Beam beam = towardsLight(random(), random(), random());
             glm::dvec3 towards = point;
             if (!fly(towards, beam.direction, true, random))
                 sum += glm::dvec4(
-                    throughput * beam.light * (gain_ * phase(glm::dot(direction, beam.direction))), 0.0);
-            direction = scattered(direction, random);
+                    throughput * beam.light * gain_ * scatteredPerSr(near, albedo, direction, beam.direction),
+                    0.0);
+            if (function_.surface.weight > 0.0) {
+                // Anywhere, weighed with what goes there.
+                const glm::dvec3 way = anywhere(random);
+                throughput *= 4.0 * std::numbers::pi * scatteredPerSr(near, albedo, direction, way);
+                direction = way;
+            } else {
+                throughput *= albedo;
+                direction = scattered(direction, random);
+            }
         }
         return sum;
     }
@@ -112,15 +128,47 @@ class DenseLight : DenseScene {
         const double g = function_.anisotropy;
         return (1.0 - g * g) / (4.0 * std::numbers::pi * std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
     }
+    template <class Random>
+    static glm::dvec3 anywhere(Random&& random) {
+        const double z = 2.0 * random() - 1.0;
+        const double azimuth = 2.0 * std::numbers::pi * random();
+        const double radius = std::sqrt(1.0 - z * z);
+        return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
+    }
+    // One of the eight voxels around, by its weight.
+    template <class Random>
+    std::size_t voxelNear(const glm::dvec3& voxel, Random&& random) const {
+        const Around a = around(voxel);
+        double left = random();
+        std::size_t c = 0;
+        while (c < 7 && left >= a.weight[c]) left -= a.weight[c++];
+        return a.voxel[c];
+    }
+
+    // From the direction of travel `from` to `to`, with the gradient of that voxel: a cloud, and in its part
+    // a surface, of which the papers named in shaders/lib/scattering.glsl tell the film, by angles.
+    glm::dvec3 scatteredPerSr(std::size_t voxel, const glm::dvec3& albedo, const glm::dvec3& from,
+                              const glm::dvec3& to) const {
+        const glm::dvec3 cloud = albedo * phase(glm::dot(from, to));
+        const Surface& surface = function_.surface;
+        if (surface.weight == 0.0) return cloud;
+        const glm::ivec3 size = volume_.size();
+        const int place = static_cast<int>(voxel);
+        const glm::dvec3 gradient =
+            gradientPerMm(glm::dvec3(place % size.x, place / size.x % size.y, place / size.x / size.y));
+        const double steep = std::pow(glm::length(gradient) / surface.gradientPerMm, 2.0);
+        if (steep == 0.0) return cloud;
+        const double share = surface.weight * steep / (1.0 + steep);
+        const glm::dvec3 normal = glm::normalize(glm::dot(gradient, from) > 0.0 ? -gradient : gradient);
+        return (1.0 - share) * cloud + share * coat_.perSr(normal, albedo, from, to);
+    }
+
     // By rejection from directions of all kinds: no inversion to be wrong in.
     template <class Random>
     glm::dvec3 scattered(const glm::dvec3& direction, Random&& random) const {
         const double highest = phase(function_.anisotropy < 0.0 ? -1.0 : 1.0);
         while (true) {
-            const double z = 2.0 * random() - 1.0;
-            const double azimuth = 2.0 * std::numbers::pi * random();
-            const double radius = std::sqrt(1.0 - z * z);
-            const glm::dvec3 way(radius * std::cos(azimuth), radius * std::sin(azimuth), z);
+            const glm::dvec3 way = anywhere(random);
             if (random() * highest < phase(glm::dot(way, direction))) return way;
         }
     }
@@ -148,6 +196,7 @@ class DenseLight : DenseScene {
     }
 
     const Sky& sky_;
+    DenseCoat coat_;
     double gain_;
     double rotation_;
     std::vector<double> powers_;  // up to and with each texel

@@ -294,7 +294,9 @@ TEST_F(IndirectCacheTest, IsLeftAloneWhereItIsOfNoUse) {
     once.bounces = 1;
     const scenes::SmallScene& forward = scenes.at(2);
     ASSERT_NE(forward.function.anisotropy, 0.0);
-    for (const scenes::SmallScene& scene : {onCamera, once, forward}) {
+    const scenes::SmallScene& wet = scenes.at(8);
+    ASSERT_NE(wet.function.surface.weight, 0.0);
+    for (const scenes::SmallScene& scene : {onCamera, once, forward, wet}) {
         PathTracer t = tracer(scene.volume, scene.function, scene.environment(), scene.view,
                               of(scene, Indirect::cached));
         for (int i = 0; i < 2; ++i) {

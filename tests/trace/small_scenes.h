@@ -1,8 +1,8 @@
-// Eight scenes so small that estimators can be held to the truth in them, and that lead through every branch
+// Nine scenes so small that estimators can be held to the truth in them, and that lead through every branch
 // of the estimators between them: soft and dense matter, roulette of shadow rays and of paths, scattering
 // forward and back, even and single lights in the patient's and the camera's frame, clips and masks that cast
-// shadow and that do not, gradient opacity, a turned grid of unequal spacing, a foveated view, an eye inside
-// of matter.
+// shadow and that do not, gradient opacity, surfaces, a turned grid of unequal spacing, a foveated view, an
+// eye inside of matter.
 #pragma once
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -171,6 +171,16 @@ inline std::vector<SmallScene> smallScenes() {
     foveated.view.camera.verticalFovDeg = 70;
     foveated.view.foveation = trace::Foveation{.gaze = {0.3, -0.2}, .fieldDeg = 12.0, .magnification = 3.0};
     scenes.push_back(foveated);
+
+    SmallScene wet{.name = "wet surfaces on a turned grid",
+                   .volume = turned,
+                   .function = tissue,
+                   .view = look(*turned),
+                   .sky = oneLight(10, 2, glm::vec3(25.0f, 22.0f, 20.0f), 0.3f),
+                   .bounces = 5};
+    wet.function.surface = {.weight = 0.9, .gradientPerMm = 60.0, .roughness = 0.5, .reflectance = 0.15};
+    wet.function.anisotropy = 0.3;
+    scenes.push_back(wet);
     return scenes;
 }
 

@@ -149,7 +149,7 @@ std::shared_ptr<const Volume> onion(int edge, int zeros = 0) {
 // The whole volume on the device, or only what is visible: the same picture, bit for bit.
 TEST_F(Sparse, WhatIsNotUploadedIsNotMissed) {
     const auto volume = onion(72);
-    for (const Filter filter : {Filter::trilinear, Filter::stochastic}) {
+    for (const Filter filter : kFilters) {
         PathTracer all = tracerWith(device(), volume, {}, 48);
         PathTracer few = tracerWith(device(), volume, {}, 48);
         ASSERT_TRUE(all.setSettings({.filter = filter}).ok());
@@ -162,6 +162,45 @@ TEST_F(Sparse, WhatIsNotUploadedIsNotMissed) {
         EXPECT_LT(few.statistics()->voxels.poolBytes, 400 * kSlotBytes);
         EXPECT_EQ(pictureOf(all, 8), pictureOf(few, 8));
     }
+}
+
+// Nor are the voxels that tell the normals of surfaces.
+TEST_F(Sparse, SurfacesAreTheSameWhereLittleIsUploaded) {
+    const auto volume = onion(72);
+    const auto wet = [](double low, double high) {
+        TransferFunction function = band(low, high);
+        function.surface = {.weight = 1.0, .gradientPerMm = 10.0};
+        return function;
+    };
+    for (const Filter filter : kFilters) {
+        PathTracer all = tracerWith(device(), volume, {}, 48);
+        PathTracer few = tracerWith(device(), volume, {}, 48);
+        ASSERT_TRUE(all.setSettings({.filter = filter}).ok());
+        ASSERT_TRUE(few.setSettings({.filter = filter}).ok());
+        ASSERT_TRUE(all.scene().setTransferFunction(wet(0, 9000)).ok());
+        ASSERT_TRUE(all.scene().setTransferFunction(wet(1500, 1700)).ok());
+        ASSERT_TRUE(few.scene().setTransferFunction(wet(1500, 1700)).ok());
+        const auto picture = pictureOf(few, 8);
+        EXPECT_EQ(pictureOf(all, 8), picture);
+        EXPECT_LT(few.statistics()->voxels.poolBytes, 729 * kSlotBytes);
+        ASSERT_TRUE(few.scene().setTransferFunction(band(1500, 1700)).ok());
+        EXPECT_NE(pictureOf(few, 8), picture) << "a surface must show";
+    }
+}
+
+// What was drawn before with a filter that reaches further does not change a picture.
+TEST_F(Sparse, APictureIsTheSameAfterASmoothOne) {
+    const auto volume = onion(72);
+    PathTracer fresh = tracerWith(device(), volume, {}, 48);
+    ASSERT_TRUE(fresh.scene().setTransferFunction(band(1500, 1700)).ok());
+    PathTracer used = tracerWith(device(), volume, {}, 48);
+    ASSERT_TRUE(used.scene().setTransferFunction(band(1500, 1700)).ok());
+    ASSERT_TRUE(used.setSettings({.filter = Filter::smooth}).ok());
+    const auto smooth = pictureOf(used, 8);
+    ASSERT_TRUE(used.setSettings({}).ok());
+    const auto again = pictureOf(used, 8);
+    EXPECT_NE(again, smooth);
+    EXPECT_EQ(again, pictureOf(fresh, 8));
 }
 
 TEST_F(Sparse, OnlyTheDifferenceIsUploaded) {

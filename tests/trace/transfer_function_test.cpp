@@ -66,6 +66,12 @@ TEST(TransferFunction, RefusesCurvesThatMeanNothing) {
     EXPECT_FALSE(validate(f).ok());
     f.anisotropy = -0.99;
     EXPECT_TRUE(validate(f).ok());
+    for (const Surface& wrong :
+         {Surface{.weight = 1.1}, Surface{.weight = kNan}, Surface{.gradientPerMm = 0.0},
+          Surface{.roughness = 0.05}, Surface{.roughness = kNan}, Surface{.reflectance = -0.1}}) {
+        f.surface = wrong;
+        EXPECT_FALSE(validate(f).ok());
+    }
 }
 
 TEST(TransferFunction, FitsTheForegroundOfTheVolume) {

@@ -18,6 +18,7 @@ Result<Effort> effortOf(const EffortWish& wish, const trace::Settings& settings)
     }
     effort.samplesPerPixel = wish.samplesPerPixel.value_or(effort.samplesPerPixel);
     effort.settings.bounces = wish.bounces.value_or(effort.settings.bounces);
+    effort.settings.filter = wish.filter.value_or(effort.settings.filter);
     if (wish.denoise)
         effort.settings.denoising = *wish.denoise ? trace::Denoising::on : trace::Denoising::off;
     effort.settings.errorThreshold = wish.error;

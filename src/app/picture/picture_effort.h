@@ -19,6 +19,7 @@ struct EffortWish {
     double error = 0.0;  // the most noise, as displayed, black to white being 1; 0: not given
     std::optional<int> bounces;
     std::optional<bool> denoise;
+    std::optional<trace::Filter> filter;
 };
 
 struct Effort {

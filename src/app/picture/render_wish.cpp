@@ -67,6 +67,7 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
     };
     check(!wish.state.window.empty() && !isProjection(look), "--window", looksListed(trace::isProjection));
     check(wish.effort.bounces && !isTraced, "--bounces", "cinematic");
+    check(wish.effort.filter && !isTraced, "--filter", looksListed(trace::isPathTraced));
     check(wish.shading && look != trace::Look::dvr, "--shading", "dvr");
     const std::string traced = looksListed(trace::isPathTraced);
     check(!wish.lights.empty() && !isTraced, "--lights", traced);
@@ -99,7 +100,7 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     MACULA_TRY_VOID(setLights(picture, wish.lights));
     picture.clip = publicClip(wish, picture.state);
     request.camera = picture.state.camera;
-    request.from = wish.state.view.value_or(request.from);
+    request.from = wish.state.view;
     if (wish.state.fovDeg > 0.0) request.verticalFovDeg = wish.state.fovDeg;
     request.isParallel = wish.state.isParallel;
     request.keepUnfinished = wish.keepUnfinished;

@@ -34,7 +34,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kVersion = 1.0;
-constexpr std::array kFilters{trace::Filter::trilinear, trace::Filter::stochastic};
 constexpr std::array kDenoisings{trace::Denoising::off, trace::Denoising::little, trace::Denoising::on};
 
 bool isKnown(const std::string& key) {
@@ -155,7 +154,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     std::array<trace::Look, trace::kLooks.size()> looks{};
     std::ranges::transform(trace::kLooks, looks.begin(), &trace::LookTraits::look);
     readName(root, "look", looks, state.settings.look);
-    readName(root, "filter", kFilters, state.settings.filter);
+    readName(root, "filter", trace::kFilters, state.settings.filter);
     readName(root, "denoising", kDenoisings, state.settings.denoising);
     if (const auto node = root.find("shading"))
         state.settings.shading = node->boolean() ? trace::Shading::headlight : trace::Shading::none;

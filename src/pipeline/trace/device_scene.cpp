@@ -189,7 +189,7 @@ Result<void> DeviceScene::makeAdditionTables() {
 
 Result<void> DeviceScene::showVoxels() {
     std::vector<std::uint8_t> alsoShown = bricksAtGreyFaces(clip_, *volume_, grid_);
-    if (hasGradientOpacity() || (gradients_ && !projection_))
+    if (!projection_ && (hasGradientOpacity() || hasSurfaces() || gradients_))
         addReachOfGradients(grid_, medium_.bounds, alsoShown);
     // Where the second volume alone is seen, values of this one need not be there: none of them has any
     // extinction.
@@ -243,6 +243,13 @@ Result<void> DeviceScene::makeReadyFor(const Settings& settings) {
     MACULA_CHECK(isComplete());
     const bool gradients = takesGradients(settings);
     const auto projection = projectionOf(settings.look);
+    // Bounds that reach further hold for all filters, but a picture would depend on those drawn before.
+    if (isPathTraced(settings.look) && grid_.reach != reachOf(settings.filter)) {
+        grid_ = makeBrickGrid(*volume_, reachOf(settings.filter));
+        projection_ = projection;
+        gradients_ = gradients_ || gradients;
+        return makeTables();
+    }
     if (projection == projection_) return gradients ? keepForGradients() : Result<void>();
     projection_ = projection;
     gradients_ = gradients_ || gradients;
@@ -253,7 +260,7 @@ Result<void> DeviceScene::keepForGradients() {
     MACULA_CHECK(isComplete());
     if (gradients_) return {};
     gradients_ = true;
-    if (projection_ || hasGradientOpacity()) return {};
+    if (projection_ || hasGradientOpacity() || hasSurfaces()) return {};
     // What was there before stays as it is, and so does what was seen of it, unless something has to become
     // coarser.
     if (voxels_->isCoarse()) return makeTables();

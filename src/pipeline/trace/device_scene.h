@@ -66,6 +66,8 @@ class DeviceScene {
 
     double anisotropy() const { return function_ ? function_->anisotropy : 0.0; }
 
+    // Whether matter scatters like a surface anywhere, in path-traced looks.
+    bool hasSurfaces() const { return function_ && function_->surface.weight > 0.0; }
     // Whether there is gradient opacity in the look that makeReadyFor() prepared last.
     bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }
 

@@ -188,6 +188,7 @@ Result<void> PathTracer::setView(const View& view) {
 bool PathTracer::Impl::usesIndirect() const {
     if (settings.indirect == Indirect::traced || !isPathTraced(settings.look)) return false;
     if (verticesOf(settings) < 2 || scene.scene().lightFrame() == LightFrame::camera) return false;
+    if (scene.scene().hasSurfaces()) return false;
     return settings.indirect == Indirect::corrected || scene.scene().anisotropy() == 0.0;
 }
 

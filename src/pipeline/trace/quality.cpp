@@ -1,5 +1,6 @@
 #include "pipeline/trace/quality.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "pipeline/volume/json_reader.h"
@@ -23,14 +24,15 @@ Result<Quality> qualityFromJson(std::string_view text, const std::string& where)
     root.allowOnly({"version", "name", "title", "samplesPerPixel", "bounces", "filter", "denoise"});
     if (root["version"].number() != 1.0) root["version"].fail("version 1; newer ones need a newer Macula");
     const std::string filter = root["filter"].text();
-    if (filter != "trilinear" && filter != "stochastic")
-        root["filter"].fail("\"trilinear\" or \"stochastic\"");
+    const auto known =
+        std::find_if(kFilters.begin(), kFilters.end(), [&](Filter one) { return nameOf(one) == filter; });
+    if (known == kFilters.end()) root["filter"].fail("\"trilinear\", \"stochastic\" or \"smooth\"");
     const Quality quality{
         .name = root["name"].text(),
         .title = root["title"].text(),
         .samplesPerPixel = static_cast<std::uint32_t>(whole(root["samplesPerPixel"], 1, 1 << 20)),
         .bounces = static_cast<int>(whole(root["bounces"], 1, kMaxBounces)),
-        .filter = filter == "stochastic" ? Filter::stochastic : Filter::trilinear,
+        .filter = known == kFilters.end() ? Filter::trilinear : *known,
         .denoising = root["denoise"].boolean() ? Denoising::on : Denoising::off};
     MACULA_TRY_VOID(document.status());
     return quality;

@@ -16,6 +16,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     static constexpr int kCastMaximum = shared::kCastMaximum;
     static constexpr int kCastMinimum = shared::kCastMinimum;
     static constexpr int kCastMean = shared::kCastMean;
+    static constexpr int kCoatSteps = shared::kCoatSteps;
     static constexpr uint kNetSamples = shared::kNetSamples;
     static constexpr uint kIndirectBuckets = shared::kIndirectBuckets;
     static constexpr uint kIndirectWays = shared::kIndirectWays;
@@ -51,7 +52,8 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
           bounds_(tables.bounds.data()),
           environment_(tables.environment.data()),
           cumulative_(tables.cumulative.data()),
-          trilinear_(filter == Filter::trilinear) {
+          trilinear_(filter != Filter::stochastic),
+          smooth_(filter == Filter::smooth) {
         clip_ = isClipped(p);
         mask_ = tables.mask;
         secondEntries_ = tables.secondEntries;
@@ -90,6 +92,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     }
     Real fetchCumulative(int index) const { return Real(cumulative_[index]); }
     bool useTrilinear() const { return trilinear_; }
+    bool useSmooth() const { return smooth_; }
     bool useClip() const { return clip_; }
     bool useMask() const { return !mask_.empty(); }
     Real fetchMask(const ivec3& voxel) const {
@@ -116,6 +119,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     }
     vec4 fetchTintColour(int tint) const { return vec4(additions_[params.secondEntryCount + tint - 1]); }
     bool useGradientOpacity() const { return hasGradientOpacity_; }
+    bool useSurfaces() const { return params.surfaceWeight > Real(0); }
     bool useShading() const { return cast.shading; }
     int castLook() const { return cast.kind; }
     bool useIndirect() const { return !indirectTags_.empty(); }
@@ -138,6 +142,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef PARALLEL
 #undef FAR_MM
 #undef BRICK_SHIFT
+#undef GRAZING
 #undef ROULETTE_BELOW
 #undef SHADOW_LOOSENESS
 #undef SEEN_ENOUGH
@@ -170,6 +175,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     const EnvironmentTexel* environment_;
     const float* cumulative_;
     bool trilinear_;
+    bool smooth_;
     bool clip_;
     std::span<const std::uint32_t> mask_;
     std::span<const std::uint16_t> secondEntries_;  // empty: there is no second volume

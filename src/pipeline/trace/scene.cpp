@@ -17,6 +17,9 @@ namespace {
 // along its normal; with all that follows it would be near 1. Three times the light makes the clear look
 // about as bright as the cinematic one.
 constexpr double kClearGain = 3.0;
+// Under the same sky the same wall returns 2 (ln 2 - 1/2) = 0.39 when all of it scatters like a surface.
+constexpr double kSurfaceReturns = 0.39;
+constexpr double kCloudReturns = 0.15;
 // Where the cache of indirect light is a control variate, a path goes on from its first vertex with at least
 // this probability: a lower one saves little time, and weighs the paths that go on so much that noise grows.
 constexpr double kIndirectLeast = 0.25;
@@ -57,6 +60,16 @@ void writeGradientOpacity(const Medium& medium, const Volume& volume, shared::Tr
     if (medium.gradientOpacity.empty()) return;
     params.gradientLast = static_cast<int>(medium.gradientOpacity.size()) - 1;
     params.gradientScale = static_cast<float>(volume.unitsFromStored().slope / medium.gradientStep);
+}
+
+void writeSurface(const Medium& medium, const Volume& volume, shared::TraceParams& params) {
+    const Surface& surface = medium.surface;
+    params.surfaceWeight = static_cast<float>(surface.weight);
+    params.surfaceGradient = static_cast<float>(surface.gradientPerMm / volume.unitsFromStored().slope);
+    params.surfaceAlpha = static_cast<float>(alphaOf(surface));
+    params.surfaceReflectance = static_cast<float>(surface.reflectance);
+    std::copy(medium.coat.albedo.begin(), medium.coat.albedo.end(), std::begin(params.coatAlbedo));
+    params.coatMean = static_cast<float>(medium.coat.mean);
 }
 
 void writeCast(const Settings& settings, const Medium& medium, const Volume& volume,
@@ -103,7 +116,8 @@ void writeLights(const LightFrame frame, const CameraBasis& eye, const Settings&
     params.worldFromEnvironmentX = turned[0];
     params.worldFromEnvironmentY = turned[1];
     params.worldFromEnvironmentZ = turned[2];
-    const double gain = settings.look == Look::clear ? kClearGain : 1.0;
+    const double returned = glm::mix(kCloudReturns, kSurfaceReturns, double(params.surfaceWeight));
+    const double gain = settings.look == Look::clear ? kClearGain * kCloudReturns / returned : 1.0;
     params.lightStrength = static_cast<float>(gain * settings.lightStrength);
 }
 
@@ -227,6 +241,7 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.voxelFromWorldX = glm::dvec3(voxelFromWorld[0]);
     params.voxelFromWorldY = glm::dvec3(voxelFromWorld[1]);
     params.voxelFromWorldZ = glm::dvec3(voxelFromWorld[2]);
+    writeSurface(medium, volume, params);
     writeLights(environment.frame(), eye, settings, params);
     params.volumeSize = volume.size();
     params.gridSize = medium.gridSize;

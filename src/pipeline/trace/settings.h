@@ -1,6 +1,7 @@
 // What a traced picture is made with.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -16,11 +17,19 @@ namespace macula::trace {
 enum class Filter {
     trilinear,   // eight voxels, then the transfer function: the value a radiologist expects at an edge
     stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
+    smooth,  // as trilinear, at a place moved by chance: no rings where planes of voxels meet a steep curve,
+             // and edges a voxel softer
 };
+inline constexpr std::array kFilters{Filter::trilinear, Filter::stochastic, Filter::smooth};
 
-// As in files and reports: "trilinear", "stochastic".
+// How many voxels beside its place a value may be taken: BrickGrid::reach.
+constexpr int reachOf(Filter filter) {
+    return filter == Filter::smooth ? 1 : 0;
+}
+
+// As in files and reports: "trilinear".
 constexpr std::string_view nameOf(Filter filter) {
-    return filter == Filter::trilinear ? "trilinear" : "stochastic";
+    return filter == Filter::trilinear ? "trilinear" : filter == Filter::stochastic ? "stochastic" : "smooth";
 }
 
 // How far what is shown and read is filtered, see denoiser.h. It never changes what is traced, and looks

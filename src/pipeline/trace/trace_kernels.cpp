@@ -40,6 +40,7 @@ SceneKind kindOf(const DeviceScene& scene) {
             .mask = scene.isMasked(),
             .gradientOpacity = scene.hasGradientOpacity(),
             .coarse = scene.holdsCoarseBlocks(),
+            .surfaces = scene.hasSurfaces(),
             .second = scene.hasSecond(),
             .tints = scene.hasTints(),
             .poolViews = scene.poolViews(),
@@ -48,6 +49,7 @@ SceneKind kindOf(const DeviceScene& scene) {
 
 TraceVariant variantOf(const Settings& settings, SceneKind scene) {
     if (isPathTraced(settings.look)) return {.filter = settings.filter, .scene = scene};
+    scene.surfaces = false;
     scene.gradientOpacity = scene.gradientOpacity && settings.look == Look::dvr;
     return {.look = settings.look,
             .shading = settings.look == Look::dvr && settings.shading == Shading::headlight,
@@ -58,7 +60,8 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
     if (const auto found = samples_.find(variant); found != samples_.end())
         return Found{&found->second, false};
     gpu::KernelOptions options{
-        .specializations = {{"kTrilinear", variant.filter == Filter::trilinear},
+        .specializations = {{"kTrilinear", variant.filter != Filter::stochastic},
+                            {"kSmooth", variant.filter == Filter::smooth},
                             {"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
                             {"kClip", variant.scene.clip},
                             {"kMask", variant.scene.mask},
@@ -71,7 +74,10 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                             {"kShading", variant.shading},
                             {"kCast", castOf(variant.look)}},
         .subgroupSize = gpu::subgroupSizeForDivergence(device_->info())};
-    if (isPathTraced(variant.look)) options.specializations.emplace_back("kIndirect", variant.usesIndirect);
+    if (isPathTraced(variant.look)) {
+        options.specializations.emplace_back("kIndirect", variant.usesIndirect);
+        options.specializations.emplace_back("kSurfaces", variant.scene.surfaces);
+    }
     if (variant.isSideBySide) options.specializations.emplace_back("kShares", device_->isCpu());
     MACULA_TRY(gpu::Kernel kernel, gpu::Kernel::create(device_, samplesCodeOf(variant), options));
     return Found{&samples_.emplace(variant, std::move(kernel)).first->second, true};
@@ -85,21 +91,25 @@ Result<const gpu::Kernel*> TraceKernels::addSamples() {
 }
 
 Result<const gpu::Kernel*> TraceKernels::guides(SceneKind scene) {
+    scene.surfaces = false;
     return find(guides_, shaders::trace_guides_comp, scene);
 }
 
 Result<const gpu::Kernel*> TraceKernels::layers(SceneKind scene) {
+    scene.surfaces = false;
     return find(layers_, shaders::trace_layers_comp, scene);
 }
 
 Result<const gpu::Kernel*> TraceKernels::candidates(SceneKind scene) {
+    scene.surfaces = false;
     return find(candidates_, shaders::trace_candidates_comp, scene, {{"kGreyFaces", scene.greyFaces}});
 }
 
 Result<const gpu::Kernel*> TraceKernels::surfacePoints(SceneKind scene) {
-    return find(
-        surfacePoints_, shaders::trace_surface_points_comp, scene,
-        {{"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu}, {"kGreyFaces", scene.greyFaces}});
+    return find(surfacePoints_, shaders::trace_surface_points_comp, scene,
+                {{"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
+                 {"kGreyFaces", scene.greyFaces},
+                 {"kSurfaces", scene.surfaces}});
 }
 
 // Finds or compiles the kernel for that kind of scene, with `more` specialization constants.

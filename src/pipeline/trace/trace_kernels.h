@@ -24,6 +24,7 @@ struct SceneKind {
     bool gradientOpacity = false;
     bool coarse = false;     // not all of its blocks of voxels are whole
     bool greyFaces = false;  // of a clip; counts for surface points only
+    bool surfaces = false;   // counts where paths are traced
     bool second = false;     // a second volume in the same picture
     bool tints = false;      // segments with colours
     int poolViews = 1;       // of the pool of voxels, each but the last with 2^poolViewShift values

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/check.h"
 #include "base/parallel.h"
 #include "pipeline/volume/entry_map.h"
 
@@ -65,20 +66,24 @@ EntryRange blockRange(const Volume& volume, const EntryMap& map, glm::ivec3 bloc
     return rangeOf(volume, map, low, glm::min(high, volume.size() - 1));
 }
 
-// The range of a brick: of its own block, and of the layers below it along each axis.
+// The range of a brick: of its own block, and of the layers below it and above it along each axis.
 EntryRange brickRange(const Volume& volume, const EntryMap& map, const BrickGrid& grid, glm::ivec3 brick) {
-    const glm::ivec3 below = brick * kBrickVoxels - 1;
-    const glm::ivec3 low = glm::max(below, glm::ivec3(0));
     const glm::ivec3 first = brick * kBrickVoxels;
-    const glm::ivec3 high = glm::min(below + kBrickVoxels, volume.size() - 1);
+    const glm::ivec3 last = glm::min(first + kBrickVoxels - 1, volume.size() - 1);
+    const glm::ivec3 low = glm::max(first - 1 - grid.reach, glm::ivec3(0));
+    const glm::ivec3 high = glm::min(first + kBrickVoxels - 1 + grid.reach, volume.size() - 1);
     EntryRange range = kNone;
     if (glm::all(glm::lessThan(brick, grid.blocks)))
         range = grid.blockRanges[grid.blockIndex(brick.x, brick.y, brick.z)];
-    if (below.x >= 0) range = join(range, rangeOf(volume, map, low, {below.x, high.y, high.z}));
-    if (below.y >= 0)
-        range = join(range, rangeOf(volume, map, {first.x, low.y, low.z}, {high.x, below.y, high.z}));
-    if (below.z >= 0)
-        range = join(range, rangeOf(volume, map, {first.x, first.y, low.z}, {high.x, high.y, below.z}));
+    const auto add = [&](const glm::ivec3& from, const glm::ivec3& to) {
+        range = join(range, rangeOf(volume, map, from, to));
+    };
+    add(low, {first.x - 1, high.y, high.z});
+    add({last.x + 1, low.y, low.z}, high);
+    add({first.x, low.y, low.z}, {last.x, first.y - 1, high.z});
+    add({first.x, last.y + 1, low.z}, {last.x, high.y, high.z});
+    add({first.x, first.y, low.z}, {last.x, last.y, first.z - 1});
+    add({first.x, first.y, last.z + 1}, {last.x, last.y, high.z});
     return range;
 }
 
@@ -92,9 +97,11 @@ glm::ivec3 blockCount(glm::ivec3 voxels) {
     return (voxels + glm::ivec3(kBrickVoxels - 1)) / kBrickVoxels;
 }
 
-BrickGrid makeBrickGrid(const Volume& volume) {
+BrickGrid makeBrickGrid(const Volume& volume, int reach) {
+    MACULA_CHECK(reach == 0 || reach == 1);
     const EntryMap map = entryMapOf(volume);
     BrickGrid grid;
+    grid.reach = reach;
     grid.size = brickCount(volume.size());
     grid.blocks = blockCount(volume.size());
     grid.ranges.resize(grid.index(0, 0, grid.size.z));

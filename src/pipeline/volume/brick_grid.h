@@ -3,7 +3,8 @@
 //
 // Brick b covers [8b - 1, 8b + 7) along each axis, in voxel coordinates with integers at centres. So what is
 // interpolated inside it needs voxels 8b - 1 to 8b + 7 and no others: block b, and the last layer of block b
-// - 1.
+// - 1. Where values are taken up to `reach` voxels beside (0 or 1) it needs as many more at both ends, and so
+// the first layer of block b + 1.
 #pragma once
 
 #include <cstdint>
@@ -25,6 +26,7 @@ struct EntryRange {
 };
 
 struct BrickGrid {
+    int reach = 0;                        // voxels
     glm::ivec3 size{0};                   // bricks
     std::vector<EntryRange> ranges;       // by brick, x fastest: what interpolation can reach in it
     glm::ivec3 blocks{0};                 // at most as many as bricks, at least one less, along each axis
@@ -37,6 +39,12 @@ struct BrickGrid {
         return (std::size_t(z) * std::size_t(blocks.y) + std::size_t(y)) * std::size_t(blocks.x) +
                std::size_t(x);
     }
+    // The blocks that a brick needs, both included, and likewise the bricks that need a block.
+    glm::ivec3 firstBlockOf(glm::ivec3 brick) const { return glm::max(brick - 1, glm::ivec3(0)); }
+    glm::ivec3 lastBlockOf(glm::ivec3 brick) const { return glm::min(brick + reach, blocks - 1); }
+    glm::ivec3 firstBrickOf(glm::ivec3 block) const { return glm::max(block - reach, glm::ivec3(0)); }
+    glm::ivec3 lastBrickOf(glm::ivec3 block) const { return glm::min(block + 1, size - 1); }
+
     // The brick that holds a point within the volume, given with integers at voxel faces.
     glm::ivec3 brickAt(const glm::dvec3& point) const {
         return glm::ivec3(glm::floor((point + 0.5) / double(kBrickVoxels)));
@@ -48,6 +56,6 @@ glm::ivec3 brickCount(glm::ivec3 voxels);
 glm::ivec3 blockCount(glm::ivec3 voxels);
 
 // Padding counts as air. On all cores.
-BrickGrid makeBrickGrid(const Volume& volume);
+BrickGrid makeBrickGrid(const Volume& volume, int reach = 0);
 
 }  // namespace macula

@@ -126,6 +126,8 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFun
     MACULA_CHECK(added.empty() || added.size() == grid.ranges.size());
     Medium medium;
     medium.anisotropy = static_cast<float>(function.anisotropy);
+    medium.surface = function.surface;
+    if (medium.surface.weight > 0.0) medium.coat = coatOf(medium.surface);
     medium.ambient = static_cast<float>(function.lighting.ambient);
     medium.diffuse = static_cast<float>(function.lighting.diffuse);
     medium.featureUnits = featureUnitsOf(function, volume);
@@ -170,8 +172,8 @@ void coverCoarseBlocks(Medium& medium, const BrickGrid& grid, std::span<const st
         float& bound = medium.bounds[grid.index(x, y, z)];
         if (!(bound > 0.0f)) return;
         EntryRange range = grid.ranges[grid.index(x, y, z)];
-        const glm::ivec3 low = glm::max(glm::ivec3(x, y, z) - 1, glm::ivec3(0));
-        const glm::ivec3 high = glm::min(glm::ivec3(x, y, z), grid.blocks - 1);
+        const glm::ivec3 low = grid.firstBlockOf({x, y, z});
+        const glm::ivec3 high = grid.lastBlockOf({x, y, z});
         for (int k = low.z; k <= high.z; ++k) {
             for (int j = low.y; j <= high.y; ++j) {
                 for (int i = low.x; i <= high.x; ++i) {

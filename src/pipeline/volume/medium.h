@@ -10,6 +10,7 @@
 #include "base/volume.h"
 #include "pipeline/volume/brick_grid.h"
 #include "pipeline/volume/clip.h"
+#include "pipeline/volume/coat.h"
 #include "pipeline/volume/entry_map.h"
 #include "pipeline/volume/mask_bits.h"
 #include "pipeline/volume/transfer_function.h"
@@ -26,6 +27,8 @@ struct Medium {
     // at most 255.
     std::vector<float> bounds;
     float anisotropy = 0.0f;
+    Surface surface = {};  // its gradient in units per mm, as the fitted preset has it
+    Coat coat = {};        // of a surface that has a weight
     // The gradient opacity, by the length of the gradient of values, in steps of `gradientStep` units per mm
     // from 0; empty when it is 1 everywhere.
     std::vector<float> gradientOpacity;

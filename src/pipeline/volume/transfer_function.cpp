@@ -120,6 +120,14 @@ Result<void> validate(const TransferFunction& function) {
     if (!isFraction(function.albedo)) return fail("The preset's albedo must lie in 0 to 1.");
     if (!(std::abs(function.anisotropy) <= kMostScatteringAnisotropy))
         return fail("The preset's scattering anisotropy must lie between -0.99 and 0.99.");
+    const Surface& surface = function.surface;
+    if (!isFraction(surface.weight) || !isFraction(surface.reflectance) || !isFraction(surface.roughness) ||
+        surface.roughness < kLeastRoughness)
+        return fail(
+            "The preset's surface weight or reflectance lies outside 0 to 1, or its roughness outside 0.1 to "
+            "1.");
+    if (!(surface.gradientPerMm > 0.0 && std::isfinite(surface.gradientPerMm)))
+        return fail("The preset's surface gradient must be above 0.");
     if (function.fitToVolume && !(function.fitToVolume->low < function.fitToVolume->high)) {
         return fail("The preset's range to fit to the volume is empty.");
     }

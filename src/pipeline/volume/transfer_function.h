@@ -42,6 +42,18 @@ struct Lighting {
     bool operator==(const Lighting&) const = default;
 };
 
+// How matter scatters light where values change steeply: like a rough, wet surface
+// (shaders/lib/material.glsl).
+struct Surface {
+    double weight = 0.0;           // 0 to 1: the part of what is scattered that the steepest boundary takes
+    double gradientPerMm = 100.0;  // above 0, in units of the volume: half of that part
+    double roughness = 0.4;        // kLeastRoughness to 1
+    double reflectance = 0.04;     // 0 to 1, of light that falls straight; wet tissue 0.03 to 0.05
+
+    bool operator==(const Surface&) const = default;
+};
+inline constexpr double kLeastRoughness = 0.1;  // highlights below are smaller than any light
+
 enum class Interpolation { nearest, linear, cubic };
 
 // Of the absolute value of Henyey-Greenstein's g: nearer to 1, light goes so straight on that single floats
@@ -62,6 +74,7 @@ struct TransferFunction {
     double density = 1.0;     // multiplies extinction
     double albedo = 1.0;      // multiplies the linear colour; 1 loses no light
     double anisotropy = 0.0;  // Henyey-Greenstein g, at most kMostScatteringAnisotropy
+    Surface surface = {};
     // When set, the curves are stretched so that this interval of their values falls on an interval of the
     // volume's (volume_fit.h): MR values mean nothing across scanners.
     struct Fit {

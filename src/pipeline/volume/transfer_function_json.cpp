@@ -76,6 +76,18 @@ std::optional<Fit::To> fitFrom(const JsonNode& node) {
     return to == "valueRange" ? Fit::To::valueRange : Fit::To::foreground;
 }
 
+Surface surfaceFrom(const JsonNode& node) {
+    node.allowOnly({"weight", "gradientPerMm", "roughness", "reflectance"});
+    Surface surface;
+    surface.weight = node["weight"].number(kFraction);
+    if (const auto gradient = node.find("gradientPerMm")) surface.gradientPerMm = gradient->number(kPositive);
+    if (const auto roughness = node.find("roughness"))
+        surface.roughness = roughness->number({kLeastRoughness, 1.0});
+    if (const auto reflectance = node.find("reflectance"))
+        surface.reflectance = reflectance->number(kFraction);
+    return surface;
+}
+
 void readVendorPart(const JsonNode& node, const JsonNode& property, TransferFunction& function) {
     if (node["version"].number() != 1.0) node["version"].fail("version 1; newer ones need a newer Macula");
     function.name = nameFrom(node["name"]);
@@ -88,6 +100,7 @@ void readVendorPart(const JsonNode& node, const JsonNode& property, TransferFunc
     if (const auto source = node.find("source")) function.source = source->text();
     if (const auto albedo = node.find("albedo")) function.albedo = albedo->number(kFraction);
     if (const auto density = node.find("density")) function.density = density->number({1e-6, 1000.0});
+    if (const auto surface = node.find("surface")) function.surface = surfaceFrom(*surface);
     if (const auto space = node.find("colorSpace")) {
         const std::optional<ColourSpace> known = colourSpaceNamed(space->text());
         if (!known) space->fail("\"rgb\", \"hsv\", \"hsvWrap\", \"lab\", \"diverging\" or \"step\"");
@@ -206,6 +219,13 @@ void putVendorPart(Json& macula, const TransferFunction& function) {
               std::string(colourSpaceName(function.colourSpace)));
     putUnless(function.albedo == 1.0, macula, "albedo", function.albedo);
     putUnless(function.density == 1.0, macula, "density", function.density);
+    if (function.surface != Surface{} || macula.contains("surface")) {
+        Json& surface = child(macula, "surface");
+        put(surface, "weight", function.surface.weight);
+        put(surface, "gradientPerMm", function.surface.gradientPerMm);
+        put(surface, "roughness", function.surface.roughness);
+        put(surface, "reflectance", function.surface.reflectance);
+    }
     const auto& fit = function.fitToVolume;
     Json wanted = fit.has_value();
     if (fit && fit->to == Fit::To::valueRange) wanted = "valueRange";

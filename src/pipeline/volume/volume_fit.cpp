@@ -80,6 +80,7 @@ TransferFunction fitted(const TransferFunction& function, const Volume& volume) 
     for (OpacityPoint& point : result.opacity) point.value = (*fit)(point.value);
     for (ColourPoint& point : result.colour) point.value = (*fit)(point.value);
     for (OpacityPoint& point : result.gradientOpacity) point.value *= fit->scale();
+    result.surface.gradientPerMm *= fit->scale();
     if (result.effectiveRange)
         result.effectiveRange = {(*fit)(result.effectiveRange->low), (*fit)(result.effectiveRange->high)};
     result.fitToVolume.reset();

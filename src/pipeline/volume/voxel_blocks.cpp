@@ -52,17 +52,16 @@ std::vector<std::uint8_t> blocksToShow(const BrickGrid& grid, std::span<const fl
     MACULA_CHECK_EQ(bounds.size(), grid.ranges.size());
     MACULA_CHECK(alsoShown.empty() || alsoShown.size() == bounds.size());
     std::vector<std::uint8_t> show(grid.blockRanges.size());
-    // There is at least as many bricks as blocks along each axis; a block beyond which there is no brick is
-    // touched by its own brick only.
     parallelFor(std::size_t(grid.blocks.y) * std::size_t(grid.blocks.z), [&](std::size_t row) {
         const int y = static_cast<int>(row) % grid.blocks.y;
         const int z = static_cast<int>(row) / grid.blocks.y;
         for (int x = 0; x < grid.blocks.x; ++x) {
-            const glm::ivec3 last = glm::min(glm::ivec3(x, y, z) + 1, grid.size - 1);
+            const glm::ivec3 first = grid.firstBrickOf({x, y, z});
+            const glm::ivec3 last = grid.lastBrickOf({x, y, z});
             bool touched = false;
-            for (int k = z; k <= last.z; ++k) {
-                for (int j = y; j <= last.y; ++j) {
-                    for (int i = x; i <= last.x; ++i) {
+            for (int k = first.z; k <= last.z; ++k) {
+                for (int j = first.y; j <= last.y; ++j) {
+                    for (int i = first.x; i <= last.x; ++i) {
                         const std::size_t brick = grid.index(i, j, k);
                         touched |= bounds[brick] > 0.0f || (!alsoShown.empty() && alsoShown[brick]);
                     }

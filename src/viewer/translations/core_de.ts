@@ -5315,6 +5315,14 @@
         <translation>Die Streuanisotropie der Voreinstellung muss zwischen -0,99 und 0,99 liegen.</translation>
     </message>
     <message>
+        <source>The preset's surface weight or reflectance lies outside 0 to 1, or its roughness outside 0.1 to 1.</source>
+        <translation>Gewicht oder Reflexionsgrad der Oberfläche liegen in der Voreinstellung nicht in 0 bis 1, oder ihre Rauheit nicht in 0,1 bis 1.</translation>
+    </message>
+    <message>
+        <source>The preset's surface gradient must be above 0.</source>
+        <translation>Der Gradient der Oberfläche muss in der Voreinstellung über 0 liegen.</translation>
+    </message>
+    <message>
         <source>The preset's range to fit to the volume is empty.</source>
         <translation>Der Bereich der Voreinstellung, der an das Volumen angepasst wird, ist leer.</translation>
     </message>

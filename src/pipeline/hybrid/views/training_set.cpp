@@ -19,6 +19,7 @@ namespace macula::hybrid {
 namespace {
 
 constexpr double kMostAnisotropy = 0.1;  // forwards 1.8 times as much light as back
+// Surfaces are lit by places all the same: they cost little (docs/peripheral-model.md).
 // Only one in so many views sees a place from about the same side: with that many views a lit picture is as
 // noisy as a traced one.
 constexpr double kSeenByOneIn = 12.0;
