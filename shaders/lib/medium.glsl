@@ -50,7 +50,7 @@ vec3 movedByChance(vec3 p, INOUT(Rng) rng) {
 
 float entryAt(vec3 p, INOUT(Rng) rng) {
     vec3 at = p;
-    // A loop, not an if: lavapipe skips it.
+    // lavapipe skips a loop that no lane enters, and executes the body of every if.
     for (bool moves = useSmooth(); moves; moves = false) at = movedByChance(p, rng);
     return useTrilinear() ? trilinearEntry(at) : stochasticEntry(at, rng);
 }

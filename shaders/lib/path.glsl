@@ -2,8 +2,8 @@
 // is not part of the answer: a path that leaves the volume adds nothing, the light it could have met was added at its
 // vertices; but after a vertex with a surface it adds its share of that (lightAhead).
 //
-// Needs, beside mixture, walk, phase, environment, scattering and material: useSurfaces(), a constant, fetchAlbedo(entry), params.voxelFromWorld*, params.worldFrom*,
-// params.bounces, params.anisotropy, params.lightStrength.
+// Needs, beside mixture, walk, phase, environment, scattering and material: useSurfaces(), a constant; fetchAlbedo(entry),
+// params.voxelFromWorld*, params.worldFrom*, params.bounces, params.anisotropy, params.lightStrength.
 
 vec3 voxelsPerMm(vec3 worldDirection) {
     return params.voxelFromWorldX * worldDirection.x + params.voxelFromWorldY * worldDirection.y +

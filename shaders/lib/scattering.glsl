@@ -95,7 +95,7 @@ vec3 facetSeen(vec3 normal, vec3 a, vec3 b, vec3 from, vec2 u) {
 // A direction after the vertex, by the shares of cloud, coat and body; `u` in the square, `choice` in [0, 1).
 vec3 scatteredDirection(Matter m, vec3 from, vec2 u, float choice) {
     vec3 to = vec3(0.0);
-    // Loops, not ifs: lavapipe skips them where no lane is there.
+    // lavapipe skips a loop that no lane enters, and executes the body of every if.
     for (bool cloud = choice >= m.surface; cloud; cloud = false) to = samplePhase(from, params.anisotropy, u);
     for (bool surface = choice < m.surface; surface; surface = false) {
         vec3 a;

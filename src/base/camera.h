@@ -58,8 +58,8 @@ Result<CameraBasis> basis(const Camera& camera);
 // and below), far enough that the whole box is in the picture.
 Camera frameBox(const Box& box, ViewDirection from, double verticalFovDeg, double aspectWidthOverHeight);
 
-// From where a volume is looked at when nobody says: anterior; oblique when it is less than half as high as
-// it is wide or deep, and would be a thin band from there.
+// The default view direction of a volume, given its box in patient LPS mm: anterior, or oblique for one less
+// than half as high as it is wide or deep, which is a thin band when it is seen from anterior.
 ViewDirection usualDirection(const Box& volumeMm);
 
 // The axes of the picture of frameBox.

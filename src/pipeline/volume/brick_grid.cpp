@@ -66,7 +66,8 @@ EntryRange blockRange(const Volume& volume, const EntryMap& map, glm::ivec3 bloc
     return rangeOf(volume, map, low, glm::min(high, volume.size() - 1));
 }
 
-// The range of a brick: of its own block, and of the layers below it and above it along each axis.
+// Joins the range of the brick's own block with those of the layers of voxels that it reaches below and above
+// along each axis.
 EntryRange brickRange(const Volume& volume, const EntryMap& map, const BrickGrid& grid, glm::ivec3 brick) {
     const glm::ivec3 first = brick * kBrickVoxels;
     const glm::ivec3 last = glm::min(first + kBrickVoxels - 1, volume.size() - 1);
