@@ -1,4 +1,5 @@
 # cmake -D OUT=file.cpp -D ROOT=presets -P embed.cmake: writes every JSON preset into one C++ file.
+# As arrays, not as literals: mold 1.10 may merge long literals of strings for ever.
 function(table function folder)
     file(GLOB files ${ROOT}/${folder}/*.json)
     list(SORT files)
@@ -6,10 +7,12 @@ function(table function folder)
     foreach(file ${files})
         get_filename_component(name ${file} NAME_WLE)
         file(READ ${file} json)
-        string(APPEND text "        {\"${name}\", R\"preset(${json})preset\"},\n")
+        string(MAKE_C_IDENTIFIER "${function}_${name}" id)
+        string(APPEND arrays "constexpr char ${id}[] = R\"preset(${json})preset\";\n")
+        string(APPEND text "        {\"${name}\", {${id}, sizeof(${id}) - 1}},\n")
     endforeach()
     string(APPEND text "    };\n    return files;\n}\n\n")
-    file(APPEND ${OUT}.part "${text}")
+    file(APPEND ${OUT}.part "${arrays}\n${text}")
 endfunction()
 
 file(WRITE ${OUT}.part "// Made by src/presets/embed.cmake.\n#include \"presets/embedded_files.h\"\n\nnamespace macula::presets {\n\n")
