@@ -55,7 +55,8 @@ Result<void> render(const app::RenderWish& options) {
         printNote(note);
         record.notes.push_back(note);
     };
-    for (const std::string& note : app::optionsWithoutEffect(options, state.settings.look)) tell(note);
+    for (const std::string& note : app::optionsWithoutEffect(options, state.settings.look, preset.function))
+        tell(note);
     record.preset = preset.publicName;
     record.presetFitted = preset.function.fitToVolume.has_value();
 

@@ -99,6 +99,45 @@ TEST_F(AWish, countsMoreThanTheView) {
     EXPECT_EQ(*state.lights, *view_.lights);
 }
 
+// Of the preset of the view as of one that is given, or that nobody chose.
+TEST_F(AWish, ofItsMatterChangesWhicheverPreset) {
+    view_.preset = *findPreset(catalogue(), "cinematic-bone");
+    StateWish ofView = saved();
+    StateWish ofName{.preset = "ct-bone"};
+    StateWish ofNobody;
+    for (StateWish* wish : {&ofView, &ofName, &ofNobody}) {
+        StudyInput plainInput = study();
+        StudyState plain = stateFor(*wish);
+        const auto before = completeState(plain, *wish, plainInput);
+        ASSERT_TRUE(before.ok()) << before.error().message;
+
+        wish->matter = {{"surfaceWeight", 0.625}, {"roughness", 0.125}, {"anisotropy", -0.5}};
+        StudyInput input = study();
+        StudyState state = stateFor(*wish);
+        const auto preset = completeState(state, *wish, input);
+        ASSERT_TRUE(preset.ok()) << preset.error().message;
+        TransferFunction wanted = before->function;
+        wanted.surface.weight = 0.625;
+        wanted.surface.roughness = 0.125;
+        wanted.anisotropy = -0.5;
+        EXPECT_EQ(preset->function, wanted);
+        EXPECT_EQ(*state.preset, wanted);
+        EXPECT_EQ(preset->publicName, before->publicName);
+        const auto again = studyStateFromJson(toJson(state), "a view");
+        ASSERT_TRUE(again.ok()) << again.error().message;
+        EXPECT_TRUE(isSame(*again->preset, wanted)) << "a view that is saved holds them";
+    }
+}
+
+TEST_F(AWish, ofMatterThatNoPresetMayHaveIsRefused) {
+    const StateWish wish{.matter = {{"roughness", 0.0}}};
+    StudyInput input = study();
+    StudyState state = stateFor(wish);
+    const auto refused = completeState(state, wish, input);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, ErrorCode::inputNotUsable);
+}
+
 TEST_F(AWish, ofAFieldOfViewKeepsTheCamera) {
     StateWish wish = saved();
     wish.fovDeg = 50.0;

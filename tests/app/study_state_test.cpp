@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -13,7 +11,7 @@
 #include "app/state/drawing_of.h"
 #include "app/state/slices_json.h"
 #include "app/state/state_keys.h"
-#include "base/paths.h"
+#include "app/transfer/own_copy.h"
 #include "base/phantom.h"
 
 namespace macula::app {
@@ -472,31 +470,6 @@ TEST(StudyState, AChangeMakesNoMoreStaleThanItMust) {
               Stale::matter);
 }
 
-TEST(Parameters, FallBackToWhatTheTracerHasAndTakeWhatTheyAllow) {
-    for (const Parameter& p : parameters()) {
-        EXPECT_GE(p.fallback(), p.low) << p.id;
-        EXPECT_LE(p.fallback(), p.high) << p.id;
-        for (const double value : {p.low, p.high}) {
-            trace::Settings settings;
-            p.set(settings, value);
-            EXPECT_EQ(p.get(settings), value) << p.id;
-        }
-        EXPECT_EQ(&parameter(p.id), &p);
-    }
-}
-
-TEST(Parameters, AreThoseOfThePage) {
-    constexpr std::array kStale{"nothing", "display", "camera", "light", "matter", "volume"};
-    std::string table;
-    for (const Parameter& p : parameters())
-        table += fmt::format("| {} | `{}` | {:g} | {:g} | {:g} |{} | {} | {} |\n", p.id, p.option, p.low,
-                             p.high, p.fallback(), p.unit.empty() ? "" : fmt::format(" {}", p.unit), p.does,
-                             kStale.at(std::size_t(p.stale)));
-    std::ifstream page(test::projectFolder() / "docs/parameters.md");
-    const std::string text{std::istreambuf_iterator<char>(page), {}};
-    EXPECT_NE(text.find(table), std::string::npos) << "docs/parameters.md should say:\n" << table;
-}
-
 TEST(DrawingOf, TakesWhatIsNotChosenFromCatalogueAndSeriesAndSaysWhatIsHidden) {
     const auto volume = std::make_shared<const Volume>(phantom::make({.size = glm::ivec3(16)}));
     const SeriesWindows windows;
@@ -531,6 +504,23 @@ TEST(DrawingOf, SaysWhichNumbersAreNotWhatTheyAreByDefault) {
     state.settings.lightRotationDeg = -45.0;
     EXPECT_EQ(drawingOf(state, catalogue(), SeriesWindows(), volume, nullptr).remarks,
               "exposure 3, light rotation -45 degrees");
+}
+
+TEST(DrawingOf, SaysWhatOfTheMatterSomebodyHasChanged) {
+    const auto volume = std::make_shared<const Volume>(phantom::make({.size = glm::ivec3(16)}));
+    const auto bone = *findPreset(catalogue(), "cinematic-bone");
+    StudyState state{.preset = bone};
+    const auto remarks = [&] {
+        return drawingOf(state, catalogue(), SeriesWindows(), volume, nullptr).remarks;
+    };
+    EXPECT_EQ(remarks(), "") << "what a preset has by itself is nothing to be told";
+    TransferFunction copy = ownCopy(*bone, {});
+    copy.surface.roughness = 0.25;
+    copy.anisotropy = -0.5;
+    state.preset = std::make_shared<const TransferFunction>(copy);
+    EXPECT_EQ(remarks(), "roughness 0.25, anisotropy -0.5");
+    state.settings.look = trace::Look::mip;
+    EXPECT_EQ(remarks().find("roughness"), std::string::npos) << "a projection has no surfaces";
 }
 
 }  // namespace

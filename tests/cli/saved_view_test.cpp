@@ -142,6 +142,24 @@ TEST_F(SavedView, CountsLessThanWhatIsGivenBesides) {
               pixels({"--look", "mip", "--preset", "ct-bone"}));
 }
 
+// The preset of the view is that with the name, so both get the same matter.
+TEST_F(SavedView, HasItsPresetWithTheMatterThatIsGiven) {
+    const std::vector<std::string> matter{"--roughness", "0.15", "--reflectance", "0.3"};
+    std::vector<std::string> named{"--preset", "cinematic-bone"};
+    named.insert(named.end(), matter.begin(), matter.end());
+    std::vector<std::string> saved{
+        "--session", writeView({{"version", 1}, {"preset", builtIn("transfer/cinematic-bone.json")}})};
+    const auto plain = pixels(saved);
+    saved.insert(saved.end(), matter.begin(), matter.end());
+    const auto wanted = pixels(named);
+    const json report = made();
+    EXPECT_EQ(report["preset"], "cinematic-bone");
+    EXPECT_EQ(report["matter"]["roughness"], 0.15);
+    EXPECT_EQ(pixels(saved), wanted);
+    EXPECT_EQ(made(), report);
+    EXPECT_NE(plain, wanted);
+}
+
 TEST_F(SavedView, OfANewerMaculaIsDrawnAllTheSame) {
     json view{{"version", 1}, {"exposure", 2.0}};
     const auto plain = pixels({"--session", writeView(view)});

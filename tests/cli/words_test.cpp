@@ -36,7 +36,8 @@ class Words : public CommandTest {
 };
 
 TEST_F(Words, WhatIsNoNumberIsRefused) {
-    for (const char* option : {"--fov", "--error", "--exposure", "--light-rotation", "--light-strength"}) {
+    for (const char* option : {"--fov", "--error", "--exposure", "--light-rotation", "--light-strength",
+                               "--surface", "--surface-gradient", "--anisotropy"}) {
         for (const char* number : {"nan", "NAN", "-nan", "inf", "many", "1x"})
             expectRefused(render({option, number}), option);
     }
@@ -63,6 +64,9 @@ TEST_F(Words, OptionsWithoutEffectAreTold) {
     expectTold({"--look", "mip", "--lights", "even"}, "--lights");
     expectTold({"--look", "minip", "--light-strength", "2"}, "--light-strength");
     expectTold({"--look", "average", "--exposure", "2"}, "--exposure");
+    expectTold({"--look", "dvr", "--surface", "0.5"}, "--surface");
+    expectTold({"--look", "mip", "--anisotropy", "0.5"}, "--anisotropy");
+    expectTold({"--preset", "ct-bone", "--roughness", "0.5"}, "--roughness");
     expectTold({"--look", "cinematic", "--shading"}, "--shading");
     expectTold({"--keep-unfinished"}, "--keep-unfinished");
     const Ran quiet = render({"--look", "mip", "--window", "40,400"});
@@ -131,6 +135,42 @@ TEST_F(Words, APictureTellsAllThatMadeIt) {
     EXPECT_EQ(report["window"]["center"], 40.0);
     const std::string camera = metadata.at("macula:cameraPositionMm");
     EXPECT_EQ(std::stod(camera), std::round(report["camera"]["positionMm"][0].get<double>() * 1e3) / 1e3);
+}
+
+TEST_F(Words, APictureTellsOfItsMatter) {
+    const auto matterOf = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all{"--preset", "ct-bone", "--json", at("a.json")};
+        all.insert(all.end(), more.begin(), more.end());
+        const Ran ran = render(all);
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        EXPECT_EQ(ran.err.find("does nothing"), std::string::npos) << ran.err;
+        const json report = json::parse(readAll(at("a.json")));
+        EXPECT_EQ(report["preset"], "ct-bone");
+        const auto picture = image::readImage(at("a.png"));
+        EXPECT_TRUE(picture.ok());
+        return std::pair(report["matter"], picture ? picture->pixels : std::vector<float>{});
+    };
+    const auto plain = matterOf({});
+    EXPECT_EQ(plain.first["surfaceWeight"], 0.0);
+    const auto given = matterOf({"--surface", "0.75", "--surface-gradient", "60", "--roughness", "0.2",
+                                 "--reflectance", "0.05", "--anisotropy", "-0.25"});
+    EXPECT_EQ(given.first, json::parse(R"({"surfaceWeight": 0.75, "surfaceGradientPerMm": 60.0,
+        "roughness": 0.2, "reflectance": 0.05, "anisotropy": -0.25})"));
+    EXPECT_NE(given.second, plain.second);
+    const std::vector<std::string> keys{"macula:surfaceWeight", "macula:roughness"};
+    const auto found = image::readMetadata(at("a.png"), keys);
+    ASSERT_TRUE(found.ok());
+    const std::map<std::string, std::string> metadata(found->begin(), found->end());
+    EXPECT_EQ(metadata.at("macula:surfaceWeight"), "0.75");
+    EXPECT_EQ(metadata.at("macula:roughness"), "0.2");
+}
+
+TEST_F(Words, MatterThatNoPresetMayHaveIsRefused) {
+    expectRefused(render({"--surface", "1.01"}), "--surface");
+    expectRefused(render({"--surface-gradient", "0"}), "--surface-gradient");
+    expectRefused(render({"--roughness", "0.09"}), "0.1 to 1");
+    expectRefused(render({"--reflectance", "-0.1"}), "--reflectance");
+    expectRefused(render({"--anisotropy", "1"}), "-0.99 to 0.99");
 }
 
 TEST_F(Words, ASheetNamesEachPicture) {

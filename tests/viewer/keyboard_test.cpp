@@ -1,4 +1,5 @@
 // Panels and dialogs by the keyboard alone.
+#include <QPushButton>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -62,6 +63,7 @@ TEST_F(KeyboardTest, TheClipPanel) {
 TEST_F(KeyboardTest, TheTransferFunction) {
     auto* editor = new TransferFunctionEditor(*session_);
     ASSERT_TRUE(waitUntil([&] { return !editor->isCounting(); }));
+    editor->findChild<QPushButton*>(QStringLiteral("transfer-matter"))->click();
     walk(editor);
 }
 

@@ -7,8 +7,32 @@
 #include <vector>
 
 #include "app/clip/eye_cut.h"
+#include "app/transfer/own_copy.h"
 
 namespace macula::app {
+
+namespace {
+
+template <class Of>
+std::string numberText(const ParameterOf<Of>& p, const Of& of) {
+    return fmt::format("{} {:g}{}{}", p.label, p.get(of), p.unit.empty() ? "" : " ", p.unit);
+}
+
+// What an edited preset's matter is like that it is not in the preset which it was copied from. Of one that
+// somebody brings along nothing is to be said: its numbers are its own.
+void addMatter(std::vector<std::string>& remarks, const TransferFunction& preset,
+               const Catalogue& catalogue) {
+    const std::string from = copiedFrom(preset);
+    if (from.empty()) return;
+    const Result<std::shared_ptr<const TransferFunction>> original = findPreset(catalogue, from);
+    if (!original) return;
+    for (const MatterParameter& p : matterParameters()) {
+        if (p.id == "surfaceGradientPerMm") continue;  // a hand that widens the curves changes it too
+        if (p.get(preset) != p.get(**original)) remarks.push_back(numberText(p, preset));
+    }
+}
+
+}  // namespace
 
 trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesWindows,
                            const Volume* volume) {
@@ -35,10 +59,9 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
     if (trace::isProjection(look) && volume)
         remarks.push_back(windowText(*drawing.settings.window, volume->unitName()));
     for (const Parameter& p : parameters()) {
-        if (p.get(state.settings) == p.fallback()) continue;
-        remarks.push_back(
-            fmt::format("{} {:g}{}{}", p.label, p.get(state.settings), p.unit.empty() ? "" : " ", p.unit));
+        if (p.get(state.settings) != p.fallback()) remarks.push_back(numberText(p, state.settings));
     }
+    if (state.preset && trace::isPathTraced(look)) addMatter(remarks, *state.preset, catalogue);
     if (drawing.clip && drawing.clip->mask)
         remarks.push_back(drawing.clip->mask->remark.empty() ? "masked" : drawing.clip->mask->remark);
     if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back("clipped");

@@ -1,5 +1,5 @@
-// The numbers that a person may turn, in one table: options of `macula render`, keys of saved views and
-// remarks on pictures are made from it, and a test holds docs/parameters.md to it.
+// The numbers that a person may turn, in two tables: options of `macula render`, keys of saved views and
+// remarks on pictures are made from them, and a test holds docs/parameters.md to them.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "pipeline/trace/settings.h"
+#include "pipeline/volume/transfer_function.h"
 
 namespace macula::app {
 
@@ -20,8 +21,10 @@ enum class Stale {
     volume,   // all
 };
 
-struct Parameter {
-    std::string_view id;      // JSON key
+// A number of the settings, or of the preset.
+template <class Of>
+struct ParameterOf {
+    std::string_view id;      // JSON key; of a preset's, the key of a wish and of a record
     std::string_view option;  // of the command
     std::string_view label;   // for people, within a sentence
     std::string_view unit;    // "degrees"; empty: a count or a factor
@@ -30,15 +33,21 @@ struct Parameter {
     bool isWhole = false;
     Stale stale = Stale::light;
     std::string_view does;  // a sentence
-    double (*get)(const trace::Settings&);
-    void (*set)(trace::Settings&, double);
+    double (*get)(const Of&);
+    void (*set)(Of&, double);
 
-    double fallback() const { return get(trace::Settings{}); }
+    double fallback() const { return get(Of{}); }
 };
 
-std::span<const Parameter> parameters();
+using Parameter = ParameterOf<trace::Settings>;
+// How matter scatters light. A saved view holds it within its preset.
+using MatterParameter = ParameterOf<TransferFunction>;
 
-// The parameter with that id, which must be in the table.
+std::span<const Parameter> parameters();
+std::span<const MatterParameter> matterParameters();
+
+// The parameter with that id, which must be in its table.
 const Parameter& parameter(std::string_view id);
+const MatterParameter& matterParameter(std::string_view id);
 
 }  // namespace macula::app

@@ -98,8 +98,10 @@ Result<StudyPreset> completeState(StudyState& state, const StateWish& wish, Stud
         tellOf({preset.function, {}}, study);
     } else {
         MACULA_TRY(preset, choosePresetFor(study, wish.preset, wish.fit));
-        state.preset = std::make_shared<const TransferFunction>(preset.function);
     }
+    for (const auto& [id, value] : wish.matter) matterParameter(id).set(preset.function, value);
+    MACULA_TRY_VOID(validate(preset.function));
+    state.preset = std::make_shared<const TransferFunction>(preset.function);
     const trace::Look look = state.settings.look;
     if (trace::isProjection(look) && !wish.preset.empty() && wish.window.empty())
         state.windows.at(std::size_t(look)) = presetWindow(preset.function, *study.volume);

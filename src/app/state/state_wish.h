@@ -30,6 +30,7 @@ struct StateWish {
     std::optional<trace::Look> look = {};
     std::string window = {};                          // of projections: parseWindow
     std::map<std::string_view, double> numbers = {};  // by Parameter::id
+    std::map<std::string_view, double> matter = {};   // by MatterParameter::id; of whichever preset
     std::optional<ViewDirection> view = {};           // what is seen fills the picture, from there
     std::filesystem::path camera = {};                // camera_file.h
     double fovDeg = 0.0;                              // 0: not given; of whichever camera
@@ -46,7 +47,8 @@ std::vector<std::filesystem::path> filesOf(const StateWish& wish);
 // study.
 Result<StudyState> stateOf(const StateWish& wish, StudyState usual = {});
 
-// The same for a study that is read and in 16 bits. The state gets the preset that is drawn. The range of one
+// The same for a study that is read and in 16 bits. The state gets the preset that is drawn, with the numbers
+// that are given of its matter; its name is that of the preset they were given for. The range of one
 // that was given becomes the window of a projection, as in the viewer. What there is to say of the preset
 // joins the notes of the study, and so does what a presentation state has that is shown otherwise.
 // inputNotUsable for a view or a presentation state of another series.

@@ -169,7 +169,8 @@ TransferFunction widened(TransferFunction function, double factor, double about)
     if (factor == 1.0) return function;
     mapValues(function, [=](double value) { return about + factor * (value - about); });
     for (OpacityPoint& point : function.gradientOpacity) point.value = inRange(factor * point.value);
-    function.surface.gradientPerMm = std::clamp(factor * function.surface.gradientPerMm, 1e-6, 1e6);
+    function.surface.gradientPerMm =
+        std::clamp(factor * function.surface.gradientPerMm, kLeastSurfaceGradient, kMostSurfaceGradient);
     return function;
 }
 

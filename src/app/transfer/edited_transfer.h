@@ -43,6 +43,10 @@ TransferFunction shifted(TransferFunction function, double by);
 inline constexpr double kNarrowestCurve = 1e-6;
 TransferFunction widened(TransferFunction function, double factor, double about);
 
+// Of a surface, in units of the curve per mm: what files hold.
+inline constexpr double kLeastSurfaceGradient = 1e-6;
+inline constexpr double kMostSurfaceGradient = 1e6;
+
 // All opacities times a factor of 0 or above, at most 1.
 TransferFunction withOpacityScaled(TransferFunction function, double factor);
 

@@ -44,6 +44,8 @@ TransferFunctionEditor::TransferFunctionEditor(ViewerSession& session, QWidget* 
       line_(new QLabel(this)),
       curve_(new TransferCurve(this)),
       fields_(new PointFields(this)),
+      matter_(new MatterFields(this)),
+      showsMatter_(new QPushButton(tr("Matter"), this)),
       reset_(new QPushButton(tr("Reset"), this)),
       save_(new QPushButton(tr("Save as…"), this)) {
     line_->setObjectName(QStringLiteral("transfer-line"));
@@ -53,24 +55,41 @@ TransferFunctionEditor::TransferFunctionEditor(ViewerSession& session, QWidget* 
     // The curve does not move under a hand whose first change makes the line longer.
     line_->setMinimumHeight(2 * line_->fontMetrics().lineSpacing());
     line_->setAccessibleName(tr("Which preset is edited"));
+    makeButtons();
+
+    // Below the fields: beside them they would take half of a window from the pictures.
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(showsMatter_);
+    buttons->addStretch(1);
+    buttons->addWidget(reset_);
+    buttons->addWidget(save_);
+    // The curve makes room for the numbers of the matter, so the button that shows them stays where it is.
+    auto* column = new QVBoxLayout(this);
+    column->addWidget(line_);
+    column->addWidget(curve_, 1);
+    column->addWidget(fields_);
+    column->addWidget(matter_);
+    column->addLayout(buttons);
+
+    listen();
+    onStudyShown();
+}
+
+void TransferFunctionEditor::makeButtons() {
+    matter_->hide();
+    showsMatter_->setObjectName(QStringLiteral("transfer-matter"));
+    showsMatter_->setCheckable(true);
+    showsMatter_->setAccessibleName(tr("Show how matter scatters light"));
+    showsMatter_->setToolTip(tr("How matter scatters light: its surface, and anisotropy"));
     reset_->setObjectName(QStringLiteral("transfer-reset"));
     reset_->setAccessibleName(tr("Reset the transfer function"));
     reset_->setToolTip(tr("Back to the preset as it was chosen; can be undone"));
     save_->setObjectName(QStringLiteral("transfer-save"));
     save_->setAccessibleName(tr("Save the transfer function as a preset"));
     save_->setToolTip(tr("Keep this transfer function as a preset of your own"));
+}
 
-    // Below the fields: beside them they would take half of a window from the pictures.
-    auto* buttons = new QHBoxLayout;
-    buttons->addStretch(1);
-    buttons->addWidget(reset_);
-    buttons->addWidget(save_);
-    auto* column = new QVBoxLayout(this);
-    column->addWidget(line_);
-    column->addWidget(curve_, 1);
-    column->addWidget(fields_);
-    column->addLayout(buttons);
-
+void TransferFunctionEditor::listen() {
     connect(curve_, &TransferCurve::edited, this, [this](const TransferFunction& f) { propose(f, false); });
     connect(curve_, &TransferCurve::dragged, this, [this](const TransferFunction& f) { propose(f, true); });
     connect(curve_, &TransferCurve::dragEnded, this, [this] { session_.endDrag(); });
@@ -84,16 +103,19 @@ TransferFunctionEditor::TransferFunctionEditor(ViewerSession& session, QWidget* 
     connect(fields_, &PointFields::colourChanged, this,
             [this](const glm::dvec3& colour) { changeSelected({}, {}, colour); });
     connect(fields_, &PointFields::ended, this, [this] { session_.endDrag(); });
+    connect(matter_, &MatterFields::changed, this, &TransferFunctionEditor::changeMatter);
+    connect(matter_, &MatterFields::ended, this, [this] { session_.endDrag(); });
+    connect(showsMatter_, &QPushButton::toggled, matter_, &QWidget::setVisible);
     connect(reset_, &QPushButton::clicked, this, &TransferFunctionEditor::reset);
     connect(save_, &QPushButton::clicked, this, &TransferFunctionEditor::saveAsked);
     connect(&session_, &ViewerSession::studyShown, this, &TransferFunctionEditor::onStudyShown);
     connect(&session_, &ViewerSession::changed, this, &TransferFunctionEditor::onChanged);
-    onStudyShown();
 }
 
 // A field that loses the focus with its life still tells.
 TransferFunctionEditor::~TransferFunctionEditor() {
     fields_->disconnect(this);
+    matter_->disconnect(this);
     curve_->disconnect(this);
 }
 
@@ -125,7 +147,7 @@ void TransferFunctionEditor::onChanged(const app::StudyState& before) {
 }
 
 void TransferFunctionEditor::showNothing() {
-    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_, reset_, save_})
+    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_, matter_, reset_, save_})
         part->setEnabled(false);
     own_ = {};
     isCopy_ = false;
@@ -147,9 +169,13 @@ void TransferFunctionEditor::showState() {
     const std::optional<app::ValueMap> map = mapFor(own_);
     const Volume& volume = *session_.study().volume;
     const QString unit = QString::fromStdString(volume.unitName());
-    fields_->setUnit(unit, volume.unit() == Unit::hounsfield ? 2 : 4);
+    const int decimals = volume.unit() == Unit::hounsfield ? 2 : 4;
+    fields_->setUnit(unit, decimals);
+    matter_->setUnit(unit, decimals, map.value_or(app::ValueMap{}));
+    matter_->showMatter(own_);
     fields_->setUnitDistance(own_.unitDistanceMm);
-    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_}) part->setEnabled(map.has_value());
+    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_, matter_})
+        part->setEnabled(map.has_value());
     reset_->setEnabled(isCopy_);
     save_->setEnabled(true);
     if (map) {
@@ -276,6 +302,12 @@ void TransferFunctionEditor::changeSelected(std::optional<double> value, std::op
     }
     if (!(edited == own_)) propose(edited, true);
     showFields();  // what was typed may lie beyond the next point
+}
+
+void TransferFunctionEditor::changeMatter(const app::MatterParameter& parameter, double value) {
+    TransferFunction edited = own_;
+    parameter.set(edited, value);
+    if (!(edited == own_)) propose(edited, true);
 }
 
 void TransferFunctionEditor::reset() {

@@ -16,6 +16,7 @@
 #include "pipeline/volume/transfer_function.h"
 #include "viewer/background_job.h"
 #include "viewer/session/viewer_session.h"
+#include "viewer/transfer/matter_fields.h"
 #include "viewer/transfer/point_fields.h"
 #include "viewer/transfer/transfer_curve.h"
 
@@ -72,9 +73,12 @@ class TransferFunctionEditor : public QWidget {
     // How the preset lies on the volume; nothing as long as that is not known.
     std::optional<app::ValueMap> mapFor(const TransferFunction& function) const;
 
+    void makeButtons();
+    void listen();
     void propose(const TransferFunction& function, bool isDrag);
     void changeSelected(std::optional<double> value, std::optional<double> opacity,
                         const std::optional<glm::dvec3>& colour);
+    void changeMatter(const app::MatterParameter& parameter, double value);
     void reset();
     void showFields();
     void showLine();
@@ -84,6 +88,8 @@ class TransferFunctionEditor : public QWidget {
     QLabel* line_ = nullptr;
     TransferCurve* curve_ = nullptr;
     PointFields* fields_ = nullptr;
+    MatterFields* matter_ = nullptr;
+    QPushButton* showsMatter_ = nullptr;
     QPushButton* reset_ = nullptr;
     QPushButton* save_ = nullptr;
 

@@ -1,0 +1,89 @@
+#include "viewer/transfer/matter_fields.h"
+
+#include <QFormLayout>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string>
+
+#include "viewer/language/core_words.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kDecimals = 3;
+constexpr double kStep = 0.05;
+constexpr std::string_view kGradient = "surfaceGradientPerMm";
+
+// "Surface gradient": a label stands by itself, and begins a sentence.
+QString labelOf(const app::MatterParameter& parameter) {
+    std::string label(parameter.label);
+    label.front() = char(std::toupper(static_cast<unsigned char>(label.front())));
+    return inWindowsLanguage(label);
+}
+
+QString doesOf(const app::MatterParameter& parameter) {
+    return inWindowsLanguage(std::string(parameter.does));
+}
+
+}  // namespace
+
+MatterFields::MatterFields(QWidget* parent) : QWidget(parent) {
+    auto* form = new QFormLayout(this);
+    form->setContentsMargins(0, 0, 0, 0);
+    for (const app::MatterParameter& parameter : app::matterParameters()) addRow(parameter);
+    for (const Row& row : rows_) form->addRow(labelOf(*row.parameter), row.box);
+    setUnit({}, 2, {});
+    showMatter(TransferFunction{});
+}
+
+void MatterFields::addRow(const app::MatterParameter& parameter) {
+    auto* box = new QDoubleSpinBox(this);
+    box->setObjectName(QStringLiteral("matter-") +
+                       QString::fromUtf8(parameter.id.data(), int(parameter.id.size())));
+    box->setAccessibleName(labelOf(parameter));
+    box->setToolTip(doesOf(parameter));
+    box->setKeyboardTracking(false);  // a number that is half typed changes nothing
+    if (parameter.id == kGradient) {
+        box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);  // some are of 0.01, some of 1000
+    } else {
+        box->setDecimals(kDecimals);
+        box->setSingleStep(kStep);
+        box->setRange(parameter.low, parameter.high);
+    }
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, &parameter](double value) {
+        emit changed(parameter, std::clamp(value / scaleOf(parameter), parameter.low, parameter.high));
+    });
+    connect(box, &QDoubleSpinBox::editingFinished, this, &MatterFields::ended);
+    rows_.push_back({&parameter, box});
+}
+
+double MatterFields::scaleOf(const app::MatterParameter& parameter) const {
+    return parameter.id == kGradient ? map_.scale : 1.0;
+}
+
+void MatterFields::setUnit(const QString& unit, int decimals, const app::ValueMap& map) {
+    map_ = map;
+    for (const Row& row : rows_) {
+        if (row.parameter->id != kGradient) continue;
+        const QSignalBlocker quiet(row.box);  // fewer decimals round the number
+        row.box->setDecimals(decimals);
+        // The least that can be shown is not 0, which no gradient is.
+        row.box->setRange(std::max(std::pow(10.0, -decimals), row.parameter->low * map.scale),
+                          row.parameter->high * map.scale);
+        row.box->setSuffix(unit.isEmpty() ? tr(" per mm") : tr(" %1/mm").arg(unit));
+        row.box->setToolTip(
+            QStringLiteral("%1 (%2)").arg(doesOf(*row.parameter), row.box->suffix().trimmed()));
+    }
+}
+
+void MatterFields::showMatter(const TransferFunction& function) {
+    for (const Row& row : rows_) {
+        const QSignalBlocker quiet(row.box);
+        row.box->setValue(row.parameter->get(function) * scaleOf(*row.parameter));
+    }
+}
+
+}  // namespace macula::viewer
