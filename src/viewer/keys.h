@@ -42,6 +42,7 @@ enum class KeyAction {
     removeTable,
     noClip,
     clipHandles,
+    lights,
     scissors,
     clipFromEye,
     openFolder,
@@ -117,6 +118,8 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::clipHandles, "", "K", "Handles of the clip in all pictures, or not"},
     KeyRow{KeyAction::clipFromEye, "Shift + wheel in 3D with handles", "",
            "Cut across the line of sight: deeper, less deep"},
+    KeyRow{KeyAction::lights, "Drag a handle, Shift + wheel in 3D with the panel of lights", "",
+           "Where a light shines from, how strong it is"},
     KeyRow{KeyAction::scissors, "", "X",
            "Scissors: draw around what is to go in 3D; with Shift, what stays; or not"},
     KeyRow{KeyAction::openFolder, "Drop a folder or a file", "Ctrl+O", "Open a study"},
@@ -131,7 +134,8 @@ inline constexpr std::array kKeys{
     KeyRow{KeyAction::undo, "", "Ctrl+Z", "Undo the last change"},
     KeyRow{KeyAction::redo, "", "Ctrl+Shift+Z", "Do it again"},
     KeyRow{KeyAction::panes, "F5 to F9", "", "Four panes, or 3D, axial, coronal, sagittal alone"},
-    KeyRow{KeyAction::panels, "F2 to F4, F10", "", "Panels: studies, transfer function, clip; presets"},
+    KeyRow{KeyAction::panels, "F2 to F4, F10, F12", "",
+           "Panels: studies, transfer function, clip; presets; lights"},
     KeyRow{KeyAction::segmentations, "", "F11", "Panel: segmentations"},
     KeyRow{KeyAction::find, "", "Ctrl+F", "Find a study of the folder"},
     KeyRow{KeyAction::sliceStep, "Wheel, Up, Down on slices", "",
@@ -170,8 +174,8 @@ inline constexpr std::array kLayouts{LayoutRow{app::Layout::fourPanes, "&Four Pa
                                      LayoutRow{app::Layout::coronal, "C&oronal Alone", "F8"},
                                      LayoutRow{app::Layout::sagittal, "Sa&gittal Alone", "F9"}};
 
-// Studies, transfer function, clip, presets.
-inline constexpr std::array kPanelKeys{"F2", "F3", "F4", "F10"};
+// Studies, transfer function, clip, presets, lights.
+inline constexpr std::array kPanelKeys{"F2", "F3", "F4", "F10", "F12"};
 
 // Empty for what only a hand does.
 QKeySequence keyOf(KeyAction action);

@@ -74,6 +74,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     setAcceptDrops(true);
 
     makePanes();
+    makeLights();
     makeClipTools();
     auto* centre = new QWidget(this);
     auto* column = new QVBoxLayout(centre);

@@ -53,6 +53,7 @@ class ConvergeNow;
 class CutTools;
 class HeadsetMirror;
 class HeadsetShow;
+class LightsDesk;
 class ModelExport;
 class MovieExport;
 class MoviePanel;
@@ -180,6 +181,7 @@ class MainWindow : public QMainWindow {
     void makePanes();
     void makePanels();
     void makeClipTools();
+    void makeLights();
     void connectCutting();
     QWidget* makeClipColumn();
     void addClipActions(QMenu& menu);
@@ -330,6 +332,7 @@ class MainWindow : public QMainWindow {
     ToolBox* tools_ = nullptr;
     UndoActions* undo_ = nullptr;
     TransferFunctionEditor* transfer_ = nullptr;
+    LightsDesk* lightsDesk_ = nullptr;
     ClipPanel* clipPanel_ = nullptr;
     ClipEditing* clipEditing_ = nullptr;
     CutTools* cutTools_ = nullptr;

@@ -13,6 +13,7 @@
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
 #include "viewer/keys.h"
+#include "viewer/lights/lights_desk.h"
 #include "viewer/main_window.h"
 #include "viewer/slices/slice_view.h"
 
@@ -21,7 +22,8 @@ namespace macula::viewer {
 void MainWindow::makeClipTools() {
     clipEditing_ = new ClipEditing(session_, this);
     scissors_ = new ScissorTool(*clipEditing_, this);
-    viewport_->setTools({scissors_, new ClipHandlesTool(session_, *clipEditing_, this)});
+    viewport_->setTools(
+        {scissors_, &lightsDesk_->tool(), new ClipHandlesTool(session_, *clipEditing_, this)});
     connect(clipEditing_, &ClipEditing::changed, this, [this] {
         for (SliceView* pane : slices_)
             pane->showClip(clipEditing_->showsOnSlices(), clipEditing_->hasHandles());

@@ -42,6 +42,27 @@ void fill(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items)
     }
 }
 
+// How values between voxels are found; of looks that are traced.
+void addSmoothing(QMenu& menu, ViewerSession& session) {
+    QAction* smooth = menu.addAction(MainWindow::tr("S&mooth Between Voxels"));
+    smooth->setObjectName(QStringLiteral("smooth-between-voxels"));
+    smooth->setCheckable(true);
+    smooth->setToolTip(MainWindow::tr(
+        "No rings on skin and bone, and edges that are a voxel softer; of Cinematic and Clear"));
+    QObject::connect(smooth, &QAction::triggered, &session, [&session](bool isSmooth) {
+        session.change(MainWindow::tr("Smoothing"), [isSmooth](app::StudyState& next) {
+            next.settings.filter = isSmooth ? trace::Filter::smooth : trace::Filter::trilinear;
+        });
+    });
+    const auto show = [smooth, &session] {
+        smooth->setChecked(session.state().settings.filter == trace::Filter::smooth);
+        smooth->setEnabled(trace::isPathTraced(session.state().settings.look));
+    };
+    QObject::connect(&session, &ViewerSession::changed, smooth, show);
+    QObject::connect(&session, &ViewerSession::studyShown, smooth, show);
+    show();
+}
+
 }  // namespace
 
 void MainWindow::makeMenus() {
@@ -180,6 +201,7 @@ void MainWindow::makeLookMenu() {
     shading_->setShortcut(keyOf(KeyAction::shade));
     shading_->setToolTip(tr("Light ray casts from the eye, as much as the preset says"));
     shading_->setChecked(true);
+    addSmoothing(*looks_, session_);
     QAction* window = looks_->addAction(tr("Reset &Window"), this, [this] {
         session_.change(tr("Window"), [](app::StudyState& next) {
             next.windows.at(std::size_t(next.settings.look)).reset();
@@ -236,6 +258,7 @@ void MainWindow::makeToolBar() {
     presets_ = new PresetBox(*presetLibrary_, bar);
     lights_ = new QComboBox(bar);
     lights_->setAccessibleName(tr("Lights"));
+    lights_->setPlaceholderText(tr("Own"));
     fill(*lights_, catalogue().lights);
     bar->addWidget(new QLabel(tr(" Preset "), bar));
     bar->addWidget(presets_);

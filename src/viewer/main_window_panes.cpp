@@ -11,6 +11,7 @@
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_panel.h"
 #include "viewer/keys.h"
+#include "viewer/lights/lights_desk.h"
 #include "viewer/main_window.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
@@ -114,6 +115,9 @@ void MainWindow::makePanels() {
         add(Qt::RightDockWidgetArea, gallery_, tr("Presets"), "presets-panel", kPanelKeys[3]);
     QDockWidget* segments =
         add(Qt::RightDockWidgetArea, segmentsPanel_, tr("Segmentations"), "segments-panel", "F11");
+    QDockWidget* lights =
+        add(Qt::RightDockWidgetArea, lightsDesk_->column(), tr("Lights"), "lights-panel", kPanelKeys[4]);
+    connect(lights, &QDockWidget::visibilityChanged, lightsDesk_, &LightsDesk::setPanelOpen);
     // Two that are seldom wanted at once share a place once both are shown. Not before: the window would make
     // room for what is hidden.
     const auto sharePlace = [this](QDockWidget* one, QDockWidget* other) {
@@ -130,6 +134,8 @@ void MainWindow::makePanels() {
     };
     sharePlace(first, presets);
     sharePlace(second, segments);
+    sharePlace(second, lights);
+    sharePlace(segments, lights);
 }
 
 void MainWindow::explainTabs() {

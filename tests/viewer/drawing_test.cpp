@@ -63,6 +63,10 @@ TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
     EXPECT_TRUE(says("Path traced"));
     EXPECT_FALSE(isGrey());
     const QString studio = box("Lights").currentText();
+    action("smooth-between-voxels").trigger();
+    EXPECT_EQ(window_->state().settings.filter, trace::Filter::smooth);
+    window_->session().undo();
+    EXPECT_FALSE(action("smooth-between-voxels").isChecked());
 
     struct Expected {
         int key;
@@ -85,6 +89,7 @@ TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
         EXPECT_EQ(box("Lights").isEnabled(), expected.hasLights);
         // Lights that nobody chose go with the look.
         EXPECT_EQ(box("Lights").currentText() == studio, expected.look != trace::Look::clear);
+        EXPECT_EQ(action("smooth-between-voxels").isEnabled(), expected.hasLights);
         EXPECT_EQ(action("shade-ray-cast").isEnabled(), expected.look == trace::Look::dvr);
     }
     const int checked = int(std::count_if(trace::kLooks.begin(), trace::kLooks.end(), [&](const auto& look) {

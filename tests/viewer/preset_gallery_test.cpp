@@ -297,7 +297,7 @@ TEST_F(PresetGalleryTest, PicturesOfTheVolumeAreDrawnOfWhatIsSeenAndAnewForAnoth
     EXPECT_FALSE(gallery_->isDrawing());
     openStudy();
     const auto picture = [&] {
-        return preset(QStringLiteral("CT-Bone")).data(Qt::DecorationRole).value<QImage>();
+        return preset(QStringLiteral("Cinematic bone")).data(Qt::DecorationRole).value<QImage>();
     };
     ASSERT_TRUE(waitUntil([&] { return !picture().isNull() && !gallery_->isDrawing(); }));
     const QImage first = picture();

@@ -12,6 +12,7 @@
 #include "app/choice/preset_choice.h"
 #include "app/clip/eye_cut.h"
 #include "app/frame/projection_windows.h"
+#include "app/lights/light_direction.h"
 #include "app/presentation/palette_of_transfer.h"
 #include "app/presentation/voxel_axes.h"
 #include "app/state/drawing_of.h"
@@ -54,17 +55,6 @@ dicom::PresentedView viewOf(const Camera& seen, const CameraBasis& axes, const V
     return view;
 }
 
-// Towards the light, patient LPS.
-glm::dvec3 directionTo(const trace::SoftLight& light, trace::LightFrame frame, double rotationDeg,
-                       const CameraBasis& axes) {
-    const double azimuth = kDegree * (light.azimuthDeg + rotationDeg);
-    const double elevation = kDegree * light.elevationDeg;
-    const double across = std::sin(azimuth) * std::cos(elevation);
-    const double along = std::cos(azimuth) * std::cos(elevation);
-    if (frame == trace::LightFrame::patient) return {across, -along, std::sin(elevation)};
-    return across * axes.right + std::sin(elevation) * axes.up - along * axes.forward;
-}
-
 double brightnessOf(const glm::dvec3& linear) {
     return glm::dot(linear, glm::dvec3(0.2126, 0.7152, 0.0722));
 }
@@ -80,7 +70,7 @@ dicom::PresentedShading shadingOf(const trace::LightRig& rig, double rotationDeg
         all += gives;
         if (gives <= strongest) continue;
         strongest = gives;
-        shading.lightDirection = -glm::normalize(directionTo(light, rig.frame, rotationDeg, axes));
+        shading.lightDirection = -directionTo(light, {rig.frame, axes, rotationDeg});
     }
     if (strongest > 0.0) {
         shading.diffuse = strongest / all;

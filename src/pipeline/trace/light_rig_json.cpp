@@ -9,9 +9,7 @@ namespace macula::trace {
 
 namespace {
 
-constexpr JsonRange kRadiance{0.0, 1e6};
-// The sky is sampled once per 0.7 degrees: smaller lights would change their power with where they stand.
-constexpr double kLeastRadiusDeg = 3.0;
+constexpr JsonRange kRadiance{0.0, kMostRadiance};
 
 glm::dvec3 radiance(const JsonNode& node) {
     const std::vector<double> rgb = node.numbers(3, kRadiance);
@@ -43,11 +41,11 @@ Result<LightRig> lightRigFromJson(std::string_view text, const std::string& wher
     rig.ambientHorizon = radiance(ambient["horizon"]);
     rig.ambientNadir = radiance(ambient["nadir"]);
     bool dark = rig.ambientZenith + rig.ambientHorizon + rig.ambientNadir == glm::dvec3(0.0);
-    for (const JsonNode& node : root["lights"].items(0, 64)) {
+    for (const JsonNode& node : root["lights"].items(0, kMostLights)) {
         node.allowOnly({"azimuthDeg", "elevationDeg", "angularRadiusDeg", "color", "radiance"});
         const SoftLight light{node["azimuthDeg"].number({-360.0, 360.0}),
                               node["elevationDeg"].number({-90.0, 90.0}),
-                              node["angularRadiusDeg"].number({kLeastRadiusDeg, 180.0}),
+                              node["angularRadiusDeg"].number({kLeastLightRadiusDeg, kMostLightRadiusDeg}),
                               radiance(node["color"]), node["radiance"].number(kRadiance)};
         dark = dark && light.colour * light.radiance == glm::dvec3(0.0);
         rig.lights.push_back(light);

@@ -1,6 +1,7 @@
 // Light rigs as JSON; presets/schema/light-rig.schema.json is the reference.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,13 @@
 #include "pipeline/trace/environment.h"
 
 namespace macula::trace {
+
+// What a file can hold. The sky is sampled once per 0.7 degrees: smaller lights would change their power with
+// where they stand.
+inline constexpr double kLeastLightRadiusDeg = 3.0;
+inline constexpr double kMostLightRadiusDeg = 180.0;
+inline constexpr double kMostRadiance = 1e6;
+inline constexpr std::size_t kMostLights = 64;
 
 // Fails with inputNotUsable; the message tells the line or the key, the hint what was expected. `where` is
 // the file, for the error.

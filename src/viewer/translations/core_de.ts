@@ -341,12 +341,44 @@
         <translation>3D-Ansicht als DICOM Presentation State speichern</translation>
     </message>
     <message>
-        <source>F2 to F4, F10</source>
-        <translation>F2 bis F4, F10</translation>
+        <source>F2 to F4, F10, F12</source>
+        <translation>F2 bis F4, F10, F12</translation>
     </message>
     <message>
-        <source>Panels: studies, transfer function, clip; presets</source>
-        <translation>Leisten: Studien, Übertragungsfunktion, Beschnitt; Voreinstellungen</translation>
+        <source>Panels: studies, transfer function, clip; presets; lights</source>
+        <translation>Leisten: Studien, Übertragungsfunktion, Beschnitt; Voreinstellungen; Lichter</translation>
+    </message>
+    <message>
+        <source>Drag a handle, Shift + wheel in 3D with the panel of lights</source>
+        <translation>Griff ziehen, Umschalt + Mausrad in 3D mit der Leiste der Lichter</translation>
+    </message>
+    <message>
+        <source>Where a light shines from, how strong it is</source>
+        <translation>Woher ein Licht scheint, wie stark es ist</translation>
+    </message>
+    <message>
+        <source>There is no such light.</source>
+        <translation>Dieses Licht gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Choose another one of the rig.</source>
+        <translation>Wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>Without any light the picture would be black.</source>
+        <translation>Ohne jedes Licht wäre das Bild schwarz.</translation>
+    </message>
+    <message>
+        <source>Leave a light, or a sky that is not black.</source>
+        <translation>Lassen Sie ein Licht oder einen Himmel, der nicht schwarz ist.</translation>
+    </message>
+    <message>
+        <source>The rig has no room for one more light.</source>
+        <translation>Für ein weiteres Licht ist kein Platz.</translation>
+    </message>
+    <message>
+        <source>Remove one first.</source>
+        <translation>Entfernen Sie zuerst eines.</translation>
     </message>
     <message>
         <source>Panel: segmentations</source>
@@ -424,6 +456,90 @@
         <translation>Cinematic PET</translation>
     </message>
     <message>
+        <source>Cinematic airways</source>
+        <translation>Cinematic Atemwege</translation>
+    </message>
+    <message>
+        <source>Cinematic aorta</source>
+        <translation>Cinematic Aorta</translation>
+    </message>
+    <message>
+        <source>Cinematic bronchi</source>
+        <translation>Cinematic Bronchien</translation>
+    </message>
+    <message>
+        <source>Cinematic fat</source>
+        <translation>Cinematic Fett</translation>
+    </message>
+    <message>
+        <source>Cinematic heart</source>
+        <translation>Cinematic Herz</translation>
+    </message>
+    <message>
+        <source>Cinematic metal</source>
+        <translation>Cinematic Metall</translation>
+    </message>
+    <message>
+        <source>Cinematic MR brain</source>
+        <translation>Cinematic MR Gehirn</translation>
+    </message>
+    <message>
+        <source>Cinematic MR skin</source>
+        <translation>Cinematic MR Haut</translation>
+    </message>
+    <message>
+        <source>Cinematic muscle</source>
+        <translation>Cinematic Muskulatur</translation>
+    </message>
+    <message>
+        <source>Cinematic skeleton</source>
+        <translation>Cinematic Skelett</translation>
+    </message>
+    <message>
+        <source>Cinematic skin</source>
+        <translation>Cinematic Haut</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Surface gradient</source>
+        <translation>Gradient der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Reflectance</source>
+        <translation>Reflexionsgrad</translation>
+    </message>
+    <message>
+        <source>Anisotropy</source>
+        <translation>Anisotropie</translation>
+    </message>
+    <message>
+        <source>Part of the light that the steepest boundary scatters like a rough, wet surface</source>
+        <translation>Teil des Lichts, den die steilste Grenze wie eine raue, nasse Oberfläche streut</translation>
+    </message>
+    <message>
+        <source>Steepness of a boundary that is half a surface, in values per mm</source>
+        <translation>Steilheit einer Grenze, die halb Oberfläche ist, in Werten je mm</translation>
+    </message>
+    <message>
+        <source>Of surfaces: highlights are smaller and brighter where it is less</source>
+        <translation>Von Oberflächen: Je kleiner, desto kleiner und heller sind Glanzlichter</translation>
+    </message>
+    <message>
+        <source>Of surfaces: the part that they reflect of light which falls straight</source>
+        <translation>Von Oberflächen: der Teil senkrecht einfallenden Lichts, den sie spiegeln</translation>
+    </message>
+    <message>
+        <source>Of what scatters like a cloud: above 0 light goes on forwards, below 0 it comes back</source>
+        <translation>Von dem, was wie eine Wolke streut: Über 0 läuft Licht nach vorn weiter, unter 0 kommt es zurück</translation>
+    </message>
+    <message>
         <source>Cinematic bone</source>
         <translation>Cinematic Knochen</translation>
     </message>
@@ -454,6 +570,22 @@
     <message>
         <source>Rim</source>
         <translation>Gegenlicht</translation>
+    </message>
+    <message>
+        <source>Theatre</source>
+        <translation>Operationssaal</translation>
+    </message>
+    <message>
+        <source>Daylight</source>
+        <translation>Tageslicht</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
     </message>
     <message>
         <source>Studio</source>

@@ -1468,6 +1468,255 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::LightsDesk</name>
+    <message>
+        <source>Save the lights</source>
+        <translation>Lichter speichern</translation>
+    </message>
+    <message>
+        <source>Lights (*.json)</source>
+        <translation>Lichter (*.json)</translation>
+    </message>
+    <message>
+        <source>The lights are written to %1. Use them with --lights %1.</source>
+        <translation>Die Lichter sind nach %1 geschrieben. Verwenden Sie sie mit --lights %1.</translation>
+    </message>
+    <message>
+        <source>Open lights</source>
+        <translation>Lichter öffnen</translation>
+    </message>
+    <message>
+        <source>Lights (*.json);;All files (*)</source>
+        <translation>Lichter (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::LightsEditing</name>
+    <message>
+        <source>There is no light that could be changed.</source>
+        <translation>Es gibt kein Licht, das geändert werden könnte.</translation>
+    </message>
+    <message>
+        <source>Open a study in the look Cinematic or Clear, and add a light.</source>
+        <translation>Öffnen Sie eine Studie in der Darstellung Cinematic oder Klar und fügen Sie ein Licht hinzu.</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Beleuchtung</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::LightsPanel</name>
+    <message>
+        <source>Lights</source>
+        <translation>Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
+        <source>Open lights of a file</source>
+        <translation>Lichter aus einer Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Lights that were saved here, or a light rig of your own (JSON)</source>
+        <translation>Lichter, die hier gespeichert wurden, oder eine eigene Anordnung (JSON)</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save the lights to a file</source>
+        <translation>Lichter in einer Datei speichern</translation>
+    </message>
+    <message>
+        <source>For other studies, and for --lights</source>
+        <translation>Für andere Studien und für --lights</translation>
+    </message>
+    <message>
+        <source>One light: drag it in the picture</source>
+        <translation>Ein Licht: im Bild zu ziehen</translation>
+    </message>
+    <message>
+        <source>Which light</source>
+        <translation>Welches Licht</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a light</source>
+        <translation>Ein Licht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove this light</source>
+        <translation>Dieses Licht entfernen</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Radiance of the disc; in the picture Shift and the wheel</source>
+        <translation>Strahldichte der Scheibe; im Bild Umschalt und Mausrad</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Colour of this light</source>
+        <translation>Farbe dieses Lichts</translation>
+    </message>
+    <message>
+        <source>All lights</source>
+        <translation>Alle Lichter</translation>
+    </message>
+    <message>
+        <source>What the lights keep to</source>
+        <translation>Woran sich die Lichter halten</translation>
+    </message>
+    <message>
+        <source>the patient</source>
+        <translation>am Patienten</translation>
+    </message>
+    <message>
+        <source>the camera</source>
+        <translation>an der Kamera</translation>
+    </message>
+    <message>
+        <source>Lights that keep to the camera leave the preview in motion without a model</source>
+        <translation>Mit Lichtern an der Kamera hat die Vorschau in Bewegung kein Modell</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Light from everywhere: less shows more relief, more shows what lies in shadow</source>
+        <translation>Licht von überall: weniger zeigt mehr Relief, mehr zeigt, was im Schatten liegt</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>Strength of all</source>
+        <translation>Stärke aller</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Find the exposure</source>
+        <translation>Belichtung finden</translation>
+    </message>
+    <message>
+        <source>Once, for what is seen now, as a camera does; it stays until it is changed</source>
+        <translation>Einmal, für das, was jetzt zu sehen ist, wie eine Kamera; sie bleibt, bis sie geändert wird</translation>
+    </message>
+    <message>
+        <source>Keep to</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>Colour of the light</source>
+        <translation>Farbe des Lichts</translation>
+    </message>
+    <message>
+        <source>Light %1</source>
+        <translation>Licht %1</translation>
+    </message>
+    <message>
+        <source>Where the light comes from</source>
+        <translation>Woher das Licht kommt</translation>
+    </message>
+    <message>
+        <source>The light that the numbers below are of</source>
+        <translation>Das Licht, zu dem die Zahlen darunter gehören</translation>
+    </message>
+    <message>
+        <source>One more light, from above the viewer&apos;s left shoulder</source>
+        <translation>Ein weiteres Licht, von über der linken Schulter des Betrachters</translation>
+    </message>
+    <message>
+        <source>Take the chosen light out of the rig</source>
+        <translation>Das gewählte Licht entfernen</translation>
+    </message>
+    <message>
+        <source>In °: 0 is anterior, or the viewer; positive to the patient&apos;s left, or to the right of the picture</source>
+        <translation>In °: 0 ist vorn oder der Betrachter; positiv nach links des Patienten oder nach rechts im Bild</translation>
+    </message>
+    <message>
+        <source>In °: positive is superior, or up in the picture</source>
+        <translation>In °: positiv ist oben am Patienten oder oben im Bild</translation>
+    </message>
+    <message>
+        <source>Of the disc on the sky, in °: smaller is harder, with sharper shadows and highlights</source>
+        <translation>Der Scheibe am Himmel, in °: kleiner ist härter, mit schärferen Schatten und Glanzlichtern</translation>
+    </message>
+    <message>
+        <source>Choose the colour of this light (sRGB); its strength is a number of its own</source>
+        <translation>Die Farbe dieses Lichts wählen (sRGB); seine Stärke ist eine eigene Zahl</translation>
+    </message>
+    <message>
+        <source>All lights about the vertical, in °; positive to the patient&apos;s left</source>
+        <translation>Alle Lichter um die Senkrechte, in °; positiv nach links des Patienten</translation>
+    </message>
+    <message>
+        <source>Multiplies all lights and the sky</source>
+        <translation>Vervielfacht alle Lichter und den Himmel</translation>
+    </message>
+    <message>
+        <source>Multiplies the picture before the tone map</source>
+        <translation>Vervielfacht das Bild vor der Tonwertkurve</translation>
+    </message>
+    <message>
+        <source>Rig of lights</source>
+        <translation>Anordnung der Lichter</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::MainWindow</name>
     <message>
         <source>Opening</source>
@@ -2255,6 +2504,33 @@
     <message>
         <source>A presentation state is still being written.</source>
         <translation>Ein Presentation State wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>S&amp;mooth Between Voxels</source>
+        <translation>Zwischen Voxeln &amp;glatt</translation>
+    </message>
+    <message>
+        <source>No rings on skin and bone, and edges that are a voxel softer; of Cinematic and Clear</source>
+        <translation>Keine Ringe auf Haut und Knochen, und Kanten, die ein Voxel weicher sind; von Cinematic und Klar</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::MatterFields</name>
+    <message>
+        <source> per mm</source>
+        <translation> je mm</translation>
+    </message>
+    <message>
+        <source> %1/mm</source>
+        <translation> %1/mm</translation>
     </message>
 </context>
 <context>
@@ -4096,6 +4372,18 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>Its gradient opacity is kept.</source>
         <translation>Ihre Gradienten-Deckkraft bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Matter</source>
+        <translation>Materie</translation>
+    </message>
+    <message>
+        <source>Show how matter scatters light</source>
+        <translation>Zeigen, wie Materie Licht streut</translation>
+    </message>
+    <message>
+        <source>How matter scatters light: its surface, and anisotropy</source>
+        <translation>Wie Materie Licht streut: ihre Oberfläche und Anisotropie</translation>
     </message>
 </context>
 <context>

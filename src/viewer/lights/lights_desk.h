@@ -1,0 +1,60 @@
+// All that the window has of lights: panel, handles in the picture, files, and the exposure that suits it.
+#pragma once
+
+#include <QFileDialog>
+#include <QObject>
+#include <QScrollArea>
+#include <functional>
+#include <string>
+
+#include "app/picture/view_picture.h"
+#include "viewer/background_job.h"
+#include "viewer/lights/lights_editing.h"
+#include "viewer/lights/lights_tool.h"
+
+namespace macula::viewer {
+
+class LightsPanel;
+
+// What it needs of the window. `ask` opens the dialog and remembers its folder; `folder` is where it begins.
+struct LightsHost {
+    std::function<app::ViewPicture()> seen;  // what the 3D picture shows now, at any size
+    std::function<void(QFileDialog*, std::function<void(const QString&)>)> ask;
+    std::function<QString()> folder;
+    std::string device = {};  // as in gpu::chooseDevice
+};
+
+// Session and window outlive it.
+class LightsDesk : public QObject {
+    Q_OBJECT
+
+  public:
+    LightsDesk(ViewerSession& session, LightsHost host, QWidget* window);
+
+    LightsTool& tool() { return tool_; }
+    QWidget* column() const { return scrolls_; }  // the panel
+    void setPanelOpen(bool open) { editing_.setPanelOpen(open); }
+    bool isMetering() const { return metering_.running(); }
+
+  signals:
+    void marksChanged();  // of the handles
+    void told(const QString& sentence);
+    void failed(const macula::Error& error);
+
+  private:
+    void save();
+    void open();
+    void meter();
+    void useMetered(const Result<double>& exposure);
+
+    ViewerSession& session_;
+    LightsHost host_;
+    QWidget* window_;
+    LightsEditing editing_;
+    LightsTool tool_;
+    LightsPanel* panel_;
+    QScrollArea* scrolls_;
+    BackgroundJob<double> metering_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,122 @@
+#include "viewer/lights/lights_editing.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr int kWheelPauseMs = 600;  // what is turned until then is one step to undo
+
+Error noLight() {
+    return {ErrorCode::usage,
+            LightsEditing::tr("There is no light that could be changed.").toStdString(),
+            {},
+            LightsEditing::tr("Open a study in the look Cinematic or Clear, and add a light.").toStdString()};
+}
+
+}  // namespace
+
+LightsEditing::LightsEditing(ViewerSession& session, QObject* parent) : QObject(parent), session_(session) {
+    wheelEnds_.setSingleShot(true);
+    wheelEnds_.setInterval(kWheelPauseMs);
+    // By then, another hand may be at something else.
+    connect(&wheelEnds_, &QTimer::timeout, this, [this] {
+        if (session_.undoText() == tr("Light")) session_.endDrag();
+    });
+    connect(&session_, &ViewerSession::studyShown, this, [this] {
+        chosen_ = 0;
+        emit changed();
+    });
+    connect(&session_, &ViewerSession::changed, this, &LightsEditing::changed);
+}
+
+bool LightsEditing::isUsable() const {
+    return session_.hasStudy() && trace::isPathTraced(session_.state().settings.look);
+}
+
+std::shared_ptr<const trace::LightRig> LightsEditing::rig() const {
+    const app::StudyState& state = session_.state();
+    return state.lights ? state.lights : app::defaultLights(session_.catalogue(), state.settings.look);
+}
+
+std::size_t LightsEditing::chosen() const {
+    const std::size_t count = rig()->lights.size();
+    return count == 0 ? 0 : std::min(chosen_, count - 1);
+}
+
+void LightsEditing::choose(std::size_t light) {
+    if (std::exchange(chosen_, light) != light) emit changed();
+}
+
+const trace::SoftLight* LightsEditing::light() const {
+    const auto& lights = rig()->lights;  // the catalogue or the state keeps them
+    return lights.empty() ? nullptr : &lights[chosen()];
+}
+
+void LightsEditing::setPanelOpen(bool open) {
+    if (std::exchange(isPanelOpen_, open) != open) emit changed();
+}
+
+std::optional<app::LightStand> LightsEditing::stand(const Camera& camera) const {
+    const Result<CameraBasis> eye = basis(camera);
+    if (!eye) return std::nullopt;
+    return app::LightStand{rig()->frame, *eye, session_.state().settings.lightRotationDeg};
+}
+
+Result<void> LightsEditing::propose(Result<trace::LightRig> rig, bool isDrag) {
+    if (!isUsable()) return noLight();
+    if (!rig) return rig.error();
+    const auto proposed = std::make_shared<const trace::LightRig>(*std::move(rig));
+    const auto edit = [&](app::StudyState& next) { next.lights = proposed; };
+    isDrag ? session_.drag(tr("Light"), edit) : session_.change(tr("Light"), edit);
+    return {};
+}
+
+Result<void> LightsEditing::drag(const trace::SoftLight& light) {
+    return propose(app::withLight(*rig(), chosen(), light), true);
+}
+
+void LightsEditing::strengthen(double factor) {
+    const trace::SoftLight* now = light();
+    if (now == nullptr || !isUsable()) return;
+    trace::SoftLight next = *now;
+    next.radiance *= factor;
+    if (drag(next)) wheelEnds_.start();
+}
+
+Result<void> LightsEditing::add() {
+    if (!isUsable()) return noLight();
+    const auto stands = stand(camera_);
+    trace::SoftLight light{.radiance = 10.0};
+    if (stands) {
+        const CameraBasis& eye = stands->eye;
+        light = app::shiningFrom(light, eye.up - eye.right - 1.5 * eye.forward, *stands);
+    }
+    chosen_ = rig()->lights.size();
+    return propose(app::withLightAdded(*rig(), light), false);
+}
+
+Result<void> LightsEditing::remove() {
+    if (light() == nullptr) return noLight();
+    return propose(app::withoutLight(*rig(), chosen()), false);
+}
+
+Result<void> LightsEditing::keepTo(trace::LightFrame frame) {
+    const auto stands = stand(camera_);
+    if (!stands || !isUsable()) return noLight();
+    if (stands->frame == frame) return {};
+    return propose(app::keptTo(*rig(), frame, *stands), false);
+}
+
+Result<void> LightsEditing::setSky(double radiance) {
+    return propose(app::withSky(*rig(), radiance), true);
+}
+
+void LightsEditing::use(std::shared_ptr<const trace::LightRig> rig) {
+    if (!session_.hasStudy()) return;
+    session_.change(tr("Lights"), [&](app::StudyState& next) { next.lights = std::move(rig); });
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,73 @@
+// Where the light comes from, in numbers.
+#pragma once
+
+#include <QColorDialog>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPointer>
+#include <QPushButton>
+#include <QWidget>
+#include <functional>
+
+#include "viewer/lights/lights_editing.h"
+#include "viewer/session/viewer_session.h"
+
+namespace macula::viewer {
+
+// Shows the rig that is seen, one light of it, and what all have in common. The editing outlives it.
+class LightsPanel : public QWidget {
+    Q_OBJECT
+
+  public:
+    LightsPanel(ViewerSession& session, LightsEditing& editing, QWidget* parent = nullptr);
+    ~LightsPanel() override;
+
+    // The exposure is being found, or is not: then it may be asked for.
+    void setMetering(bool isMetering);
+    void tell(const Error& error);  // below the controls
+
+  signals:
+    void saveAsked();
+    void openAsked();
+    void meteringAsked();  // an exposure that suits the picture
+    void lookedAt();       // what is asked next depends on the camera of now
+
+  private:
+    QWidget* makeRig();
+    QWidget* makeLight();
+    QWidget* makeAll();
+    QDoubleSpinBox* makeNumber(const QString& name, const QString& title, const QString& suffix,
+                               const QString& does);
+    void tryTo(const Result<void>& done);  // says what was refused
+    void changeLight(const std::function<void(trace::SoftLight&)>& edit);
+    void setParameter(const char* id, double value);
+    void askColour();
+    void dropDialog();
+    void showState();
+    void showRig(const trace::LightRig& rig);
+    void showLight(const trace::SoftLight* light);
+
+    ViewerSession& session_;
+    LightsEditing& editing_;
+    QComboBox* rigs_ = nullptr;
+    QComboBox* lights_ = nullptr;
+    QPushButton* add_ = nullptr;
+    QPushButton* remove_ = nullptr;
+    QDoubleSpinBox* azimuth_ = nullptr;
+    QDoubleSpinBox* elevation_ = nullptr;
+    QDoubleSpinBox* size_ = nullptr;
+    QDoubleSpinBox* strength_ = nullptr;
+    QPushButton* colour_ = nullptr;
+    QPointer<QColorDialog> dialog_;
+    QComboBox* frames_ = nullptr;
+    QDoubleSpinBox* sky_ = nullptr;
+    QDoubleSpinBox* turned_ = nullptr;
+    QDoubleSpinBox* allStrength_ = nullptr;
+    QDoubleSpinBox* exposure_ = nullptr;
+    QPushButton* meter_ = nullptr;
+    QLabel* trouble_ = nullptr;
+    bool isMetering_ = false;
+};
+
+}  // namespace macula::viewer

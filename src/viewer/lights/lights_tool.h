@@ -1,0 +1,39 @@
+// Handles of the lights in the 3D picture.
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <vector>
+
+#include "viewer/lights/lights_editing.h"
+#include "viewer/picture_tool.h"
+
+namespace macula::viewer {
+
+// Each light is a handle on the dome over the picture (light_direction.h): in the middle it shines from the
+// viewer, on the dotted circle from the sides, beyond it from behind. Dragged, it moves there; Shift and the
+// wheel change how strong the chosen one is. Session and editing outlive it.
+class LightsTool : public QObject, public PictureTool {
+  public:
+    LightsTool(ViewerSession& session, LightsEditing& editing, QObject* parent = nullptr)
+        : QObject(parent), session_(session), editing_(editing) {}
+
+    bool press(const PicturePlace& place) override;
+    void move(const PicturePlace& place) override;
+    void release(const PicturePlace& place) override;
+    void giveUp() override;
+    bool changesPicture() const override { return true; }
+    std::optional<Qt::CursorShape> point(const PicturePlace& place) override;
+    bool turnWheel(double notches, const PictureGeometry& picture) override;
+    std::vector<ToolMark> marks(const PictureGeometry& picture) const override;
+
+  private:
+    std::optional<std::size_t> lightAt(const PicturePlace& place) const;
+    std::vector<glm::dvec2> places(const PictureGeometry& picture) const;  // of all lights
+
+    ViewerSession& session_;
+    LightsEditing& editing_;
+    std::optional<glm::dvec2> grabbed_;  // less this, the light is where it was
+};
+
+}  // namespace macula::viewer
