@@ -1,4 +1,4 @@
-// Last step of denoising: see lib/denoise_specks.glsl.
+// Pixels that stand out alone, before and after the filter: see lib/denoise_specks.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -20,7 +20,8 @@ layout(binding = 0) uniform samplerBuffer colours;
 layout(binding = 1) uniform samplerBuffer noises;
 layout(binding = 2) uniform samplerBuffer masses;
 layout(binding = 3) uniform samplerBuffer surfaces;
-layout(binding = 4, scalar) writeonly buffer Shown {
+layout(binding = 4) uniform samplerBuffer moments;
+layout(binding = 5, scalar) writeonly buffer Shown {
     vec4 shown[];
 };
 
@@ -29,6 +30,9 @@ vec4 fetchColour(int pixel) {
 }
 vec4 fetchNoise(int pixel) {
     return texelFetch(noises, pixel);
+}
+vec2 fetchMoments(int pixel) {
+    return texelFetch(moments, pixel).xy;
 }
 vec4 fetchMass(int pixel) {
     return texelFetch(masses, pixel);

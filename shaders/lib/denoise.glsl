@@ -9,7 +9,8 @@
 // Alpha likewise, with D = coverage, and weights and variance of its own. Nothing flows to or from a pixel that the guides
 // say is empty. The weights shrink with the variance, so the picture goes over into the plain mean.
 //
-// Four kernels: denoise_gather.glsl, denoise_prepare.glsl, denoise_filter.glsl once for each pass, and denoise_specks.glsl.
+// Four kernels: denoise_gather.glsl, denoise_prepare.glsl, denoise_filter.glsl once for each pass, and denoise_specks.glsl
+// before and after them.
 //
 // Needs from its host: denoise (DenoisePush); and fovea.glsl.
 

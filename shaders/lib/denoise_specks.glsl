@@ -1,7 +1,9 @@
-// Last step of denoising: pixels that stand out alone. In soft tissue normals are so uncertain that they tell a pixel from
-// all around it; it keeps the noise of its few samples and is brighter, or darker, than each of its eight neighbours. As
-// far as the noise that the filter left to it explains that, it exchanges with them whatever normals and light say, in
-// flows like those of the filter: light is kept exactly here too, and the more samples, the less is exchanged.
+// Before and after the filter: pixels that stand out alone. The brightest of few samples are many times as bright as all
+// around them: the filter would keep such a pixel apart for its light, and a white dot would stay. So before the filter it
+// gives what is beyond twice the brightest neighbour. After the filter, in soft tissue, normals are so uncertain that they
+// tell a pixel from all around it; it keeps the noise of its few samples and is brighter, or darker, than each of its eight
+// neighbours. As far as the noise that is left to it explains that, it exchanges with them whatever normals and light say, in
+// flows like those of the filter: light is kept exactly, and the more samples, the less is exchanged.
 //
 // Depth and coverage still tell pixels apart. And of its neighbours those take part that differ from the limit (the light
 // of the nearest of them) hardly more than the pixel does itself: in a line one pixel wide the limit is that of the line,
@@ -9,12 +11,19 @@
 //
 // Alpha stays as it is: it is a coin whose odds the guides know, and where matter is opaque it has no noise.
 //
-// Needs from its host, by index of a pixel: fetchColour and fetchNoise (of the last filterPixel), fetchMass, fetchSurface;
-// and denoise_filter.glsl.
+// denoise.stride is 0 before the filter.
+//
+// Needs from its host, by index of a pixel: fetchColour and fetchNoise (of preparePixel or the last filterPixel),
+// fetchMoments, fetchMass, fetchSurface; and denoise_filter.glsl.
 
-// How much of what stands out is taken for noise, in standard deviations of what the filter left. More takes more away, of
+// How much of what stands out is taken for noise, in standard deviations of what is left. More takes more away, of
 // noisy lines too (docs/measurements/tracer.md).
 #define SPECK_DEVIATIONS 2.0
+// Before the filter: noise is known by few pixels, of which the bright one is the noisiest. From so many samples of its own
+// on less than half of that is taken, or true detail, as of cut faces, would go too.
+#define DOT_DEVIATIONS 8.0
+#define DOT_SAMPLES 8.0
+#define DOT_TIMES 3.0  // what is as bright as so many times its brightest neighbour is none
 // Stands for a pixel outside the picture, or one that is empty; light is 0 or more.
 #define NO_LIGHT -1.0
 
@@ -31,8 +40,9 @@ float takesPart(Speck speck, float light) {
     return clamp(float(2.0) - abs(light - speck.limit) / max(speck.over, float(1e-30)), float(0.0), float(1.0));
 }
 
-// Of one of 5 times 5 pixels, row by row, that is not at their border. `variance` is its own.
-Speck speckAt(float lights[25], int place, float variance) {
+// Of one of 5 times 5 pixels, row by row, that is not at their border. `explained` is how far noise explains that it stands
+// out.
+Speck speckAt(float lights[25], int place, float explained) {
     float light = lights[place];
     float low = float(1e30);
     float high = float(NO_LIGHT);
@@ -46,11 +56,22 @@ Speck speckAt(float lights[25], int place, float variance) {
     }
     bool alone = light < float(0.0) || high < float(0.0);
     Speck speck;
+    bool isFirst = denoise.stride == 0;
+    low = isFirst ? float(0.0) : low;
+    high = isFirst ? high * float(DOT_TIMES) : high;
     speck.limit = alone ? light : clamp(light, low, high);
     speck.over = abs(light - speck.limit);
-    float move = min(speck.over, float(SPECK_DEVIATIONS) * sqrt(max(float(0.0), variance)));
+    float move = min(speck.over, explained);
     speck.part = speck.over > float(0.0) ? min(move / max(reach, float(1e-30)), float(1.0)) : float(0.0);
     return speck;
+}
+
+// How far the noise of a pixel explains that it stands out.
+float explainedBy(int index, vec4 noise) {
+    float deviation = sqrt(max(float(0.0), noise.x));
+    if (denoise.stride > 0) return float(SPECK_DEVIATIONS) * deviation;
+    float trust = float(DOT_SAMPLES) / (float(DOT_SAMPLES) + fetchMoments(index).y);
+    return float(DOT_DEVIATIONS) * trust * deviation;
 }
 
 vec4 withoutSpeck(ivec2 pixel) {
@@ -72,7 +93,7 @@ vec4 withoutSpeck(ivec2 pixel) {
         lights[i] = isInside(at) && massQ >= float(LEAST_MASS) ? light : float(NO_LIGHT);
     }
 
-    Speck own = speckAt(lights, 12, noise.x);
+    Speck own = speckAt(lights, 12, explainedBy(index, noise));
     vec4 ratio = colour / max(mass, vec4(LEAST_OF_CHANNEL));
     vec4 flow = vec4(0.0);
     int taps = empty ? 0 : 8;
@@ -84,7 +105,7 @@ vec4 withoutSpeck(ivec2 pixel) {
         int q = indexOf(clamp(pixel + ivec2(x, y), ivec2(0), denoise.imageSize - ivec2(1)));
         vec4 massQ = fetchMass(q);
         vec4 noiseQ = fetchNoise(q);
-        Speck other = speckAt(lights, place, noiseQ.x);
+        Speck other = speckAt(lights, place, explainedBy(q, noiseQ));
         float thicker = mass.w - massQ.w;
         float stop = stopOfDepth(surface, noise, fetchSurface(q), noiseQ, sqrt(float(x * x + y * y))) +
                      float(COVERAGE_STOP) * thicker * thicker;

@@ -107,8 +107,10 @@ inline TruePicture softTissue(int size) {
 // The denoiser but for its last step, in double.
 inline DenoiseState filtered(const shared::DenoisePush& push, const DenoiseRecord& record,
                              const DenoiseGuides& guides, std::vector<glm::dvec4>& masses,
-                             Denoising how = Denoising::on) {
+                             Denoising how = Denoising::on, bool takesSpecksFirst = true) {
     DenoiseState state = denoisePrepare(push, record, guides, masses);
+    if (how != Denoising::little && takesSpecksFirst)
+        state.colours = denoiseSpecksFirst(push, record, state, guides, masses);
     shared::DenoisePush pass = push;
     const int passes = how == Denoising::little ? 5 : 9;
     for (int i = 0; i < passes; ++i) {

@@ -20,6 +20,20 @@ namespace {
 constexpr std::array kStrides{1, 2, 4, 8, 16, 1, 2, 4, 8};
 constexpr int kFirstSweep = 5;  // strides in the first sweep
 
+// Gather, prepare, specks, the passes of the filter, specks; Denoising::little leaves specks.
+struct Stages {
+    explicit Stages(Denoising how)
+        : takesSpecks(how != Denoising::little),
+          passes(takesSpecks ? static_cast<int>(kStrides.size()) : kFirstSweep),
+          firstPass(takesSpecks ? 3 : 2),
+          count(firstPass + passes + (takesSpecks ? 1 : 0)) {}
+
+    bool takesSpecks;
+    int passes;
+    int firstPass;
+    int count;
+};
+
 // In which of two buffers the filter leaves the noise, after one sweep as after both.
 constexpr std::size_t kNoiseIsIn = 1;
 static_assert(kFirstSweep % 2 == kNoiseIsIn && kStrides.size() % 2 == kNoiseIsIn);
@@ -102,25 +116,20 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     MACULA_CHECK(how != Denoising::off);
     MACULA_CHECK_EQ(film.width(), width_);
     MACULA_CHECK_EQ(film.height(), height_);
-    MACULA_CHECK_EQ(now.width(), width_);
-    MACULA_CHECK_EQ(now.height(), height_);
+    MACULA_CHECK(now.width() == width_ && now.height() == height_);
     const bool history = remembers_ && before != nullptr;
     const Guides& old = history ? *before : now;  // never read without a history
     const Record& record = records_[current_];
     const Record& memory = records_[1 - current_];
-    const int passes = how == Denoising::little ? kFirstSweep : static_cast<int>(kStrides.size());
-    const bool limitsSpecks = how != Denoising::little;
-    const int stages = 2 + passes + (limitsSpecks ? 1 : 0);
+    const Stages stages(how);
     const std::shared_ptr<gpu::Device>& device = result_.device();
     const FilterPortion portion =
         filterPortion(device->isCpu(), static_cast<bool>(keepGoing), width_, height_);
-    const int rowsAtOnce = portion.rowsAtOnce;
-
     const shared::DenoisePush firstPush =
         pushOf({width_, height_}, pixelAngle, history ? historySamples : 0.0f, fovea);
 
     const auto recordSome = [&](gpu::Recorder& recorder) {
-        const int rows = std::min(rowsAtOnce, height_ - row_);
+        const int rows = std::min(portion.rowsAtOnce, height_ - row_);
         const gpu::Threads threads{static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(rows)};
         shared::DenoisePush push = firstPush;
         push.firstRow = row_;
@@ -133,18 +142,25 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
             recorder.dispatch(kernels_->prepare, threads, push,
                               {record.means, record.moments, now.surfaces(), now.matters(), now.motions(),
                                masses_.buffer(), noises_[0].buffer()});
-        } else if (stage_ < 2 + passes) {
-            const auto pass = static_cast<std::size_t>(stage_ - 2);
+        } else if (stage_ < stages.firstPass) {
+            push.stride = 0;
+            recorder.dispatch(
+                kernels_->specks, threads, push,
+                {record.means, noises_[0], masses_, now.surfaces(), record.moments, colours_[0].buffer()});
+        } else if (stage_ < stages.firstPass + stages.passes) {
+            const auto pass = static_cast<std::size_t>(stage_ - stages.firstPass);
             const std::size_t from = pass % 2;
             push.stride = kStrides.at(pass);
-            push.last = stage_ + 1 == 2 + passes ? 1 : 0;
+            push.last = stage_ + 1 == stages.firstPass + stages.passes ? 1 : 0;
             recorder.dispatch(
                 kernels_->filter, threads, push,
-                {pass == 0 ? record.means : colours_[from], noises_[from], masses_, now.surfaces(),
-                 stage_ + 1 == stages ? result_ : colours_[1 - from].buffer(), noises_[1 - from].buffer()});
+                {pass == 0 && !stages.takesSpecks ? record.means : colours_[from], noises_[from], masses_,
+                 now.surfaces(), stage_ + 1 == stages.count ? result_ : colours_[1 - from].buffer(),
+                 noises_[1 - from].buffer()});
         } else {
             recorder.dispatch(kernels_->specks, threads, push,
-                              {colours_[kNoiseIsIn], noises_[kNoiseIsIn], masses_, now.surfaces(), result_});
+                              {colours_[kNoiseIsIn], noises_[kNoiseIsIn], masses_, now.surfaces(),
+                               record.moments, result_});
         }
         row_ += rows;
         if (row_ < height_) return;
@@ -153,13 +169,13 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     };
 
     if (stage_ == 0 && row_ == 0) ran_ = false;
-    for (bool goesOn = true; stage_ < stages && goesOn;) {
+    for (bool goesOn = true; stage_ < stages.count && goesOn;) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "denoise"));
         std::int64_t pixels = 0;  // of the largest picture all stages have more than an int holds
         do {
-            pixels += std::int64_t(std::min(rowsAtOnce, height_ - row_)) * width_;
+            pixels += std::int64_t(std::min(portion.rowsAtOnce, height_ - row_)) * width_;
             recordSome(recorder);
-        } while (stage_ < stages && pixels < portion.enoughPixels);
+        } while (stage_ < stages.count && pixels < portion.enoughPixels);
         const Result<gpu::Ticket> ticket = recorder.submit();
         if (!ticket) {
             giveUp();
@@ -169,7 +185,7 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
         MACULA_TRY([[maybe_unused]] const bool done, device->waitFor(*ticket));
         goesOn = keepGoing();
     }
-    if (stage_ < stages) return false;
+    if (stage_ < stages.count) return false;
     giveUp();
     ran_ = true;
     return true;

@@ -3,9 +3,9 @@
 // In space an a-trous filter (Dammertz et al. 2010), over time a mean along the motion (Schied et al. 2017),
 // both steered by variance and by the guides. Light and coverage each keep their sum over the picture, but
 // for what is clamped to 0 to 1 of alpha. The noisier a pixel, the farther the filter reaches; as samples
-// come in it goes over into the plain mean. What still stands out alone is limited to its neighbours, as far
-// as its noise explains it: not for Denoising::little, since of many pictures noise averages out and a limit
-// does not.
+// come in it goes over into the plain mean. What stands out alone is limited to its neighbours, as far as its
+// noise explains it, before the filter, which would keep it apart for its light, and after it: not for
+// Denoising::little, since of many pictures noise averages out and a limit does not.
 #pragma once
 
 #include <array>
@@ -87,7 +87,7 @@ class Denoiser {
     std::array<Record, 2> records_;  // of this view and of the one before, which is which changes
     std::size_t current_ = 0;
     bool ran_ = false;
-    int stage_ = 0;  // of the run under way: gather, prepare, the passes of the filter, specks
+    int stage_ = 0;  // of the run under way: gather, prepare, specks, passes of the filter, specks
     int row_ = 0;    // the first row of that stage that is not done
     bool remembers_ = false;
     gpu::TexelBuffer masses_;

@@ -1,5 +1,7 @@
 #include "pipeline/trace/reference_denoiser.h"
 
+#include <utility>
+
 #include "base/glsl_in_cpp.h"
 #include "base/parallel.h"
 
@@ -142,9 +144,10 @@ DenoiseState denoiseFilter(const shared::DenoisePush& push, const DenoiseState& 
     return next;
 }
 
-std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const DenoiseState& state,
-                                      const DenoiseGuides& now, const std::vector<glm::dvec4>& masses) {
-    Host prototype(push);
+namespace {
+
+std::vector<glm::dvec4> withoutSpecks(Host prototype, const DenoiseState& state, const DenoiseGuides& now,
+                                      const std::vector<glm::dvec4>& masses) {
     prototype.state = &state;
     prototype.now = &now;
     prototype.masses = &masses;
@@ -153,6 +156,22 @@ std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const Den
         shown[index] = host.withoutSpeck(pixel);
     });
     return shown;
+}
+
+}  // namespace
+
+std::vector<glm::dvec4> denoiseSpecksFirst(const shared::DenoisePush& push, const DenoiseRecord& record,
+                                           const DenoiseState& state, const DenoiseGuides& now,
+                                           const std::vector<glm::dvec4>& masses) {
+    Host host(push);
+    host.denoise.stride = 0;
+    host.record = &record;
+    return withoutSpecks(std::move(host), state, now, masses);
+}
+
+std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const DenoiseState& state,
+                                      const DenoiseGuides& now, const std::vector<glm::dvec4>& masses) {
+    return withoutSpecks(Host(push), state, now, masses);
 }
 
 std::vector<double> denoiseVariances(const shared::DenoisePush& push, const DenoiseRecord& record,

@@ -38,7 +38,10 @@ DenoiseState denoisePrepare(const shared::DenoisePush& push, const DenoiseRecord
                             const DenoiseGuides& now, std::vector<glm::dvec4>& masses);
 DenoiseState denoiseFilter(const shared::DenoisePush& push, const DenoiseState& state,
                            const DenoiseGuides& now, const std::vector<glm::dvec4>& masses);
-// The colours without specks, after the last pass.
+// The colours without specks, before the first pass and after the last one.
+std::vector<glm::dvec4> denoiseSpecksFirst(const shared::DenoisePush& push, const DenoiseRecord& record,
+                                           const DenoiseState& state, const DenoiseGuides& now,
+                                           const std::vector<glm::dvec4>& masses);
 std::vector<glm::dvec4> denoiseSpecks(const shared::DenoisePush& push, const DenoiseState& state,
                                       const DenoiseGuides& now, const std::vector<glm::dvec4>& masses);
 // How far that may be off: the mean square error of luminance; after the last pass.
