@@ -28,6 +28,7 @@ void addTrain(CLI::App& app, Action& action);
 void addXr(CLI::App& app, Action& action);
 void addEvaluateEdits(CLI::App& evaluateApp, Action& action);        // a subcommand of evaluate
 void addEvaluateLivePicture(CLI::App& evaluateApp, Action& action);  // likewise
+void addEvaluateSpecks(CLI::App& evaluateApp, Action& action);       // likewise
 void addEvaluateMotion(CLI::App& evaluateApp, Action& action);       // likewise
 void addEvaluateQuality(CLI::App& evaluateApp, Action& action);      // likewise
 void addEvaluateTradeoff(CLI::App& evaluateApp, Action& action);     // likewise

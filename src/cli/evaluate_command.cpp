@@ -222,6 +222,7 @@ void addEvaluate(CLI::App& app, Action& action) {
         ->check(between(0.1, 86400.0));
     addEvaluateEdits(*evaluateApp, action);
     addEvaluateLivePicture(*evaluateApp, action);
+    addEvaluateSpecks(*evaluateApp, action);
     addEvaluateMotion(*evaluateApp, action);
     addEvaluateQuality(*evaluateApp, action);
     addEvaluateTradeoff(*evaluateApp, action);

@@ -95,6 +95,17 @@ void addLook(CLI::App& command, app::RenderWish& o) {
                      "Light dvr from the eye, with the preset's ambient and diffuse parts");
 }
 
+// How the preset's matter scatters light.
+void addMatter(CLI::App& command, app::RenderWish& o) {
+    for (const app::MatterParameter& p : app::matterParameters()) {
+        command
+            .add_option_function<double>(
+                std::string(p.option), [&p, &o](double value) { o.state.matter[p.id] = value; },
+                fmt::format("{} (default: that of the preset)", p.does))
+            ->check(between(p.low, p.high));
+    }
+}
+
 // With how much work.
 void addEffort(CLI::App& command, app::RenderWish& o) {
     command.add_option(
@@ -102,7 +113,7 @@ void addEffort(CLI::App& command, app::RenderWish& o) {
         "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
     command
         .add_option("--spp", o.effort.samplesPerPixel,
-                    "Samples per pixel (default: 64, or 8 for looks without chance)")
+                    "Samples per pixel (default: as --error 0.1 takes, or 8 for looks without chance)")
         ->check(CLI::Range(1u, app::kMostSamplesPerPixel));
     command
         .add_option("--error", o.effort.error,
@@ -135,6 +146,10 @@ void addLights(CLI::App& command, app::RenderWish& o) {
                 std::string(p.option), [&p, &o](double value) { o.state.numbers[p.id] = value; }, helpOf(p))
             ->check(between(p.low, p.high));
     }
+    command
+        .add_flag("--auto-exposure", o.metersExposure,
+                  "Find the exposure for the picture, as a camera does; the record of it tells which")
+        ->excludes("--exposure");
 }
 
 }  // namespace
@@ -144,6 +159,7 @@ void addRenderOptions(CLI::App& command, app::RenderWish& wish) {
     addInput(command, o);
     addCamera(command, o);
     addLook(command, o);
+    addMatter(command, o);
     addEffort(command, o);
     addLights(command, o);
     command.add_flag("--remove-table", o.state.removeTable,

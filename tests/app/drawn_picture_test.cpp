@@ -106,6 +106,28 @@ TEST_F(DrawnPictureTest, OfASceneThatStaysOnTheDeviceIsAsIfItWereDrawnAlone) {
     expectSame("volume");
 }
 
+// Twice the light, half the exposure; and the picture is as if that had been asked for.
+TEST_F(DrawnPictureTest, MetersItsExposure) {
+    PictureRequest asked = request();
+    asked.settings.exposure = 40.0;  // whatever it was
+    asked.metersExposure = true;
+    const DrawnPicture metered = draw(asked);
+    EXPECT_GT(metered.exposure, 0.1);
+    EXPECT_LT(metered.exposure, 10.0);
+    asked.settings.lightStrength = 2.0;
+    EXPECT_NEAR(draw(asked).exposure, 0.5 * metered.exposure, 1e-3 * metered.exposure);
+    PictureRequest same = request();
+    same.settings.exposure = metered.exposure;
+    EXPECT_EQ(draw(same).rgba, metered.rgba);
+    RenderRecord record;
+    record.add(asked, metered);
+    EXPECT_EQ(record.settings.exposure, metered.exposure);
+    // A projection is shown through its window.
+    asked = request(trace::Look::mip);
+    asked.metersExposure = true;
+    EXPECT_EQ(draw(asked).exposure, asked.settings.exposure);
+}
+
 TEST_F(DrawnPictureTest, WhatIsStoppedKeepsNothing) {
     std::optional<PictureDrawer> kept;
     Progress progress;

@@ -71,6 +71,30 @@ TEST_F(Render, UntilNoiseIsGone) {
     EXPECT_EQ(statistics["notes"].back(), "The picture is noisier than was asked for.");
 }
 
+// Somebody who says nothing of effort gets a picture to look at, and light as it was traced.
+TEST_F(Render, EndsByItsNoiseWhereNobodySaysHowMuchWorkItIsWorth) {
+    const auto drawn = [&](const char* name) {
+        const Ran ran =
+            runMacula({"render", "-o", at(name), "--overwrite", "--size", "48x40", "--json", at("a.json")});
+        EXPECT_EQ(ran.exitCode, 0) << ran.err;
+        return nlohmann::json::parse(readAll(at("a.json")));
+    };
+    const auto picture = drawn("a.png");
+    EXPECT_EQ(picture["denoised"], true);
+    EXPECT_EQ(picture["converged"], true);
+    EXPECT_LE(picture["estimatedError"], 0.1);
+    EXPECT_LT(picture["meanSamplesPerPixel"], 256);
+    const auto light = drawn("a.exr");
+    EXPECT_EQ(light["denoised"], false);
+    EXPECT_EQ(light["samplesPerPixel"], 64);
+}
+
+TEST_F(Render, FindsItsExposure) {
+    render("a.png", {"--auto-exposure", "--light-strength", "0.05", "--json", at("a.json")});
+    EXPECT_GT(nlohmann::json::parse(readAll(at("a.json")))["exposure"], 5.0);
+    EXPECT_EQ(runMacula({"render", "-o", at("b.png"), "--auto-exposure", "--exposure", "2"}).exitCode, 2);
+}
+
 TEST_F(Render, EveryPresetAndRigShowsSomething) {
     const auto names = nlohmann::json::parse(runMacula({"presets", "--json"}).out);
     for (const auto& preset : names["presets"]) {

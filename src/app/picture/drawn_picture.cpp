@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/elapsed.h"
+#include "app/lights/light_meter.h"
 #include "app/picture/fitted_view.h"
 #include "app/study/nothing_visible.h"
 #include "pipeline/trace/device_scene.h"
@@ -132,6 +133,13 @@ Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Pr
         MACULA_TRY(drawn.camera, cameraOf(request_, tracer_));
     }
     drawn.camera = standingBefore(drawn.camera, request_.scene.volume->worldBox());
+    drawn.exposure = request_.settings.exposure;
+    if (request_.metersExposure && !trace::isProjection(request_.settings.look)) {
+        MACULA_TRY(drawn.exposure, meterExposure(drawn.camera, progress));
+        trace::Settings exposed = request_.settings;
+        exposed.exposure = drawn.exposure;
+        MACULA_TRY_VOID(tracer_.setSettings(exposed));
+    }
     tracer_.forgetViews();
     MACULA_TRY_VOID(
         tracer_.setView({.camera = drawn.camera, .width = request_.sizePx.x, .height = request_.sizePx.y}));
@@ -147,6 +155,26 @@ Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Pr
         MACULA_TRY(drawn.rgba, tracer_.readDisplay(kBackground));
     }
     return drawn;
+}
+
+Result<double> PictureDrawer::meterExposure(const Camera& camera, const Progress& progress) {
+    constexpr int kLongerSidePx = 128;
+    constexpr std::uint32_t kSamples = 16;
+    trace::Settings settings = request_.settings;
+    settings.exposure = 1.0;
+    settings.errorThreshold = 0.0;
+    settings.denoising = trace::Denoising::on;  // noise would be metered for light
+    MACULA_TRY_VOID(tracer_.setSettings(settings));
+    tracer_.forgetViews();
+    const glm::dvec2 size = request_.sizePx;
+    const glm::ivec2 small =
+        glm::max(glm::ivec2(glm::round(size * std::min(1.0, kLongerSidePx / std::max(size.x, size.y)))),
+                 glm::ivec2(1));
+    MACULA_TRY_VOID(tracer_.setView({.camera = camera, .width = small.x, .height = small.y}));
+    MACULA_TRY(const bool whole, tracer_.trace(kSamples, [&] { return !progress.cancelled(); }));
+    if (!whole || progress.cancelled()) return stopped();
+    MACULA_TRY(const trace::TracedImage picture, tracer_.readback());
+    return meteredExposure(picture.radiance).value_or(1.0);
 }
 
 Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,

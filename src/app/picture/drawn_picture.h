@@ -19,6 +19,7 @@ struct DrawnPicture {
     std::string device;
     Camera camera;  // the one that was asked for, or found
     double seconds = 0.0;
+    double exposure = 1.0;  // that of the request, or what was metered
     trace::Statistics statistics;
     // One of both, row 0 on top: display-encoded over black, 4 bytes a pixel; or linear.
     std::vector<std::uint8_t> rgba;
@@ -40,6 +41,8 @@ class PictureDrawer {
                               const PictureRequest& request, const Progress& progress);
     // As drawPicture; nothing: a camera that what can be seen fills.
     Result<DrawnPicture> draw(const std::optional<Camera>& camera, Progress& progress);
+    // The exposure that PictureRequest::metersExposure means, of that camera; 1 where nothing is seen.
+    Result<double> meterExposure(const Camera& camera, const Progress& progress);
 
   private:
     PictureDrawer(std::shared_ptr<gpu::Device> device, PictureRequest request, trace::PathTracer tracer)

@@ -21,6 +21,8 @@ struct PictureRequest {
     bool isParallel = false;  // of a camera that is made here
     glm::ivec2 sizePx{768};   // each from 1 to trace::kMaxPictureSide
     trace::Settings settings;
+    bool metersExposure =
+        false;  // settings.exposure is found for the picture (light_meter.h); not of projections
     // The number of samples; with Settings::errorThreshold about the most that are spent on noise.
     std::uint32_t samplesPerPixel = 64;
     bool keepUnfinished = false;  // with an errorThreshold: who stops it wants the picture as it is then

@@ -4,6 +4,7 @@
 
 #include "app/camera/camera_file.h"
 #include "app/picture/public_series.h"
+#include "app/state/parameters.h"
 
 namespace macula::app {
 
@@ -24,6 +25,12 @@ Json windowJson(const std::optional<DisplayWindow>& window) {
     return window ? Json{{"center", window->center}, {"width", window->width}} : Json();
 }
 
+Json matterJson(const RenderRecord& record) {
+    Json matter = Json::object();
+    for (const auto& [id, value] : record.matter) matter[std::string(id)] = value;
+    return matter;
+}
+
 }  // namespace
 
 void RenderRecord::add(const PictureRequest& request, const DrawnPicture& picture) {
@@ -32,6 +39,10 @@ void RenderRecord::add(const PictureRequest& request, const DrawnPicture& pictur
     width = request.sizePx.x;
     height = request.sizePx.y;
     settings = request.settings;
+    matter.clear();
+    for (const MatterParameter& p : matterParameters())
+        matter.emplace_back(p.id, p.get(request.scene.function));
+    settings.exposure = picture.exposure;
     unit = unitSymbol(request.scene.volume->unit());
     statistics = picture.statistics;
     traceSeconds = picture.seconds;
@@ -40,36 +51,40 @@ void RenderRecord::add(const PictureRequest& request, const DrawnPicture& pictur
 
 image::Metadata metadata(const RenderRecord& record) {
     const trace::Settings& settings = record.settings;
-    return {{"Software", "Macula " MACULA_VERSION},
-            {"macula:series", publicSeries(record.seriesDigest)},
-            {"macula:look", std::string(trace::nameOf(record.settings.look))},
-            {"macula:preset", record.preset},
-            {"macula:lights", record.lights},
-            {"macula:clip", record.clip},
-            {"macula:tableRemoved", record.tableRemoved ? "yes" : "no"},
-            {"macula:masked", record.masked.empty() ? "none" : record.masked},
-            {"macula:additions", record.additions.empty() ? "none" : record.additions},
-            {"macula:filter", std::string(trace::nameOf(record.settings.filter))},
-            {"macula:samples", fmt::format("{:.6g}", record.statistics.meanSamplesPerPixel)},
-            {"macula:bounces", fmt::to_string(record.settings.bounces)},
-            {"macula:seed", fmt::to_string(record.settings.seed)},
-            {"macula:denoised", record.statistics.denoised ? "yes" : "no"},
-            {"macula:fitted", record.presetFitted ? "yes" : "no"},
-            {"macula:shading", settings.shading == trace::Shading::headlight ? "headlight" : "none"},
-            {"macula:window", windowText(record.window)},
-            {"macula:unit", record.unit.empty() ? "none" : record.unit},
-            {"macula:exposure", fmt::format("{:.6g}", settings.exposure)},
-            {"macula:lightRotationDeg", fmt::format("{:.6g}", settings.lightRotationDeg)},
-            {"macula:lightStrength", fmt::format("{:.6g}", settings.lightStrength)},
-            {"macula:cameraPositionMm", numbers(record.camera.positionMm)},
-            {"macula:cameraTargetMm", numbers(record.camera.targetMm)},
-            {"macula:cameraUp", numbers(record.camera.up)},
-            {"macula:verticalFovDeg", fmt::format("{:.6g}", record.camera.verticalFovDeg)},
-            {"macula:parallelHeightMm", isParallel(record.camera)
-                                            ? fmt::format("{:.6g}", record.camera.parallelHeightMm)
-                                            : std::string("none")},
-            {"macula:notes", fmt::format("{}", fmt::join(record.notes, " "))},
-            {"macula:device", record.device}};
+    image::Metadata all{
+        {"Software", "Macula " MACULA_VERSION},
+        {"macula:series", publicSeries(record.seriesDigest)},
+        {"macula:look", std::string(trace::nameOf(record.settings.look))},
+        {"macula:preset", record.preset},
+        {"macula:lights", record.lights},
+        {"macula:clip", record.clip},
+        {"macula:tableRemoved", record.tableRemoved ? "yes" : "no"},
+        {"macula:masked", record.masked.empty() ? "none" : record.masked},
+        {"macula:additions", record.additions.empty() ? "none" : record.additions},
+        {"macula:filter", std::string(trace::nameOf(record.settings.filter))},
+        {"macula:samples", fmt::format("{:.6g}", record.statistics.meanSamplesPerPixel)},
+        {"macula:bounces", fmt::to_string(record.settings.bounces)},
+        {"macula:seed", fmt::to_string(record.settings.seed)},
+        {"macula:denoised", record.statistics.denoised ? "yes" : "no"},
+        {"macula:fitted", record.presetFitted ? "yes" : "no"},
+        {"macula:shading", settings.shading == trace::Shading::headlight ? "headlight" : "none"},
+        {"macula:window", windowText(record.window)},
+        {"macula:unit", record.unit.empty() ? "none" : record.unit},
+        {"macula:exposure", fmt::format("{:.6g}", settings.exposure)},
+        {"macula:lightRotationDeg", fmt::format("{:.6g}", settings.lightRotationDeg)},
+        {"macula:lightStrength", fmt::format("{:.6g}", settings.lightStrength)},
+        {"macula:cameraPositionMm", numbers(record.camera.positionMm)},
+        {"macula:cameraTargetMm", numbers(record.camera.targetMm)},
+        {"macula:cameraUp", numbers(record.camera.up)},
+        {"macula:verticalFovDeg", fmt::format("{:.6g}", record.camera.verticalFovDeg)},
+        {"macula:parallelHeightMm", isParallel(record.camera)
+                                        ? fmt::format("{:.6g}", record.camera.parallelHeightMm)
+                                        : std::string("none")},
+        {"macula:notes", fmt::format("{}", fmt::join(record.notes, " "))},
+        {"macula:device", record.device}};
+    for (const auto& [id, value] : record.matter)
+        all.emplace_back(fmt::format("macula:{}", id), fmt::format("{:.6g}", value));
+    return all;
 }
 
 Json toJson(const RenderRecord& record) {
@@ -82,6 +97,7 @@ Json toJson(const RenderRecord& record) {
             {"lightRotationDeg", record.settings.lightRotationDeg},
             {"lightStrength", record.settings.lightStrength},
             {"exposure", record.settings.exposure},
+            {"matter", matterJson(record)},
             {"presetFitted", record.presetFitted},
             {"shading", record.settings.shading == trace::Shading::headlight ? "headlight" : "none"},
             {"window", windowJson(record.window)},

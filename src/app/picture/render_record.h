@@ -4,6 +4,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "app/picture/drawn_picture.h"
@@ -27,6 +29,8 @@ struct RenderRecord {
     int width = 0;
     int height = 0;
     trace::Settings settings;
+    // How the preset's matter scatters light, by MatterParameter::id; of the preset, before it is stretched.
+    std::vector<std::pair<std::string_view, double>> matter = {};
     bool presetFitted = false;            // its curves were stretched to the volume
     std::optional<DisplayWindow> window;  // that it is seen through; of projections alone
     std::string unit = {};                // of the values: unitSymbol, no word of a file

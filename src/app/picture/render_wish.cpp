@@ -14,6 +14,14 @@ namespace macula::app {
 
 namespace {
 
+// Of a picture to be looked at that nobody said anything of: filtered, and ended by its noise before that.
+constexpr double kUsualError = 0.1;
+constexpr std::uint32_t kMostUsualSamples = 256;
+
+bool saysEffort(const EffortWish& effort) {
+    return !effort.quality.empty() || effort.samplesPerPixel || effort.error > 0.0;
+}
+
 Result<void> checkFiles(const RenderWish& wish) {
     MACULA_TRY_VOID(checkPictureName(wish.output));
     OutputFiles files(wish.overwrite);
@@ -45,6 +53,11 @@ std::string publicClip(const RenderWish& wish, const StudyState& state) {
     return state.cuts.isNothing() ? clip : clip + " and cuts";
 }
 
+// Whether it says what a surface is like, which a preset without one has no use for.
+bool isOfSurface(std::string_view matter) {
+    return matter == "surfaceGradientPerMm" || matter == "roughness" || matter == "reflectance";
+}
+
 }  // namespace
 
 std::string looksListed(bool (*isMeant)(trace::Look)) {
@@ -58,11 +71,12 @@ std::string looksListed(bool (*isMeant)(trace::Look)) {
     return listed.empty() ? std::string(last) : fmt::format("{} and {}", listed, last);
 }
 
-std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Look look) {
+std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Look look,
+                                              const TransferFunction& drawn) {
     const bool isTraced = trace::isPathTraced(look);
     const auto isGiven = [&](std::string_view id) { return wish.state.numbers.contains(id); };
     std::vector<std::string> notes;
-    const auto check = [&](bool isVain, const char* option, const std::string& of) {
+    const auto check = [&](bool isVain, std::string_view option, const std::string& of) {
         if (isVain) notes.push_back(fmt::format("{} does nothing in this look: it is of {}.", option, of));
     };
     check(!wish.state.window.empty() && !isProjection(look), "--window", looksListed(trace::isProjection));
@@ -73,10 +87,18 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
     check(!wish.lights.empty() && !isTraced, "--lights", traced);
     check(isGiven("lightRotationDeg") && !isTraced, "--light-rotation", traced);
     check(isGiven("lightStrength") && !isTraced, "--light-strength", traced);
+    check(wish.metersExposure && isProjection(look), "--auto-exposure", "all but projections");
+    for (const auto& [id, value] : wish.state.matter) {
+        const std::string_view option = matterParameter(id).option;
+        check(!isTraced, option, traced);
+        if (isTraced && drawn.surface.weight == 0.0 && isOfSurface(id))
+            notes.push_back(fmt::format(
+                "{} does nothing, as the preset has no surface: --surface gives it one.", option));
+    }
     check(isGiven("exposure") && isProjection(look), "--exposure", "all but projections");
     if (wish.effort.denoise.value_or(false) && !isTraced)
         notes.emplace_back("This look is never denoised: --denoise does nothing.");
-    if (wish.keepUnfinished && wish.effort.error <= 0.0)
+    if (wish.keepUnfinished && wish.effort.error <= 0.0 && (saysEffort(wish.effort) || !isTraced))
         notes.emplace_back(
             "--keep-unfinished does nothing without --error: nothing is written when stopped.");
     return notes;
@@ -96,6 +118,11 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     MACULA_TRY(const Effort effort, effortOf(wish.effort, picture.state.settings));
     request.samplesPerPixel = effort.samplesPerPixel;
     picture.state.settings = effort.settings;
+    if (!saysEffort(wish.effort) && trace::isPathTraced(effort.settings.look) && !isExr(wish.output)) {
+        request.samplesPerPixel = kMostUsualSamples;
+        picture.state.settings.errorThreshold = kUsualError;
+        if (!wish.effort.denoise) picture.state.settings.denoising = trace::Denoising::on;
+    }
     picture.state.settings.seed = wish.seed;
     MACULA_TRY_VOID(setLights(picture, wish.lights));
     picture.clip = publicClip(wish, picture.state);
@@ -105,6 +132,7 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     request.isParallel = wish.state.isParallel;
     request.keepUnfinished = wish.keepUnfinished;
     request.isLinear = isExr(wish.output);
+    request.metersExposure = wish.metersExposure;
     request.memory = wish.memory;
     return picture;
 }

@@ -23,7 +23,8 @@ struct RenderWish {
     std::filesystem::path output;
     std::string series;
     StateWish state;
-    std::string lights;  // as chooseLights, a panorama too
+    std::string lights;           // as chooseLights, a panorama too
+    bool metersExposure = false;  // instead of that of the view
     AdditionWish additions;
     bool shading = false;  // of ray casts, whatever the preset asks for
     std::string size = "768x768";
@@ -40,9 +41,10 @@ struct RenderWish {
 // "mip, minip and average": the looks that `isMeant` says.
 std::string looksListed(bool (*isMeant)(trace::Look));
 
-// What was given and does nothing in this look; not what a view, a quality or a default says. makeAdditions
-// tells of additions.
-std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Look look);
+// What was given and does nothing in this look, or to the preset that is drawn; not what a view, a quality or
+// a default says. makeAdditions tells of additions.
+std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Look look,
+                                              const TransferFunction& drawn);
 
 // What a wish comes to, but for what the study decides.
 struct WishedPicture {

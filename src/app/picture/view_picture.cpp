@@ -80,6 +80,20 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
     return sentences;
 }
 
+Result<double> meteredExposureOf(const ViewPicture& picture, const std::string& preferredDevice,
+                                 Progress& progress) {
+    if (progress.cancelled()) return stopped();
+    MACULA_TRY(const PictureRequest request, requestOf(picture, true));
+    MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [](std::string_view) {}));
+    double exposure = 1.0;
+    MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
+        MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(on, request, progress));
+        MACULA_TRY(exposure, drawer.meterExposure(picture.camera, progress));
+        return {};
+    }));
+    return exposure;
+}
+
 Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vector<ViewPicture>& pictures,
                                                                 const std::string& preferredDevice,
                                                                 Progress& progress) {

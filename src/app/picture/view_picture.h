@@ -44,6 +44,10 @@ struct ViewPicture {
 Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
                                                   const std::string& preferredDevice, Progress& progress);
 
+// The exposure that suits what is seen (PictureDrawer::meterExposure), whatever the view has. Fails as above.
+Result<double> meteredExposureOf(const ViewPicture& picture, const std::string& preferredDevice,
+                                 Progress& progress);
+
 // The same pictures to be looked at, beside each other: 4 bytes a pixel, display-encoded over black, row 0 on
 // top. `output` and what is of files does not matter. Fails as above.
 Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vector<ViewPicture>& pictures,

@@ -1,0 +1,54 @@
+// How many pixels of a denoised picture of few samples stand out of what the picture converges to.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "base/progress.h"
+#include "base/result.h"
+#include "evaluate/bench_study.h"
+#include "image/image.h"
+#include "pipeline/trace/settings.h"
+
+namespace macula::evaluate {
+
+// A pixel is a bright speck where its luminance is more than a tenth above the largest of the converged 5 x 5
+// pixels around it, and a dark one where it is more than a tenth below their smallest. Luminance is Rec. 709
+// of linear light; a difference of less than a step of 8 bits, display-encoded, is none.
+struct Specks {
+    std::size_t bright = 0;
+    std::size_t dark = 0;
+    std::size_t pixels = 0;   // where the converged picture shows any light, or this one does
+    double worst = 0.0;       // how many times as bright as that largest one; 0 without a bright speck
+    double lightRatio = 1.0;  // the sum of luminance over that of the converged picture
+};
+// Both display-encoded over black, of three channels and the same size.
+Specks specksOf(const image::Image& shown, const image::Image& converged);
+
+struct SpecksOptions {
+    std::vector<std::uint32_t> samples{1, 2, 4, 16, 64, 256};  // ascending
+    std::uint32_t convergedSamples = 1024;                     // not denoised, of another seed
+    trace::Filter filter = trace::Filter::trilinear;
+    int bounces = trace::kDefaultBounces;
+};
+
+struct SpecksRow {
+    std::uint32_t samples = 0;
+    Specks specks;
+    double flip = 0.0;  // to the converged picture
+};
+
+struct SpecksReport {
+    std::vector<SpecksRow> rows;
+    double convergedFlip = 0.0;  // of half of its samples to all of them: what chance leaves
+};
+
+// usage: samples that do not ascend from 1 on, or not below those of the converged picture.
+Result<void> check(const BenchStudyOptions& study, const SpecksOptions& options);
+Result<SpecksReport> measureSpecks(const BenchStudy& study, const SpecksOptions& options, Progress& progress);
+nlohmann::ordered_json reportOf(const BenchStudy& study, const SpecksOptions& options,
+                                const SpecksReport& report);
+
+}  // namespace macula::evaluate
