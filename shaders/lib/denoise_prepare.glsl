@@ -88,7 +88,7 @@ Prepared preparePixel(ivec2 pixel) {
     float alpha2 = max(coverage * (float(1.0) - coverage), float(0.002)) / max(moments.y, float(1.0));
 
     float caution = cautionOf(moments.y);
-    light2 *= caution;
+    light2 *= caution * doubtOf(moments.y);
     alpha2 *= caution;
 
     float slope = float(0.0);

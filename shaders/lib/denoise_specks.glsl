@@ -1,13 +1,14 @@
 // Before and after the filter: pixels that stand out alone. The brightest of few samples are many times as bright as all
 // around them: the filter would keep such a pixel apart for its light, and a white dot would stay. So before the filter it
-// gives what is beyond twice the brightest neighbour. After the filter, in soft tissue, normals are so uncertain that they
-// tell a pixel from all around it; it keeps the noise of its few samples and is brighter, or darker, than each of its eight
-// neighbours. As far as the noise that is left to it explains that, it exchanges with them whatever normals and light say, in
-// flows like those of the filter: light is kept exactly, and the more samples, the less is exchanged.
+// gives light away, from four times its brightest neighbour on, and from seven times on all that is beyond that neighbour.
+// After the filter, in soft tissue, normals are so uncertain that they tell a pixel from all around it; it keeps the noise of
+// its few samples and is brighter, or darker, than each of its eight neighbours. As far as the noise that is left to it
+// explains that, it exchanges with them whatever normals and light say, in flows like those of the filter: light is kept
+// exactly, and the more samples, the less is exchanged.
 //
-// Depth and coverage still tell pixels apart. And of its neighbours those take part that differ from the limit (the light
-// of the nearest of them) hardly more than the pixel does itself: in a line one pixel wide the limit is that of the line,
-// and what stands out of the line by less than the line does of its sides goes along it.
+// Depth and coverage still tell pixels apart. And after the filter those neighbours take part that differ from the limit
+// (the light of the nearest of them) hardly more than the pixel does itself: in a line one pixel wide the limit is that of
+// the line, and what stands out of the line by less than the line does of its sides goes along it.
 //
 // Alpha stays as it is: it is a coin whose odds the guides know, and where matter is opaque it has no noise.
 //
@@ -19,17 +20,17 @@
 // How much of what stands out is taken for noise, in standard deviations of what is left. More takes more away, of
 // noisy lines too (docs/measurements/tracer.md).
 #define SPECK_DEVIATIONS 2.0
-// Before the filter: noise is known by few pixels, of which the bright one is the noisiest. From so many samples of its own
-// on less than half of that is taken, or true detail, as of cut faces, would go too.
+// Before the filter: noise is known by few pixels, of which the bright one is the noisiest. From so many samples on, with
+// those of the view before, less than half of that is taken, or true detail, as of cut faces, would go too.
 #define DOT_DEVIATIONS 8.0
 #define DOT_SAMPLES 8.0
-#define DOT_TIMES 3.0  // what is as bright as so many times its brightest neighbour is none
+#define DOT_TIMES 4.0  // what is so many times as bright as its brightest neighbour is none
 // Stands for a pixel outside the picture, or one that is empty; light is 0 or more.
 #define NO_LIGHT -1.0
 
 // How a pixel stands out of its eight neighbours, in light per mass.
 struct Speck {
-    float limit;  // the neighbour's light that is nearest to its own
+    float limit;  // the neighbour's light that is nearest to its own; before the filter that, or more
     float over;   // how far beyond
     float part;   // what it exchanges with each of its neighbours, times eight: at most 1
 };
@@ -37,6 +38,7 @@ struct Speck {
 // How much a neighbour with this light takes part.
 float takesPart(Speck speck, float light) {
     if (light < float(0.0)) return float(0.0);
+    if (denoise.stride == 0) return float(1.0);
     return clamp(float(2.0) - abs(light - speck.limit) / max(speck.over, float(1e-30)), float(0.0), float(1.0));
 }
 
@@ -56,10 +58,9 @@ Speck speckAt(float lights[25], int place, float explained) {
     }
     bool alone = light < float(0.0) || high < float(0.0);
     Speck speck;
-    bool isFirst = denoise.stride == 0;
-    low = isFirst ? float(0.0) : low;
-    high = isFirst ? high * float(DOT_TIMES) : high;
-    speck.limit = alone ? light : clamp(light, low, high);
+    float brightest = float(DOT_TIMES) * high;  // that is no dot
+    float ofDot = light > brightest ? max(high, float(2.0) * brightest - light) : light;
+    speck.limit = alone ? light : denoise.stride == 0 ? ofDot : clamp(light, low, high);
     speck.over = abs(light - speck.limit);
     float move = min(speck.over, explained);
     speck.part = speck.over > float(0.0) ? min(move / max(reach, float(1e-30)), float(1.0)) : float(0.0);

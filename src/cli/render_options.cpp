@@ -113,7 +113,9 @@ void addEffort(CLI::App& command, app::RenderWish& o) {
         "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
     command
         .add_option("--spp", o.effort.samplesPerPixel,
-                    "Samples per pixel (default: as --error 0.1 takes, or 8 for looks without chance)")
+                    "Samples per pixel (default: of a PNG as --error 0.1 takes, at most about 256; of an EXR "
+                    "64; 8 for "
+                    "looks without chance)")
         ->check(CLI::Range(1u, app::kMostSamplesPerPixel));
     command
         .add_option("--error", o.effort.error,
@@ -124,7 +126,8 @@ void addEffort(CLI::App& command, app::RenderWish& o) {
         ->check(CLI::Range(int(bounces.low), int(bounces.high)));
     command.add_flag_function(
         "--denoise,!--no-denoise", [&o](std::int64_t count) { o.effort.denoise = count > 0; },
-        "Filter the noise out, guided by what is seen, or not; the picture says that it is denoised");
+        "Filter the noise out, guided by what is seen, or not (default: of a PNG whose --spp, --error and "
+        "--quality nobody says); the picture says that it is denoised");
     command
         .add_option(
             "--filter", o.effort.filter,

@@ -122,6 +122,14 @@ TEST_F(DrawnPictureTest, MetersItsExposure) {
     RenderRecord record;
     record.add(asked, metered);
     EXPECT_EQ(record.settings.exposure, metered.exposure);
+    // No exposure changes a grey face: how bright it is does not count.
+    asked = request();
+    asked.metersExposure = true;
+    asked.scene.clip.planes = {{.normal = {0, 1, 0}, .offsetMm = 0.0}};
+    asked.scene.clip.greyFaces = DisplayWindow{.center = 0.0, .width = 2000.0};
+    const double dim = draw(asked).exposure;
+    asked.scene.clip.greyFaces = DisplayWindow{.center = -900.0, .width = 10.0};
+    EXPECT_EQ(draw(asked).exposure, dim);
     // A projection is shown through its window.
     asked = request(trace::Look::mip);
     asked.metersExposure = true;

@@ -68,7 +68,7 @@ TEST_F(Render, UntilNoiseIsGone) {
     EXPECT_EQ(statistics["converged"], false);
     EXPECT_GE(statistics["meanSamplesPerPixel"], 4);
     EXPECT_LT(statistics["meanSamplesPerPixel"], 200);
-    EXPECT_EQ(statistics["notes"].back(), "The picture is noisier than was asked for.");
+    EXPECT_EQ(statistics["notes"].back(), "The picture is noisier than its limit of noise.");
 }
 
 // Somebody who says nothing of effort gets a picture to look at, and light as it was traced.

@@ -151,6 +151,33 @@ double contrastKept(std::uint32_t samples, double angle) {
     return after / before;
 }
 
+// Before the filter, by itself.
+TEST(DenoiseSpecksFirst, ADotIsLimitedToItsBrightestNeighbour) {
+    const auto first = [](double dot, double samples, double noise) {
+        const TruePicture picture = flat(9, 9);
+        const DenoiseGuides guides = picture.guides();
+        const std::size_t count = 81;
+        DenoiseRecord record{std::vector<glm::dvec4>(count, glm::dvec4(0.0)),
+                             std::vector<glm::dvec2>(count, {1.0, samples})};
+        for (std::size_t i = 0; i < count; ++i) record.means[i] = picture.truth(i);
+        std::vector<glm::dvec4> masses;
+        DenoiseState state = denoisePrepare(picture.push(), record, guides, masses);
+        for (int c = 0; c < 3; ++c) state.colours[40][c] *= dot;
+        for (glm::dvec4& each : state.noises) each.x = noise;
+        const double before = total(state.colours).y;
+        const std::vector<glm::dvec4> after =
+            denoiseSpecksFirst(picture.push(), record, state, guides, masses);
+        EXPECT_NEAR(total(after).y, before, 1e-12 * before);
+        EXPECT_GT(after[30].y, state.colours[30].y - 1e-15);
+        return after[40].y / picture.truth(40).y;
+    };
+    EXPECT_NEAR(first(20.0, 1.0, 100.0), 1.0, 1e-9);
+    EXPECT_NEAR(first(5.0, 1.0, 100.0), 3.0, 1e-9) << "from four times on, and all from seven times on";
+    EXPECT_GT(first(20.0, 1.0, 0.01), 19.0) << "little noise explains little";
+    EXPECT_GT(first(20.0, 1e4, 1.0), 19.9) << "so many samples are right";
+    EXPECT_DOUBLE_EQ(first(3.9, 1.0, 100.0), 3.9) << "no dot";
+}
+
 // A sample is as noisy as it is bright here: peaks of the line go too, as peaks elsewhere do.
 TEST(DenoiseSpecks, OfANoisyLineLittleIsLost) {
     for (const double angle : {0.0, 0.3, std::numbers::pi / 4}) {

@@ -121,6 +121,25 @@ TEST_F(LightsPanelTest, AHandleIsDraggedToWhereItShinesFrom) {
     EXPECT_EQ(state().lights, nullptr);
 }
 
+TEST_F(LightsPanelTest, WhoOnlyChoosesALightChangesNothing) {
+    ASSERT_TRUE(tool_->press(at(placeOf(1))));
+    tool_->release(at(placeOf(1)));
+    EXPECT_EQ(editing_->chosen(), 1U);
+    EXPECT_TRUE(editing_->drag(*editing_->light()).ok());
+    EXPECT_EQ(state().lights, nullptr);
+    EXPECT_FALSE(session_->canUndo());
+}
+
+TEST_F(LightsPanelTest, ACancelledColourLeavesTheLightsThatWere) {
+    click("lights-colour");
+    auto* dialog = panel_->findChild<QColorDialog*>();
+    ASSERT_NE(dialog, nullptr);
+    dialog->setCurrentColor(Qt::green);
+    EXPECT_NE(state().lights, nullptr);
+    dialog->reject();
+    EXPECT_EQ(state().lights, nullptr);
+}
+
 TEST_F(LightsPanelTest, HandlesFollowTheRotationOfAllLights) {
     type("lights-turned", QStringLiteral("40"));
     EXPECT_EQ(state().settings.lightRotationDeg, 40.0);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/lights/light_meter.h"
 #include "pipeline/trace/light_rig_json.h"
 
 namespace macula::app {
@@ -12,10 +13,6 @@ namespace {
 
 using trace::LightRig;
 using trace::SoftLight;
-
-double brightnessOf(const glm::dvec3& linear) {
-    return glm::dot(linear, glm::dvec3(0.2126, 0.7152, 0.0722));
-}
 
 // NaN is the low end.
 double within(double value, double low, double high) {

@@ -15,9 +15,7 @@ constexpr double kBrightest = 0.05;  // the part of the pixels that may be brigh
 std::optional<double> meteredExposure(std::span<const glm::vec4> radiance) {
     std::vector<double> luminances;
     for (const glm::vec4& pixel : radiance) {
-        const double luminance =
-            (0.2126 * double(pixel.r) + 0.7152 * double(pixel.g) + 0.0722 * double(pixel.b)) /
-            double(pixel.w);
+        const double luminance = brightnessOf(glm::dvec3(pixel)) / double(pixel.w);
         if (pixel.w >= 0.5f && std::isfinite(luminance)) luminances.push_back(luminance);
     }
     if (luminances.empty()) return std::nullopt;

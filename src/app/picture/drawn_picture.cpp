@@ -158,6 +158,16 @@ Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Pr
 }
 
 Result<double> PictureDrawer::meterExposure(const Camera& camera, const Progress& progress) {
+    if (!request_.scene.clip.greyFaces) return meter(camera, progress);
+    Clip withoutFaces = request_.scene.clip;
+    withoutFaces.greyFaces.reset();
+    MACULA_TRY_VOID(tracer_.scene().setClip(withoutFaces));
+    const Result<double> exposure = meter(camera, progress);
+    MACULA_TRY_VOID(tracer_.scene().setClip(request_.scene.clip));
+    return exposure;
+}
+
+Result<double> PictureDrawer::meter(const Camera& camera, const Progress& progress) {
     constexpr int kLongerSidePx = 128;
     constexpr std::uint32_t kSamples = 16;
     trace::Settings settings = request_.settings;
@@ -200,7 +210,7 @@ std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest
     const trace::Statistics& statistics = drawn.statistics;
     std::vector<PictureNote> notes;
     if (request.settings.errorThreshold > 0.0 && !statistics.converged)
-        notes.push_back({"The picture is noisier than was asked for."});
+        notes.push_back({"The picture is noisier than its limit of noise."});
     if (isEmpty(drawn)) {
         // A projection knows no preset: what is black there is below its window.
         const auto& window = request.settings.window;

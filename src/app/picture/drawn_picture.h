@@ -41,12 +41,14 @@ class PictureDrawer {
                               const PictureRequest& request, const Progress& progress);
     // As drawPicture; nothing: a camera that what can be seen fills.
     Result<DrawnPicture> draw(const std::optional<Camera>& camera, Progress& progress);
-    // The exposure that PictureRequest::metersExposure means, of that camera; 1 where nothing is seen.
+    // The exposure that PictureRequest::metersExposure means, of that camera; 1 where nothing is seen. Grey
+    // cut faces do not count: no exposure changes them.
     Result<double> meterExposure(const Camera& camera, const Progress& progress);
 
   private:
     PictureDrawer(std::shared_ptr<gpu::Device> device, PictureRequest request, trace::PathTracer tracer)
         : device_(std::move(device)), request_(std::move(request)), tracer_(std::move(tracer)) {}
+    Result<double> meter(const Camera& camera, const Progress& progress);  // of the clip that is set
     // Of the same volume, with the same room for it.
     Result<void> change(const PictureRequest& request, const Progress& progress);
 

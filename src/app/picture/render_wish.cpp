@@ -14,12 +14,14 @@ namespace macula::app {
 
 namespace {
 
-// Of a picture to be looked at that nobody said anything of: filtered, and ended by its noise before that.
+// Where nobody says how much work a PNG is worth, it is filtered, and ended by the noise that it has before.
 constexpr double kUsualError = 0.1;
 constexpr std::uint32_t kMostUsualSamples = 256;
 
-bool saysEffort(const EffortWish& effort) {
-    return !effort.quality.empty() || effort.samplesPerPixel || effort.error > 0.0;
+bool endsByUsualError(const RenderWish& wish, trace::Look look) {
+    const EffortWish& effort = wish.effort;
+    return effort.quality.empty() && !effort.samplesPerPixel && !(effort.error > 0.0) &&
+           trace::isPathTraced(look) && !isExr(wish.output);
 }
 
 Result<void> checkFiles(const RenderWish& wish) {
@@ -98,7 +100,7 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
     check(isGiven("exposure") && isProjection(look), "--exposure", "all but projections");
     if (wish.effort.denoise.value_or(false) && !isTraced)
         notes.emplace_back("This look is never denoised: --denoise does nothing.");
-    if (wish.keepUnfinished && wish.effort.error <= 0.0 && (saysEffort(wish.effort) || !isTraced))
+    if (wish.keepUnfinished && wish.effort.error <= 0.0 && !endsByUsualError(wish, look))
         notes.emplace_back(
             "--keep-unfinished does nothing without --error: nothing is written when stopped.");
     return notes;
@@ -118,7 +120,7 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     MACULA_TRY(const Effort effort, effortOf(wish.effort, picture.state.settings));
     request.samplesPerPixel = effort.samplesPerPixel;
     picture.state.settings = effort.settings;
-    if (!saysEffort(wish.effort) && trace::isPathTraced(effort.settings.look) && !isExr(wish.output)) {
+    if (endsByUsualError(wish, effort.settings.look)) {
         request.samplesPerPixel = kMostUsualSamples;
         picture.state.settings.errorThreshold = kUsualError;
         if (!wish.effort.denoise) picture.state.settings.denoising = trace::Denoising::on;

@@ -13,6 +13,7 @@
 #include "app/clip/eye_cut.h"
 #include "app/frame/projection_windows.h"
 #include "app/lights/light_direction.h"
+#include "app/lights/light_meter.h"
 #include "app/presentation/palette_of_transfer.h"
 #include "app/presentation/voxel_axes.h"
 #include "app/state/drawing_of.h"
@@ -53,10 +54,6 @@ dicom::PresentedView viewOf(const Camera& seen, const CameraBasis& axes, const V
     view.field.rightMm = view.field.topMm * aspect;
     view.field.leftMm = -view.field.rightMm;
     return view;
-}
-
-double brightnessOf(const glm::dvec3& linear) {
-    return glm::dot(linear, glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
 // The strongest light, and all others as light from everywhere, by what a surface that faces them gets.

@@ -4,8 +4,8 @@
 // both steered by variance and by the guides. Light and coverage each keep their sum over the picture, but
 // for what is clamped to 0 to 1 of alpha. The noisier a pixel, the farther the filter reaches; as samples
 // come in it goes over into the plain mean. What stands out alone is limited to its neighbours, as far as its
-// noise explains it, before the filter, which would keep it apart for its light, and after it: not for
-// Denoising::little, since of many pictures noise averages out and a limit does not.
+// noise explains it; before the filter, too, what is many times as bright, as the filter would keep it apart.
+// Neither is for Denoising::little, since of many pictures noise averages out and a limit does not.
 #pragma once
 
 #include <array>

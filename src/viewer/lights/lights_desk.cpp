@@ -37,10 +37,13 @@ LightsDesk::LightsDesk(ViewerSession& session, LightsHost host, QWidget* window)
     connect(panel_, &LightsPanel::meteringAsked, this, &LightsDesk::meter);
     connect(panel_, &LightsPanel::lookedAt, this, [this] { editing_.setCamera(host_.seen().camera); });
     // An exposure that was found for another picture suits nothing.
-    connect(&session_, &ViewerSession::studyShown, this, [this] {
+    const auto stop = [this] {
+        if (!metering_.running()) return;
         metering_.cancel();
         panel_->setMetering(false);
-    });
+    };
+    connect(&session_, &ViewerSession::studyShown, this, stop);
+    connect(&session_, &ViewerSession::changed, this, stop);
 }
 
 void LightsDesk::save() {

@@ -13,7 +13,14 @@ Error noLight() {
     return {ErrorCode::usage,
             LightsEditing::tr("There is no light that could be changed.").toStdString(),
             {},
-            LightsEditing::tr("Open a study in the look Cinematic or Clear, and add a light.").toStdString()};
+            LightsEditing::tr("Add a light first.").toStdString()};
+}
+
+Error noLights() {
+    return {ErrorCode::usage,
+            LightsEditing::tr("Only Cinematic and Clear have lights.").toStdString(),
+            {},
+            LightsEditing::tr("Open a study, and choose one of these looks.").toStdString()};
 }
 
 }  // namespace
@@ -66,7 +73,7 @@ std::optional<app::LightStand> LightsEditing::stand(const Camera& camera) const 
 }
 
 Result<void> LightsEditing::propose(Result<trace::LightRig> rig, bool isDrag) {
-    if (!isUsable()) return noLight();
+    if (!isUsable()) return noLights();
     if (!rig) return rig.error();
     const auto proposed = std::make_shared<const trace::LightRig>(*std::move(rig));
     const auto edit = [&](app::StudyState& next) { next.lights = proposed; };
@@ -75,6 +82,8 @@ Result<void> LightsEditing::propose(Result<trace::LightRig> rig, bool isDrag) {
 }
 
 Result<void> LightsEditing::drag(const trace::SoftLight& light) {
+    wheelEnds_.stop();  // it would end this drag
+    if (const trace::SoftLight* now = this->light(); now != nullptr && *now == light) return {};
     return propose(app::withLight(*rig(), chosen(), light), true);
 }
 
@@ -87,7 +96,7 @@ void LightsEditing::strengthen(double factor) {
 }
 
 Result<void> LightsEditing::add() {
-    if (!isUsable()) return noLight();
+    if (!isUsable()) return noLights();
     const auto stands = stand(camera_);
     trace::SoftLight light{.radiance = 10.0};
     if (stands) {
@@ -105,13 +114,17 @@ Result<void> LightsEditing::remove() {
 
 Result<void> LightsEditing::keepTo(trace::LightFrame frame) {
     const auto stands = stand(camera_);
-    if (!stands || !isUsable()) return noLight();
+    if (!stands || !isUsable()) return noLights();
     if (stands->frame == frame) return {};
     return propose(app::keptTo(*rig(), frame, *stands), false);
 }
 
 Result<void> LightsEditing::setSky(double radiance) {
     return propose(app::withSky(*rig(), radiance), true);
+}
+
+void LightsEditing::dragBack(const std::shared_ptr<const trace::LightRig>& lights) {
+    session_.drag(tr("Light"), [&](app::StudyState& next) { next.lights = lights; });
 }
 
 void LightsEditing::use(std::shared_ptr<const trace::LightRig> rig) {

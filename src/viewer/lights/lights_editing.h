@@ -38,12 +38,14 @@ class LightsEditing : public QObject {
 
     // The chosen light takes these numbers; a drag, until the session's endDrag.
     Result<void> drag(const trace::SoftLight& light);
-    void strengthen(double factor);  // likewise, and ends by itself after a pause
+    void strengthen(double factor);        // likewise, and ends by itself after a pause
+    Result<void> setSky(double radiance);  // likewise; what was black becomes grey
+    // To what the state had when the drag began; null: the default lights.
+    void dragBack(const std::shared_ptr<const trace::LightRig>& lights);
     // One step each.
     Result<void> add();  // a light from above the viewer's left shoulder, and chooses it
     Result<void> remove();
     Result<void> keepTo(trace::LightFrame frame);
-    Result<void> setSky(double radiance);
     void use(std::shared_ptr<const trace::LightRig> rig);
 
   signals:

@@ -23,7 +23,7 @@ namespace macula::viewer {
 namespace {
 
 constexpr int kSwatchPx = 16;
-constexpr double kMostTypedStrength = 1000.0;  // beyond it every picture is white
+constexpr int kGainDecimals = 6;  // as small as the least exposure
 
 double encoded(double linear) {
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
@@ -155,7 +155,8 @@ QWidget* LightsPanel::makeLight() {
     size_->setRange(trace::kLeastLightRadiusDeg, trace::kMostLightRadiusDeg);
     strength_ = makeNumber(QStringLiteral("lights-strength"), tr("Strength"), {},
                            tr("Radiance of the disc; in the picture Shift and the wheel"));
-    strength_->setRange(0.0, kMostTypedStrength);
+    strength_->setRange(0.0, trace::kMostRadiance);
+    strength_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     using Light = trace::SoftLight;
     const auto connectTo = [this](QDoubleSpinBox& box, double Light::*number) {
         connect(&box, &QDoubleSpinBox::valueChanged, this,
@@ -192,28 +193,29 @@ QWidget* LightsPanel::makeAll() {
     });
     sky_ = makeNumber(QStringLiteral("lights-sky"), tr("Sky"), {},
                       tr("Light from everywhere: less shows more relief, more shows what lies in shadow"));
-    sky_->setRange(0.0, kMostTypedStrength);
+    sky_->setRange(0.0, trace::kMostRadiance);
     sky_->setSingleStep(0.05);
     connect(sky_, &QDoubleSpinBox::valueChanged, this,
             [this](double value) { tryTo(editing_.setSky(value)); });
     const auto parameterBox = [this](const char* name, const QString& title, const char* id,
-                                     const QString& suffix, double most, const QString& does) {
+                                     const QString& suffix, const QString& does) {
         QDoubleSpinBox* box = makeNumber(QString::fromLatin1(name), title, suffix, does);
-        box->setRange(std::max(app::parameter(id).low, -most), most);
+        if (suffix.isEmpty()) {
+            box->setDecimals(kGainDecimals);
+            box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+        }
+        box->setRange(app::parameter(id).low, app::parameter(id).high);
         connect(box, &QDoubleSpinBox::valueChanged, this,
                 [this, id](double value) { setParameter(id, value); });
         return box;
     };
-    turned_ = parameterBox("lights-turned", tr("Turned"), "lightRotationDeg", tr("°"), 360.0,
+    turned_ = parameterBox("lights-turned", tr("Turned"), "lightRotationDeg", tr("°"),
                            tr("All lights about the vertical, in °; positive to the patient's left"));
     turned_->setSingleStep(5.0);
     allStrength_ = parameterBox("lights-all-strength", tr("Strength of all"), "lightStrength", {},
-                                kMostTypedStrength, tr("Multiplies all lights and the sky"));
-    allStrength_->setSingleStep(0.1);
-    exposure_ = parameterBox("lights-exposure", tr("Exposure"), "exposure", {}, kMostTypedStrength,
+                                tr("Multiplies all lights and the sky"));
+    exposure_ = parameterBox("lights-exposure", tr("Exposure"), "exposure", {},
                              tr("Multiplies the picture before the tone map"));
-    exposure_->setMinimum(0.01);
-    exposure_->setSingleStep(0.1);
     meter_ = new QPushButton(tr("Automatic"), group);
     meter_->setObjectName(QStringLiteral("lights-meter"));
     meter_->setAccessibleName(tr("Find the exposure"));
@@ -264,8 +266,8 @@ void LightsPanel::askColour() {
     const trace::SoftLight* light = editing_.light();
     if (light == nullptr) return;
     if (dialog_) return dialog_->raise();
-    const glm::dvec3 before = light->colour;
-    dialog_ = new QColorDialog(shownColour(before), this);
+    const auto before = session_.state().lights;
+    dialog_ = new QColorDialog(shownColour(light->colour), this);
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     dialog_->setWindowTitle(tr("Colour of the light"));
     const auto paint = [this](const glm::dvec3& colour) {
@@ -274,7 +276,7 @@ void LightsPanel::askColour() {
     connect(dialog_, &QColorDialog::currentColorChanged, this, [paint](const QColor& colour) {
         if (colour.isValid()) paint(linearOf(colour));
     });
-    connect(dialog_, &QDialog::rejected, this, [paint, before] { paint(before); });
+    connect(dialog_, &QDialog::rejected, this, [this, before] { editing_.dragBack(before); });
     connect(dialog_, &QDialog::finished, &session_, &ViewerSession::endDrag);
     dialog_->open();
 }

@@ -43,6 +43,7 @@ bool LightsTool::press(const PicturePlace& place) {
     session_.endDrag();  // of what was dragged before
     editing_.choose(*light);
     grabbed_ = place.at - places(place.picture)[*light];
+    pressedAt_ = place.at;
     return true;
 }
 
@@ -55,8 +56,9 @@ void LightsTool::move(const PicturePlace& place) {
     [[maybe_unused]] const Result<void> moved = editing_.drag(app::shiningFrom(*light, direction, *stand));
 }
 
+// Who only chooses a light changes nothing.
 void LightsTool::release(const PicturePlace& place) {
-    move(place);
+    if (place.at != pressedAt_) move(place);
     giveUp();
 }
 

@@ -34,6 +34,7 @@ class LightsTool : public QObject, public PictureTool {
     ViewerSession& session_;
     LightsEditing& editing_;
     std::optional<glm::dvec2> grabbed_;  // less this, the light is where it was
+    glm::dvec2 pressedAt_{0.0};
 };
 
 }  // namespace macula::viewer

@@ -3303,8 +3303,8 @@
         <translation>Verfolgt, bis das Rauschen weg ist</translation>
     </message>
     <message>
-        <source>The picture is noisier than was asked for.</source>
-        <translation>Das Bild rauscht mehr als verlangt.</translation>
+        <source>The picture is noisier than its limit of noise.</source>
+        <translation>Das Bild rauscht stärker als seine Grenze für Rauschen.</translation>
     </message>
     <message>
         <source>The picture must be a .png or .exr file.</source>

@@ -1501,16 +1501,24 @@
         <translation>Es gibt kein Licht, das geändert werden könnte.</translation>
     </message>
     <message>
-        <source>Open a study in the look Cinematic or Clear, and add a light.</source>
-        <translation>Öffnen Sie eine Studie in der Darstellung Cinematic oder Klar und fügen Sie ein Licht hinzu.</translation>
-    </message>
-    <message>
         <source>Light</source>
         <translation>Licht</translation>
     </message>
     <message>
         <source>Lights</source>
         <translation>Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Add a light first.</source>
+        <translation>Fügen Sie zuerst ein Licht hinzu.</translation>
+    </message>
+    <message>
+        <source>Only Cinematic and Clear have lights.</source>
+        <translation>Nur Cinematic und Klar haben Lichter.</translation>
+    </message>
+    <message>
+        <source>Open a study, and choose one of these looks.</source>
+        <translation>Öffnen Sie eine Studie und wählen Sie eine dieser Darstellungen.</translation>
     </message>
 </context>
 <context>
