@@ -61,9 +61,10 @@ bool isEmpty(vec4 mass) {
 }
 
 // Few samples do not know how noisy they are: the brightest come seldom. The filter takes the variance of light for more
-// than they tell, or it would keep each bright one apart as a white dot: 3.7 times for one sample, 1.1 for eight.
+// than they tell, or it would keep each bright one apart as a white dot: 3.7 times for one sample, 1.1 for eight. Not for
+// who learns from many pictures: noise is another in each, and the blur of doubt is not.
 float doubtOf(float samples) {
-    return float(1.0) + float(8.0) / (samples * samples + float(2.0));
+    return denoise.doubts == 1 ? float(1.0) + float(8.0) / (samples * samples + float(2.0)) : float(1.0);
 }
 
 // The filter takes the variance of a pixel with so many samples for less than it is, by this factor: the more samples there

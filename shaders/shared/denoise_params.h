@@ -17,6 +17,7 @@ struct DenoisePush {
     float foveaRadius;
     float foveaMagnification;
     float parallelMm;  // as in TraceParams
+    int doubts;        // 1: light is taken for noisier than few samples tell
 };
 
 MACULA_SHARED_END

@@ -71,7 +71,8 @@ struct TruePicture {
                 .last = 0,
                 .pixelAngle = 0.001f,
                 .historySamples = 0.0f,
-                .firstRow = 0};
+                .firstRow = 0,
+                .doubts = 1};
     }
 };
 
@@ -122,9 +123,10 @@ inline DenoiseState filtered(const shared::DenoisePush& push, const DenoiseRecor
 }
 
 // The whole of the denoiser, in double.
-inline std::vector<glm::dvec4> denoised(const shared::DenoisePush& push, const DenoiseRecord& record,
+inline std::vector<glm::dvec4> denoised(shared::DenoisePush push, const DenoiseRecord& record,
                                         const DenoiseGuides& guides, Denoising how = Denoising::on) {
     std::vector<glm::dvec4> masses;
+    push.doubts = how == Denoising::little ? 0 : 1;
     const DenoiseState state = filtered(push, record, guides, masses, how);
     return how == Denoising::little ? state.colours : denoiseSpecks(push, state, guides, masses);
 }

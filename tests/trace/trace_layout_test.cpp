@@ -93,7 +93,7 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
              MACULA_FIELD(shared::DenoisePush, planeHalfSize), MACULA_FIELD(shared::DenoisePush, gaze),
              MACULA_FIELD(shared::DenoisePush, foveaRadius),
              MACULA_FIELD(shared::DenoisePush, foveaMagnification),
-             MACULA_FIELD(shared::DenoisePush, parallelMm)});
+             MACULA_FIELD(shared::DenoisePush, parallelMm), MACULA_FIELD(shared::DenoisePush, doubts)});
     }
     const auto display = gpu::reflectSpirv(shaders::trace_display_comp.words);
     ASSERT_TRUE(display.ok());

@@ -162,7 +162,7 @@ Result<double> PictureDrawer::meterExposure(const Camera& camera, const Progress
     Clip withoutFaces = request_.scene.clip;
     withoutFaces.greyFaces.reset();
     MACULA_TRY_VOID(tracer_.scene().setClip(withoutFaces));
-    const Result<double> exposure = meter(camera, progress);
+    Result<double> exposure = meter(camera, progress);
     MACULA_TRY_VOID(tracer_.scene().setClip(request_.scene.clip));
     return exposure;
 }

@@ -49,7 +49,7 @@ Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, 
 
 // Of the first pass from the first row.
 shared::DenoisePush pushOf(const glm::ivec2& sizePx, float pixelAngle, float historySamples,
-                           const FoveaInPlane& fovea) {
+                           const FoveaInPlane& fovea, bool doubts) {
     return {.imageSize = sizePx,
             .stride = 1,
             .last = 0,
@@ -60,7 +60,8 @@ shared::DenoisePush pushOf(const glm::ivec2& sizePx, float pixelAngle, float his
             .gaze = fovea.gaze,
             .foveaRadius = static_cast<float>(fovea.radius),
             .foveaMagnification = static_cast<float>(fovea.magnification),
-            .parallelMm = static_cast<float>(fovea.parallelMm)};
+            .parallelMm = static_cast<float>(fovea.parallelMm),
+            .doubts = doubts ? 1 : 0};
 }
 
 }  // namespace
@@ -114,8 +115,7 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
                            Denoising how, const std::function<bool()>& keepGoing, const FoveaInPlane& fovea,
                            float historySamples) {
     MACULA_CHECK(how != Denoising::off);
-    MACULA_CHECK_EQ(film.width(), width_);
-    MACULA_CHECK_EQ(film.height(), height_);
+    MACULA_CHECK(film.width() == width_ && film.height() == height_);
     MACULA_CHECK(now.width() == width_ && now.height() == height_);
     const bool history = remembers_ && before != nullptr;
     const Guides& old = history ? *before : now;  // never read without a history
@@ -126,7 +126,7 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
     const FilterPortion portion =
         filterPortion(device->isCpu(), static_cast<bool>(keepGoing), width_, height_);
     const shared::DenoisePush firstPush =
-        pushOf({width_, height_}, pixelAngle, history ? historySamples : 0.0f, fovea);
+        pushOf({width_, height_}, pixelAngle, history ? historySamples : 0.0f, fovea, stages.takesSpecks);
 
     const auto recordSome = [&](gpu::Recorder& recorder) {
         const int rows = std::min(portion.rowsAtOnce, height_ - row_);
@@ -168,6 +168,7 @@ Result<bool> Denoiser::run(const Film& film, const Guides& now, const Guides* be
         ++stage_;
     };
 
+    doubts_ = stages.takesSpecks;
     if (stage_ == 0 && row_ == 0) ran_ = false;
     for (bool goesOn = true; stage_ < stages.count && goesOn;) {
         MACULA_TRY(auto recorder, gpu::Recorder::create(device, "denoise"));
@@ -202,7 +203,7 @@ Result<const gpu::Buffer*> Denoiser::variances(const Guides& now) {
     MACULA_TRY(const gpu::Kernel kernel, gpu::Kernel::create(device, shaders::denoise_variance_comp));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "variances"));
     recorder.dispatch(kernel, {static_cast<std::uint32_t>(width_), static_cast<std::uint32_t>(height_)},
-                      pushOf({width_, height_}, 0.0f, 0.0f, {}),
+                      pushOf({width_, height_}, 0.0f, 0.0f, {}, doubts_),
                       {noises_[kNoiseIsIn], masses_, records_[current_].means, records_[current_].moments,
                        now.surfaces(), now.matters(), now.motions(), *variances_});
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());

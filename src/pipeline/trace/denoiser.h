@@ -87,6 +87,7 @@ class Denoiser {
     std::array<Record, 2> records_;  // of this view and of the one before, which is which changes
     std::size_t current_ = 0;
     bool ran_ = false;
+    bool doubts_ = true;  // that run: see DenoisePush
     int stage_ = 0;  // of the run under way: gather, prepare, specks, passes of the filter, specks
     int row_ = 0;    // the first row of that stage that is not done
     bool remembers_ = false;

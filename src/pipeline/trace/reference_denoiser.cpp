@@ -25,7 +25,8 @@ struct Host : GlslInCpp<double> {
                   vec2(push.gaze),
                   double(push.foveaRadius),
                   double(push.foveaMagnification),
-                  double(push.parallelMm)} {}
+                  double(push.parallelMm),
+                  push.doubts} {}
 
     struct {
         ivec2 imageSize;
@@ -38,6 +39,7 @@ struct Host : GlslInCpp<double> {
         double foveaRadius;
         double foveaMagnification;
         double parallelMm;
+        int doubts;
     } denoise;
     const DenoiseFilm* film = nullptr;
     const DenoiseGuides* now = nullptr;
