@@ -88,8 +88,8 @@ class Denoiser {
     std::size_t current_ = 0;
     bool ran_ = false;
     bool doubts_ = true;  // that run: see DenoisePush
-    int stage_ = 0;  // of the run under way: gather, prepare, specks, passes of the filter, specks
-    int row_ = 0;    // the first row of that stage that is not done
+    int stage_ = 0;       // of the run under way: gather, prepare, specks, passes of the filter, specks
+    int row_ = 0;         // the first row of that stage that is not done
     bool remembers_ = false;
     gpu::TexelBuffer masses_;
     std::array<gpu::TexelBuffer, 2> noises_;
