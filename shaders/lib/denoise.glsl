@@ -60,9 +60,9 @@ bool isEmpty(vec4 mass) {
     return massOfLight(mass) < float(LEAST_MASS) && chanceOf(mass.w) <= float(0.0);
 }
 
-// Few samples do not know how noisy they are: the brightest come seldom. The filter takes the variance of light for more
-// than they tell, or it would keep each bright one apart as a white dot: 3.7 times for one sample, 1.1 for eight. Not for
-// who learns from many pictures: noise is another in each, and the blur of doubt is not.
+// Inflates the sample variance of light: few samples underestimate it, as the brightest ones are rare, and the filter would
+// keep each bright pixel apart as a white dot. The factor is 3.7 for one sample and 1.1 for eight. Pictures that models learn
+// from go without it (DenoisePush::doubts): noise differs from picture to picture and averages out, blur does not.
 float doubtOf(float samples) {
     return denoise.doubts == 1 ? float(1.0) + float(8.0) / (samples * samples + float(2.0)) : float(1.0);
 }

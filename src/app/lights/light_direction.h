@@ -18,13 +18,14 @@ struct LightStand {
 
 // Unit vector towards the light.
 glm::dvec3 directionTo(const trace::SoftLight& light, const LightStand& stand);
-// The same light, from that direction, which need not be a unit vector; zero moves nothing.
+// Gives the light the azimuth and elevation of that direction, in patient LPS, which need not be a unit
+// vector. A direction that is zero or not finite leaves the light where it is.
 trace::SoftLight shiningFrom(trace::SoftLight light, const glm::dvec3& direction, const LightStand& stand);
 
-// The dome is Lambert's equidistant map of all directions around that from the patient to the eye (Snyder,
-// Map Projections, 1987, section 25): its middle shines from the eye, the circle at half of its radius from
-// the sides, the rim from behind. It is round, and as large as the picture has room for. Places are -1 to 1
-// on both sides, right and up positive.
+// The dome is the azimuthal equidistant projection of all directions, centred on that from the patient to the
+// eye (Snyder, Map Projections: A Working Manual, 1987, section 25): its middle shines from the eye, the
+// circle at half of its radius from the sides, the rim from behind. It is round, and as large as the picture
+// has room for. Places are -1 to 1 on both sides, right and up positive.
 glm::dvec2 placeOnDome(const glm::dvec3& direction, const CameraBasis& eye, double aspect);
 glm::dvec3 directionOnDome(const glm::dvec2& place, const CameraBasis& eye,
                            double aspect);  // outside: the rim

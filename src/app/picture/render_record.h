@@ -29,7 +29,7 @@ struct RenderRecord {
     int width = 0;
     int height = 0;
     trace::Settings settings;
-    // How the preset's matter scatters light, by MatterParameter::id; of the preset, before it is stretched.
+    // The numbers of matterParameters(), by id, of the preset before it is fitted to the volume.
     std::vector<std::pair<std::string_view, double>> matter = {};
     bool presetFitted = false;            // its curves were stretched to the volume
     std::optional<DisplayWindow> window;  // that it is seen through; of projections alone

@@ -44,7 +44,8 @@ struct ViewPicture {
 Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
                                                   const std::string& preferredDevice, Progress& progress);
 
-// The exposure that suits what is seen (PictureDrawer::meterExposure), whatever the view has. Fails as above.
+// Measures the exposure that suits the picture (PictureDrawer::meterExposure), and ignores that of the view.
+// Fails as above.
 Result<double> meteredExposureOf(const ViewPicture& picture, const std::string& preferredDevice,
                                  Progress& progress);
 

@@ -28,7 +28,7 @@ Error noLights() {
 LightsEditing::LightsEditing(ViewerSession& session, QObject* parent) : QObject(parent), session_(session) {
     wheelEnds_.setSingleShot(true);
     wheelEnds_.setInterval(kWheelPauseMs);
-    // By then, another hand may be at something else.
+    // When the timer ends, the user may be dragging something else, whose step must go on.
     connect(&wheelEnds_, &QTimer::timeout, this, [this] {
         if (session_.undoText() == tr("Light")) session_.endDrag();
     });

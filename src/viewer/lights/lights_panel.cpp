@@ -33,7 +33,7 @@ double decoded(double encoded) {
     return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
-// As bright as it can be shown: how bright it is, another number tells.
+// Scales the colour to the brightest that the screen shows: the field of the strength tells how bright it is.
 QColor shownColour(const glm::dvec3& linear) {
     const double most = std::max({linear.r, linear.g, linear.b, 1e-6});
     return colourOf({encoded(linear.r / most), encoded(linear.g / most), encoded(linear.b / most)});
@@ -62,7 +62,7 @@ LightsPanel::LightsPanel(ViewerSession& session, LightsEditing& editing, QWidget
     showState();
 }
 
-// A field that loses the focus with its life still tells.
+// A spin box that is destroyed while it has the focus still emits its signals.
 LightsPanel::~LightsPanel() {
     dropDialog();
     for (QDoubleSpinBox* box : findChildren<QDoubleSpinBox*>()) box->disconnect(this);
