@@ -268,9 +268,13 @@ class View(_Handle):
             self._open(), _camera(position_mm, target_mm, up, vertical_fov_deg, parallel_height_mm)))
 
     def set_direction(self, direction=None):
-        """Where the viewer stands: "anterior", "posterior", "left", "right", "superior", "inferior" or
-        "oblique"; None: the front, of a short stack of slices oblique."""
+        """Where the viewer stands: "anterior", "posterior", "left", "right", "superior", "inferior", "oblique",
+        "three-quarter" or "turned"; None: by what was scanned."""
         _check(_library.macula_view_set_direction(self._open(), _bytes(direction)))
+
+    def set_background(self, background=None):
+        """Behind the patient: "black", "white", "grey" or "#rrggbb"; None: black."""
+        _check(_library.macula_view_set_background(self._open(), _bytes(background)))
 
     @property
     def state(self):
@@ -295,8 +299,10 @@ class View(_Handle):
             return watch.made(status, Live, handle, _library.macula_live_close)
 
     def draw(self, width, height, samples=0, quality=None, most_noise=0.0, denoise=None, seed=0, device=None,
-             progress=None):
-        """Returns a Picture. `progress(stage, fraction)` cancels by returning True; then Error.is_cancelled."""
+             progress=None, lens_mm=0.0, focus_mm=0.0, fog_mm=0.0):
+        """Returns a Picture. `progress(stage, fraction)` cancels by returning True; then Error.is_cancelled. A lens of
+        that diameter blurs what is not at `focus_mm` from the camera (0: at what the middle shows); fog fades what lies
+        behind the nearest matter, to 37 % over `fog_mm`."""
         _check_size(width, height)
         if denoise not in _DENOISE:
             raise ValueError("denoise is True, False or None.")
@@ -305,7 +311,7 @@ class View(_Handle):
         asked = _interface.Picture(width=width, height=height, denoise=_DENOISE[denoise],
                                    samples_per_pixel=_whole(samples, _MOST, "samples"),
                                    seed=_whole(seed, _MOST, "seed"), quality=_bytes(quality), most_noise=most_noise,
-                                   bytes=len(rgba),
+                                   bytes=len(rgba), lens_mm=lens_mm, focus_mm=focus_mm, fog_mm=fog_mm,
                                    rgba=ctypes.cast(pixels, ctypes.POINTER(ctypes.c_uint8)))
         drawn, watch, device = _interface.Drawn(), _Watch(progress), device or _usual_device()
         told = ctypes.c_char_p()

@@ -54,7 +54,8 @@ class Camera(Sized):
 class Picture(Sized):
     _fields_ = [("size", c_uint32), ("width", c_int32), ("height", c_int32), ("denoise", c_int32),
                 ("samples_per_pixel", c_uint32), ("seed", c_uint32), ("quality", c_char_p), ("most_noise", c_double),
-                ("rgba", POINTER(c_uint8)), ("bytes", c_uint64), ("row_bytes", c_uint64)]
+                ("rgba", POINTER(c_uint8)), ("bytes", c_uint64), ("row_bytes", c_uint64),
+                ("lens_mm", c_double), ("focus_mm", c_double), ("fog_mm", c_double)]
 
 
 class Drawn(Sized):
@@ -122,6 +123,7 @@ _STATUS = {
     "macula_view_remove_table": [c_void_p, c_int32],
     "macula_view_set_camera": [c_void_p, POINTER(Camera)],
     "macula_view_set_direction": [c_void_p, c_char_p],
+    "macula_view_set_background": [c_void_p, c_char_p],
     "macula_device_open": [c_char_p, POINTER(c_void_p)],
     "macula_view_state": [c_void_p, POINTER(c_char_p)],
     "macula_view_set_state": [c_void_p, c_char_p],

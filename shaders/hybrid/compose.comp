@@ -36,10 +36,10 @@ layout(push_constant, scalar) uniform Push {
 
 // As linear light behind the tone map, so that it may be laid over something: what covers half of a pixel is half as bright
 // as where it covers all.
-vec4 displayCovering(vec4 light, float exposure) {
+vec4 displayCovering(vec4 light, float exposure, bool keepsHue) {
     float coverage = clamp(light.w, 0.0, 1.0);
     if (!(coverage > 0.0)) return vec4(0.0);
-    vec3 shown = displayColour(vec4(light.xyz / coverage, 1.0), vec3(0.0), exposure);
+    vec3 shown = displayColour(vec4(light.xyz / coverage, 1.0), vec3(0.0), exposure, keepsHue);
     return vec4(encodeSrgb(decodeSrgb(shown.x) * coverage), encodeSrgb(decodeSrgb(shown.y) * coverage),
                 encodeSrgb(decodeSrgb(shown.z) * coverage), coverage);
 }
@@ -59,6 +59,6 @@ void main() {
         light = composed(light, ofTracer, push.tracedShare);
     }
     imageStore(picture, pixel,
-               kKeepsCoverage ? displayCovering(light, push.exposure)
-                              : vec4(displayColour(light, push.background, push.exposure), 1.0));
+               kKeepsCoverage ? displayCovering(light, push.exposure, push.keepsHue == 1)
+                              : vec4(displayColour(light, push.background, push.exposure, push.keepsHue == 1), 1.0));
 }

@@ -60,11 +60,18 @@ bool isEmpty(vec4 mass) {
     return massOfLight(mass) < float(LEAST_MASS) && chanceOf(mass.w) <= float(0.0);
 }
 
+// From that peak on light is doubted, and from this on wholly: normal noise has about 4, and a dot in the dark 25.
+#define PEAK_OF_NOISE 7.0
+#define PEAK_OF_DOT 15.0
+
 // Inflates the sample variance of light: few samples underestimate it, as the brightest ones are rare, and the filter would
-// keep each bright pixel apart as a white dot. The factor is 3.7 for one sample and 1.1 for eight. Pictures that models learn
-// from go without it (DenoisePush::doubts): noise differs from picture to picture and averages out, blur does not.
-float doubtOf(float samples) {
-    return denoise.doubts == 1 ? float(1.0) + float(8.0) / (samples * samples + float(2.0)) : float(1.0);
+// keep each bright pixel apart as a white dot. The factor is 7 for one sample and 1.4 for eight, but where no pixel around
+// stands out it is 1: light that differs from pixel to pixel by itself, as in thin tissue, is no noise. `peak` is the largest
+// square of what a pixel is brighter than those around tell, over the mean of such squares. Pictures that models learn from
+// go without it (DenoisePush::doubts): noise differs from picture to picture and averages out, blur does not.
+float doubtOf(float samples, float peak) {
+    float isDot = clamp((peak - float(PEAK_OF_NOISE)) / float(PEAK_OF_DOT - PEAK_OF_NOISE), float(0.0), float(1.0));
+    return float(1.0) + float(denoise.doubts) * isDot * float(24.0) / (samples * samples + float(3.0));
 }
 
 // The filter takes the variance of a pixel with so many samples for less than it is, by this factor: the more samples there

@@ -9,6 +9,7 @@
 struct Prepared {
     vec4 mass;   // coverage * albedo, coverage: what light and alpha are measured by
     vec4 noise;  // variance of luminance per mass and of alpha per coverage; slope of depth in mm per pixel; its spread
+    float told;  // what the variance of luminance was multiplied by, for the filter
 };
 
 // Coverage over the area of a pixel, from that of the centres around: linear between them.
@@ -54,6 +55,8 @@ Prepared preparePixel(ivec2 pixel) {
     float cross = float(0.0);
     float variances = float(0.0);
     float variance = float(0.0);
+    float lightAt[25];
+    float massAt[25];
     int taps = isEmpty(prepared.mass) ? 0 : 25;
     for (int tap = 0; tap < taps; ++tap) {
         int y = tap / 5;
@@ -67,6 +70,8 @@ Prepared preparePixel(ivec2 pixel) {
         float d = luminance(vec3(matterQ.x, matterQ.y, matterQ.z)) * matterQ.w;
         // The variance of samples; clamped, since a mean of squares and a square of means are rounded each on its own.
         float own = max(momentsQ.x - l * l, float(0.0)) / max(momentsQ.y - float(1.0), float(1.0));
+        lightAt[tap] = l;
+        massAt[tap] = d;
         light += l;
         mass += d;
         masses += d * d;
@@ -78,6 +83,14 @@ Prepared preparePixel(ivec2 pixel) {
     float perMass = float(1.0) / max(masses, float(25.0 * LEAST_MASS * LEAST_MASS));
     float level = light / max(mass, float(25.0 * LEAST_MASS));
     float between = max(lights - float(2.0) * level * cross + level * level * masses, float(0.0)) * perMass;
+    float most = float(0.0);
+    float squares = float(0.0);
+    for (int tap = 0; tap < taps; ++tap) {
+        float brighter = lightAt[tap] - level * massAt[tap];
+        most = max(most, brighter);
+        squares += brighter * brighter;
+    }
+    float peak = float(25.0) * most * most / max(squares, float(1e-30));
     float pooled = moments.y > float(1.5) ? variances * perMass : between;
     float d = max(massOfLight(prepared.mass), float(LEAST_MASS));
     float known = max(moments.y - float(1.0), float(0.0));
@@ -88,7 +101,8 @@ Prepared preparePixel(ivec2 pixel) {
     float alpha2 = max(coverage * (float(1.0) - coverage), float(0.002)) / max(moments.y, float(1.0));
 
     float caution = cautionOf(moments.y);
-    light2 *= caution * doubtOf(moments.y);
+    prepared.told = caution * doubtOf(moments.y, peak);
+    light2 *= prepared.told;
     alpha2 *= caution;
 
     float slope = float(0.0);

@@ -11,10 +11,8 @@
 float varianceOfFiltered(ivec2 pixel) {
     int index = indexOf(pixel);
     float mass = max(massOfLight(fetchMass(index)), float(0.0));
-    float before = preparePixel(pixel).noise.x;
     // The filter was told of less noise than there is, or of more.
-    float samples = fetchMoments(index).y;
-    float told = cautionOf(samples) * doubtOf(samples);
-    float left = sqrt(max(before, float(0.0))) * sqrt(max(fetchNoise(index).x, float(0.0))) / told;
+    Prepared prepared = preparePixel(pixel);
+    float left = sqrt(max(prepared.noise.x, float(0.0))) * sqrt(max(fetchNoise(index).x, float(0.0))) / prepared.told;
     return boundedVariance(left * mass * mass);
 }

@@ -100,7 +100,8 @@ March march(INOUT(BrickWalk) walk) {
             float middleMm = fromMm + float(0.5) * step;
             vec3 at = walkPositionAt(walk, middleMm);
             float entry = trilinearEntry(at);
-            Mixture matter = mixtureAt(at, entry);
+            float steep = steepAt(at, entry);
+            Mixture matter = mixtureAt(at, entry, steep);
             float extinction = totalOf(matter);
             if (isMasked(at)) extinction = float(0.0);
             if (useClip()) extinction = endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
@@ -118,7 +119,8 @@ March march(INOUT(BrickWalk) walk) {
             float seen = max(exp(-before) - exp(-min(after, float(DEPTH_1_2))), float(0.0));
             m.seen += seen;
             m.seenMm += seen * middleMm;
-            m.albedo += albedoAt(at, entry, secondShareOf(matter)) * seen;
+            for (bool asks = useSteep() && seen > float(0.0) && !isSteepDenser(entry); asks; asks = false) steep = steepOfAll(at);
+            m.albedo += albedoAt(at, entry, steep, secondShareOf(matter)) * seen;
             m.endMm = after > before ? fromMm + step : m.endMm;
             m.opticalDepth = after;
             fineToMm = again ? fromMm + step : fineToMm;
@@ -162,7 +164,10 @@ vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
 
 // The same of whatever stops most of the light there.
 vec3 normalAt(vec3 at, vec3 worldDirection) {
-    if (!useSecond() || secondShareOf(mixtureAt(at, trilinearEntry(at))) <= float(0.5)) return surfaceNormal(at, worldDirection);
+    if (!useSecond()) return surfaceNormal(at, worldDirection);
+    float entry = trilinearEntry(at);
+    float steep = steepAt(at, entry);
+    if (secondShareOf(mixtureAt(at, entry, steep)) <= float(0.5)) return surfaceNormal(at, worldDirection);
     vec3 world = secondGradient(at);
     if (!(dot(world, world) > float(0.0))) return vec3(0.0);
     return normalize(dot(world, worldDirection) > float(0.0) ? -world : world);
@@ -173,13 +178,12 @@ vec3 betweenRays(EyeRay to, EyeRay from, float distanceMm) {
     return (to.asideMm - from.asideMm) + (to.direction - from.direction) * distanceMm;
 }
 
-// The guide of the ray through a point of the picture, in pixels.
+// The guide of a ray of the pixel whose middle is at `pixel`.
 //
 // Confidence tells how well one depth stands for what is seen: f / (f + s), where s is the length over which
 // transmittance falls from 3/4 to 1/4 and f the width of four pixels there. It fades to 0 as coverage falls from 3/4 to
 // 1/2, below which there is no depth.
-Guide guideOf(vec2 pixel, Eye before) {
-    EyeRay eye = eyeRay(pixel);
+Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
     vec3 direction = eye.direction;
     vec3 directionVoxel = voxelsPerMm(direction);
     BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
@@ -195,8 +199,9 @@ Guide guideOf(vec2 pixel, Eye before) {
     guide.confidence = float(0.0);
     guide.normal = vec3(0.0);
     if (m.halfMm >= float(0.0)) {
-        vec3 aside = betweenRays(eyeRay(pixel + vec2(float(1.0), float(0.0))), eye, m.halfMm);
-        vec3 below = betweenRays(eyeRay(pixel + vec2(float(0.0), float(1.0))), eye, m.halfMm);
+        EyeRay middle = eyeRay(pixel);
+        vec3 aside = betweenRays(eyeRay(pixel + vec2(float(1.0), float(0.0))), middle, m.halfMm);
+        vec3 below = betweenRays(eyeRay(pixel + vec2(float(0.0), float(1.0))), middle, m.halfMm);
         float footprintMm = sqrt(max(dot(aside, aside), dot(below, below)));
         float spreadMm = (m.farMm >= float(0.0) ? m.farMm : m.endMm) - m.nearMm;
         guide.confidence = float(4.0) * footprintMm / (float(4.0) * footprintMm + max(spreadMm, float(1e-20)));
@@ -213,4 +218,59 @@ Guide guideOf(vec2 pixel, Eye before) {
         guide.beforeMm = before.parallelMm > float(0.0) ? dot(fromBefore, before.forward) : sqrt(dot(fromBefore, fromBefore));
     }
     return guide;
+}
+
+// Through a lens, so many rays of a pixel: few, as each of them is a march, and enough that a blurred edge is no row of edges
+// once the filter has looked at it.
+#define LENS_RAYS 16
+
+// Points of a disc of radius 1 at equal shares of its area, each the golden angle on from the last (Vogel 1979, "A better way to
+// construct the sunflower head").
+vec2 spiralPoint(int i) {
+    float angle = float(2.39996322972865332) * float(i);
+    return vec2(cos(angle), sin(angle)) * sqrt((float(i) + float(0.5)) * float(1.0 / LENS_RAYS));
+}
+
+// The guide of a point of the picture, in pixels: of the ray through it, or through a lens the mean of its rays, so that what the
+// filter is led by is as blurred as what it filters. The albedo is weighted by coverage, as light is.
+Guide guideOf(vec2 pixel, Eye before) {
+    EyeRay eye = eyeRay(pixel);
+    bool blurs = params.lensRadiusMm > float(0.0);
+    int rays = blurs ? LENS_RAYS : 1;
+    Guide mean;
+    mean.depthMm = float(0.0);
+    mean.confidence = float(0.0);
+    mean.coverage = float(0.0);
+    mean.albedo = vec3(0.0);
+    mean.normal = vec3(0.0);
+    mean.motion = vec2(0.0);
+    mean.beforeMm = float(0.0);
+    float shares = float(0.0);
+    float depths = float(0.0);
+    float befores = float(0.0);
+    for (int i = 0; i < rays; ++i) {
+        EyeRay ray = eye;
+        if (blurs) ray = throughLens(eye, spiralPoint(i));
+        Guide guide = guideAlong(ray, pixel, before);
+        float share = blurs ? guide.coverage : float(1.0);
+        mean.albedo += guide.albedo * share;
+        shares += share;
+        depths += guide.depthMm >= float(0.0) ? float(1.0) : float(0.0);
+        mean.depthMm += max(guide.depthMm, float(0.0));
+        befores += guide.beforeMm >= float(0.0) ? float(1.0) : float(0.0);
+        mean.beforeMm += max(guide.beforeMm, float(0.0));
+        mean.confidence += guide.confidence;
+        mean.coverage += guide.coverage;
+        mean.normal += guide.normal;
+        mean.motion += guide.motion;
+    }
+    float each = float(1.0) / float(rays);
+    mean.albedo /= max(shares, float(1e-20));
+    mean.depthMm = float(2.0) * depths >= float(rays) ? mean.depthMm / depths : float(-1.0);
+    mean.beforeMm = befores > float(0.0) ? mean.beforeMm / befores : float(-1.0);
+    mean.confidence *= each;
+    mean.coverage *= each;
+    mean.normal *= each;
+    mean.motion *= each;
+    return mean;
 }

@@ -95,9 +95,9 @@ struct Mixture {
     float second;  // and of the second one
 };
 
-// What is at a point where the volume's value is `entry`.
-Mixture mixtureAt(vec3 p, float entry) {
-    Mixture m = Mixture(extinctionAt(p, entry), float(0.0));
+// What is at a point where the volume's value is `entry`, and that part of its matter is steep.
+Mixture mixtureAt(vec3 p, float entry, float steep) {
+    Mixture m = Mixture(extinctionAt(p, entry, steep), float(0.0));
     if (useTints() && m.first > float(0.0)) m.first *= tintAt(p).opacity;
     if (useSecond()) m.second = secondMatter(p).w;
     return m;
@@ -113,8 +113,10 @@ float secondShareOf(Mixture m) {
     return useSecond() ? m.second / max(m.first + m.second, float(1e-20)) : float(0.0);
 }
 
-vec3 albedoAt(vec3 p, float entry, float secondShare) {
-    vec3 albedo = fetchAlbedo(int(entry + float(0.5)));
+vec3 albedoAt(vec3 p, float entry, float steep, float secondShare) {
+    int nearest = int(entry + float(0.5));
+    vec3 albedo = fetchAlbedo(nearest);
+    if (useSteep()) albedo = mix(albedo, vec3(fetchSteepMatter(nearest)), steepShare(p, entry, steep));
     if (useTints()) albedo = tinted(albedo, tintAt(p));
     if (useSecond()) albedo = mix(albedo, vec3(secondMatter(p)), secondShare);
     return albedo;

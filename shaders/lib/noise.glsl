@@ -29,21 +29,21 @@ PixelNoise pixelNoise(vec4 sum, uint count, float squares, float exposure, float
     return noise;
 }
 
-float shownGrey(float light) {
+float shownGrey(float light, bool keepsHue) {
     vec3 mapped = toneMapNeutral(vec3(light));
-    return encodeSrgb(mapped.x);
+    return encodeSrgb(keepsHue ? greyOfToneMapHue(light) : mapped.x);
 }
 
 // The standard error as shown. The slope of the tone curve says nothing of noise as large as the picture, so it is
 // half of what lies between one standard error less and one more.
-float shownError(float light, float standardError) {
-    return float(0.5) * (shownGrey(light + standardError) - shownGrey(max(light - standardError, float(0.0))));
+float shownError(float light, float standardError, bool keepsHue) {
+    return float(0.5) * (shownGrey(light + standardError, keepsHue) - shownGrey(max(light - standardError, float(0.0)), keepsHue));
 }
 
 // Mean square of the error of the pixels of a block, and 1 where some sample met something. With few samples a pixel may
 // have none of the bright ones: it is taken to vary as those around it do. A pixel with fewer than two samples is not
 // known at all.
-vec2 noiseOfBlock(ivec2 block, ivec2 imageSize, float exposure, float backdrop) {
+vec2 noiseOfBlock(ivec2 block, ivec2 imageSize, float exposure, float backdrop, bool keepsHue) {
     float pixels = float(0.0);
     float pooled = float(0.0);
     float seen = float(0.0);
@@ -68,7 +68,7 @@ vec2 noiseOfBlock(ivec2 block, ivec2 imageSize, float exposure, float backdrop) 
         PixelNoise noise = pixelNoise(fetchSums(index), fetchCount(index), fetchSquares(index), exposure, backdrop);
         float more = max(noise.samples - float(1.0), float(0.0));
         float variance = (float(SAMPLES_OF_ITS_OWN) * pooled + more * noise.variance) / (float(SAMPLES_OF_ITS_OWN) + more);
-        float error = noise.samples < float(1.5) ? float(1.0) : shownError(noise.light, sqrt(variance / noise.samples));
+        float error = noise.samples < float(1.5) ? float(1.0) : shownError(noise.light, sqrt(variance / noise.samples), keepsHue);
         squares += weight * error * error;
     }
     return vec2(squares / max(pixels, float(1.0)), seen);

@@ -50,6 +50,7 @@ struct Path {
     float coverage;      // 1 when the eye ray met matter
     float transmittance; // of the shadow ray so far; a flight that is met ends at 0
     float entry;         // what a flight has met
+    float steep;         // the part of it that is steep, where that matters to its extinction, see gradient.glsl
     float secondShare;   // of the second volume in it, see mixture.glsl
     int vertices;
     int rounds;          // of all loops so far: a device may allow a kernel only so many
@@ -97,7 +98,7 @@ float stopAtFace(INOUT(BrickWalk) walk, vec3 originVoxel, vec3 directionVoxel) {
     }
     if (grey <= float(0.0)) return float(0.0);
     walk.endMm = face;
-    return greyBeforeToneMap(grey) / params.exposure;
+    return greyBeforeToneMap(grey, params.keepsHue == 1) / params.exposure;
 }
 
 Path startPath(vec3 originVoxel, vec3 worldDirection, Net net) {
@@ -115,6 +116,7 @@ Path startPath(vec3 originVoxel, vec3 worldDirection, Net net) {
     path.coverage = float(0.0);
     path.transmittance = float(1.0);
     path.entry = float(0.0);
+    path.steep = float(0.0);
     path.secondShare = float(0.0);
     path.vertices = 0;
     path.rounds = 0;
@@ -149,7 +151,8 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
         if (!nextTentative(path.walk, rng, path.rounds)) return true;
         vec3 at = walkPosition(path.walk);
         path.entry = entryAt(at, rng);
-        Mixture matter = mixtureAt(at, path.entry);
+        path.steep = steepByChance(at, path.entry, rng);
+        Mixture matter = mixtureAt(at, path.entry, path.steep);
         path.secondShare = secondShareOf(matter);
         float real = totalOf(matter) / path.walk.majorant;
         bool seesAll = params.clipShadows != 0 && (path.shadow || path.vertices > 0);
@@ -255,9 +258,11 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         }
         path.coverage = float(1.0);
         path.origin = walkPosition(path.walk);
-        vec3 albedo = albedoAt(path.origin, path.entry, path.secondShare);
+        for (bool asks = useSteep() && !isSteepDenser(path.entry); asks; asks = false)
+            path.steep = steepPart(gradientByChance(path.origin, rng));
+        vec3 albedo = albedoAt(path.origin, path.entry, path.steep, path.secondShare);
         for (bool asks = useIndirect() && path.vertices == 0; asks; asks = false)
-            path.extinction = totalOf(mixtureAt(path.origin, path.entry));
+            path.extinction = totalOf(mixtureAt(path.origin, path.entry, path.steep));
         EnvironmentSample light = sampleEnvironment(netPoint(path.net, uint(2 * path.vertices + 1)));
         direction = worldFromEnvironment(light.direction);
         if (useSurfaces()) {
@@ -304,6 +309,21 @@ EyeRay eyeRay(vec2 pixel) {
     return EyeRay(params.originVoxel, vec3(0.0), normalize(params.forward + inPlane));
 }
 
+// The same ray through a point of a thin lens about the eye, `onDisc` of a disc of radius 1: both meet at the distance of the
+// focus.
+EyeRay throughLens(EyeRay ray, vec2 onDisc) {
+    vec3 focusMm = ray.direction * (params.lensFocusMm / dot(ray.direction, params.forward));
+    vec3 onLensMm = (normalize(params.right) * onDisc.x + normalize(params.up) * onDisc.y) * params.lensRadiusMm;
+    return EyeRay(ray.originVoxel + voxelsPerMm(onLensMm), ray.asideMm + onLensMm, normalize(focusMm - onLensMm));
+}
+
+// A point of a disc of radius 1, from two numbers in [0, 1): uniform by area where they are.
+vec2 discPoint(vec2 u) {
+    float radius = sqrt(u.x);
+    float angle = float(2.0 * PI) * u.y;
+    return vec2(cos(angle), sin(angle)) * radius;
+}
+
 // A random number in [0, 1) that all pixels of a block share for a sample.
 float blockChance(ivec2 block, uint sampleIndex) {
     uint bits = hashOf(hashOf(uint(block.x), uint(block.y)), hashOf(sampleIndex, params.seed));
@@ -319,6 +339,11 @@ Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
     float x = float(pixel.x) + random01(rng);
     float y = float(pixel.y) + random01(rng);
     EyeRay ray = eyeRay(vec2(x, y));
+    for (bool blurs = params.lensRadiusMm > float(0.0); blurs; blurs = false) {
+        float u = random01(rng);
+        float v = random01(rng);
+        ray = throughLens(ray, discPoint(vec2(u, v)));
+    }
     Path path = startPath(ray.originVoxel, ray.direction, net);
     // One for a block of the picture: of lanes that work together, the longest path takes the time of all.
     if (useIndirect()) path.chance = blockChance(pixel / 8, sampleIndex);

@@ -41,8 +41,10 @@ bool isShown(vec3 at) {
     return !outside && !isMasked(at);
 }
 
-float realShare(vec3 at, float majorant) {
-    float real = min(totalOf(mixtureAt(at, trilinearEntry(at))) / majorant, float(1.0));
+float realShare(vec3 at, float majorant, INOUT(Rng) rng) {
+    float entry = trilinearEntry(at);
+    float steep = steepByChance(at, entry, rng);
+    float real = min(totalOf(mixtureAt(at, entry, steep)) / majorant, float(1.0));
     return isMasked(at) ? float(0.0) : real;
 }
 
@@ -51,7 +53,7 @@ float seenThrough(BrickWalk walk, INOUT(Rng) rng, INOUT(int) rounds) {
     float transmittance = float(1.0);
     int first = rounds;
     while (transmittance > float(0.0) && nextTentative(walk, rng, rounds)) {
-        transmittance *= float(1.0) - realShare(walkPosition(walk), walk.majorant);
+        transmittance *= float(1.0) - realShare(walkPosition(walk), walk.majorant, rng);
         float chance = random01(rng);
         if (transmittance < float(ROULETTE_BELOW)) {
             transmittance = chance * float(ROULETTE_BELOW) < transmittance ? float(ROULETTE_BELOW) : float(0.0);
@@ -66,7 +68,8 @@ bool meetsMatter(INOUT(BrickWalk) walk, INOUT(Rng) rng, INOUT(int) rounds) {
     bool met = false;
     int first = rounds;
     while (!met && rounds - first < MANY_SURFACE_ROUNDS && nextTentative(walk, rng, rounds)) {
-        met = random01(rng) < realShare(walkPosition(walk), walk.majorant);
+        float chance = random01(rng);
+        met = chance < realShare(walkPosition(walk), walk.majorant, rng);
     }
     return met;
 }
@@ -169,7 +172,9 @@ Candidate findCandidate(vec3 low, vec3 high, int directions, INOUT(Rng) rng) {
                               : float(1.0) / max(visibility, float(SEEN_ENOUGH));
     if (!found) candidate.weight = float(0.0);
     // A ray has seen it, whatever chance has made of the others.
-    candidate.density = totalOf(mixtureAt(at, trilinearEntry(at))) * clamp(visibility * float(1.0 / SEEN_ENOUGH), float(0.25), float(1.0));
+    float entry = trilinearEntry(at);
+    float steep = steepAt(at, entry);
+    candidate.density = totalOf(mixtureAt(at, entry, steep)) * clamp(visibility * float(1.0 / SEEN_ENOUGH), float(0.25), float(1.0));
     if (onFace) candidate.density = float(-1.0);
     return candidate;
 }

@@ -20,6 +20,8 @@
 #include "lib/indirect.glsl"
 #include "lib/path.glsl"
 #include "lib/guides.glsl"
+#include "lib/cell_walk.glsl"
+#include "lib/spline.glsl"
 #include "lib/cast.glsl"
 #include "lib/surface.glsl"
 #ifdef OF_LAYERS

@@ -64,6 +64,7 @@ MACULA_SHARED_CONST int kCastMean = 3;
     FIELD(float, greyLow)   /* table entry that is black there */                                           \
     FIELD(float, greyHigh)  /* table entry that is white there */                                           \
     FIELD(float, exposure)  /* that will be applied: grey is divided by it */                               \
+    FIELD(int, keepsHue)    /* the tone map that will be applied, as in DisplayPush */                      \
     /* Where the picture is stored larger, see shaders/lib/fovea.glsl; magnification 1: nowhere. */         \
     FIELD(vec2, planeHalfSize)                                                                              \
     FIELD(vec2, gaze)                                                                                       \
@@ -71,6 +72,8 @@ MACULA_SHARED_CONST int kCastMean = 3;
     FIELD(float, foveaMagnification)                                                                        \
     FIELD(float, parallelMm) /* above 0: rays are parallel, and the picture shows what an eye would at this \
                                 distance */                                                                 \
+    FIELD(float, lensRadiusMm)  /* 0: all is sharp */                                                       \
+    FIELD(float, lensFocusMm)   /* along the view, from the eye to what is sharp */                         \
     FIELD(float, lightStrength) /* multiplies what the environment sends */                                 \
     /* The cache of indirect light, see shaders/lib/indirect.glsl. */                                       \
     FIELD(vec3, indirectCellsPerVoxel) /* of the smallest cells */                                          \
@@ -84,6 +87,9 @@ MACULA_SHARED_CONST int kCastMean = 3;
     FIELD(float, gradientScale) /* steps of its table per (entry per mm) */                                 \
     FIELD(int, gradientLast)    /* index of its last step; 0: none */                                       \
     FIELD(float, unitDepthMm)   /* unit distance of the opacities, divided by the density */                \
+    /* Curves of steep matter, see shaders/lib/gradient.glsl. */                                            \
+    FIELD(float, steepGradient) /* entries per mm, at which half of the matter is steep */                  \
+    FIELD(int, steepFirst)      /* where its extinctions begin in the table of extinctions */               \
     /* Ray casting, see shaders/lib/cast.glsl. */                                                           \
     FIELD(int, entryCount)      /* of the tables */                                                         \
     FIELD(float, windowLow)     /* entry that is black */                                                   \
@@ -144,6 +150,7 @@ struct NoisePush {
     uint firstBlock;
     float exposure;
     float backdrop;  // see noise.glsl
+    int keepsHue;    // as in DisplayPush
 };
 
 struct VariancePush {
@@ -151,10 +158,11 @@ struct VariancePush {
 };
 
 struct DisplayPush {
-    vec3 background;  // linear
+    vec3 background;  // in linear light, displayed as it is
     float exposure;
     int smoothing;  // radius in pixels of the binomial filter over the means
     int denoised;   // 1: the sums are means, and the counts do not count
+    int keepsHue;   // 1: toneMapHue, else toneMapNeutral (shaders/lib/picture.glsl)
 };
 
 MACULA_SHARED_END

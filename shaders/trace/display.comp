@@ -46,5 +46,5 @@ void main() {
         }
     }
     vec4 mean = sum / total;
-    imageStore(picture, pixel, vec4(displayColour(mean, push.background, push.exposure), 1.0));
+    imageStore(picture, pixel, vec4(displayColour(mean, push.background, push.exposure, push.keepsHue == 1), 1.0));
 }

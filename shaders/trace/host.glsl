@@ -13,6 +13,8 @@ layout(constant_id = 16) const bool kSurfaces = false;
 layout(constant_id = 2) const bool kClip = false;
 layout(constant_id = 3) const bool kMask = false;
 layout(constant_id = 4) const bool kGradientOpacity = false;
+layout(constant_id = 17) const bool kSteep = false;
+layout(constant_id = 18) const bool kSteepDensity = false;
 layout(constant_id = 5) const bool kShading = false;
 layout(constant_id = 6) const int kCast = 0;
 layout(constant_id = 8) const bool kCoarse = true;  // some blocks are kept coarsely
@@ -32,8 +34,8 @@ layout(binding = 0, scalar) readonly buffer Params {
     TraceParams params;
 };
 layout(binding = 1) uniform usamplerBuffer poolTexels;        // the pool: voxels of blocks, as table entries
-layout(binding = 2) uniform samplerBuffer extinctionTexels;   // per mm, by entry; after them the gradient opacity
-layout(binding = 3) uniform samplerBuffer albedoTexels;       // by entry; w: extinction per mm
+layout(binding = 2) uniform samplerBuffer extinctionTexels;   // per mm, by entry; then the gradient opacity; then steep matter's
+layout(binding = 3) uniform samplerBuffer albedoTexels;       // by entry; w: extinction per mm; then of steep matter
 layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
 layout(binding = 6) uniform samplerBuffer cumulativeTexels;   // see environment.glsl
@@ -152,6 +154,18 @@ vec3 fetchAlbedo(int entry) {
 }
 vec4 fetchMatter(int entry) {
     return texelFetch(albedoTexels, entry);
+}
+bool useSteep() {
+    return kSteep;
+}
+bool useSteepDensity() {
+    return kSteepDensity;
+}
+float fetchSteepExtinction(int entry) {
+    return texelFetch(extinctionTexels, params.steepFirst + entry).x;
+}
+vec4 fetchSteepMatter(int entry) {
+    return texelFetch(albedoTexels, params.entryCount + entry);
 }
 float fetchBound(int brick) {
     return texelFetch(boundTexels, brick).x;

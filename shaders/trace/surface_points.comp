@@ -79,7 +79,9 @@ void main() {
         vec3 offset = directionOnSphere(1.0 - (2.0 * float(tap) + 1.0) / float(all), float(tap) * 0.569840291);
         offset *= radius * pow(shell, 1.0 / 3.0);
         vec3 at = point.xyz + voxelsPerMm(offset);
-        float extinction = onFace ? kFaceDepth / radius : totalOf(mixtureAt(at, trilinearEntry(at)));
+        float entry = trilinearEntry(at);
+        float steep = steepByChance(at, entry, rng);
+        float extinction = onFace ? kFaceDepth / radius : totalOf(mixtureAt(at, entry, steep));
         if (!isShown(at)) extinction = 0.0;
         found.mass += extinction;
         found.first += extinction * offset;

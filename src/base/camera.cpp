@@ -20,9 +20,9 @@ struct StandardView {
     glm::dvec3 up;
 };
 
-StandardView obliqueView() {
-    const double azimuth = glm::radians(kObliqueAzimuthDeg);
-    const double elevation = glm::radians(kObliqueElevationDeg);
+StandardView obliqueView(const Obliqueness& by) {
+    const double azimuth = glm::radians(by.azimuthDeg);
+    const double elevation = glm::radians(by.elevationDeg);
     const glm::dvec3 level(std::sin(azimuth), -std::cos(azimuth), 0.0);
     const glm::dvec3 superior(0, 0, 1);
     return {level * std::cos(elevation) + superior * std::sin(elevation),
@@ -46,7 +46,9 @@ StandardView standardView(ViewDirection direction) {
         case ViewDirection::inferior:
             return {{0, 0, -1}, anterior};
         case ViewDirection::oblique:
-            return obliqueView();
+        case ViewDirection::threeQuarter:
+        case ViewDirection::turned:
+            return obliqueView(obliquenessOf(direction));
     }
     return {{0, -1, 0}, superior};
 }
@@ -116,12 +118,6 @@ Camera standingBefore(Camera camera, const Box& box) {
     if (behindMm > 0.0)
         camera.positionMm -= (behindMm + kBeforeOfDiagonal * box.diagonal()) / distanceMm * view;
     return camera;
-}
-
-ViewDirection usualDirection(const Box& volumeMm) {
-    constexpr double kShort = 0.5;
-    const glm::dvec3 size = volumeMm.high - volumeMm.low;
-    return size.z < kShort * std::max(size.x, size.y) ? ViewDirection::oblique : ViewDirection::anterior;
 }
 
 CameraBasis standardBasis(ViewDirection from) {

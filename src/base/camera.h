@@ -58,10 +58,6 @@ Result<CameraBasis> basis(const Camera& camera);
 // and below), far enough that the whole box is in the picture.
 Camera frameBox(const Box& box, ViewDirection from, double verticalFovDeg, double aspectWidthOverHeight);
 
-// The default view direction of a volume, given its box in patient LPS mm: anterior, or oblique for one less
-// than half as high as it is wide or deep, which is a thin band when it is seen from anterior.
-ViewDirection usualDirection(const Box& volumeMm);
-
 // The axes of the picture of frameBox.
 CameraBasis standardBasis(ViewDirection from);
 

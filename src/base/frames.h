@@ -36,10 +36,31 @@ bool isInvertibleAffine(const glm::dmat4& transform);
 std::string orientationLetters(const glm::dvec3& directionLps);
 
 // How a person is looked at. `anterior` stands in front of the patient; the patient's left is then on the
-// right side of the picture, as in every radiological display. `oblique` stands there too, kObliqueAzimuthDeg
-// towards the patient's left and kObliqueElevationDeg above: it shows what a thin stack of slices holds.
-enum class ViewDirection { anterior, posterior, left, right, superior, inferior, oblique };
-inline constexpr double kObliqueAzimuthDeg = 25.0;
-inline constexpr double kObliqueElevationDeg = 35.0;
+// right side of the picture, as in every radiological display. The last three stand there too, but somewhat
+// towards the patient's left and above (obliquenessOf): `oblique` shows what a thin stack of slices holds,
+// `threeQuarter` a head as a portrait does, `turned` a body so that what lies in it has depth.
+enum class ViewDirection {
+    anterior,
+    posterior,
+    left,
+    right,
+    superior,
+    inferior,
+    oblique,
+    threeQuarter,
+    turned
+};
+
+struct Obliqueness {
+    double azimuthDeg = 0.0;    // towards the patient's left
+    double elevationDeg = 0.0;  // above
+};
+// Of the views that are none from a side of the patient; zero of all others.
+constexpr Obliqueness obliquenessOf(ViewDirection from) {
+    if (from == ViewDirection::oblique) return {25.0, 35.0};
+    if (from == ViewDirection::threeQuarter) return {35.0, 15.0};
+    if (from == ViewDirection::turned) return {20.0, 8.0};
+    return {};
+}
 
 }  // namespace macula

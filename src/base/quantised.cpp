@@ -142,7 +142,8 @@ Quantised quantised(std::shared_ptr<const Volume> volume) {
                           .provenance = volume->provenance(),
                           .floatPadding = {},
                           .unitName = volume->unitName(),
-                          .windows = volume->windows()};
+                          .windows = volume->windows(),
+                          .bodyPart = volume->bodyPart()};
     for (std::string& sentence : sentencesOf(loss, range, options.unitName))
         options.provenance.assumptions.push_back(std::move(sentence));
     auto made = Volume::create(std::move(options), std::move(stored));

@@ -101,6 +101,7 @@ struct VolumeOptions {
         {};                     // float32: this value means "outside the scan", as NaN always does
     std::string unitName = {};  // when it has another than unitSymbol(unit)
     std::vector<DisplayWindow> windows = {};
+    std::string bodyPart = {};  // DICOM Body Part Examined (0018,0015), of all images; empty: not said
 };
 
 // Immutable grid of values, i fastest, then j, then k: 16-bit stored values with a linear map to units where
@@ -124,6 +125,7 @@ class Volume {
     Unit unit() const { return options_.unit; }
     std::string unitName() const;  // for a person; empty for raw
     const std::string& modality() const { return options_.modality; }
+    const std::string& bodyPart() const { return options_.bodyPart; }
     const std::optional<StoredRange>& padding() const { return options_.padding; }
     const std::optional<float>& floatPadding() const { return options_.floatPadding; }
     const std::vector<DisplayWindow>& windows() const { return options_.windows; }

@@ -44,11 +44,18 @@ Result<app::EffortWish> effortWishOf(const macula_picture& picture) {
     return wish;
 }
 
+app::PictureEffects effectsOf(const macula_picture& picture) {
+    app::PictureEffects effects{.lensMm = picture.lens_mm, .fogMm = picture.fog_mm};
+    if (picture.focus_mm != 0.0) effects.focusMm = picture.focus_mm;
+    return effects;
+}
+
 // With row_bytes as it is meant.
 Result<macula_picture> checked(const macula_picture* given) {
     if (given == nullptr) return nullHandle();
     MACULA_TRY(macula_picture picture, taken(given));
     MACULA_TRY_VOID(checkSize(picture.width, picture.height));
+    MACULA_TRY_VOID(check(effectsOf(picture)));
     MACULA_TRY(picture.row_bytes,
                rowBytesOf({picture.rgba, picture.bytes, picture.row_bytes}, picture.width, picture.height));
     return picture;
@@ -81,9 +88,11 @@ Result<Scene> sceneOf(const macula_view& view, const macula_picture& picture, Pr
     MACULA_TRY(request.scene.environment, lightsOf(view, seen.state));
     request.camera = seen.state.camera;
     request.from = view.wish.view;
+    request.background = seen.state.background.value_or(app::kBlackBackground);
     request.sizePx = {picture.width, picture.height};
     request.settings = app::settingsOf(seen.state, app::SeriesWindows(), view.study.volume.get());
     request.samplesPerPixel = effort.samplesPerPixel;
+    request.effects = effectsOf(picture);
     scene.record.seriesDigest = view.study.seriesDigest;
     scene.record.preset = std::move(seen.preset.publicName);
     scene.record.presetFitted = seen.preset.function.fitToVolume.has_value();
@@ -145,7 +154,7 @@ Result<void> draw(macula_device& device, macula_view& view, const macula_picture
     if (told == nullptr) return {};
     macula_drawn all{};
     all.is_denoised = drawn.statistics.denoised ? 1 : 0;
-    all.is_empty = isEmpty(drawn) ? 1 : 0;
+    all.is_empty = isEmpty(drawn, scene.request) ? 1 : 0;
     all.is_coarse = drawn.statistics.voxels.coarseBlocks > 0 ? 1 : 0;
     all.samples_per_pixel = drawn.statistics.meanSamplesPerPixel;
     all.noise = drawn.statistics.estimatedError;

@@ -7,6 +7,7 @@
 #include "app/camera/view_directions.h"
 #include "app/choice/clip_choice.h"
 #include "app/choice/lights_choice.h"
+#include "app/frame/background_colour.h"
 #include "app/study/study_preset.h"
 #include "c/camera.h"
 #include "c/handles.h"
@@ -170,9 +171,26 @@ macula_status macula_view_set_direction(macula_view* view, const char* direction
         const auto known = isChosen ? app::viewDirectionOf(direction) : std::nullopt;
         if (isChosen && !known)
             return badArgument("There is no such direction to look from.",
-                               "They are anterior, posterior, left, right, superior, inferior and oblique.");
+                               "They are anterior, posterior, left, right, superior, inferior, oblique, "
+                               "three-quarter and turned.");
         of.wish.view = known;
         of.chosen.camera.reset();
+        return {};
+    });
+}
+
+macula_status macula_view_set_background(macula_view* view, const char* background) {
+    return changed(view, [&](macula_view& of) -> Result<void> {
+        const std::string named = textOf(background);
+        std::optional<app::BackgroundColour> colour;
+        if (!named.empty()) {
+            const Result<app::BackgroundColour> known = app::backgroundOf(named);
+            if (!known)
+                return badArgument("The background is no colour.",
+                                   "Give black, white, grey, or red, green and blue as #rrggbb.");
+            colour = *known;
+        }
+        of.chosen.background = colour;
         return {};
     });
 }

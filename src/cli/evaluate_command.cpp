@@ -223,6 +223,7 @@ void addEvaluate(CLI::App& app, Action& action) {
     addEvaluateEdits(*evaluateApp, action);
     addEvaluateLivePicture(*evaluateApp, action);
     addEvaluateSpecks(*evaluateApp, action);
+    addEvaluateInterpolation(*evaluateApp, action);
     addEvaluateMotion(*evaluateApp, action);
     addEvaluateQuality(*evaluateApp, action);
     addEvaluateTradeoff(*evaluateApp, action);

@@ -47,16 +47,13 @@ void addHybrid(CLI::App& app, Action& action) {
     command->add_option("--preset", o.state.preset, "As of render");
     command->add_option("--lights", o.lights, "Name from macula presets");
     command->add_option("--clip", o.state.clip, "As of render");
-    command->add_flag("--remove-table", o.state.removeTable, "As of render");
+    command->add_flag("--remove-table", o.state.removeTable, "Leave out the table; CT only");
     addAdditions(*command, o.additions);
     command->add_option("--size", o.size, "Picture size in pixels (default: 1280x720)")->option_text("WxH");
     auto* path =
         command->add_option("--path", o.cameraPath, "JSON file: cameras by time, see docs/hybrid-frame.md");
     auto* view =
-        command
-            ->add_option(
-                "--view", o.state.view,
-                "Where the viewer stands first (default: anterior; of a short stack of slices oblique)")
+        command->add_option("--view", o.state.view, "Where the viewer stands first (default: as of render)")
             ->transform(asViewDirection())
             ->option_text(kViewDirectionNames);
     auto* camera =

@@ -31,7 +31,7 @@ CLI::Validator asViewDirection() {
         if (!direction)
             return text +
                    " is no direction: choose anterior (the front), posterior, left, right, superior, "
-                   "inferior or oblique";
+                   "inferior, oblique, three-quarter or turned";
         text = std::to_string(static_cast<int>(*direction));
         return {};
     };
@@ -43,6 +43,12 @@ CLI::Validator asFilter() {
     for (const trace::Filter filter : trace::kFilters)
         filters.emplace(trace::nameOf(filter), static_cast<int>(filter));
     return oneOf(std::move(filters));
+}
+
+CLI::Validator asToneMap() {
+    std::map<std::string, int> maps;
+    for (const trace::ToneMap map : trace::kToneMaps) maps.emplace(trace::nameOf(map), static_cast<int>(map));
+    return oneOf(std::move(maps));
 }
 
 }  // namespace macula::cli

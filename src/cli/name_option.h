@@ -18,7 +18,12 @@ CLI::Validator asViewDirection();
 CLI::Validator asFilter();
 inline constexpr const char* kFilterNames = "trilinear|stochastic|smooth";
 
+// For an option of type trace::ToneMap, likewise.
+CLI::Validator asToneMap();
+inline constexpr const char* kToneMapNames = "neutral|hue";
+
 // "anterior|posterior|...", for help.
-inline constexpr const char* kViewDirectionNames = "anterior|posterior|left|right|superior|inferior|oblique";
+inline constexpr const char* kViewDirectionNames =
+    "anterior|posterior|left|right|superior|inferior|oblique|three-quarter|turned";
 
 }  // namespace macula::cli

@@ -63,6 +63,14 @@ void printOpacity(std::string_view title, const std::vector<OpacityPoint>& point
     }
 }
 
+void printColour(const std::string& title, const std::vector<ColourPoint>& points) {
+    fmt::print("{}\n", title);
+    for (const ColourPoint& point : points) {
+        fmt::print("  {:>12.9g}  {:.6g} {:.6g} {:.6g}\n", point.value, point.colour.r, point.colour.g,
+                   point.colour.b);
+    }
+}
+
 Result<void> show(const Options& options) {
     MACULA_TRY(const presets::ImportedPreset chosen, app::choosePreset(options.preset));
     const TransferFunction& preset = chosen.function;
@@ -84,14 +92,16 @@ Result<void> show(const Options& options) {
         fmt::print(
             "surface            weight {:g}, half of it at {:g} per mm, roughness {:g}, reflectance {:g}\n",
             surface.weight, surface.gradientPerMm, surface.roughness, surface.reflectance);
+    if (usesSteepCurves(preset))
+        fmt::print("steep matter       half of it at {:g} per mm\n", preset.steep.gradientPerMm);
     printOpacity("opacity of " + fmt::format("{:g} mm", preset.unitDistanceMm), preset.opacity);
     if (!preset.gradientOpacity.empty())
         printOpacity("gradient opacity (units per voxel)", preset.gradientOpacity);
-    fmt::print("colour ({})\n", colourSpaceName(preset.colourSpace));
-    for (const ColourPoint& point : preset.colour) {
-        fmt::print("  {:>12.9g}  {:.6g} {:.6g} {:.6g}\n", point.value, point.colour.r, point.colour.g,
-                   point.colour.b);
-    }
+    const std::string space = fmt::format("({})", colourSpaceName(preset.colourSpace));
+    printColour("colour " + space, preset.colour);
+    if (!usesSteepCurves(preset)) return {};
+    printOpacity("opacity of steep matter", preset.steep.opacity);
+    printColour("colour of steep matter " + space, preset.steep.colour);
     return {};
 }
 

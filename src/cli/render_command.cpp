@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/camera/usual_view.h"
 #include "app/elapsed.h"
 #include "app/open_device.h"
 #include "app/picture/addition_wish.h"
@@ -60,8 +61,10 @@ Result<void> render(const app::RenderWish& options) {
     record.preset = preset.publicName;
     record.presetFitted = preset.function.fitToVolume.has_value();
 
-    MACULA_TRY(app::ShownClip shown, app::shownClip(state, *study.volume, progress));
+    MACULA_TRY(app::ShownClip shown,
+               app::shownClip(state, *study.volume, progress, app::unaskedTable(options.state)));
     for (const std::string& note : shown.notes) tell(note);
+    if (!request.camera && !request.from) printNote(sentenceOf(app::usualView(*study.volume)));
     record.tableRemoved = shown.tableRemoved;
     MACULA_TRY(app::MadeAdditions made,
                app::makeAdditions(picture.additions, read, state.settings.look, shown.clip, progress));

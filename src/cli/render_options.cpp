@@ -65,7 +65,7 @@ void addCamera(CLI::App& command, app::RenderWish& o) {
     auto* view =
         command
             .add_option("--view", o.state.view,
-                        "Where the viewer stands (default: anterior; of a short stack of slices oblique)")
+                        "Where the viewer stands (default: by what was scanned, see docs/command.md)")
             ->transform(asViewDirection())
             ->option_text(kViewDirectionNames);
     command
@@ -79,6 +79,10 @@ void addCamera(CLI::App& command, app::RenderWish& o) {
                     "Vertical field of view in degrees (default: that of --camera, or 30)")
         ->check(between(0.1, 170.0));
     command.add_option("--size", o.size, "Picture size in pixels (default: 768x768)")->option_text("WxH");
+    command
+        .add_option("--background", o.background,
+                    "Behind the patient: black, white, grey, #rrggbb, or transparent (default: black)")
+        ->option_text("COLOUR");
 }
 
 // How.
@@ -153,6 +157,32 @@ void addLights(CLI::App& command, app::RenderWish& o) {
         .add_flag("--auto-exposure", o.metersExposure,
                   "Find the exposure for the picture, as a camera does; the record of it tells which")
         ->excludes("--exposure");
+    command
+        .add_option(
+            "--tone-map", o.state.toneMap,
+            "How what is brighter than a display is shown: neutral, or hue, which keeps hues (default: "
+            "neutral)")
+        ->transform(asToneMap())
+        ->option_text(kToneMapNames);
+}
+
+// What only a picture that is saved has.
+void addEffects(CLI::App& command, app::RenderWish& o) {
+    command
+        .add_option(
+            "--lens-mm", o.effects.lensMm,
+            "Diameter of a lens: what is nearer or farther than its focus is blurred (default: 0, all "
+            "is sharp)")
+        ->check(between(0.0, trace::kMostLensMm));
+    command
+        .add_option("--focus-mm", o.focus,
+                    "Distance from the camera of what the lens shows sharp; auto: of what the middle of the "
+                    "picture shows (default: auto)")
+        ->option_text("MM|auto");
+    command
+        .add_option("--fog-mm", o.effects.fogMm,
+                    "Fade what lies behind the nearest matter into the background, to 37 % over so many mm")
+        ->check(between(app::kLeastFogMm, app::kMostFogMm));
 }
 
 }  // namespace
@@ -165,8 +195,12 @@ void addRenderOptions(CLI::App& command, app::RenderWish& wish) {
     addMatter(command, o);
     addEffort(command, o);
     addLights(command, o);
-    command.add_flag("--remove-table", o.state.removeTable,
-                     "Leave out the table and what else lies beside the patient; CT only. What went is said");
+    addEffects(command, o);
+    auto* removes = command.add_flag(
+        "--remove-table", o.state.removeTable,
+        "Leave out the table and what else lies beside the patient; CT only. What went is said (default: "
+        "where it is sure what is patient, and no view is given)");
+    command.add_flag("--keep-table", o.state.keepTable, "Show the table")->excludes(removes);
     addAdditions(command, o.additions);
     command.add_option("--clip", o.state.clip,
                        "Name from macula presets, or JSON file: what is shown of the volume");

@@ -70,7 +70,7 @@ void addXr(CLI::App& app, Action& action) {
     command->add_option("--preset", o.state.preset, "As of render");
     command->add_option("--lights", o.lights, "Name from macula presets");
     command->add_option("--clip", o.state.clip, "As of render");
-    command->add_flag("--remove-table", o.state.removeTable, "As of render");
+    command->add_flag("--remove-table", o.state.removeTable, "Leave out the table; CT only");
     command->add_flag("--room", o.show.showsRoom,
                       "Show the room behind the anatomy (passthrough), where the headset can");
     command->add_option("--pictures", o.pictures, "Folder for pictures that are taken in the headset");

@@ -16,6 +16,7 @@
 #include "dicom/pixels/slice_sources.h"
 #include "dicom/pixels/value_unit.h"
 #include "dicom/read/image_size.h"
+#include "dicom/split/split_rules.h"
 
 namespace macula::dicom {
 
@@ -55,6 +56,22 @@ std::vector<double> placesOf(const Stack& stack) {
         if (!stack.slices[k].interpolated()) places[stack.slices[k].below] = static_cast<double>(k);
     }
     return places;
+}
+
+// Body Part Examined where all images say the same; else empty.
+std::string bodyPartOf(const Stack& stack) {
+    const std::vector<Attribute>& attributes = splitRules().attributes;
+    const auto named = std::ranges::find(attributes, "BodyPartExamined", &Attribute::name);
+    MACULA_CHECK(named != attributes.end());
+    const auto at = std::size_t(named - attributes.begin());
+    const auto partOf = [&](const Frame& frame) {
+        return at < frame.attributes.size() ? frame.attributes[at] : std::string();
+    };
+    if (stack.frames.empty()) return {};
+    std::string part = partOf(stack.frames.front());
+    const bool isSame =
+        std::ranges::all_of(stack.frames, [&](const Frame& frame) { return partOf(frame) == part; });
+    return isSame ? part : std::string();
 }
 
 // Of values that are Bq/mL, or SUV already.
@@ -246,7 +263,8 @@ VolumeOptions Loading::describe(std::size_t first, std::size_t step,
                                          .interpolatedSlices = interpolatedRanges(slices),
                                          .isCalibrated = stack_.isCalibrated},
                           .unitName = unit.name,
-                          .windows = middle.realWorld ? std::vector<DisplayWindow>() : middle.windows};
+                          .windows = middle.realWorld ? std::vector<DisplayWindow>() : middle.windows,
+                          .bodyPart = bodyPartOf(stack_)};
     auto& assumptions = options.provenance.assumptions;
     std::ranges::remove_copy_if(
         stack_.assumptions, std::back_inserter(assumptions), [&](const auto& sentence) {

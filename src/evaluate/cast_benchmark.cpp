@@ -22,7 +22,7 @@ namespace {
 constexpr int kConverged = 16;
 
 trace::Settings settingsOf(const CastSubject& subject, const Volume& volume) {
-    trace::Settings settings{.look = subject.look, .shading = subject.shading};
+    trace::Settings settings{.filter = subject.filter, .look = subject.look, .shading = subject.shading};
     if (trace::isProjection(subject.look)) {
         settings.window = subject.look == trace::Look::mip
                               ? maximumWindow(volume)

@@ -18,9 +18,11 @@ struct CastSubject {
     std::string_view name;
     trace::Look look;
     trace::Shading shading;
+    trace::Filter filter = trace::Filter::trilinear;  // VTK's is that, whatever is asked of ours
 };
-inline constexpr std::array<CastSubject, 5> kCastSubjects{
+inline constexpr std::array<CastSubject, 6> kCastSubjects{
     {{"shaded", trace::Look::dvr, trace::Shading::headlight},
+     {"smooth", trace::Look::dvr, trace::Shading::headlight, trace::Filter::smooth},
      {"dvr", trace::Look::dvr, trace::Shading::none},
      {"mip", trace::Look::mip, trace::Shading::none},
      {"minip", trace::Look::minip, trace::Shading::none},

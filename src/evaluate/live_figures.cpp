@@ -72,4 +72,14 @@ std::optional<double> worstSetback(std::span<const RestPicture> pictures, double
     return worst;
 }
 
+std::optional<double> worstRise(std::span<const RestPicture> pictures) {
+    std::optional<double> worst;
+    std::optional<double> least;
+    for (const RestPicture& picture : pictures) {
+        if (least) worst = std::max(worst.value_or(picture.flip - *least), picture.flip - *least);
+        least = std::min(least.value_or(picture.flip), picture.flip);
+    }
+    return worst;
+}
+
 }  // namespace macula::evaluate

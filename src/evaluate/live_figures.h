@@ -46,4 +46,8 @@ std::optional<double> nearFromS(std::span<const RestPicture> pictures, double li
 inline constexpr double kSetbackS = 5.0;
 std::optional<double> worstSetback(std::span<const RestPicture> pictures, double overS = kSetbackS);
 
+// By how much the FLIP of a picture is at most above the least that any before it has: 0 or below when no
+// picture is worse than one that it has replaced. Nothing for fewer than two pictures.
+std::optional<double> worstRise(std::span<const RestPicture> pictures);
+
 }  // namespace macula::evaluate

@@ -35,6 +35,7 @@ Json toJson(const RestCourse& rest) {
             {"lastFlip", rest.pictures.empty() ? Json() : Json(rest.pictures.back().flip)},
             {"referenceFlip", rest.referenceFlip},
             {"worstSetback", orNull(worstSetback(rest.pictures))},
+            {"worstRise", orNull(worstRise(rest.pictures))},
             {"series", std::move(series)}};
 }
 

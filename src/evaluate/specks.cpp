@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/check.h"
+#include "base/srgb.h"
 #include "image/metrics.h"
 
 namespace macula::evaluate {
@@ -19,26 +20,19 @@ Error cancelled() {
     return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
 }
 
-double decoded(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-double encodedOf(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
 std::vector<double> luminancesOf(const image::Image& image) {
     MACULA_CHECK(image.encoding == image::Encoding::display && image.channels == 3);
     std::vector<double> luminances(image.pixels.size() / 3);
     for (std::size_t i = 0; i < luminances.size(); ++i) {
         const float* rgb = image.pixels.data() + 3 * i;
-        luminances[i] = 0.2126 * decoded(rgb[0]) + 0.7152 * decoded(rgb[1]) + 0.0722 * decoded(rgb[2]);
+        luminances[i] =
+            0.2126 * decodedSrgb(rgb[0]) + 0.7152 * decodedSrgb(rgb[1]) + 0.0722 * decodedSrgb(rgb[2]);
     }
     return luminances;
 }
 
 bool isAStepAbove(double high, double low) {
-    return encodedOf(high) - encodedOf(low) > kStep;
+    return encodedSrgb(high) - encodedSrgb(low) > kStep;
 }
 
 Result<void> traceMore(trace::PathTracer& tracer, std::uint32_t samples, Progress& progress) {

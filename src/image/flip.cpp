@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/srgb.h"
 #include "image/metrics.h"
 #include "image/planes.h"
 
@@ -49,10 +50,6 @@ Inverse inverted(const double (&a)[3][3]) {
 
 Triple white() {
     return times(kXyzFromRgb, {1, 1, 1});
-}
-
-double linearOf(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 // The linear opponent space YCxCz, which is CIELAB without the cube root: filtering is right in it.
@@ -192,7 +189,7 @@ std::array<Plane, 3> opponentPlanes(const Image& image) {
     std::array<Plane, 3> result{empty, empty, empty};
     for (std::size_t i = 0; i < empty.values.size(); ++i) {
         Triple linear{};
-        for (std::size_t c = 0; c < 3; ++c) linear[c] = linearOf(rgb[rgb.size() == 3 ? c : 0].values[i]);
+        for (std::size_t c = 0; c < 3; ++c) linear[c] = decodedSrgb(rgb[rgb.size() == 3 ? c : 0].values[i]);
         const Triple opponent = opponentFromLinear(linear);
         for (std::size_t c = 0; c < 3; ++c) result[c].values[i] = opponent[c];
     }

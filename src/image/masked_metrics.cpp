@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/check.h"
+#include "base/srgb.h"
 #include "image/planes.h"
 #include "image/ssim.h"
 
@@ -23,10 +24,6 @@ Result<void> fits(const Image& reference, const Image& test, const Mask& mask) {
 
 std::size_t countOf(const Mask& mask) {
     return mask.size() - static_cast<std::size_t>(std::count(mask.begin(), mask.end(), 0));
-}
-
-double decoded(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
 }
 
 }  // namespace
@@ -94,7 +91,7 @@ double lightOf(const Image& image, const Mask& mask) {
     for (std::size_t c = 0; c < planes.size(); ++c) {
         const double weight = planes.size() == 1 ? 1.0 : kRec709[c];
         for (std::size_t i = 0; i < mask.size(); ++i) {
-            if (mask[i] != 0) sum += weight * decoded(planes[c].values[i]);
+            if (mask[i] != 0) sum += weight * decodedSrgb(planes[c].values[i]);
         }
     }
     return sum;

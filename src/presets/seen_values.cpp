@@ -22,11 +22,15 @@ bool SeenValues::areSeenWith(const TransferFunction& preset) const {
     constexpr double kLeastOpacity = 0.01;
     constexpr std::uint64_t kOneOf = 1000;
     const TransferFunction function = fitted(preset, volume_);
+    const TransferFunction steep = withCurvesSwapped(function);
+    const auto seenAs = [&](double value) {
+        const double opacity = opacityAt(function, value);
+        return usesSteepCurves(function) ? std::max(opacity, opacityAt(steep, value)) : opacity;
+    };
     std::uint64_t seen = 0;
     for (std::size_t stored = 0; stored < counts_.size(); ++stored) {
         if (counts_[stored] == 0) continue;
-        if (opacityAt(function, volume_.unitsFromStored()(double(stored))) >= kLeastOpacity)
-            seen += counts_[stored];
+        if (seenAs(volume_.unitsFromStored()(double(stored))) >= kLeastOpacity) seen += counts_[stored];
     }
     return seen * kOneOf > all_;
 }

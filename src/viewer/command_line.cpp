@@ -56,7 +56,8 @@ Result<int> parseDays(const QString& source, const QString& text) {
 Result<ViewDirection> parseView(const QString& text) {
     if (const auto direction = app::viewDirectionOf(text.toStdString())) return *direction;
     return usage(QStringLiteral("There is no view '%1'.").arg(text),
-                 "The views are anterior, posterior, left, right, superior, inferior and oblique.");
+                 "The views are anterior, posterior, left, right, superior, inferior, oblique, "
+                 "three-quarter and turned.");
 }
 
 Result<app::Layout> parseLayout(const QString& text) {
@@ -99,8 +100,8 @@ struct Options {
     const QCommandLineOption preset{"preset", "What is seen, e.g. ct-bone.", "NAME"};
     const QCommandLineOption lights{"lights", "Where the light comes from, e.g. studio.", "NAME"};
     const QCommandLineOption view{"view",
-                                  "Looked at from anterior, posterior, left, right, superior, inferior "
-                                  "or oblique (default: anterior; of a short stack of slices oblique).",
+                                  "Looked at from anterior, posterior, left, right, superior, inferior, "
+                                  "oblique, three-quarter or turned (default: by what was scanned).",
                                   "DIRECTION"};
     const QCommandLineOption device{"device", "Index or part of the name of the Vulkan device.", "NAME"};
     const QCommandLineOption size{

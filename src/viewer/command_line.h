@@ -19,7 +19,7 @@ struct CommandLine {
     QString preset;                 // empty: by modality
     QString lights;                 // empty: the default
     QString device;
-    std::optional<ViewDirection> view = {};  // nothing: usualDirection
+    std::optional<ViewDirection> view = {};  // nothing: app::usualView
     std::optional<QSize> size;               // of the picture
     app::Layout layout = app::Layout::fourPanes;
     bool choosesLayout = false;

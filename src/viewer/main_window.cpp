@@ -310,6 +310,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
                         .preset = preset,
                         .lights = options_.lights,
                         .showsMarks = before.showsMarks,
+                        .background = before.background,
                         .layout = before.layout,
                         .slices = {.asAcquired = planes.asAcquired}};
     std::optional<app::StudyState> left = stateAsLeft(study);

@@ -92,7 +92,7 @@ struct MainWindowOptions {
     std::string device = {};                              // as in gpu::chooseDevice
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
     std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
-    std::optional<ViewDirection> firstView = {};          // nothing: usualDirection
+    std::optional<ViewDirection> firstView = {};          // nothing: app::usualView
     app::Layout layout = app::Layout::fourPanes;
     QSize pictureSize{960, 720};  // of the volume alone; with slices, of the window
     std::uint32_t sampleLimit = 512;

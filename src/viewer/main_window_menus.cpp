@@ -42,13 +42,13 @@ void fill(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items)
     }
 }
 
-// How values between voxels are found; of looks that are traced.
+// How values between voxels are found; of looks that show matter.
 void addSmoothing(QMenu& menu, ViewerSession& session) {
     QAction* smooth = menu.addAction(MainWindow::tr("S&mooth Between Voxels"));
     smooth->setObjectName(QStringLiteral("smooth-between-voxels"));
     smooth->setCheckable(true);
     smooth->setToolTip(MainWindow::tr(
-        "No rings on skin and bone, and edges that are a voxel softer; of Cinematic and Clear"));
+        "Fewer rings on skin and bone, and edges that are a voxel softer; not of projections"));
     QObject::connect(smooth, &QAction::triggered, &session, [&session](bool isSmooth) {
         session.change(MainWindow::tr("Smoothing"), [isSmooth](app::StudyState& next) {
             next.settings.filter = isSmooth ? trace::Filter::smooth : trace::Filter::trilinear;
@@ -56,10 +56,32 @@ void addSmoothing(QMenu& menu, ViewerSession& session) {
     });
     const auto show = [smooth, &session] {
         smooth->setChecked(session.state().settings.filter == trace::Filter::smooth);
-        smooth->setEnabled(trace::isPathTraced(session.state().settings.look));
+        smooth->setEnabled(trace::showsMatter(session.state().settings.look));
     };
     QObject::connect(&session, &ViewerSession::changed, smooth, show);
     QObject::connect(&session, &ViewerSession::studyShown, smooth, show);
+    show();
+}
+
+// How light that is brighter than the screen is shown; a projection shows values as they are.
+void addToneMap(QMenu& menu, ViewerSession& session) {
+    QAction* keepsHue = menu.addAction(MainWindow::tr("Keep &Hues of Highlights"));
+    keepsHue->setObjectName(QStringLiteral("keep-hues"));
+    keepsHue->setCheckable(true);
+    keepsHue->setToolTip(MainWindow::tr(
+        "What is too bright for the screen bleaches in its own hue; without it, contrast is higher. Not of "
+        "projections"));
+    QObject::connect(keepsHue, &QAction::triggered, &session, [&session](bool keeps) {
+        session.change(MainWindow::tr("Hues of highlights"), [keeps](app::StudyState& next) {
+            next.settings.toneMap = keeps ? trace::ToneMap::hue : trace::ToneMap::neutral;
+        });
+    });
+    const auto show = [keepsHue, &session] {
+        keepsHue->setChecked(session.state().settings.toneMap == trace::ToneMap::hue);
+        keepsHue->setEnabled(!trace::isProjection(session.state().settings.look));
+    };
+    QObject::connect(&session, &ViewerSession::changed, keepsHue, show);
+    QObject::connect(&session, &ViewerSession::studyShown, keepsHue, show);
     show();
 }
 
@@ -202,6 +224,7 @@ void MainWindow::makeLookMenu() {
     shading_->setToolTip(tr("Light ray casts from the eye, as much as the preset says"));
     shading_->setChecked(true);
     addSmoothing(*looks_, session_);
+    addToneMap(*looks_, session_);
     QAction* window = looks_->addAction(tr("Reset &Window"), this, [this] {
         session_.change(tr("Window"), [](app::StudyState& next) {
             next.windows.at(std::size_t(next.settings.look)).reset();

@@ -58,6 +58,7 @@ void MainWindow::askForPicture() {
     if (!is3dShown) dialog->tellThat3dIsHidden();
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->beginWith(options_.settings.quality, options_.settings.deidentifies);
+    dialog->offerEffectsOf(session_.state().settings.look);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { askWhereToSavePicture(*dialog); });
     dialog->open();
 }
@@ -79,6 +80,7 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
                              .camera = toCamera(viewport_->camera()),
                              .sizePx = {how.sizePx().width(), how.sizePx().height()},
                              .effort = {.quality = how.quality()},
+                             .effects = how.effects(),
                              .output = {},
                              .source = imageOf(study()),
                              .isOfNobody = study().identity.isOfNobody,

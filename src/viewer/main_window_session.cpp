@@ -73,8 +73,7 @@ std::optional<app::StudyState> MainWindow::stateAsLeft(const app::OpenedStudy& s
 app::StudyState MainWindow::stateToKeep() const {
     app::StudyState now = state();
     if (!study().volume) return now;
-    const ViewDirection first = options_.firstView.value_or(usualDirection(study().volume->worldBox()));
-    if (viewport_->framedFrom() == first) now.camera.reset();
+    if (viewport_->framedFrom() == viewport_->firstFrom()) now.camera.reset();
     return now;
 }
 
@@ -129,7 +128,7 @@ void MainWindow::showAfresh() {
         next.otherKeys = before.otherKeys;
     });
     viewport_->setParallel(false);
-    viewport_->showFrom(options_.firstView);
+    viewport_->showFrom(viewport_->firstFrom());
     showNotes();
 }
 

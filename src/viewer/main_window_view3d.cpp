@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <QStatusBar>
 
+#include "viewer/background_menu.h"
 #include "viewer/keys.h"
 #include "viewer/main_window.h"
 #include "viewer/transfer/transfer_drag.h"
@@ -36,6 +37,7 @@ void MainWindow::addView3dActions(QMenu& view) {
     connect(&session_, &ViewerSession::changed, this, show);
     connect(&session_, &ViewerSession::studyShown, this, show);
     show();
+    view.addMenu(new BackgroundMenu(session_, this));
     connect(parallel, &QAction::triggered, viewport_, &Viewport::setParallel);
     connect(viewport_, &Viewport::parallelChanged, parallel, &QAction::setChecked);
 

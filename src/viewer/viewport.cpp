@@ -11,6 +11,7 @@
 #include <utility>
 #include <variant>
 
+#include "app/camera/usual_view.h"
 #include "app/frame/window_screen.h"
 #include "base/log.h"
 #include "viewer/marks/side_letters.h"
@@ -156,9 +157,11 @@ void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::s
     names_ = std::move(names);
     input_.volume = std::move(volume);
     input_.drawing = std::move(drawing);
+    input_.background = app::backgroundInWindow(input_.drawing);
     setLetters({});
     if (input_.volume) {
-        showFrom(from);
+        firstFrom_ = app::firstDirection(from, *input_.volume);
+        showFrom(firstFrom_);
     } else {
         publishChange();
     }
@@ -167,6 +170,7 @@ void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::s
 void Viewport::setDrawing(app::Drawing drawing) {
     if (drawing == input_.drawing) return;
     input_.drawing = std::move(drawing);
+    input_.background = app::backgroundInWindow(input_.drawing);
     publishChange();
 }
 
@@ -239,9 +243,9 @@ void Viewport::setPictureSizeHint(QSize pixels) {
                        [container = container_] { container->setMinimumSize(kSmallestPicture); });
 }
 
-void Viewport::showFrom(std::optional<ViewDirection> from) {
+void Viewport::showFrom(ViewDirection from) {
     if (!input_.volume) return;
-    framedFrom_ = from.value_or(usualDirection(input_.volume->worldBox()));
+    framedFrom_ = from;
     app::OrbitCamera camera = app::turnedTo(camera_, framedFrom_);
     camera.verticalFovDeg = kVerticalFovDeg;
     setCamera(app::fitted(camera, outlineMm(), aspect()));

@@ -68,7 +68,7 @@ class Viewport : public QWidget {
     // Whether rays are parallel; as much is shown of what the camera turns around.
     void setParallel(bool isParallel);
 
-    void showFrom(std::optional<ViewDirection> from);  // nothing: usualDirection
+    void showFrom(ViewDirection from);
     void showFrom(const Camera& camera);  // as near as a turntable comes to it: see app::orbitCameraOf
     void centreOn(const glm::dvec3& mm);  // turns around that from now on
     void fit();                           // what is visible, from the side where the camera is
@@ -82,6 +82,8 @@ class Viewport : public QWidget {
     std::optional<ViewDirection> framedFrom() const {
         return untouched_ && !camera_.isParallel ? std::optional(framedFrom_) : std::nullopt;
     }
+    // The side from which this study was shown first.
+    ViewDirection firstFrom() const { return firstFrom_; }
     std::uint64_t study() const { return input_.study; }  // as in FrameShown
     // Those on screen, which are painted into each picture; empty without one.
     const app::EdgeLetters& letters() const { return letters_; }
@@ -175,6 +177,7 @@ class Viewport : public QWidget {
     bool dragging_ = false;
     glm::dvec2 pointedAt_{0.0};  // as FrameInput::gaze
     bool gazeFollowsPointer_ = true;
+    ViewDirection firstFrom_ = ViewDirection::anterior;
     ViewDirection framedFrom_ = ViewDirection::anterior;
     bool untouched_ = true;  // nobody moved the camera since it was framed
     std::shared_ptr<const std::vector<glm::dvec3>>

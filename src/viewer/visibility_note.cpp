@@ -22,6 +22,11 @@ struct Words {
 bool showsAnyOf(const TransferFunction& preset, const ValueRange& values) {
     if (preset.fitToVolume) return true;      // its curve is laid over the values there are
     if (preset.opacity.empty()) return true;  // no curve: that is an error of its own
+    if (usesSteepCurves(preset)) {
+        TransferFunction steep = withCurvesSwapped(preset);
+        steep.steep = {};
+        if (showsAnyOf(steep, values)) return true;
+    }
     if (opacityAt(preset, values.low) > 0.0 || opacityAt(preset, values.high) > 0.0) return true;
     return std::any_of(preset.opacity.begin(), preset.opacity.end(), [&](const OpacityPoint& point) {
         return point.value >= values.low && point.value <= values.high && point.opacity > 0.0;

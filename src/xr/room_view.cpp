@@ -120,6 +120,7 @@ Result<RoomPictures> RoomView::draw(const EyePictures& eyes, const EyePictures* 
     }
     request.sizePx = eyes.sizePx;
     request.display.exposure = static_cast<float>(scene_.drawing.settings.exposure * look.light);
+    request.display.toneMap = scene_.drawing.settings.toneMap;
     request.display.keepsCoverage = look.keepsCoverage;
     if (look.depths && !depths_) {
         MACULA_TRY(depths_, hybrid::EyeDepths::create(device_));

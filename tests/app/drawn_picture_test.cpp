@@ -179,7 +179,7 @@ TEST_F(DrawnPictureTest, IsAFunctionOfTheRequest) {
     const DrawnPicture picture = draw(asked);
     EXPECT_EQ(picture.rgba.size(), 4u * 40u * 30u);
     EXPECT_FALSE(picture.traced);
-    EXPECT_FALSE(isEmpty(picture));
+    EXPECT_FALSE(isEmpty(picture, asked));
     EXPECT_EQ(picture.statistics.samplesPerPixel, 2u);
     EXPECT_TRUE(notesOf(picture, asked).empty());
     EXPECT_EQ(draw(asked).rgba, picture.rgba);
@@ -208,11 +208,68 @@ TEST_F(DrawnPictureTest, SaysThatNothingIsSeen) {
         asked.isLinear = isLinear;
         const DrawnPicture picture = draw(asked);
         EXPECT_EQ(picture.traced.has_value(), isLinear);
-        EXPECT_TRUE(isEmpty(picture));
+        EXPECT_TRUE(isEmpty(picture, asked));
         const std::vector<PictureNote> notes = notesOf(picture, asked);
         ASSERT_EQ(notes.size(), 1u);
         EXPECT_TRUE(notes.front().isWarning);
     }
+}
+
+// As it was asked for where nothing is seen, whatever the exposure; what is opaque hides it.
+TEST_F(DrawnPictureTest, LiesOverTheBackgroundThatIsAskedFor) {
+    PictureRequest asked = request(trace::Look::dvr);
+    asked.sizePx = {64, 64};
+    const DrawnPicture black = draw(asked);
+    asked.background = {250, 60, 3};
+    for (const double exposure : {1.0, 4.0}) {
+        asked.settings.exposure = exposure;
+        const DrawnPicture red = draw(asked);
+        const std::vector<std::uint8_t> corner(red.rgba.begin(), red.rgba.begin() + 4);
+        EXPECT_EQ(corner, (std::vector<std::uint8_t>{250, 60, 3, 255})) << exposure;
+        EXPECT_FALSE(isEmpty(red, asked));
+    }
+    asked.settings.exposure = 1.0;
+    const DrawnPicture red = draw(asked);
+    std::size_t hidden = 0;
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < red.rgba.size(); i += 4) {
+        const bool isSame =
+            std::equal(red.rgba.begin() + std::ptrdiff_t(i), red.rgba.begin() + std::ptrdiff_t(i + 4),
+                       black.rgba.begin() + std::ptrdiff_t(i));
+        hidden += isSame ? 1 : 0;
+        seen += red.rgba[i] == 250 && red.rgba[i + 1] == 60 && red.rgba[i + 2] == 3 ? 1 : 0;
+        for (std::size_t c = i; c < i + 3; ++c) ASSERT_GE(red.rgba[c], black.rgba[c]) << "light is added";
+    }
+    EXPECT_GT(hidden, 100u);
+    EXPECT_GT(seen, 400u);
+}
+
+TEST_F(DrawnPictureTest, IsClearWhereNothingIsSeenWhereThatIsAskedFor) {
+    PictureRequest asked = request(trace::Look::dvr);
+    asked.sizePx = {64, 64};
+    const DrawnPicture black = draw(asked);
+    asked.isTransparent = true;
+    const DrawnPicture clear = draw(asked);
+    EXPECT_FALSE(isEmpty(clear, asked));
+    std::size_t opaque = 0;
+    for (std::size_t i = 0; i < clear.rgba.size(); i += 4) {
+        const int alpha = clear.rgba[i + 3];
+        opaque += alpha == 255 ? 1 : 0;
+        for (std::size_t c = i; c < i + 3; ++c) {
+            if (alpha == 255) {
+                EXPECT_NEAR(clear.rgba[c], black.rgba[c], 1.0) << i;
+            } else if (alpha == 0) {
+                EXPECT_EQ(clear.rgba[c], 0) << i;
+            }
+        }
+    }
+    EXPECT_GT(opaque, 100u);
+    EXPECT_EQ(clear.rgba[3], 0) << "a corner";
+    asked.camera = Camera{.positionMm = {0.0, -2000.0, 0.0}, .targetMm = {0.0, -4000.0, 0.0}};
+    EXPECT_TRUE(isEmpty(draw(asked), asked));
+    asked.isTransparent = false;
+    asked.background = {9, 9, 200};
+    EXPECT_TRUE(isEmpty(draw(asked), asked));
 }
 
 TEST_F(DrawnPictureTest, IsLinearLightAndDepthWhereThatIsWanted) {
@@ -223,7 +280,7 @@ TEST_F(DrawnPictureTest, IsLinearLightAndDepthWhereThatIsWanted) {
     ASSERT_TRUE(picture.traced);
     EXPECT_EQ(picture.traced->width, 40);
     EXPECT_EQ(picture.traced->height, 30);
-    EXPECT_FALSE(isEmpty(picture));
+    EXPECT_FALSE(isEmpty(picture, asked));
 }
 
 TEST_F(DrawnPictureTest, ThatIsStoppedIsNone) {

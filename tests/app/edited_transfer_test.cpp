@@ -38,7 +38,9 @@ TransferFunction ramp() {
 bool isWithinRange(const TransferFunction& function) {
     const auto holds = [](const auto& point) { return std::abs(point.value) <= kLargest; };
     return std::ranges::all_of(function.opacity, holds) && std::ranges::all_of(function.colour, holds) &&
-           std::ranges::all_of(function.gradientOpacity, holds);
+           std::ranges::all_of(function.gradientOpacity, holds) &&
+           std::ranges::all_of(function.steep.opacity, holds) &&
+           std::ranges::all_of(function.steep.colour, holds);
 }
 
 // The largest distance of two functions of the same shape, in value.
@@ -64,7 +66,7 @@ class RandomEdits {
         const double other = number();
         const std::size_t opacity = below(f.opacity.size());
         const std::size_t colour = below(f.colour.size());
-        switch (below(10)) {
+        switch (below(13)) {
             case 0:
                 return movedOpacityPoint(std::move(f), opacity, value, other);
             case 1:
@@ -83,6 +85,12 @@ class RandomEdits {
                 return shifted(std::move(f), value);
             case 8:
                 return widened(std::move(f), value, other);
+            case 9:
+                return withSteepCurves(std::move(f));
+            case 10:
+                return below(4) == 0 ? withoutSteepCurves(std::move(f)) : f;
+            case 11:
+                return usesSteepCurves(f) ? withCurvesSwapped(std::move(f)) : f;
             default:
                 return withOpacityScaled(std::move(f), value);
         }
@@ -160,6 +168,31 @@ TEST(EditedTransfer, widensAboutAValue) {
               2.5 * builtIn("cinematic-bone").surface.gradientPerMm);
     EXPECT_EQ(widened(ramp(), 0.5, 400.0).effectiveRange, (ValueRange{200.0, 400.0}));
     EXPECT_EQ(widened(before, 1.0, 123.4), before);
+}
+
+TEST(EditedTransfer, addsCurvesOfSteepMatterThatChangeNothingAndRemovesThem) {
+    const TransferFunction before = builtIn("ct-bone");
+    ASSERT_FALSE(usesSteepCurves(before));
+    const TransferFunction split = withSteepCurves(before);
+    EXPECT_EQ(split.steep.opacity, before.opacity);
+    EXPECT_EQ(split.steep.colour, before.colour);
+    EXPECT_EQ(withoutSteepCurves(split), before);
+
+    // All curves move together, and the gradient is as much wider as values are.
+    TransferFunction other = split;
+    other.steep.opacity = {{.value = 300.0, .opacity = 0.1}, {.value = 700.0, .opacity = 0.9}};
+    EXPECT_EQ(withSteepCurves(other), other) << "those that are there stay";
+    EXPECT_EQ(shifted(other, 50.0).steep.opacity[1].value, 750.0);
+    EXPECT_EQ(shifted(other, 50.0).steep.colour[0].value, before.colour[0].value + 50.0);
+    const TransferFunction wide = widened(other, 2.0, 300.0);
+    EXPECT_EQ(wide.steep.opacity[0].value, 300.0);
+    EXPECT_EQ(wide.steep.opacity[1].value, 1100.0);
+    EXPECT_EQ(wide.steep.gradientPerMm, 2.0 * other.steep.gradientPerMm);
+    EXPECT_EQ(withOpacityScaled(other, 0.5).steep.opacity[1].opacity, 0.45);
+    // What reaches furthest is held at the end of the range, whichever curve it is of.
+    other.steep.opacity.back().value = kLargest - 10.0;
+    EXPECT_EQ(shifted(other, 1e300).steep.opacity.back().value, kLargest);
+    EXPECT_EQ(shifted(other, 1e300).opacity.back().value, other.opacity.back().value + 10.0);
 }
 
 // Opaque stays opaque, however far a hand pulls; and a shape stays a shape.

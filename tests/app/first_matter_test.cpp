@@ -47,6 +47,24 @@ Drawing drawing(trace::Look look = trace::Look::cinematic, double opacity = 0.9)
 const Camera kFront{
     .positionMm = {0, -500, 0}, .targetMm = {0, 0, 0}, .up = {0, 0, 1}, .verticalFovDeg = 30.0};
 
+// The ball ends within a voxel, 250 HU per mm and more; inside nothing is steep.
+TEST(FirstMatter, IsSteepMatterWhereThatAloneIsSeenAndFlatMatterWhereThatIs) {
+    const auto volume = ball();
+    Drawing drawn = drawing();
+    TransferFunction function = *drawn.transferFunction;
+    function.steep = {.opacity = {{0, 0.0}}, .colour = function.colour, .gradientPerMm = 10.0};
+    drawn.transferFunction = std::make_shared<const TransferFunction>(function);
+    const auto flat = firstMatterMm(*volume, drawn, kFront, {0, 0}, 1.0);
+    ASSERT_TRUE(flat);
+    EXPECT_GT(flat->y, -19.5);
+    EXPECT_LT(flat->y, -15.0) << "beyond the shell, which cannot be seen";
+    drawn.transferFunction = std::make_shared<const TransferFunction>(withCurvesSwapped(function));
+    const auto steep = firstMatterMm(*volume, drawn, kFront, {0, 0}, 1.0);
+    ASSERT_TRUE(steep);
+    EXPECT_NEAR(steep->y, -20.0, kVoxelMm);
+    EXPECT_LT(steep->y, flat->y);
+}
+
 TEST(FirstMatter, IsTheSurfaceThatTheEyeMeets) {
     const auto volume = ball();
     const auto found = firstMatterMm(*volume, drawing(), kFront, {0, 0}, 1.0);

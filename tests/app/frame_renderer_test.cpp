@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <string>
 #include <variant>
@@ -257,6 +258,30 @@ TEST_F(FrameRendererTest, LessNoiseIsTracedOnTopOfWhatThereIs) {
     ASSERT_TRUE(stepUntil(isFinal));
     EXPECT_GE(shown_->samplesPerPixel, 64u);
     EXPECT_GT(shown_->noise, 0.0);
+}
+
+// However many samples that takes. What was estimated of the opened study is weighed as a model is.
+TEST_F(FrameRendererTest, FilterAndSplatsStayUntilNoiseCannotBeSeen) {
+    input_.width = 24;
+    input_.height = 18;
+    input_.sampleLimit = 1'000'000;
+    input_.convergesNow = true;
+    renderer_->accept(input_);
+    std::uint64_t most = 0;
+    ASSERT_TRUE(stepUntil([&] {
+        if (!shown_ || shown_->picture != OnScreen::traced) return false;
+        if (shown_->stage == Stage::converged) return true;
+        EXPECT_TRUE(shown_->denoised) << shown_->samplesPerPixel;
+        EXPECT_TRUE(shown_->mixesModel) << shown_->samplesPerPixel;
+        most = std::max(most, shown_->samplesPerPixel);
+        return testing::Test::HasFailure();
+    }));
+    EXPECT_GT(most, 64u);
+    EXPECT_LE(shown_->noise, kUnseenNoise);
+    EXPECT_FALSE(shown_->denoised);
+    EXPECT_FALSE(shown_->mixesModel);
+    EXPECT_TRUE(fidelityOf(*shown_).isFinal);
+    EXPECT_TRUE(fidelityOf(*shown_).because.empty());
 }
 
 // Nothing is prepared for another colour or opacity of a segment, and what a view is framed around stays.

@@ -32,9 +32,9 @@ void expectNear(const glm::dvec3& a, const glm::dvec3& b, double tolerance) {
 }
 
 TEST(OrbitCamera, StandardViewsAreThoseOfTheCommand) {
-    for (const auto from :
-         {ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left, ViewDirection::right,
-          ViewDirection::superior, ViewDirection::inferior, ViewDirection::oblique}) {
+    for (const auto from : {ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left,
+                            ViewDirection::right, ViewDirection::superior, ViewDirection::inferior,
+                            ViewDirection::oblique, ViewDirection::threeQuarter, ViewDirection::turned}) {
         const Camera expected = framePoints(cornersOf(kBox), standardBasis(from), 30, 1.25);
         const Camera camera = toCamera(framed(cornersOf(kBox), from, 30, 1.25));
         expectNear(camera.positionMm, expected.positionMm, 1e-9);
@@ -197,9 +197,9 @@ TEST(OrbitCamera, FliesForwardWithWhatItTurnsAround) {
 }
 
 TEST(OrbitCamera, TurnsToASideAsNearAsBefore) {
-    for (const auto side :
-         {ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left, ViewDirection::right,
-          ViewDirection::superior, ViewDirection::inferior, ViewDirection::oblique}) {
+    for (const auto side : {ViewDirection::anterior, ViewDirection::posterior, ViewDirection::left,
+                            ViewDirection::right, ViewDirection::superior, ViewDirection::inferior,
+                            ViewDirection::oblique, ViewDirection::threeQuarter, ViewDirection::turned}) {
         const OrbitCamera turned = turnedTo(rolled(someCamera(), 33), side);
         EXPECT_EQ(turned.targetMm, someCamera().targetMm);
         EXPECT_EQ(turned.distanceMm, someCamera().distanceMm);

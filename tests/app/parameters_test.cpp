@@ -64,7 +64,8 @@ TEST(Parameters, OfMatterHaveTheRangesOfPresetsAndTheirFiles) {
     const auto isKept = [](const TransferFunction& preset) {
         if (!validate(preset)) return false;
         const auto read = transferFunctionFromJson(toJson(preset), "a.json");
-        return read.ok() && read->surface == preset.surface && read->anisotropy == preset.anisotropy;
+        return read.ok() && read->surface == preset.surface && read->steep == preset.steep &&
+               read->anisotropy == preset.anisotropy;
     };
     for (const MatterParameter& p : matterParameters()) {
         TransferFunction preset = aPreset();

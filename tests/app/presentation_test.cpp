@@ -101,6 +101,34 @@ TEST_F(APresentation, aCurveOfLinesHasItsPointsAgain) {
     EXPECT_EQ(extinctionPerMm(transferOf(paletteOf(function), layerMmOf(function)), 2.5), 0.0);
 }
 
+// Others know one pair of curves.
+TEST_F(APresentation, ofFlatAndSteepMatterIsWhatIsHalfwayBetween) {
+    TransferFunction function;
+    function.unitDistanceMm = 2.0;
+    function.opacity = {{.value = 0.0, .opacity = 0.0}, {.value = 300.0, .opacity = 0.6}};
+    function.colour = {{.value = 0.0, .colour = {1.0, 0.0, 0.0}}};
+    function.steep = {.opacity = {{.value = 100.0, .opacity = 0.2}, {.value = 500.0, .opacity = 0.9}},
+                      .colour = {{.value = 0.0, .colour = {0.0, 0.0, 1.0}}},
+                      .gradientPerMm = 100.0};
+    const TransferFunction read = transferOf(paletteOf(function), layerMmOf(function));
+    const TransferFunction steep = withCurvesSwapped(function);
+    for (double value = -50.0; value <= 600.0; value += 7.0) {
+        const double flat = extinctionPerMm(function, value);
+        const double other = extinctionPerMm(steep, value);
+        EXPECT_NEAR(extinctionPerMm(read, value), 0.5 * (flat + other), 0.01 * (flat + other)) << value;
+        const double red = flat / (flat + other);
+        const double linear = std::pow((colourAt(read, value).r + 0.055) / 1.055, 2.4);
+        if (red > 0.05) {
+            EXPECT_NEAR(linear, red, 0.02) << value;
+        }
+    }
+    // The same opacities, and so the mean of both colours' light.
+    function.steep.opacity = function.opacity;
+    const glm::dvec3 mean = colourAt(transferOf(paletteOf(function), 2.0), 200.0);
+    EXPECT_NEAR(mean.r, 0.735, 0.002);
+    EXPECT_NEAR(mean.b, 0.735, 0.002);
+}
+
 TEST_F(APresentation, theCameraIsTheSame) {
     const Camera before = *state_.camera;
     const PresentedState presented = again(said(*straight_, false), *straight_);

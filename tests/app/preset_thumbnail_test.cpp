@@ -76,6 +76,21 @@ TEST(PresetThumbnail, ThePatientsLeftIsAtTheRightAndSuperiorIsUp) {
     EXPECT_EQ(brightness(*made, true, true), 0);
 }
 
+// From the front a slab of an eighth of its width would be a band of an eighth of the rows.
+TEST(PresetThumbnail, AShortScanIsNoBand) {
+    const auto slab = volumeOf({32, 32, 4}, glm::dvec3(2.0), [](int, int, int) { return 2000; });
+    const auto made = presetThumbnail(*coarseOf(slab), dense(500.0, {1.0, 1.0, 1.0}));
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    int rows = 0;
+    for (int y = 0; y < made->sizePx; ++y) {
+        bool isSeen = false;
+        for (int x = 0; x < made->sizePx; ++x)
+            isSeen |= made->rgba[std::size_t(4 * (y * made->sizePx + x))] > 128;
+        rows += isSeen ? 1 : 0;
+    }
+    EXPECT_GT(rows, 2 * made->sizePx / 5);
+}
+
 TEST(PresetThumbnail, ColourIsThatOfThePresetAndOpaque) {
     const auto volume = volumeOf({24, 24, 24}, glm::dvec3(5.0), [](int, int, int) { return 2000; });
     const auto made = presetThumbnail(*coarseOf(volume), dense(500.0, {0.8, 0.4, 0.2}));
@@ -86,6 +101,29 @@ TEST(PresetThumbnail, ColourIsThatOfThePresetAndOpaque) {
     EXPECT_NEAR(made->rgba[middle + 1], 0.4 * 255, 2);
     EXPECT_NEAR(made->rgba[middle + 2], 0.2 * 255, 2);
     EXPECT_EQ(made->rgba[middle + 3], 255);
+}
+
+// A block that ends within a cell: it is steep from outside. A mist that is the same everywhere never is.
+TEST(PresetThumbnail, SteepMatterHasItsOwnColour) {
+    TransferFunction function = dense(500.0, {1.0, 0.0, 0.0});
+    function.steep = {.opacity = function.opacity,
+                      .colour = {{.value = 0.0, .colour = {0.0, 0.0, 1.0}}},
+                      .gradientPerMm = 100.0};
+    const auto middleOf = [&](const std::shared_ptr<const Volume>& volume) {
+        const auto made = presetThumbnail(*coarseOf(volume), function);
+        EXPECT_TRUE(made.ok());
+        const std::size_t middle = std::size_t(4 * (made->sizePx / 2 * made->sizePx + made->sizePx / 2));
+        return glm::ivec3(made->rgba[middle], made->rgba[middle + 1], made->rgba[middle + 2]);
+    };
+    const auto block = volumeOf({32, 32, 32}, glm::dvec3(2.0), [](int i, int j, int k) {
+        const bool isInside = std::min({i, j, k}) > 8 && std::max({i, j, k}) < 24;
+        return std::uint16_t(isInside ? 3000 : 0);
+    });
+    const glm::ivec3 edge = middleOf(block);
+    EXPECT_GT(edge.z, 200);
+    EXPECT_LT(edge.x, 100);
+    const auto even = volumeOf({24, 24, 24}, glm::dvec3(5.0), [](int, int, int) { return 2000; });
+    EXPECT_EQ(middleOf(even), glm::ivec3(255, 0, 0));
 }
 
 TEST(PresetThumbnail, AbsorbsAsItsLayerSays) {

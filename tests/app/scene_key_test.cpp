@@ -57,6 +57,7 @@ TEST(SceneKey, IsOfWhatThingsAreAndNotOfTheirNames) {
     same.settings.seed = 7;
     same.settings.denoising = trace::Denoising::on;
     same.settings.exposure = 2.0;
+    same.settings.toneMap = trace::ToneMap::hue;
     EXPECT_EQ(keyOf(*volumeOf(renamed, voxels()), same).digest(), key.digest());
 }
 

@@ -46,6 +46,9 @@ TEST(SceneNames, DependOnTheExposureWhereFacesShowValues) {
     EXPECT_EQ(names.of(1, cut), bright);
     cut.settings.exposure = 1.0;
     EXPECT_NE(names.of(1, cut), bright);
+    cut.settings.exposure = 2.0;
+    cut.settings.toneMap = trace::ToneMap::hue;
+    EXPECT_NE(names.of(1, cut), bright);
 }
 
 // A function that is being edited is another at each step: none is kept for ever, and no name is used twice.
@@ -143,6 +146,7 @@ TEST(SceneNames, DifferInWhateverAModelDependsOn) {
     b = a;
     b.settings.seed = 5;
     b.settings.exposure = 2.0;
+    b.settings.toneMap = trace::ToneMap::hue;
     b.settings.denoising = trace::Denoising::on;
     b.settings.errorThreshold = 0.1;
     b.remarks = "clipped";

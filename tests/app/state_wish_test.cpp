@@ -97,6 +97,18 @@ TEST_F(AWish, countsMoreThanTheView) {
     EXPECT_FALSE(state.camera) << "the view of a direction is found when it is drawn";
     EXPECT_TRUE(state.leavesTableOut);
     EXPECT_EQ(*state.lights, *view_.lights);
+    wish.keepTable = true;
+    EXPECT_FALSE(stateFor(wish).leavesTableOut);
+}
+
+// Who says something of the table, or brings a view that does, is asked no more.
+TEST_F(AWish, ofNoTableLeavesASureOneOut) {
+    EXPECT_EQ(unaskedTable({}), UnaskedTable::goesWhereSure);
+    EXPECT_EQ(unaskedTable({.clip = "left-half"}), UnaskedTable::goesWhereSure);
+    EXPECT_EQ(unaskedTable({.removeTable = true}), UnaskedTable::stays);
+    EXPECT_EQ(unaskedTable({.keepTable = true}), UnaskedTable::stays);
+    EXPECT_EQ(unaskedTable({.session = "a.json"}), UnaskedTable::stays);
+    EXPECT_EQ(unaskedTable({.presentation = "a.dcm"}), UnaskedTable::stays);
 }
 
 // Of the preset of the view as of one that is given, or that nobody chose.

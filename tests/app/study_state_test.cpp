@@ -48,6 +48,7 @@ StudyState everything() {
     state.settings.shading = trace::Shading::none;
     state.settings.filter = trace::Filter::stochastic;
     state.settings.denoising = trace::Denoising::on;
+    state.settings.toneMap = trace::ToneMap::hue;
     for (const Parameter& p : parameters()) p.set(state.settings, p.isWhole ? p.high : 0.5 * p.high);
     state.windows.at(std::size_t(trace::Look::minip)) =
         DisplayWindow{.center = -600.5, .width = 1500.0, .explanation = {}, .function = "LINEAR_EXACT"};
@@ -57,6 +58,7 @@ StudyState everything() {
                           .verticalFovDeg = 42.0,
                           .parallelHeightMm = 1000.0 / 7.0};
     state.showsMarks = false;
+    state.background = BackgroundColour(255, 0, 17);
     state.layout = Layout::sagittal;
     state.slices = {
         .window = DisplayWindow{.center = -600.5, .width = 1500.0, .explanation = {}, .function = "SIGMOID"},
@@ -149,6 +151,8 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.slices.window.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.slab.thicknessMm = 8.0; }));
     EXPECT_TRUE(differs([](auto& s) { s.showsMarks = true; }));
+    EXPECT_TRUE(differs([](auto& s) { s.background->b = 16; }));
+    EXPECT_TRUE(differs([](auto& s) { s.background.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.camera->parallelHeightMm = 0.0; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.isInverted = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.slices.asAcquired = false; }));
@@ -450,7 +454,9 @@ TEST(StudyState, AChangeMakesNoMoreStaleThanItMust) {
     EXPECT_EQ(after([](auto& s) { s.slices = {}; }), Stale::nothing);
     EXPECT_EQ(after([](auto& s) { s.measurements.clear(); }), Stale::nothing);
     EXPECT_EQ(after([](auto& s) { s.settings.exposure = 2.0; }), Stale::display);
+    EXPECT_EQ(after([](auto& s) { s.settings.toneMap = trace::ToneMap::neutral; }), Stale::display);
     EXPECT_EQ(after([](auto& s) { s.windows = {}; }), Stale::display);
+    EXPECT_EQ(after([](auto& s) { s.background.reset(); }), Stale::display);
     EXPECT_EQ(after([](auto& s) { s.camera->verticalFovDeg = 20.0; }), Stale::camera);
     EXPECT_EQ(after([](auto& s) { s.settings.bounces = 3; }), Stale::light);
     EXPECT_EQ(after([](auto& s) { s.settings.look = trace::Look::clear; }), Stale::light);

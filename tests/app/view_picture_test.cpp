@@ -54,6 +54,25 @@ TEST_F(ViewPictureTest, EachKindOfFileIsWritten) {
     }
 }
 
+// Who finds the image in an archive reads that a part of it is blurred or faded on purpose.
+TEST_F(ViewPictureTest, AnImageTellsOfItsLensAndFog) {
+    ViewPicture picture = wished("a.dcm");
+    ASSERT_TRUE(writeIt(picture).ok());
+    EXPECT_EQ(readText(picture.output)->find("lens"), std::string::npos);
+    picture.effects = {.lensMm = 20.0, .focusMm = 512.0, .fogMm = 75.0};
+    ASSERT_TRUE(writeIt(picture).ok());
+    const std::string bytes = *readText(picture.output);
+    EXPECT_NE(bytes.find("blurred by a lens of 20 mm but at 512 mm, faded by fog of 75 mm"),
+              std::string::npos);
+
+    picture = wished("none.png");
+    picture.effects.fogMm = -1.0;
+    const auto refused = writeIt(picture);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, ErrorCode::usage);
+    EXPECT_FALSE(fs::exists(picture.output));
+}
+
 // Over what is displayed, also in DICOM; and no one asks where there is light alone.
 TEST_F(ViewPictureTest, OverlaysLieOverPicturesAndNotOverLight) {
     ASSERT_TRUE(writeIt(wished("clean.png")).ok());

@@ -1,6 +1,8 @@
 // Pictures of the C interface.
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "c/c_fixture.h"
@@ -102,6 +104,61 @@ TEST_F(CDrawing, OfMirroredVoxelsThePatientStaysAsHeIs) {
     ASSERT_NE(view_, nullptr);
     ASSERT_EQ(draw(), MACULA_DONE);
     EXPECT_GT(right(), 3.0 * left());
+}
+
+// null is the direction that `macula render` takes, and the record tells why.
+TEST_F(CDrawing, WithoutADirectionItIsSeenFromWhereItsKindIs) {
+    const auto viewed = [&](int slices) {
+        const TwoBalls balls;
+        macula_voxels given = balls.voxels();
+        const int leftOut = (TwoBalls::kSide - slices) / 2;  // above and below
+        const std::size_t slice = std::size_t(TwoBalls::kSide) * TwoBalls::kSide;
+        given.slices = slices;
+        given.data = balls.hu.data() + slice * std::size_t(leftOut);
+        given.bytes = slice * std::size_t(slices) * sizeof(std::int16_t);
+        given.patient_from_voxel[11] += 4.0 * leftOut;
+        macula_study* study = nullptr;
+        EXPECT_EQ(macula_study_of_voxels(&given, nullptr, &study), MACULA_DONE) << lastError().message;
+        const Owned<macula_study> owned(study);
+        view_ = viewOf(owned);
+        EXPECT_EQ(macula_view_set_direction(view_.get(), "left"), MACULA_DONE);
+        EXPECT_EQ(macula_view_set_direction(view_.get(), nullptr), MACULA_DONE);
+        EXPECT_EQ(draw(), MACULA_DONE) << lastError().message;
+        const char* record = nullptr;
+        EXPECT_EQ(macula_view_record(view_.get(), &record), MACULA_DONE);
+        const auto json = nlohmann::json::parse(record);
+        return std::pair(json["view"].get<std::string>(), json["whyView"].get<std::string>());
+    };
+    const auto rise = [&] {
+        const macula_camera& camera = drawn_.camera;
+        const double behind = camera.target_mm[1] - camera.position_mm[1];
+        return std::atan2(camera.position_mm[2] - camera.target_mm[2], behind) * 180.0 / 3.14159265;
+    };
+    EXPECT_EQ(viewed(10), std::pair(std::string("oblique"), std::string("short-scan")));
+    EXPECT_GT(rise(), 30.0) << "from above";
+    EXPECT_GT(right(), left()) << "never mirrored";
+    EXPECT_EQ(viewed(TwoBalls::kSide), std::pair(std::string("turned"), std::string("body")));
+    EXPECT_GT(rise(), 5.0);
+    EXPECT_LT(rise(), 12.0);
+    EXPECT_GT(right(), left());
+}
+
+TEST_F(CDrawing, LiesOverTheBackgroundThatIsChosen) {
+    ASSERT_EQ(draw(), MACULA_DONE) << lastError().message;
+    EXPECT_EQ(rgba_[0], 0) << "black where nobody chose";
+    ASSERT_EQ(macula_view_set_background(view_.get(), "#10f0ff"), MACULA_DONE) << lastError().message;
+    ASSERT_EQ(draw(), MACULA_DONE);
+    EXPECT_EQ(std::vector<std::uint8_t>(rgba_.begin(), rgba_.begin() + 4),
+              (std::vector<std::uint8_t>{0x10, 0xf0, 0xff, 255}));
+    const char* state = nullptr;
+    ASSERT_EQ(macula_view_state(view_.get(), &state), MACULA_DONE);
+    EXPECT_EQ(nlohmann::json::parse(state)["background"], "#10f0ff");
+    expectError(macula_view_set_background(view_.get(), "sky"), MACULA_USAGE);
+    ASSERT_EQ(draw(), MACULA_DONE);
+    EXPECT_EQ(rgba_[1], 0xf0) << "it stays";
+    ASSERT_EQ(macula_view_set_background(view_.get(), nullptr), MACULA_DONE);
+    ASSERT_EQ(draw(), MACULA_DONE);
+    EXPECT_EQ(rgba_[1], 0);
 }
 
 TEST_F(CDrawing, ABoxAndAClipHideWhatIsOutside) {
@@ -265,6 +322,11 @@ TEST_F(CDrawing, PicturesThatAreNoneAreRefusedAndLeaveThePixels) {
     refused([](macula_picture& p) { p.row_bytes = std::numeric_limits<std::uint64_t>::max(); });
     refused([](macula_picture& p) { p.samples_per_pixel = std::numeric_limits<std::uint32_t>::max(); });
     refused([](macula_picture& p) { p.most_noise = std::numeric_limits<double>::quiet_NaN(); });
+    refused([](macula_picture& p) { p.lens_mm = -1.0; });
+    refused([](macula_picture& p) { p.lens_mm = std::numeric_limits<double>::infinity(); });
+    refused([](macula_picture& p) { p.lens_mm = 5.0, p.focus_mm = -200.0; });
+    refused([](macula_picture& p) { p.fog_mm = -1.0; });
+    refused([](macula_picture& p) { p.fog_mm = std::numeric_limits<double>::quiet_NaN(); });
     refused([](macula_picture& p) { p.denoise = 3; });
     refused([](macula_picture& p) { p.quality = "best"; });
     drawn_.size = 1;
@@ -282,6 +344,7 @@ TEST_F(CDrawing, ChoicesThatAreNoneAreRefusedAndTheViewStays) {
     expectError(macula_view_set_window(view, 0.0, -1.0), MACULA_USAGE);
     expectError(macula_view_set_clip(view, "half"), MACULA_USAGE);
     expectError(macula_view_set_direction(view, "above"), MACULA_USAGE);
+    expectError(macula_view_set_background(view, "#12345"), MACULA_USAGE);
     const double low[3] = {0.0, 0.0, 0.0};
     const double flat[3] = {10.0, 10.0, 0.0};
     const double none[3] = {10.0, kNan, 10.0};

@@ -68,6 +68,11 @@ TEST_F(BadInput, Options) {
     expectRefused(2, "--light-rotation", with("--light-rotation", "sideways"));
     expectRefused(2, "--light-strength", with("--light-strength", "-1"));
     expectRefused(2, "--exposure", with("--exposure", "0"));
+    expectRefused(2, "--tone-map", with("--tone-map", "pretty"));
+    expectRefused(2, "--lens-mm", with("--lens-mm", "-1"));
+    expectRefused(2, "--fog-mm", with("--fog-mm", "0"));
+    expectRefused(2, "what is sharp", with("--focus-mm", "near"));
+    expectRefused(2, "what is sharp", with("--focus-mm", "-300"));
     expectRefused(2, "no such preset", with("--preset", "ct-unicorn"));
     expectRefused(2, "no such lights", with("--lights", "disco"));
     expectRefused(2, "macula: ", with("--device", "no such device"));

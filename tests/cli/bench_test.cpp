@@ -18,7 +18,7 @@ TEST_F(Bench, CastMeasuresEveryLook) {
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const json report = json::parse(ran.out);
     EXPECT_EQ(report["benchmark"], "cast");
-    ASSERT_EQ(report["results"].size(), 5u);
+    ASSERT_EQ(report["results"].size(), 6u);
     for (const json& result : report["results"]) {
         EXPECT_GT(result["ours"]["secondsPerPicture"], 0.0) << result["look"];
         EXPECT_LT(result["ours"]["flipToConverged"], 0.15) << result["look"];

@@ -201,6 +201,8 @@ TEST_F(Evaluate, TellsWhatTheLivePictureIsWorthOverTime) {
     EXPECT_GT(change["firstNewS"].get<double>(), 0.0);
     EXPECT_GE(1e-3 * change["stale"]["longestMs"].get<double>(), change["firstNewS"].get<double>() - 1e-6);
     EXPECT_TRUE(change["stale"]["wasSaid"].is_boolean());
+    EXPECT_EQ(change["rest"]["series"][0]["atS"], change["firstNewS"])
+        << "whatever comes is compared with it";
     for (const json& rest : {report["rest"], change["rest"]}) {
         ASSERT_FALSE(rest["series"].empty());
         double lastS = 0.0;
@@ -219,6 +221,7 @@ TEST_F(Evaluate, TellsWhatTheLivePictureIsWorthOverTime) {
         EXPECT_GT(rest["referenceFlip"].get<double>(), 0.0);
         EXPECT_TRUE(rest.contains("toFlip002S"));
         EXPECT_TRUE(rest.contains("worstSetback"));
+        EXPECT_TRUE(rest.contains("worstRise"));
     }
 }
 
@@ -238,6 +241,31 @@ TEST_F(Evaluate, RefusesALivePictureThatCannotBe) {
     expectRefusal({"--seconds", "nan"}, 2, "--seconds");
     expectRefusal({"--then-preset", write("none.vp.json", kShowsNothing)}, 3,
                   "Nothing of the series can be seen");
+}
+
+TEST_F(Evaluate, TellsWhatEachInterpolationDoes) {
+    const std::vector<std::string> arguments{"evaluate", "interpolation", "--size", "32", "--spp",
+                                             "4",        "--pictures",    at(".")};
+    const Ran ran = runMacula(arguments);
+    ASSERT_EQ(ran.exitCode, 0) << ran.err;
+    const json report = json::parse(ran.out);
+    EXPECT_EQ(report["benchmark"], "interpolation");
+    std::map<std::string, double> ripples;
+    for (const json& row : report["surfaces"]) {
+        EXPECT_GT(row["luminance"].get<double>(), 0.0) << row;
+        ripples[row["shape"].get<std::string>() + " " + row["by"].get<std::string>()] = row["ripple"];
+    }
+    for (const std::string shape : {"plane", "cylinder", "sphere"}) {
+        for (const char* by : {"cinematic trilinear", "cinematic stochastic", "cinematic smooth"})
+            EXPECT_TRUE(ripples.contains(shape + " " + by)) << ran.out;
+        // Without chance: the spline is smoother at any number of samples.
+        EXPECT_LT(ripples.at(shape + " dvr smooth"), ripples.at(shape + " dvr trilinear")) << ran.out;
+    }
+    ASSERT_EQ(report["details"].size(), 9u);
+    for (const json& row : report["details"]) EXPECT_GT(row["contrast"].get<double>(), 0.0) << row;
+    EXPECT_EQ(runMacula(arguments).exitCode, 2) << "the pictures are there";
+    EXPECT_EQ(runMacula({"evaluate", "interpolation", "--preset", "no-such-preset"}).exitCode, 2);
+    EXPECT_EQ(runMacula({"evaluate", "interpolation", "--lights", "disco"}).exitCode, 2);
 }
 
 TEST_F(Evaluate, WhatCannotBeIsAnError) {

@@ -39,8 +39,9 @@ class Notes : public CommandTest {
         return write("unitless.nrrd", text);
     }
     std::vector<std::string> ofRender(const std::vector<std::string>& more) const {
-        std::vector<std::string> words{"render", unitless(), "-o", at("a.png"),  "--size",
-                                       "16x16",  "--spp",    "1",  "--overwrite"};
+        // From a side that is chosen: of the usual one there would be a note of its own.
+        std::vector<std::string> words{"render", unitless(), "-o",          at("a.png"), "--size",  "16x16",
+                                       "--spp",  "1",        "--overwrite", "--view",    "anterior"};
         words.insert(words.end(), more.begin(), more.end());
         return notesOf(runMacula(words));
     }

@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "base/paths.h"
+#include "base/phantom.h"
 #include "cli/run_command.h"
 #include "dicom/series_writer.h"
 #include "image/image_file.h"
@@ -93,6 +95,26 @@ TEST_F(Render, FindsItsExposure) {
     render("a.png", {"--auto-exposure", "--light-strength", "0.05", "--json", at("a.json")});
     EXPECT_GT(nlohmann::json::parse(readAll(at("a.json")))["exposure"], 5.0);
     EXPECT_EQ(runMacula({"render", "-o", at("b.png"), "--auto-exposure", "--exposure", "2"}).exitCode, 2);
+}
+
+TEST_F(Render, ALensFogAndAToneMapAreTold) {
+    const image::Image plain = render("a.png", {});
+    for (const auto& more : std::vector<std::vector<std::string>>{{"--tone-map", "hue"},
+                                                                  {"--lens-mm", "40"},
+                                                                  {"--lens-mm", "40", "--focus-mm", "500"},
+                                                                  {"--fog-mm", "80"}})
+        EXPECT_NE(render("b.png", more).pixels, plain.pixels) << more.front();
+    render("c.png", {"--tone-map", "hue", "--lens-mm", "40", "--focus-mm", "500", "--fog-mm", "80", "--json",
+                     at("c.json")});
+    const auto told = nlohmann::json::parse(readAll(at("c.json")));
+    EXPECT_EQ(told["toneMap"], "hue");
+    EXPECT_EQ(told["lensMm"], 40.0);
+    EXPECT_EQ(told["focusMm"], 500.0);
+    EXPECT_EQ(told["fogMm"], 80.0);
+    render("d.png", {"--lens-mm", "40", "--json", at("d.json")});
+    EXPECT_GT(nlohmann::json::parse(readAll(at("d.json")))["focusMm"], 100.0) << "found";
+    // Fog takes light and coverage away, and leaves depths.
+    EXPECT_LT(meanBrightness(render("e.exr", {"--fog-mm", "50"})), 0.9 * meanBrightness(render("f.exr", {})));
 }
 
 TEST_F(Render, EveryPresetAndRigShowsSomething) {
@@ -323,14 +345,62 @@ TEST_F(Render, OfATableSaysWhetherOneWasRemoved) {
     Progress progress;
     const auto lying = segment::test::make({.size = {330, 280, 24}});
     ASSERT_TRUE(dicom::writeSeries(lying.volume, at("study"), {}, progress).ok());
-    const std::vector<std::string> below{at("study"), "--view", "posterior", "--json", at("table.json")};
-    const auto shown = render("table.png", below);
-    EXPECT_EQ(nlohmann::json::parse(readAll(at("table.json")))["tableRemoved"], false);
-    std::vector<std::string> removing = below;
-    removing.emplace_back("--remove-table");
-    EXPECT_NE(render("table.png", removing).pixels, shown.pixels);
-    EXPECT_EQ(nlohmann::json::parse(readAll(at("table.json")))["tableRemoved"], true);
-    EXPECT_EQ((*image::readMetadata(at("table.png"), key)).front().second, "yes");
+    const auto below = [&](const std::vector<std::string>& besides) {
+        std::vector<std::string> words{at("study"), "--view", "posterior", "--json", at("table.json")};
+        words.insert(words.end(), besides.begin(), besides.end());
+        const auto pixels = render("table.png", words).pixels;
+        const bool isRemoved = nlohmann::json::parse(readAll(at("table.json")))["tableRemoved"];
+        EXPECT_EQ((*image::readMetadata(at("table.png"), key)).front().second, isRemoved ? "yes" : "no");
+        return std::pair(isRemoved, pixels);
+    };
+    const auto kept = below({"--keep-table"});
+    const auto removed = below({"--remove-table"});
+    EXPECT_FALSE(kept.first);
+    EXPECT_TRUE(removed.first);
+    EXPECT_NE(removed.second, kept.second);
+    EXPECT_EQ(below({}), removed) << "it is sure what is patient";
+    const Ran both = runMacula({"render", at("study"), "-o", at("b.png"), "--keep-table", "--remove-table"});
+    EXPECT_EQ(both.exitCode, 2) << both.err;
+}
+
+// The picture says from where it is and why; who asks is given that.
+TEST_F(Render, SaysFromWhereThePatientIsSeenAndWhy) {
+    const auto viewed = [&](const std::vector<std::string>& besides) {
+        std::vector<std::string> words{"--json", at("view.json")};
+        words.insert(words.end(), besides.begin(), besides.end());
+        render("view.png", words);
+        const auto json = nlohmann::json::parse(readAll(at("view.json")));
+        const std::array<std::string, 1> key{"macula:view"};
+        EXPECT_EQ((*image::readMetadata(at("view.png"), key)).front().second, json["view"]);
+        return std::pair(json["view"].get<std::string>(), json["whyView"].get<std::string>());
+    };
+    EXPECT_EQ(viewed({}), std::pair(std::string("turned"), std::string("body")));
+    EXPECT_EQ(viewed({"--view", "three-quarter"}),
+              std::pair(std::string("three-quarter"), std::string("chosen")));
+
+    Progress progress;
+    const Volume slab = phantom::make({.size = {64, 56, 10}, .spacingMm = {4.8, 4.8, 7.5}});
+    ASSERT_TRUE(dicom::writeSeries(slab, at("slab"), {}, progress).ok());
+    EXPECT_EQ(viewed({at("slab")}), std::pair(std::string("oblique"), std::string("short-scan")));
+}
+
+TEST_F(Render, LiesOverTheBackgroundThatIsAskedFor) {
+    const auto cornerOf = [&](const std::string& background) {
+        const image::Image image = render("b.png", {"--background", background, "--json", at("b.json")});
+        EXPECT_EQ(nlohmann::json::parse(readAll(at("b.json")))["background"],
+                  background == "white" ? "#ffffff" : background);
+        const std::span<const float> corner(image.pixels.data(), std::size_t(image.channels));
+        std::vector<int> bytes;
+        for (const float value : corner) bytes.push_back(int(std::lround(255.0f * value)));
+        return bytes;
+    };
+    EXPECT_EQ(cornerOf("white"), (std::vector<int>{255, 255, 255, 255}));
+    EXPECT_EQ(cornerOf("#10f0ff"), (std::vector<int>{0x10, 0xf0, 0xff, 255}));
+    EXPECT_EQ(cornerOf("transparent"), (std::vector<int>{0, 0, 0, 0}));
+    const Ran ran = runMacula({"render", "-o", at("a.png"), "--background", "sky"});
+    EXPECT_EQ(ran.exitCode, 2) << ran.err;
+    EXPECT_NE(ran.err.find("#rrggbb"), std::string::npos) << ran.err;
+    EXPECT_FALSE(std::filesystem::exists(at("a.png")));
 }
 
 TEST_F(Render, AStatisticsFileThatCannotBeWrittenIsNoticedBeforeTheWork) {

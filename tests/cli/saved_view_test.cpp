@@ -35,6 +35,7 @@ json fullView() {
             {"denoising", "denoised"},
             {"bounces", 3},
             {"exposure", 1.5},
+            {"toneMap", "hue"},
             {"lightRotationDeg", 30.0},
             {"lightStrength", 0.75},
             {"preset", builtIn("transfer/cinematic-bone.json")},
@@ -83,10 +84,26 @@ class SavedView : public CommandTest {
 };
 
 TEST_F(SavedView, GivesThePictureOfItsOptions) {
-    const auto spelledOut =
-        pixels({"--preset", "cinematic-bone", "--clip", "left-half", "--lights", "rim", "--remove-table",
-                "--bounces", "3", "--denoise", "--exposure", "1.5", "--light-rotation", "30",
-                "--light-strength", "0.75", "--camera", writeCamera()});
+    const auto spelledOut = pixels({"--preset",
+                                    "cinematic-bone",
+                                    "--clip",
+                                    "left-half",
+                                    "--lights",
+                                    "rim",
+                                    "--remove-table",
+                                    "--bounces",
+                                    "3",
+                                    "--denoise",
+                                    "--exposure",
+                                    "1.5",
+                                    "--tone-map",
+                                    "hue",
+                                    "--light-rotation",
+                                    "30",
+                                    "--light-strength",
+                                    "0.75",
+                                    "--camera",
+                                    writeCamera()});
     const json report = made();
     EXPECT_EQ(report["preset"], "cinematic-bone");
     EXPECT_EQ(pixels({"--session", writeView(fullView())}), spelledOut);
@@ -122,9 +139,9 @@ TEST_F(SavedView, CountsLessThanWhatIsGivenBesides) {
     json view = fullView();
     view.erase("leavesTableOut");
     const std::vector<std::string> options{
-        "--preset", "cinematic-chest",  "--clip", "right-half",       "--lights",   "studio", "--look",
-        "clear",    "--bounces",        "2",      "--no-denoise",     "--exposure", "1",      "--view",
-        "left",     "--light-rotation", "0",      "--light-strength", "1"};
+        "--preset", "cinematic-chest",  "--clip", "right-half",       "--lights",   "studio",     "--look",
+        "clear",    "--bounces",        "2",      "--no-denoise",     "--exposure", "1",          "--view",
+        "left",     "--light-rotation", "0",      "--light-strength", "1",          "--tone-map", "neutral"};
     std::vector<std::string> both = options;
     both.insert(both.end(), {"--session", writeView(view)});
     const auto plain = pixels(options);

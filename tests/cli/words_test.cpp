@@ -37,7 +37,7 @@ class Words : public CommandTest {
 
 TEST_F(Words, WhatIsNoNumberIsRefused) {
     for (const char* option : {"--fov", "--error", "--exposure", "--light-rotation", "--light-strength",
-                               "--surface", "--surface-gradient", "--anisotropy"}) {
+                               "--surface", "--surface-gradient", "--anisotropy", "--lens-mm", "--fog-mm"}) {
         for (const char* number : {"nan", "NAN", "-nan", "inf", "many", "1x"})
             expectRefused(render({option, number}), option);
     }
@@ -69,6 +69,10 @@ TEST_F(Words, OptionsWithoutEffectAreTold) {
     expectTold({"--preset", "ct-bone", "--roughness", "0.5"}, "--roughness");
     expectTold({"--look", "cinematic", "--shading"}, "--shading");
     expectTold({"--keep-unfinished"}, "--keep-unfinished");
+    expectTold({"--look", "mip", "--tone-map", "hue"}, "--tone-map");
+    expectTold({"--look", "minip", "--fog-mm", "50"}, "--fog-mm");
+    expectTold({"--look", "dvr", "--lens-mm", "20"}, "--lens-mm");
+    expectTold({"--focus-mm", "300"}, "--focus-mm");
     const Ran quiet = render({"--look", "mip", "--window", "40,400"});
     EXPECT_EQ(quiet.err.find("does nothing"), std::string::npos) << quiet.err;
 }
@@ -155,7 +159,7 @@ TEST_F(Words, APictureTellsOfItsMatter) {
     const auto given = matterOf({"--surface", "0.75", "--surface-gradient", "60", "--roughness", "0.2",
                                  "--reflectance", "0.05", "--anisotropy", "-0.25"});
     EXPECT_EQ(given.first, json::parse(R"({"surfaceWeight": 0.75, "surfaceGradientPerMm": 60.0,
-        "roughness": 0.2, "reflectance": 0.05, "anisotropy": -0.25})"));
+        "roughness": 0.2, "reflectance": 0.05, "anisotropy": -0.25, "steepGradientPerMm": 200.0})"));
     EXPECT_NE(given.second, plain.second);
     const std::vector<std::string> keys{"macula:surfaceWeight", "macula:roughness"};
     const auto found = image::readMetadata(at("a.png"), keys);

@@ -25,6 +25,15 @@ TEST(Loader, slopePerSlice) {
     for (int k = 0; k < 6; ++k) EXPECT_EQ(volume->value(3, 2, k), (k + 1) * original.value(3, 2, k));
 }
 
+TEST(Loader, theBodyPartIsWhatAllImagesSay) {
+    const TemporaryFolder folder;
+    const auto files = write(smallVolume(obliqueAffine(), {1.0, 0.0}, "MR"), folder.path());
+    EXPECT_EQ(loadFolder(folder.path())->bodyPart(), "") << "nobody said";
+    const Tag bodyPart{0x0018, 0x0015};
+    for (const fs::path& file : files) setText(file, bodyPart, "HEAD");
+    EXPECT_EQ(loadFolder(folder.path())->bodyPart(), "HEAD");
+}
+
 TEST(Loader, slopePerSliceWithoutCommonStepIsKeptInFloat) {
     const TemporaryFolder folder;
     const Volume original = smallVolume(obliqueAffine(), {1.0, 0.0}, "MR");

@@ -48,6 +48,14 @@ TEST(WorstSetback, IsBesideThePictureOfBefore) {
     EXPECT_DOUBLE_EQ(worstSetback(sparse, 5.0).value(), 0.125);
 }
 
+TEST(WorstRise, IsAboveTheBestPictureOfBefore) {
+    EXPECT_DOUBLE_EQ(worstRise(seriesOf({0.5, 0.25, 0.375, 0.3125})).value(), 0.125);
+    EXPECT_DOUBLE_EQ(worstRise(seriesOf({0.5, 0.25, 0.375, 0.4375})).value(), 0.1875) << "by and by";
+    EXPECT_DOUBLE_EQ(worstRise(seriesOf({0.75, 0.5, 0.375})).value(), -0.125) << "it fell all along";
+    EXPECT_EQ(worstRise(seriesOf({0.5})), std::nullopt) << "it has replaced none";
+    EXPECT_EQ(worstRise({}), std::nullopt);
+}
+
 TEST(FirstModel, CountsFromTheFirstPicture) {
     app::LiveRecording recording;
     EXPECT_EQ(firstModelS(recording), std::nullopt);
@@ -136,6 +144,7 @@ TEST(LivePictureReports, HoldEveryNumber) {
     EXPECT_EQ(rest["lastFlip"], 0.01);
     EXPECT_EQ(rest["referenceFlip"], 0.005);
     EXPECT_TRUE(rest["worstSetback"].is_null()) << "none is 5 s older";
+    EXPECT_DOUBLE_EQ(rest["worstRise"].get<double>(), -0.24);
     ASSERT_EQ(rest["series"].size(), 3u);
     EXPECT_TRUE(rest["series"][0]["samplesPerPixel"].is_null());
     EXPECT_TRUE(rest["series"][0]["maskedPsnrDb"].is_null());

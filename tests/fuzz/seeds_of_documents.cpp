@@ -116,6 +116,7 @@ StudyState seenState() {
     state.camera = oblique();
     state.camera->parallelHeightMm = 143.5;
     state.showsMarks = false;
+    state.background = app::BackgroundColour(16, 240, 255);
     state.layout = app::Layout::sagittal;
     state.slices.window = window();
     state.slices.slab.thicknessMm = 7.5;

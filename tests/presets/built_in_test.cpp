@@ -61,7 +61,7 @@ TEST(PresetFiles, ShowWhatTheyAreFor) {
     EXPECT_GT(opacityAt(vessels, 300.0), 0.5);
     const glm::dvec3 blood = colourAt(vessels, 250.0);
     EXPECT_GT(blood.r, 1.5 * blood.b) << "contrast is red";
-    const glm::dvec3 cortex = colourAt(vessels, 700.0);
+    const glm::dvec3 cortex = colourAt(withCurvesSwapped(vessels), 700.0);
     EXPECT_LT(cortex.r, 1.2 * cortex.b) << "bone is ivory";
 
     const TransferFunction skin = builtIn("cinematic-soft-tissue");
@@ -72,6 +72,25 @@ TEST(PresetFiles, ShowWhatTheyAreFor) {
     EXPECT_EQ(opacityAt(lung, -1000.0), 0.0) << "air around the patient is fog";
     EXPECT_GT(opacityAt(lung, -800.0), 0.0);
     EXPECT_EQ(opacityAt(lung, 40.0), 0.0) << "soft tissue hides the lung";
+}
+
+// Blood with contrast agent and bone have the same values: where these change little it is blood, where they
+// change steeply it is bone. Both are as opaque, so that flights need no gradient.
+TEST(PresetFiles, TellBloodFromBoneByTheGradient) {
+    const auto redness = [](const TransferFunction& function, double value) {
+        const glm::dvec3 colour = colourAt(function, value);
+        return colour.r / colour.b;
+    };
+    for (const char* name : {"cinematic-chest", "cinematic-heart", "cinematic-vessels"}) {
+        const TransferFunction preset = builtIn(name);
+        ASSERT_TRUE(usesSteepCurves(preset)) << name;
+        EXPECT_EQ(preset.steep.opacity, preset.opacity) << name;
+        const TransferFunction steep = withCurvesSwapped(preset);
+        for (const double value : {250.0, 320.0}) {
+            EXPECT_GT(redness(preset, value), 2.0) << name << " " << value;
+            EXPECT_LT(redness(steep, value), 1.5) << name << " " << value;
+        }
+    }
 }
 
 // Only one of 3D Slicer's presets needs the gradient, and one of our own.

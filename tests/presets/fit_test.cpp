@@ -16,6 +16,7 @@ TransferFunction preset() {
     f.opacity = {{0, 0.0}, {100, 0.5, 0.3, 0.4}, {200, 1.0}};
     f.colour = {{0, {1, 0, 0}}, {200, {0, 1, 0}}};
     f.gradientOpacity = {{0, 1.0}, {10, 0.5}};
+    f.steep = {.opacity = {{50, 0.1}, {150, 0.9}}, .colour = {{75, {0, 0, 1}}}, .gradientPerMm = 25.0};
     f.effectiveRange = ValueRange{0.0, 200.0};
     return f;
 }
@@ -51,6 +52,9 @@ TEST(Fit, PutsTheEffectiveRangeOnTheForeground) {
     EXPECT_NEAR(opacityAt(done, (*fit)(137.0)), opacityAt(preset(), 137.0), 1e-12);
     // Values are stretched by 4.8, and so are differences of them per mm.
     EXPECT_NEAR(done.gradientOpacity[1].value, 10.0 * fit->scale(), 1e-12);
+    EXPECT_NEAR(done.steep.gradientPerMm, 25.0 * fit->scale(), 1e-12);
+    EXPECT_EQ(done.steep.opacity[1].value, (*fit)(150.0));
+    EXPECT_EQ(done.steep.colour[0].value, (*fit)(75.0));
     EXPECT_FALSE(done.fitToVolume.has_value());
 }
 

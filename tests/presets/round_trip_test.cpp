@@ -30,6 +30,7 @@ void expectEqual(const TransferFunction& a, const TransferFunction& b) {
     EXPECT_EQ(a.albedo, b.albedo);
     EXPECT_EQ(a.anisotropy, b.anisotropy);
     EXPECT_EQ(a.surface, b.surface);
+    EXPECT_EQ(a.steep, b.steep);
     EXPECT_EQ(a.fitToVolume, b.fitToVolume);
     EXPECT_EQ(a.lighting, b.lighting);
     EXPECT_EQ(a.interpolation, b.interpolation);
@@ -91,6 +92,13 @@ TEST(RoundTrip, AnyNumbers) {
         f.anisotropy = 0.9 * fraction(random);
         f.surface = {fraction(random), 1e3 * fraction(random) + 1e-3, 0.1 + 0.9 * fraction(random),
                      fraction(random)};
+        if (run % 5 == 1) {
+            for (const double x : points())
+                f.steep.opacity.push_back({x, fraction(random), fraction(random), fraction(random)});
+            for (const double x : points())
+                f.steep.colour.push_back({x, {fraction(random), fraction(random), fraction(random)}});
+        }
+        if (run % 5 > 1) f.steep.gradientPerMm = 1e3 * fraction(random) + 1e-3;
         f.unitDistanceMm = 0.1 + fraction(random);
         f.lighting = {run % 5 == 0, fraction(random), fraction(random), fraction(random),
                       100.0 * fraction(random)};

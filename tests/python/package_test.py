@@ -195,6 +195,15 @@ class Pictures(unittest.TestCase):
         self.assertGreater(halves["anterior"][1], 3 * halves["anterior"][0])
         self.assertGreater(halves["posterior"][0], 3 * halves["posterior"][1])
 
+    def test_the_background_is_the_one_that_is_chosen(self):
+        self.view.set_background("#ff8000")
+        pixels = numpy.asarray(self.view.draw(24, 24, samples=1))
+        self.assertEqual(pixels[0, 0].tolist(), [255, 128, 0, 255])
+        self.assertEqual(self.view.state["background"], "#ff8000")
+        self.view.set_background()
+        self.assertEqual(numpy.asarray(self.view.draw(24, 24, samples=1))[0, 0].tolist(), [0, 0, 0, 255])
+        self.assertRaises(macula.Error, self.view.set_background, "sky")
+
     def test_the_camera_that_is_told_is_the_one(self):
         first = self.view.draw(40, 30, samples=1)
         self.view.set_camera(**first.camera)

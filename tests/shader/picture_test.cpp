@@ -62,9 +62,33 @@ TEST(Picture, TransparentPixelsShowTheBackground) {
     using vec4 = ShaderLibTwofold::vec4;
     using vec3 = ShaderLibTwofold::vec3;
     const vec3 background(0.2, 0.3, 0.4);
-    EXPECT_EQ(lib.displayColour(vec4(0), background, 1.0), lib.displayColour(vec4(0), background, 8.0));
-    EXPECT_EQ(lib.displayColour(vec4(0.25, 0.5, 0.5, 1), background, 1.0),
-              lib.displayColour(vec4(0.25, 0.5, 0.5, 1), vec3(0), 1.0));
+    for (const bool keepsHue : {false, true}) {
+        EXPECT_EQ(lib.displayColour(vec4(0), background, 1.0, keepsHue),
+                  lib.displayColour(vec4(0), background, 8.0, keepsHue));
+        EXPECT_EQ(lib.displayColour(vec4(0.25, 0.5, 0.5, 1), background, 1.0, keepsHue),
+                  lib.displayColour(vec4(0.25, 0.5, 0.5, 1), vec3(0), 1.0, keepsHue));
+    }
+}
+
+// No tone map and no exposure changes it, white too; matter that covers half of it halves its light.
+TEST(Picture, TheBackgroundIsDisplayedAsItIs) {
+    ShaderLibTwofold lib;
+    using vec4 = ShaderLibTwofold::vec4;
+    using vec3 = ShaderLibTwofold::vec3;
+    for (const bool keepsHue : {false, true}) {
+        for (int byte = 0; byte <= 255; byte += 5) {
+            const double encoded = byte / 255.0;
+            const double light = lib.decodeSrgb(encoded);
+            for (const double exposure : {0.1, 1.0, 30.0}) {
+                const vec3 bare = lib.displayColour(vec4(0), vec3(light, 0.0, 1.0), exposure, keepsHue);
+                EXPECT_NEAR(bare.x, encoded, 1e-6) << byte;
+                EXPECT_EQ(bare.y, 0.0);
+                EXPECT_NEAR(bare.z, 1.0, 1e-12);
+                const vec3 half = lib.displayColour(vec4(0, 0, 0, 0.5), vec3(light), exposure, keepsHue);
+                EXPECT_NEAR(half.x, lib.encodeSrgb(0.5 * light), 1e-12) << byte;
+            }
+        }
+    }
 }
 
 }  // namespace

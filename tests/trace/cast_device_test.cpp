@@ -165,12 +165,14 @@ TEST_F(CastOnDevice, DrawsWhatTheReferenceDraws) {
             Settings settings{.exposure = 1.3, .look = look.look};
             settings.window = DisplayWindow{.center = 0, .width = 2000, .explanation = {}, .function = {}};
             if (trial % 2 == 1) settings.shading = Shading::headlight;
+            if (trial % 3 == 1) settings.filter = Filter::smooth;
             PathTracer t = tracer(volume, function, kSky, view, settings);
             ASSERT_TRUE(t.scene().setClip(clip).ok());
             ASSERT_TRUE(*t.trace(3));
             const auto image = t.readback();
             ASSERT_TRUE(image.ok()) << image.error().message;
-            const BrickGrid grid = makeBrickGrid(*volume);
+            const Filter filter = filterOf(look.look, settings.filter);
+            const BrickGrid grid = makeBrickGrid(*volume, reachOf(filter));
             const Medium medium =
                 look.look == Look::dvr     ? makeMedium(*volume, grid, function, clip)
                 : look.look == Look::mip   ? makeMedium(*volume, grid, Projection::maximum, clip)
@@ -180,7 +182,8 @@ TEST_F(CastOnDevice, DrawsWhatTheReferenceDraws) {
                                                      : look.look == Look::mip   ? shared::kCastMaximum
                                                      : look.look == Look::minip ? shared::kCastMinimum
                                                                                 : shared::kCastMean,
-                                             .shading = trial % 2 == 1 && look.look == Look::dvr};
+                                             .shading = trial % 2 == 1 && look.look == Look::dvr,
+                                             .smooth = filter == Filter::smooth};
             const auto params = makeTraceParams(*volume, medium, kSky, view, settings, clip);
             ASSERT_TRUE(params.ok());
             const auto sums =
@@ -209,8 +212,8 @@ TEST_F(CastOnDevice, IsTheSameHoweverItIsCut) {
     EXPECT_EQ(parts.readback()->radiance, whole.readback()->radiance);
 }
 
-// Greys are those of the window, to one step of eight bits, whatever the exposure; and looks can be changed
-// at any time.
+// Greys are those of the window, to one step of eight bits, whatever exposure and tone map; and looks can be
+// changed at any time.
 TEST_F(CastOnDevice, ProjectionsAreExactlyGrey) {
     const auto volume =
         scenes::volumeOf({32, 32, 32}, affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-15.5, -15.5, -15.5}),
@@ -224,8 +227,14 @@ TEST_F(CastOnDevice, ProjectionsAreExactlyGrey) {
     PathTracer t = tracer(volume, scenes::homogeneous(1.0), kSky, view, settings);
     ASSERT_TRUE(*t.trace(1));
     const auto before = t.readback();
-    for (const Look look : {Look::mip, Look::minip, Look::average}) {
+    constexpr std::array<std::pair<Look, ToneMap>, 5> kShown{{{Look::mip, ToneMap::neutral},
+                                                              {Look::mip, ToneMap::hue},
+                                                              {Look::minip, ToneMap::hue},
+                                                              {Look::average, ToneMap::neutral},
+                                                              {Look::average, ToneMap::hue}}};
+    for (const auto& [look, map] : kShown) {
         settings.look = look;
+        settings.toneMap = map;
         ASSERT_TRUE(t.setSettings(settings).ok());
         ASSERT_TRUE(*t.trace(1));
         const auto shown = t.readDisplay(glm::vec3(0.0f));
@@ -237,11 +246,12 @@ TEST_F(CastOnDevice, ProjectionsAreExactlyGrey) {
                                   : look == Look::average ? 40.0 / 32.0
                                                           : 0.0);
             EXPECT_NEAR((*shown)[std::size_t(4 * (13 * 26 + x))], 255.0 * (value - 85.0) / 100.0, 1.6)
-                << nameOf(look) << " " << x;
+                << nameOf(look) << " " << nameOf(map) << " " << x;
         }
         EXPECT_EQ(t.readback()->depthMm[13 * 26 + 13], std::numeric_limits<float>::infinity());
     }
     settings.look = Look::cinematic;
+    settings.toneMap = ToneMap::neutral;
     ASSERT_TRUE(t.setSettings(settings).ok());
     ASSERT_TRUE(*t.trace(1));
     EXPECT_EQ(t.readback()->radiance, before->radiance);

@@ -12,12 +12,15 @@ namespace {
 const Environment kSky = Environment::constant(glm::vec3(1.0f));
 
 std::vector<glm::dvec4> castMatter(const Volume& volume, const TransferFunction& function, const View& view,
-                                   const Clip& clip = {}, bool shading = false, std::uint32_t samples = 1) {
-    const Medium medium = makeMedium(volume, makeBrickGrid(volume), function, clip);
+                                   const Clip& clip = {}, bool shading = false, std::uint32_t samples = 1,
+                                   Filter filter = Filter::trilinear) {
+    const Medium medium = makeMedium(volume, makeBrickGrid(volume, reachOf(filter)), function, clip);
     const auto params = makeTraceParams(volume, medium, kSky, view, {.look = Look::dvr}, clip);
     auto sums =
         ReferenceTracer(volume, medium, kSky)
-            .cast(*params, {.kind = shared::kCastMatter, .shading = shading}, Precision::twofold, 0, samples);
+            .cast(*params,
+                  {.kind = shared::kCastMatter, .shading = shading, .smooth = filter == Filter::smooth},
+                  Precision::twofold, 0, samples);
     for (glm::dvec4& sum : sums) sum /= double(samples);
     return sums;
 }
@@ -306,6 +309,102 @@ TEST(Cast, HeadlightIsLambert) {
             EXPECT_EQ(pixel.a, 1.0);
             EXPECT_NEAR(pixel.r, 0.2 + 0.7 * std::sqrt(1.0 - r * r), 0.03) << x << " " << y;
         }
+    }
+}
+
+// Values and gradients by the spline: of smooth bumps, and of voxels that differ as much as they can.
+TEST(Cast, SmoothMatterIsThatOfADenseMarchOfTheSpline) {
+    const glm::dmat4 toWorld = affine({0.7, 0, 0}, {0, 1.1, 0}, {0, 0, 1.6}, {-4, -5, -6});
+    const auto rough = scenes::volumeOf({12, 10, 9}, toWorld, [](int i, int j, int k) {
+        return std::uint16_t((i * 7 + j * 5 + k * 3) % 4 < 2 ? 350 : 900);
+    });
+    scenes::Chance chance(8);
+    for (int trial = 0; trial < 8; ++trial) {
+        const auto volume = trial % 2 == 0 ? bumps() : rough;
+        const bool isLit = trial % 4 > 1;
+        TransferFunction function = coloured();
+        if (trial > 3) function.gradientOpacity = {{0, 0.2}, {100, 1.0}};
+        const Clip clip = trial < 6 ? Clip{} : scenes::anyClip(chance, volume->worldBox());
+        const View view = lookAt(*volume, 12);
+        const auto cast = castMatter(*volume, function, view, clip, isLit, 8, Filter::smooth);
+        const auto plain = castMatter(*volume, function, view, clip, isLit, 8);
+        double error = 0.0;
+        double other = 0.0;
+        for (std::size_t i = 0; i < cast.size(); ++i) {
+            glm::dvec4 truth(0.0);
+            for (int s = 0; s < 16; ++s) {
+                const double x = double(i % 12) + (s % 4 + 0.5) / 4.0;
+                const double y = double(i / 12) + (s / 4 + 0.5) / 4.0;
+                truth += scenes::denseCast<scenes::Spline>(*volume, function, clip, view.camera.positionMm,
+                                                           scenes::eyeRay(view, x, y), 12, isLit)
+                             .matter /
+                         16.0;
+            }
+            error += glm::length(cast[i] - truth) / double(cast.size());
+            other += glm::length(plain[i] - truth) / double(cast.size());
+        }
+        EXPECT_LT(error, 0.012) << trial;
+        if (trial % 2 == 1) {
+            EXPECT_GT(other, 3.0 * error) << trial << ": the test must tell them apart";
+        }
+    }
+}
+
+// One voxel, and values a million to one: nothing that is not a number, nothing beyond opaque.
+TEST(Cast, SmoothValuesOfOneVoxelAndOfExtremesAreFinite) {
+    for (const int edge : {1, 2, 3}) {
+        const auto volume = scenes::volumeOf(
+            {edge, edge, edge}, affine({1e-3, 0, 0}, {0, 1, 0}, {0, 0, 1e3}, {0, 0, 0}),
+            [](int i, int j, int k) { return std::uint16_t((i + j + k) % 2 == 0 ? 65535 : 0); });
+        TransferFunction function = coloured();
+        function.opacity = {{0, 1.0}};
+        for (const auto& pixel :
+             castMatter(*volume, function, lookAt(*volume, 6), {}, true, 2, Filter::smooth)) {
+            for (int channel = 0; channel < 4; ++channel) {
+                EXPECT_TRUE(pixel[channel] >= 0.0 && pixel[channel] <= 1.0) << edge;
+            }
+        }
+    }
+}
+
+// Two pairs of curves, mixed by how steeply values change: by both kinds of values between voxels, lit and
+// not, and under a gradient opacity too.
+TEST(Cast, SteepMatterIsThatOfADenseMarch) {
+    const auto volume = bumps();
+    const View view = lookAt(*volume, 12);
+    TransferFunction function = coloured();
+    function.steep = {.opacity = {{200, 0.0}, {500, 0.5}, {900, 0.1}},
+                      .colour = {{200, {0.1, 0.9, 0.2}}, {900, {0.9, 0.9, 0.1}}},
+                      .gradientPerMm = 150.0};
+    for (int trial = 0; trial < 6; ++trial) {
+        const bool isSmooth = trial % 2 == 1;
+        const bool isLit = trial > 1;
+        TransferFunction drawn = function;
+        if (trial > 3) drawn.gradientOpacity = {{0, 0.3}, {120, 1.0}};
+        const auto filter = isSmooth ? Filter::smooth : Filter::trilinear;
+        const auto cast = castMatter(*volume, drawn, view, {}, isLit, 8, filter);
+        TransferFunction flat = drawn;
+        flat.steep = {};
+        const auto other = castMatter(*volume, flat, view, {}, isLit, 8, filter);
+        double error = 0.0;
+        double differs = 0.0;
+        for (std::size_t i = 0; i < cast.size(); ++i) {
+            glm::dvec4 truth(0.0);
+            for (int s = 0; s < 16; ++s) {
+                const glm::dvec3 ray = scenes::eyeRay(view, double(i % 12) + (s % 4 + 0.5) / 4.0,
+                                                      double(i / 12) + (s / 4 + 0.5) / 4.0);
+                const glm::dvec3& eye = view.camera.positionMm;
+                truth +=
+                    (isSmooth ? scenes::denseCast<scenes::Spline>(*volume, drawn, {}, eye, ray, 12, isLit)
+                              : scenes::denseCast<>(*volume, drawn, {}, eye, ray, 12, isLit))
+                        .matter /
+                    16.0;
+            }
+            error += glm::length(cast[i] - truth) / double(cast.size());
+            differs += glm::length(cast[i] - other[i]) / double(cast.size());
+        }
+        EXPECT_LT(error, 0.012) << trial;
+        EXPECT_GT(differs, 5.0 * error) << trial << ": the test must tell curves apart";
     }
 }
 

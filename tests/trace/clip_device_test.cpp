@@ -74,19 +74,23 @@ TEST_F(ClipOnDevice, facesAreExactlyGrey) {
     const View view{.camera = {.positionMm = {0, -3000, 0}, .targetMm = {0, 0, 0}, .verticalFovDeg = 0.5},
                     .width = 26,
                     .height = 26};
-    PathTracer t =
-        tracer(volume, unseen, Environment::constant(glm::vec3(1.0f)), view, {.bounces = 1, .exposure = 2.5});
+    Settings settings{.bounces = 1, .exposure = 2.5};
+    PathTracer t = tracer(volume, unseen, Environment::constant(glm::vec3(1.0f)), view, settings);
     Clip clip{.planes = {{{0, 1, 0}, 3.0}}};
     clip.greyFaces = DisplayWindow{.center = 115, .width = 40, .explanation = {}, .function = "LINEAR_EXACT"};
     ASSERT_TRUE(t.scene().setClip(clip).ok());
-    ASSERT_TRUE(*t.trace(16));
-    const auto shown = t.readDisplay(glm::vec3(0.0f));
-    ASSERT_TRUE(shown.ok());
-    for (int x = 0; x < 26; ++x) {
-        const double mm = (x + 0.5 - 13.0) * 2.0 * 3003.0 * std::tan(glm::radians(0.25)) / 26.0;
-        const int grey = (*shown)[std::size_t(4 * (13 * 26 + x))];
-        EXPECT_NEAR(grey, 255.0 * (115.5 + mm - 95.0) / 40.0, 1.5) << x;
-        EXPECT_EQ(grey, (*shown)[std::size_t(4 * (13 * 26 + x) + 2)]);
+    for (const ToneMap map : kToneMaps) {
+        settings.toneMap = map;
+        ASSERT_TRUE(t.setSettings(settings).ok());
+        ASSERT_TRUE(*t.trace(16));
+        const auto shown = t.readDisplay(glm::vec3(0.0f));
+        ASSERT_TRUE(shown.ok());
+        for (int x = 0; x < 26; ++x) {
+            const double mm = (x + 0.5 - 13.0) * 2.0 * 3003.0 * std::tan(glm::radians(0.25)) / 26.0;
+            const int grey = (*shown)[std::size_t(4 * (13 * 26 + x))];
+            EXPECT_NEAR(grey, 255.0 * (115.5 + mm - 95.0) / 40.0, 1.5) << nameOf(map) << x;
+            EXPECT_EQ(grey, (*shown)[std::size_t(4 * (13 * 26 + x) + 2)]);
+        }
     }
 }
 

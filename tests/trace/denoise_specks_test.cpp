@@ -178,6 +178,48 @@ TEST(DenoiseSpecksFirst, ADotIsLimitedToItsBrightestNeighbour) {
     EXPECT_DOUBLE_EQ(first(3.9, 1.0, 100.0), 3.9) << "no dot";
 }
 
+// By how much the filter takes the middle of 9 x 9 pixels for noisier than its samples tell.
+double doubtOf(const std::function<double(int, int)>& light, double samples) {
+    const TruePicture picture = flat(9, 9);
+    const DenoiseGuides guides = picture.guides();
+    DenoiseRecord record;
+    for (int i = 0; i < 81; ++i) {
+        const glm::dvec4 mean = picture.truth(0) * glm::dvec4(glm::dvec3(light(i % 9, i / 9)), 1.0);
+        const double l = glm::dot(glm::dvec3(mean), glm::dvec3(0.2126, 0.7152, 0.0722));
+        record.means.push_back(mean);
+        record.moments.emplace_back(2.0 * l * l, samples);
+    }
+    const auto noiseWith = [&](int doubts) {
+        shared::DenoisePush push = picture.push();
+        push.doubts = doubts;
+        std::vector<glm::dvec4> masses;
+        return denoisePrepare(push, record, guides, masses).noises[40].x;
+    };
+    EXPECT_GT(noiseWith(0), 0.0);
+    return noiseWith(1) / noiseWith(0);
+}
+
+// What a dot adds to the variance hides it as well; light that has structure of its own is not blurred for
+// that.
+TEST(DenoiseDoubt, IsOfDotsAndNotOfLightThatDiffersFromPixelToPixel) {
+    for (const double bright : {1e-6, 1.0, 1e6}) {
+        SCOPED_TRACE(bright);
+        const auto dots = [&](int x, int y) { return (x == 4 && y == 4 ? 20.0 : 1.0) * bright; };
+        EXPECT_NEAR(doubtOf(dots, 1.0), 1.0 + 24.0 / 4.0, 1e-9);
+        EXPECT_NEAR(doubtOf(dots, 8.0), 1.0 + 24.0 / 67.0, 1e-9);
+        EXPECT_NEAR(doubtOf(dots, 1e4), 1.0, 1e-6);
+        EXPECT_GT(
+            doubtOf([&](int x, int y) { return (x == 5 && y < 5 && y > 2 ? 20.0 : 1.0) * bright; }, 1.0), 2.0)
+            << "two of them, beside the pixel";
+        const auto chequered = [&](int x, int y) { return ((x + y) % 2 == 0 ? 1.5 : 0.5) * bright; };
+        EXPECT_DOUBLE_EQ(doubtOf(chequered, 1.0), 1.0);
+        const auto line = [&](int, int y) { return (y == 4 ? 3.0 : 1.0) * bright; };
+        EXPECT_DOUBLE_EQ(doubtOf(line, 1.0), 1.0);
+        const auto gap = [&](int x, int y) { return (x == 4 && y == 4 ? 0.0 : 1.0) * bright; };
+        EXPECT_DOUBLE_EQ(doubtOf(gap, 1.0), 1.0) << "a dark pixel is no dot";
+    }
+}
+
 // A sample is as noisy as it is bright here: peaks of the line go too, as peaks elsewhere do.
 TEST(DenoiseSpecks, OfANoisyLineLittleIsLost) {
     for (const double angle : {0.0, 0.3, std::numbers::pi / 4}) {

@@ -56,10 +56,9 @@ class DenseLight : DenseScene {
             const Marched shadow =
                 march(point, beam.direction, true, stepVoxels, number(vertex, kLightStep), false);
             const glm::dvec3 voxel = voxelOf(point);
-            const Around a = around(voxel);
             glm::dvec3 perSr(0.0);
-            for (std::size_t c = 0; c < 8; ++c)
-                perSr += a.weight[c] * scatteredPerSr(a.voxel[c], albedoAt(voxel), direction, beam.direction);
+            for (const auto& [gradient, weight] : gradientsAround(voxel))
+                perSr += weight * scatteredPerSr(gradient, albedoAt(voxel), direction, beam.direction);
             light += perSr * beam.light * (std::exp(-shadow.depth) / kVertices);
         }
         return {coverage * gain_ * light, coverage};
@@ -77,7 +76,7 @@ class DenseLight : DenseScene {
             if (!fly(point, direction, vertex > 0, random)) return sum;
             sum.a = 1.0;
             const glm::dvec3 albedo = albedoSeen(voxelOf(point), random);
-            const std::size_t near = voxelNear(voxelOf(point), random);
+            const glm::dvec3 near = gradientNear(voxelOf(point), random);
             const Beam beam = towardsLight(random(), random(), random());
             glm::dvec3 towards = point;
             if (!fly(towards, beam.direction, true, random))
@@ -135,27 +134,66 @@ class DenseLight : DenseScene {
         const double radius = std::sqrt(1.0 - z * z);
         return {radius * std::cos(azimuth), radius * std::sin(azimuth), z};
     }
-    // One of the eight voxels around, by its weight.
+    // Half the differences between the two neighbours of a voxel along each axis, each taken where `across`
+    // is along the other two, per mm; beyond the outer voxels they go on.
+    glm::dvec3 gradientOf(const glm::ivec3& voxel, const glm::ivec3& across) const {
+        const glm::ivec3 last = volume_.size() - 1;
+        glm::dvec3 perVoxel;
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::ivec3 at = across;
+            const auto valueBeyond = [&](int step) {
+                at[axis] = voxel[axis] + step;
+                const glm::ivec3 there = glm::clamp(at, glm::ivec3(0), last);
+                return volume_.value(there.x, there.y, there.z);
+            };
+            perVoxel[axis] = 0.5 * (valueBeyond(1) - valueBeyond(-1));
+        }
+        return glm::transpose(glm::dmat3(voxelFromWorld_)) * perVoxel;
+    }
+    glm::dvec3 heldInside(const glm::dvec3& voxel) const {
+        return glm::clamp(voxel, glm::dvec3(0.0), glm::dvec3(volume_.size() - 1));
+    }
+    // One of the eight voxels around by its weight, and across a voxel before, there, or beside, with weights
+    // of 1/6, 4/6 and 1/6 along each axis: all 216, with their weights.
+    std::vector<std::pair<glm::dvec3, double>> gradientsAround(const glm::dvec3& voxel) const {
+        if (function_.surface.weight == 0.0) return {{glm::dvec3(0.0), 1.0}};
+        const glm::dvec3 inside = heldInside(voxel);
+        const glm::ivec3 low(inside);
+        std::vector<std::pair<glm::dvec3, double>> all;
+        for (int n = 0; n < 216; ++n) {
+            const glm::ivec3 cases(n % 6, n / 6 % 6, n / 36);
+            const glm::ivec3 up = cases / 3;
+            const glm::ivec3 beside = cases % 3 - 1;
+            double weight = 1.0;
+            for (int axis = 0; axis < 3; ++axis) {
+                const double f = inside[axis] - low[axis];
+                weight *= (up[axis] == 0 ? 1.0 - f : f) * (beside[axis] == 0 ? 4.0 : 1.0) / 6.0;
+            }
+            if (weight > 0.0) all.emplace_back(gradientOf(low + up, low + up + beside), weight);
+        }
+        return all;
+    }
+    // One of them by chance.
     template <class Random>
-    std::size_t voxelNear(const glm::dvec3& voxel, Random&& random) const {
-        const Around a = around(voxel);
-        double left = random();
-        std::size_t c = 0;
-        while (c < 7 && left >= a.weight[c]) left -= a.weight[c++];
-        return a.voxel[c];
+    glm::dvec3 gradientNear(const glm::dvec3& voxel, Random&& random) const {
+        const glm::dvec3 inside = heldInside(voxel);
+        glm::ivec3 chosen(0);
+        glm::ivec3 across(0);
+        for (int axis = 0; axis < 3; ++axis) {
+            chosen[axis] = int(inside[axis] + random());
+            const double chance = 6.0 * random();
+            across[axis] = chosen[axis] + (chance < 1.0 ? -1 : chance < 2.0 ? 1 : 0);
+        }
+        return gradientOf(chosen, across);
     }
 
-    // From the direction of travel `from` to `to`, with the gradient of that voxel: a cloud, and in its part
-    // a surface, of which the papers named in shaders/lib/scattering.glsl tell the film, by angles.
-    glm::dvec3 scatteredPerSr(std::size_t voxel, const glm::dvec3& albedo, const glm::dvec3& from,
+    // From the direction of travel `from` to `to`, with that gradient: a cloud, and in its part a surface, of
+    // which the papers named in shaders/lib/scattering.glsl tell the film, by angles.
+    glm::dvec3 scatteredPerSr(const glm::dvec3& gradient, const glm::dvec3& albedo, const glm::dvec3& from,
                               const glm::dvec3& to) const {
         const glm::dvec3 cloud = albedo * phase(glm::dot(from, to));
         const Surface& surface = function_.surface;
         if (surface.weight == 0.0) return cloud;
-        const glm::ivec3 size = volume_.size();
-        const int place = static_cast<int>(voxel);
-        const glm::dvec3 gradient =
-            gradientPerMm(glm::dvec3(place % size.x, place / size.x % size.y, place / size.x / size.y));
         const double steep = std::pow(glm::length(gradient) / surface.gradientPerMm, 2.0);
         if (steep == 0.0) return cloud;
         const double share = surface.weight * steep / (1.0 + steep);

@@ -34,14 +34,10 @@ class DenseScene {
         expectStraight(function.gradientOpacity);
         expectStraight(function.colour);
         EXPECT_EQ(function.colourSpace, ColourSpace::rgb);
-        // By whole values, linear between them.
-        for (int value = 0; value <= 1001; ++value) {
-            const glm::dvec3 encoded = heightAt(function_.colour, value, &ColourPoint::colour);
-            optics_.push_back({extinctionOf(function_, value),
-                               function_.albedo * glm::dvec3(linearOf(encoded.r), linearOf(encoded.g),
-                                                             linearOf(encoded.b))});
-            most_ = std::max(most_, optics_.back().extinction);
-        }
+        tabulate(function.opacity, function.colour, optics_);
+        expectStraight(function.steep.opacity);
+        expectStraight(function.steep.colour);
+        if (!function.steep.opacity.empty()) tabulate(function.steep.opacity, function.steep.colour, steep_);
         const glm::ivec3 size = volume_.size();
         for (int k = 0; k < size.z; ++k) {
             for (int j = 0; j < size.y; ++j) {
@@ -50,6 +46,11 @@ class DenseScene {
                     shown_.push_back(!clip_.mask || isShown(i, j, k) ? 1.0 : 0.0);
                 }
             }
+        }
+        for (int n = 0; n < size.x * size.y * size.z; ++n) {
+            const glm::dvec3 voxel(n % size.x, n / size.x % size.y, n / (size.x * size.y));
+            const double ratio = glm::length(gradientPerMm(voxel)) / function.steep.gradientPerMm;
+            steepParts_.push_back(ratio * ratio / (1.0 + ratio * ratio));
         }
     }
 
@@ -128,40 +129,23 @@ class DenseScene {
 
     // Per mm. What is drawn from single voxels blends what they do.
     double extinctionAt(const glm::dvec3& voxel, const Around& a) const {
-        const double gradient = gradientOpacity(voxel);
-        if (!stochastic_) return thinned(extinctionOf(blend(a, values_)), gradient);
-        double sum = 0.0;
-        for (std::size_t c = 0; c < 8; ++c)
-            sum += a.weight[c] * thinned(extinctionOf(values_[a.voxel[c]]), gradient);
-        return sum;
+        return matterAt(voxel, a).extinction;
     }
     // Of what scatters there.
-    glm::dvec3 albedoAt(const glm::dvec3& voxel) const {
-        const Around a = around(voxel);
-        if (!stochastic_) return albedoOf(blend(a, values_));
-        const double gradient = gradientOpacity(voxel);
-        glm::dvec3 sum(0.0);
-        double total = 0.0;
-        for (std::size_t c = 0; c < 8; ++c) {
-            const double value = values_[a.voxel[c]];
-            const double extinction = a.weight[c] * thinned(extinctionOf(value), gradient);
-            sum += extinction * albedoOf(value);
-            total += extinction;
-        }
-        return total > 0.0 ? sum / total : glm::dvec3(0.0);
-    }
-    // The same by chance: one of the voxels that may have scattered.
+    glm::dvec3 albedoAt(const glm::dvec3& voxel) const { return matterAt(voxel, around(voxel)).albedo; }
+    // The same by chance: one of the matters that may have scattered.
     template <class Random>
     glm::dvec3 albedoSeen(const glm::dvec3& voxel, Random&& random) const {
         const Around a = around(voxel);
-        if (!stochastic_) return albedoOf(blend(a, values_));
-        const double gradient = gradientOpacity(voxel);
-        std::array<double, 8> upTo{};
+        const Parts parts = partsAt(voxel, a);
         double total = 0.0;
-        for (std::size_t c = 0; c < 8; ++c)
-            upTo[c] = total += a.weight[c] * thinned(extinctionOf(values_[a.voxel[c]]), gradient);
-        const auto chosen = std::upper_bound(upTo.begin(), upTo.end() - 1, random() * total) - upTo.begin();
-        return albedoOf(values_[a.voxel[std::size_t(chosen)]]);
+        for (int i = 0; i < parts.count; ++i) total += parts.of[std::size_t(i)].extinction;
+        double left = random() * total;
+        for (int i = 0; i < parts.count; ++i) {
+            left -= parts.of[std::size_t(i)].extinction;
+            if (left < 0.0) return parts.of[std::size_t(i)].albedo;
+        }
+        return parts.of[std::size_t(parts.count - 1)].albedo;
     }
 
     // Where a ray is inside of the volume, mm.
@@ -201,8 +185,8 @@ class DenseScene {
 
   protected:
     struct Optics {
-        double extinction;
-        glm::dvec3 albedo;
+        double extinction = 0.0;
+        glm::dvec3 albedo{0.0};
     };
     struct Fovea {
         glm::dvec2 halfSize;  // of the picture, at distance 1, as all of it
@@ -240,11 +224,53 @@ class DenseScene {
         }
         return curve.back().*height;
     }
-    // A layer as thick as the unit distance lets 1 - opacity through, at density 1. No opacity is above 0.999
-    // (docs/numerical-limits.md).
-    static double extinctionOf(const TransferFunction& function, double value) {
-        const double opacity = std::min(heightAt(function.opacity, value, &OpacityPoint::opacity), 0.999);
-        return std::log(1.0 / (1.0 - opacity)) * function.density / function.unitDistanceMm;
+    // By whole values, linear between them. A layer as thick as the unit distance lets 1 - opacity through,
+    // at density 1. No opacity is above 0.999 (docs/numerical-limits.md).
+    void tabulate(const std::vector<OpacityPoint>& opacities, const std::vector<ColourPoint>& colours,
+                  std::vector<Optics>& table) {
+        for (int value = 0; value <= 1001; ++value) {
+            const double opacity = std::min(heightAt(opacities, value, &OpacityPoint::opacity), 0.999);
+            const glm::dvec3 encoded = heightAt(colours, value, &ColourPoint::colour);
+            table.push_back({std::log(1.0 / (1.0 - opacity)) * function_.density / function_.unitDistanceMm,
+                             function_.albedo *
+                                 glm::dvec3(linearOf(encoded.r), linearOf(encoded.g), linearOf(encoded.b))});
+            most_ = std::max(most_, table.back().extinction);
+        }
+    }
+
+    // What is at a point, in parts: flat and steep matter, of the value there or of each voxel around.
+    struct Parts {
+        std::array<Optics, 16> of;
+        int count = 0;
+    };
+    Parts partsAt(const glm::dvec3& voxel, const Around& a) const {
+        const double gradient = gradientOpacity(voxel);
+        const double steep = steep_.empty() ? 0.0 : blend(a, steepParts_);
+        Parts parts;
+        const auto add = [&](const std::vector<Optics>& table, double value, double share) {
+            parts.of[std::size_t(parts.count++)] = {share * thinned(extinctionOf(table, value), gradient),
+                                                    table[std::size_t(value + 0.5)].albedo};
+        };
+        const auto addBoth = [&](double value, double share) {
+            add(optics_, value, share * (1.0 - steep));
+            if (!steep_.empty()) add(steep_, value, share * steep);
+        };
+        if (!stochastic_) addBoth(blend(a, values_), 1.0);
+        for (std::size_t c = 0; stochastic_ && c < 8; ++c) addBoth(values_[a.voxel[c]], a.weight[c]);
+        return parts;
+    }
+    Optics matterAt(const glm::dvec3& voxel, const Around& a) const {
+        Optics sum;
+        glm::dvec3 first(0.0);
+        const Parts parts = partsAt(voxel, a);
+        for (int i = 0; i < parts.count; ++i) {
+            const Optics& part = parts.of[std::size_t(i)];
+            sum.extinction += part.extinction;
+            sum.albedo += part.extinction * part.albedo;
+            first = part.albedo;
+        }
+        sum.albedo = sum.extinction > 0.0 ? sum.albedo / sum.extinction : first;
+        return sum;
     }
 
     bool isShown(int i, int j, int k) const {
@@ -253,12 +279,11 @@ class DenseScene {
         const bool in = std::find(numbers.begin(), numbers.end(), label) != numbers.end();
         return in == (clip_.mask->keep == Keep::inside);
     }
-    double extinctionOf(double value) const {
+    static double extinctionOf(const std::vector<Optics>& table, double value) {
         const auto low = std::size_t(value);
         const double t = value - double(low);
-        return optics_[low].extinction * (1.0 - t) + optics_[low + 1].extinction * t;
+        return table[low].extinction * (1.0 - t) + table[low + 1].extinction * t;
     }
-    const glm::dvec3& albedoOf(double value) const { return optics_[std::size_t(value + 0.5)].albedo; }
 
     double gradientOpacity(const glm::dvec3& voxel) const {
         if (function_.gradientOpacity.empty()) return 1.0;
@@ -284,6 +309,8 @@ class DenseScene {
     bool stochastic_;
     Fovea fovea_;
     std::vector<Optics> optics_;
+    std::vector<Optics> steep_;  // of steep matter; empty: it has no curves of its own
+    std::vector<double> steepParts_;
     std::vector<double> values_;
     std::vector<double> shown_;
     double most_ = 0.0;

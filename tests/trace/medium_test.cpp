@@ -85,6 +85,44 @@ TEST(Medium, BoundIsAboveTheExtinctionEverywhereForRandomBandPassCurves) {
     EXPECT_GT(tightest, 0.99);  // the bound is reached, so it is not merely large
 }
 
+// Whatever part of the matter is steep; and one of the two is met by each bound.
+TEST(Medium, BoundIsAboveTheExtinctionOfFlatAndOfSteepMatter) {
+    std::mt19937 random(5);
+    const auto volume = scenes::volumeOf({28, 19, 21}, glm::dmat4(1.0), [&](int i, int j, int k) {
+        return static_cast<std::uint16_t>(500 + 40 * i + 25 * j * (k % 5) + int(random() % 200));
+    });
+    const BrickGrid grid = makeBrickGrid(*volume);
+    double largest = 0.0;
+    for (int curve = 0; curve < 20; ++curve) {
+        TransferFunction function = randomBandPass(random, 400, 3500);
+        const TransferFunction steep = randomBandPass(random, 400, 3500);
+        function.steep = {.opacity = steep.opacity, .colour = steep.colour, .gradientPerMm = 50.0};
+        const Medium medium = makeMedium(*volume, grid, function);
+        const Medium flatAlone = makeMedium(*volume, grid, [&] {
+            TransferFunction flat = function;
+            flat.steep = {};
+            return flat;
+        }());
+        const Medium steepAlone = makeMedium(*volume, grid, [&] {
+            TransferFunction swapped = withCurvesSwapped(function);
+            swapped.steep = {};
+            return swapped;
+        }());
+        for (std::size_t brick = 0; brick < medium.bounds.size(); ++brick) {
+            const float wanted = std::max(std::max(flatAlone.bounds[brick], steepAlone.bounds[brick]), 0.0f);
+            EXPECT_EQ(std::max(medium.bounds[brick], 0.0f), wanted) << curve << " " << brick;
+        }
+        for (std::size_t entry = 0; entry < medium.steep.size(); ++entry) {
+            EXPECT_EQ(medium.steep[entry], steepAlone.albedo[entry]);
+            EXPECT_EQ(medium.albedo[entry], flatAlone.albedo[entry]);
+            largest = std::max(largest, double(medium.mostPerMm()[entry]) - medium.extinctionPerMm[entry]);
+        }
+        EXPECT_TRUE(flatAlone.steep.empty());
+        EXPECT_EQ(medium.steepGradientPerMm, 50.0);
+    }
+    EXPECT_GT(largest, 0.0);
+}
+
 TEST(Medium, EmptyBricksKnowHowFarTheNearestMatterIs) {
     const auto volume = scenes::volumeOf({80, 80, 80}, glm::dmat4(1.0), [](int i, int j, int k) {
         return static_cast<std::uint16_t>(i == 12 && j == 20 && k == 75 ? 1 : 0);

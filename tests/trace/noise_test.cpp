@@ -55,11 +55,11 @@ TEST(Noise, IsHowFarPicturesAreFromTheTruth) {
                     for (std::size_t i = 0; i < 64; ++i) {
                         for (unsigned s = 0; s < samples; ++s)
                             host.add(i, std::bernoulli_distribution(kOdds)(random) ? brightness : 0.0, 1.0);
-                        const double off = host.shownGrey(exposure * host.sums_[i].x / samples) -
-                                           host.shownGrey(exposure * brightness * kOdds);
+                        const double off = host.shownGrey(exposure * host.sums_[i].x / samples, false) -
+                                           host.shownGrey(exposure * brightness * kOdds, false);
                         truth += off * off;
                     }
-                    estimated += 64.0 * host.noiseOfBlock({0, 0}, {8, 8}, exposure, 0.18).x;
+                    estimated += 64.0 * host.noiseOfBlock({0, 0}, {8, 8}, exposure, 0.18, false).x;
                 }
                 EXPECT_NEAR(std::sqrt(estimated / truth), 1.0, 0.15)
                     << brightness << " " << exposure << " " << samples;
@@ -73,11 +73,11 @@ TEST(Noise, OfCoverageShowsOnABackdrop) {
     for (std::size_t i = 0; i < 64; ++i) {
         for (int s = 0; s < 16; ++s) host.add(i, 0.0, s % 2 == 0 ? 1.0 : 0.0);
     }
-    EXPECT_EQ(host.noiseOfBlock({0, 0}, {8, 8}, 1.0, 0.0).x, 0.0);
+    EXPECT_EQ(host.noiseOfBlock({0, 0}, {8, 8}, 1.0, 0.0, false).x, 0.0);
     const double standardError = 0.18 * std::sqrt(0.25 / 15.0);
-    const double shown = 0.5 * host.shownGrey(standardError);
-    EXPECT_NEAR(host.noiseOfBlock({0, 0}, {8, 8}, 1.0, 0.18).x, shown * shown, 1e-9);
-    EXPECT_EQ(host.noiseOfBlock({0, 0}, {8, 8}, 1.0, 0.18).y, 1.0);
+    const double shown = 0.5 * host.shownGrey(standardError, false);
+    EXPECT_NEAR(host.noiseOfBlock({0, 0}, {8, 8}, 1.0, 0.18, false).x, shown * shown, 1e-9);
+    EXPECT_EQ(host.noiseOfBlock({0, 0}, {8, 8}, 1.0, 0.18, false).y, 1.0);
 }
 
 // Samples decide where the next ones go, which must not lean on the mean: of blocks that happened to have few
@@ -119,7 +119,7 @@ TEST(Noise, APlanThatFollowsItDoesNotLeanOnTheMean) {
             std::vector<shared::BlockNoise> noises;
             for (int y = 0; y < plan.blocks().y; ++y) {
                 for (int x = 0; x < plan.blocks().x; ++x) {
-                    const NoiseHost::vec2 noise = host.noiseOfBlock({x, y}, {kSide, kSide}, 1.0, 0.18);
+                    const NoiseHost::vec2 noise = host.noiseOfBlock({x, y}, {kSide, kSide}, 1.0, 0.18, false);
                     noises.push_back({.squaredError = float(noise.x), .isSeen = noise.y > 0.0 ? 1u : 0u});
                 }
             }
@@ -147,16 +147,16 @@ TEST(Noise, APlanThatFollowsItDoesNotLeanOnTheMean) {
 TEST(Noise, AtTheExtremes) {
     NoiseHost empty(9 * 9);
     for (auto& count : empty.counts_) count = 16;
-    EXPECT_EQ(empty.noiseOfBlock({0, 0}, {9, 9}, 1.0, 0.18), NoiseHost::vec2(0.0));
-    EXPECT_EQ(empty.noiseOfBlock({1, 1}, {9, 9}, 1.0, 0.18), NoiseHost::vec2(0.0));
+    EXPECT_EQ(empty.noiseOfBlock({0, 0}, {9, 9}, 1.0, 0.18, false), NoiseHost::vec2(0.0));
+    EXPECT_EQ(empty.noiseOfBlock({1, 1}, {9, 9}, 1.0, 0.18, false), NoiseHost::vec2(0.0));
     empty.sums_[80] = NoiseHost::vec4(16.0);  // one steady pixel, in the block of the corner only
     empty.squares_[80] = 16.0;
-    EXPECT_EQ(empty.noiseOfBlock({1, 1}, {9, 9}, 1.0, 0.0), NoiseHost::vec2(0.0, 1.0));
-    EXPECT_EQ(empty.noiseOfBlock({0, 1}, {9, 9}, 1.0, 0.0), NoiseHost::vec2(0.0));
+    EXPECT_EQ(empty.noiseOfBlock({1, 1}, {9, 9}, 1.0, 0.0, false), NoiseHost::vec2(0.0, 1.0));
+    EXPECT_EQ(empty.noiseOfBlock({0, 1}, {9, 9}, 1.0, 0.0, false), NoiseHost::vec2(0.0));
     for (const unsigned count : {0u, 1u}) {
         NoiseHost unknown(1);
         unknown.counts_[0] = count;
-        EXPECT_EQ(unknown.noiseOfBlock({0, 0}, {1, 1}, 1.0, 0.18).x, 1.0);
+        EXPECT_EQ(unknown.noiseOfBlock({0, 0}, {1, 1}, 1.0, 0.18, false).x, 1.0);
     }
     for (const double value : {std::nan(""), double(INFINITY), 3e38, 1e18}) {
         NoiseHost wild(64);
@@ -164,7 +164,7 @@ TEST(Noise, AtTheExtremes) {
         wild.sums_[3] = NoiseHost::vec4(value, value, value, 1.0);
         wild.squares_[3] = value * value;
         for (const double exposure : {1e-6, 1.0, 1e6}) {
-            const NoiseHost::vec2 noise = wild.noiseOfBlock({0, 0}, {8, 8}, exposure, 0.18);
+            const NoiseHost::vec2 noise = wild.noiseOfBlock({0, 0}, {8, 8}, exposure, 0.18, false);
             EXPECT_GT(noise.x, 0.0);
             EXPECT_LE(noise.x, 1.0);
             EXPECT_EQ(noise.y, 1.0);

@@ -1,8 +1,8 @@
-// Nine scenes so small that estimators can be held to the truth in them, and that lead through every branch
+// Eleven scenes so small that estimators can be held to the truth in them, and that lead through every branch
 // of the estimators between them: soft and dense matter, roulette of shadow rays and of paths, scattering
 // forward and back, even and single lights in the patient's and the camera's frame, clips and masks that cast
-// shadow and that do not, gradient opacity, surfaces, a turned grid of unequal spacing, a foveated view, an
-// eye inside of matter.
+// shadow and that do not, gradient opacity, surfaces, steep matter, a turned grid of unequal spacing, a
+// foveated view, an eye inside of matter.
 #pragma once
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -181,6 +181,24 @@ inline std::vector<SmallScene> smallScenes() {
     wet.function.surface = {.weight = 0.9, .gradientPerMm = 60.0, .roughness = 0.5, .reflectance = 0.15};
     wet.function.anisotropy = 0.3;
     scenes.push_back(wet);
+
+    SmallScene steep{.name = "steep matter, denser and of another colour, with surfaces",
+                     .volume = turned,
+                     .function = tissue,
+                     .view = look(*turned),
+                     .sky = oneLight(9, 2, glm::vec3(22.0f, 20.0f, 18.0f), 0.4f)};
+    steep.function.steep = {.opacity = {{150, 0.1}, {450, 0.75}, {900, 0.3}},
+                            .colour = {{100, {0.3, 0.5, 1.0}}, {700, {0.9, 1.0, 0.4}}},
+                            .gradientPerMm = 90.0};
+    steep.function.surface = {.weight = 0.5, .gradientPerMm = 80.0, .roughness = 0.6, .reflectance = 0.1};
+    scenes.push_back(steep);
+
+    SmallScene tinted = edges;
+    tinted.name = "steep matter of another colour alone, under a gradient opacity";
+    tinted.function.steep = {.opacity = tissue.opacity,
+                             .colour = {{0, {0.1, 0.9, 0.3}}, {1000, {0.2, 0.4, 1.0}}},
+                             .gradientPerMm = 70.0};
+    scenes.push_back(tinted);
     return scenes;
 }
 

@@ -5,16 +5,12 @@
 #include <random>
 
 #include "pipeline/trace/reference_tracer.h"
+#include "trace/interpolations.h"
 #include "trace/scenes.h"
 
 namespace macula::trace {
 namespace {
 
-double cubicBSpline(double t) {
-    t = std::abs(t);
-    if (t < 1.0) return 2.0 / 3.0 - t * t + 0.5 * t * t * t;
-    return t < 2.0 ? (2.0 - t) * (2.0 - t) * (2.0 - t) / 6.0 : 0.0;
-}
 double hat(double t) {
     return std::max(1.0 - std::abs(t), 0.0);
 }
@@ -53,7 +49,7 @@ TEST(SmoothFilter, IsACubicBSplineOnAverage) {
     constexpr std::uint32_t kSamples = 200'000;
     for (const auto& [x, z] :
          {std::pair(6.0, 7.0), std::pair(5.3, 6.4), std::pair(7.5, 6.5), std::pair(4.9, 8.1)}) {
-        const double expected = std::exp(-perMm * depthAlongY(cubicBSpline, x, z));
+        const double expected = std::exp(-perMm * depthAlongY(scenes::cubicBSpline, x, z));
         const double interpolated = std::exp(-perMm * depthAlongY(hat, x, z));
         for (const Precision precision : {Precision::single, Precision::twofold}) {
             // Rays are given with integers at the faces of voxels.
@@ -67,6 +63,39 @@ TEST(SmoothFilter, IsACubicBSplineOnAverage) {
             }
         }
     }
+}
+
+// A blurred ball, whose normals are known: on average those of paths point along the radius.
+TEST(SmoothFilter, NormalsOfABallAreWithinHalfADegree) {
+    constexpr double kRadius = 12.0;
+    const auto volume = scenes::volumeOf({32, 32, 32}, glm::dmat4(1.0), [](int i, int j, int k) {
+        const double depth = kRadius - glm::length(glm::dvec3(i, j, k) - 15.5);
+        return std::uint16_t(std::lround(500.0 * std::erfc(-depth / (0.6 * std::sqrt(2.0)))));
+    });
+    const TransferFunction curve = scenes::homogeneous(0.15);
+    const Medium medium = makeMedium(*volume, makeBrickGrid(*volume, reachOf(Filter::smooth)), curve);
+    const auto params =
+        makeTraceParams(*volume, medium, Environment::constant(glm::vec3(1.0f)), {}, {.seed = 5});
+    const ReferenceTracer tracer(*volume, medium, Environment::constant(glm::vec3(1.0f)));
+    std::mt19937 engine(4);
+    std::normal_distribution<double> normal;
+    double worst = 0.0;
+    double worstTrilinear = 0.0;
+    const auto turned = [&](Filter filter, const glm::dvec3& outwards, std::uint32_t samples) {
+        // Integers at faces; the ball's centre lies between voxels.
+        const auto gradient = tracer.meanGradient(*params, filter, Precision::twofold,
+                                                  glm::dvec3(16.0) + kRadius * outwards, samples);
+        return glm::degrees(std::acos(std::min(glm::dot(-glm::normalize(gradient), outwards), 1.0)));
+    };
+    for (int n = 0; n < 60; ++n) {
+        const glm::dvec3 outwards =
+            glm::normalize(glm::dvec3(normal(engine), normal(engine), normal(engine)));
+        worst = std::max(worst, turned(Filter::smooth, outwards, 80'000));
+        worstTrilinear = std::max(worstTrilinear, turned(Filter::trilinear, outwards, 20'000));
+    }
+    std::printf("  the worst of 60 normals: smooth %.3f degrees, trilinear %.3f\n", worst, worstTrilinear);
+    EXPECT_LT(worst, 0.5);
+    EXPECT_GT(worstTrilinear, worst);
 }
 
 }  // namespace

@@ -66,7 +66,8 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
     expectLayoutMatches<shared::NoisePush>(
         *noise->pushConstants->block.find("push"),
         {MACULA_FIELD(shared::NoisePush, imageSize), MACULA_FIELD(shared::NoisePush, firstBlock),
-         MACULA_FIELD(shared::NoisePush, exposure), MACULA_FIELD(shared::NoisePush, backdrop)});
+         MACULA_FIELD(shared::NoisePush, exposure), MACULA_FIELD(shared::NoisePush, backdrop),
+         MACULA_FIELD(shared::NoisePush, keepsHue)});
     const auto variance = gpu::reflectSpirv(shaders::trace_variance_comp.words);
     ASSERT_TRUE(variance.ok());
     expectLayoutMatches<shared::VariancePush>(*variance->pushConstants->block.find("push"),
@@ -100,7 +101,8 @@ TEST(TraceLayout, ParametersAndPushConstantsAgreeInEveryKernel) {
     expectLayoutMatches<DisplayPush>(
         *display->pushConstants->block.find("push"),
         {MACULA_FIELD(DisplayPush, background), MACULA_FIELD(DisplayPush, exposure),
-         MACULA_FIELD(DisplayPush, smoothing), MACULA_FIELD(DisplayPush, denoised)});
+         MACULA_FIELD(DisplayPush, smoothing), MACULA_FIELD(DisplayPush, denoised),
+         MACULA_FIELD(DisplayPush, keepsHue)});
 }
 
 TEST(TraceLayout, OfSamplesSideBySide) {

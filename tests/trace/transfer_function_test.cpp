@@ -74,6 +74,57 @@ TEST(TransferFunction, RefusesCurvesThatMeanNothing) {
     }
 }
 
+TransferFunction steepExample() {
+    TransferFunction f = example();
+    f.steep = {.opacity = {{0, 0.2}, {50, 0.9}}, .colour = {{0, {0, 0, 1}}}, .gradientPerMm = 80.0};
+    return f;
+}
+
+TEST(TransferFunction, SteepMatterHasCurvesOfItsOwn) {
+    EXPECT_FALSE(usesSteepCurves(example()));
+    const TransferFunction f = steepExample();
+    EXPECT_TRUE(usesSteepCurves(f));
+    const TransferFunction swapped = withCurvesSwapped(f);
+    EXPECT_EQ(opacityAt(swapped, 25.0), 0.55);
+    EXPECT_EQ(colourAt(swapped, 25.0), glm::dvec3(0, 0, 1));
+    EXPECT_EQ(swapped.steep.opacity, f.opacity);
+    EXPECT_EQ(swapped.steep.gradientPerMm, 80.0);
+    EXPECT_EQ(withCurvesSwapped(swapped), f);
+}
+
+TEST(TransferFunction, HalfOfTheMatterIsSteepAtItsGradient) {
+    const TransferFunction f = steepExample();
+    EXPECT_EQ(steepPartAt(f, 0.0), 0.0);
+    EXPECT_EQ(steepPartAt(f, 80.0), 0.5);
+    EXPECT_NEAR(steepPartAt(f, 240.0), 0.9, 1e-12);
+    // No gradient is too small or too large for doubles.
+    EXPECT_EQ(steepPartAt(f, 1e-300), 0.0);
+    EXPECT_EQ(steepPartAt(f, 1e300), 1.0);
+}
+
+TEST(TransferFunction, RefusesCurvesOfSteepMatterThatMeanNothing) {
+    EXPECT_TRUE(validate(steepExample()).ok());
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    const auto isRefused = [](const auto& spoil) {
+        TransferFunction f = steepExample();
+        spoil(f.steep);
+        const auto checked = validate(f);
+        return !checked && checked.error().message.find("steep") != std::string::npos;
+    };
+    EXPECT_TRUE(isRefused([](SteepMatter& s) { s.opacity.clear(); })) << "colours alone";
+    EXPECT_TRUE(isRefused([](SteepMatter& s) { s.colour.clear(); })) << "opacities alone";
+    EXPECT_TRUE(isRefused([](SteepMatter& s) { s.opacity[0].value = 60; })) << "not sorted";
+    EXPECT_TRUE(isRefused([](SteepMatter& s) { s.opacity[0].opacity = 1.1; }));
+    EXPECT_TRUE(isRefused([](SteepMatter& s) { s.opacity[0].opacity = kNan; }));
+    EXPECT_TRUE(isRefused([](SteepMatter& s) { s.colour[0].value = kNan; }));
+    EXPECT_TRUE(isRefused([](SteepMatter& s) { s.colour[0].colour.b = -0.1; }));
+    for (const double wrong : {0.0, -1.0, kNan, std::numeric_limits<double>::infinity()})
+        EXPECT_TRUE(isRefused([&](SteepMatter& s) { s.gradientPerMm = wrong; })) << wrong;
+    TransferFunction none = example();
+    none.steep.gradientPerMm = 0.0;
+    EXPECT_FALSE(validate(none).ok()) << "also where nothing uses it";
+}
+
 TEST(TransferFunction, FitsTheForegroundOfTheVolume) {
     // Nine tenths air at 3, the rest spread over 1000 to 1999.
     const auto volume = scenes::volumeOf({100, 100, 1}, glm::dmat4(1.0), [](int i, int j, int) {

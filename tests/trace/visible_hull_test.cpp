@@ -39,6 +39,22 @@ struct Parts {
     }
 };
 
+// From central differences of values; beyond the outer voxels they go on.
+double steepPartOf(const Volume& volume, const Medium& medium, const glm::dvec3& voxel) {
+    glm::dvec3 perVoxel;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::ivec3 low(voxel);
+        glm::ivec3 high(voxel);
+        low[axis] = std::max(low[axis] - 1, 0);
+        high[axis] = std::min(high[axis] + 1, volume.size()[axis] - 1);
+        perVoxel[axis] = (volume.value(high.x, high.y, high.z) - volume.value(low.x, low.y, low.z)) / 2.0;
+    }
+    const glm::dmat3 mmFromVoxel(volume.worldFromVoxel());
+    const double ratio =
+        glm::length(glm::inverse(glm::transpose(mmFromVoxel)) * perVoxel) / medium.steepGradientPerMm;
+    return ratio * ratio / (1.0 + ratio * ratio);
+}
+
 // Every row along every axis, voxel by voxel, in double precision: nothing is skipped, all ends are kept.
 Places allEndsMm(const Volume& volume, const Medium& medium, const Parts& parts) {
     const EntryMap map = entryMapOf(volume);
@@ -60,8 +76,18 @@ Places allEndsMm(const Volume& volume, const Medium& medium, const Parts& parts)
         }
         const auto first = std::size_t(entry);
         const double part = entry - double(first);
-        return double(medium.extinctionPerMm[first]) * (1.0 - part) +
-               (part > 0.0 ? double(medium.extinctionPerMm[first + 1]) * part : 0.0);
+        const auto by = [&](const auto& extinctionOf) {
+            return double(extinctionOf(first)) * (1.0 - part) +
+                   (part > 0.0 ? double(extinctionOf(first + 1)) * part : 0.0);
+        };
+        const double flat = by([&](std::size_t n) { return medium.extinctionPerMm[n]; });
+        if (medium.steep.empty()) return flat;
+        // Linear along an axis, as rows go.
+        const glm::dvec3 below = glm::floor(voxel);
+        const glm::dvec3 above = glm::ceil(voxel);
+        const double steep = std::lerp(steepPartOf(volume, medium, below), steepPartOf(volume, medium, above),
+                                       glm::dot(voxel - below, glm::dvec3(1.0)));
+        return std::lerp(flat, by([&](std::size_t n) { return medium.steep[n].w; }), steep);
     };
     const auto extinctionAt = [&](const glm::dvec3& voxel) {
         return parts.show(volume, voxel) ? ownAt(voxel) + (second ? second->at(voxel) : 0.0) : 0.0;
@@ -188,6 +214,24 @@ TEST(VisibleHull, WithAMaskAClipAndASecondVolumeIsThatOfEveryRowToo) {
         parts.clip = {};
         parts.mask.reset();
         expectSameHull(volume, ramp(), parts);
+    }
+}
+
+// Flat matter alone, steep matter alone, and matter that is seen less where it is steep.
+TEST(VisibleHull, OfSteepMatterIsThatOfEveryRowToo) {
+    std::mt19937 random(17);
+    const glm::ivec3 size(21, 17, 14);
+    const glm::dmat4 oblique(glm::dvec4(0.8, 0.3, 0.0, 0.0), glm::dvec4(-0.2, 0.9, 0.1, 0.0),
+                             glm::dvec4(0.1, -0.3, 1.7, 0.0), glm::dvec4(-30, 12, 900, 1));
+    for (int trial = 0; trial < 6; ++trial) {
+        std::vector<std::uint16_t> values(voxelsOf(size));
+        for (std::uint16_t& value : values)
+            value = std::uint16_t(random() % 3 == 0 ? random() % 3000 : random() % 130);
+        TransferFunction function = ramp();
+        function.steep = {.opacity = function.opacity, .colour = function.colour, .gradientPerMm = 400.0};
+        for (OpacityPoint& point : trial % 3 == 0 ? function.opacity : function.steep.opacity)
+            point.opacity *= trial % 3 == 2 ? 0.05 : 0.0;
+        expectSameHull(volumeOf(size, oblique, std::move(values)), function);
     }
 }
 

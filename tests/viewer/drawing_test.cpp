@@ -67,6 +67,11 @@ TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
     EXPECT_EQ(window_->state().settings.filter, trace::Filter::smooth);
     window_->session().undo();
     EXPECT_FALSE(action("smooth-between-voxels").isChecked());
+    action("keep-hues").trigger();
+    EXPECT_EQ(window_->state().settings.toneMap, trace::ToneMap::hue);
+    ASSERT_TRUE(waitUntil([&] { return says("hues kept"); }));
+    window_->session().undo();
+    EXPECT_FALSE(action("keep-hues").isChecked());
 
     struct Expected {
         int key;
@@ -89,7 +94,8 @@ TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
         EXPECT_EQ(box("Lights").isEnabled(), expected.hasLights);
         // Lights that nobody chose go with the look.
         EXPECT_EQ(box("Lights").currentText() == studio, expected.look != trace::Look::clear);
-        EXPECT_EQ(action("smooth-between-voxels").isEnabled(), expected.hasLights);
+        EXPECT_EQ(action("keep-hues").isEnabled(), !expected.hasWindow);
+        EXPECT_EQ(action("smooth-between-voxels").isEnabled(), !expected.hasWindow);
         EXPECT_EQ(action("shade-ray-cast").isEnabled(), expected.look == trace::Look::dvr);
     }
     const int checked = int(std::count_if(trace::kLooks.begin(), trace::kLooks.end(), [&](const auto& look) {

@@ -159,6 +159,12 @@ void editMarks(app::StudyState& next, const app::Catalogue&, Dice&) {
     next.showsMarks = !next.showsMarks;
 }
 
+void editBackground(app::StudyState& next, const app::Catalogue&, Dice& dice) {
+    next.background.reset();
+    if (dice.below(4) > 0)
+        next.background = app::BackgroundColour(dice.below(256), dice.below(256), dice.below(256));
+}
+
 void editPanes(app::StudyState& next, const app::Catalogue&, Dice& dice) {
     next.layout = dice.of(app::kLayouts);
 }
@@ -230,10 +236,10 @@ void editTable(app::StudyState& next, const app::Catalogue&, Dice&) {
 }
 
 using Edit = void (*)(app::StudyState&, const app::Catalogue&, Dice&);
-constexpr std::array<Edit, 16> kEdits{editPreset,   editClip,         editLights, editLook,
-                                      editNumber,   editWindow,       editCamera, editMarks,
-                                      editPanes,    editSlices,       editTable,  editBeside,
-                                      editSegments, editMeasurements, editCuts,   editNamedClips};
+constexpr std::array<Edit, 17> kEdits{
+    editPreset,   editClip,         editLights, editLook,       editNumber,    editWindow,
+    editCamera,   editMarks,        editPanes,  editSlices,     editTable,     editBeside,
+    editSegments, editMeasurements, editCuts,   editNamedClips, editBackground};
 
 class EditsTest : public test::OffscreenTest {
   protected:

@@ -201,10 +201,16 @@ TEST_F(PanesTest, FilesAreWritten) {
         const auto sides = dialog->findChildren<QSpinBox*>();
         ASSERT_EQ(sides.size(), 2);
         for (QSpinBox* side : sides) side->setValue(48);
+        auto* fog = dialog->findChild<QDoubleSpinBox*>(QStringLiteral("picture-fog"));
+        EXPECT_TRUE(fog->isEnabled());
+        EXPECT_EQ(fog->text(), QStringLiteral("None"));
+        fog->setValue(120.0);
         dialog->accept();
         answerWith(fileOf(name));
         ASSERT_TRUE(waitUntil([&] { return std::filesystem::exists(fileOf(name)); })) << name;
         EXPECT_EQ(readText(fileOf(name))->substr(0, std::string(begins).size()), begins);
+        const bool tellsOfFog = readText(fileOf(name))->find("faded by fog of 120 mm") != std::string::npos;
+        EXPECT_EQ(tellsOfFog, std::string(name) == "picture.dcm");
         ASSERT_TRUE(waitUntil([&] { return window_->message().contains(QLatin1String("is written")); }));
     }
 }

@@ -5,6 +5,7 @@
 #include <QStatusBar>
 #include <QWheelEvent>
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -270,6 +271,84 @@ TEST_F(ParallelModelTest, WithParallelRaysTheModelFollowsTheHand) {
     pressKey(Qt::Key_O);
     ASSERT_TRUE(waitForConverged());
     EXPECT_TRUE(hasSeen(app::OnScreen::model));
+}
+
+TEST_F(View3dTest, TheBackgroundIsChosenKeptAndTakenBack) {
+    openPhantom();
+    const auto corner = [&] { return picture().pixel(1, picture().height() / 2); };
+    const QRgb usual = corner();
+    EXPECT_LT(qGreen(usual), 12) << "nearly black";
+    EXPECT_TRUE(action("background-usual").isChecked());
+    action("background-white").trigger();
+    EXPECT_EQ(window_->state().background, app::BackgroundColour(255, 255, 255));
+    EXPECT_TRUE(waitUntil([&] { return corner() == qRgb(255, 255, 255); }));
+    const auto saved = app::studyStateFromJson(app::toJson(window_->state()), "view.json");
+    ASSERT_TRUE(saved.ok());
+
+    window_->session().undo();
+    EXPECT_TRUE(action("background-usual").isChecked());
+    EXPECT_TRUE(waitUntil([&] { return corner() == usual; }));
+    ASSERT_TRUE(window_->setState(*saved).ok());
+    EXPECT_TRUE(action("background-white").isChecked());
+    EXPECT_TRUE(waitUntil([&] { return corner() == qRgb(255, 255, 255); }));
+
+    window_->session().change(QStringLiteral("Background"), [](app::StudyState& next) {
+        next.background = app::BackgroundColour(10, 200, 60);
+    });
+    for (const char* name : {"background-usual", "background-black", "background-grey", "background-white"})
+        EXPECT_FALSE(action(name).isChecked()) << name;
+    EXPECT_TRUE(waitUntil([&] { return corner() == qRgb(10, 200, 60); }));
+    window_->open(std::nullopt);
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(waitUntil([&] { return corner() == qRgb(10, 200, 60); })) << "the next study has it too";
+}
+
+// As programs open it: nobody has said from where.
+class FirstViewTest : public View3dTest {
+  protected:
+    FirstViewTest() { firstView_.reset(); }
+    // A ball in so many slices of 4 mm, 24 voxels wide.
+    static app::OpenedStudy ballOf(int slices) {
+        std::vector<std::uint16_t> voxels;
+        for (int k = 0; k < slices; ++k)
+            for (int j = 0; j < 24; ++j)
+                for (int i = 0; i < 24; ++i)
+                    voxels.push_back(std::hypot(i - 11.5, j - 11.5, k - 0.5 * (slices - 1)) < 8.0 ? 2024
+                                                                                                  : 24);
+        auto volume =
+            Volume::create({.size = {24, 24, slices},
+                            .worldFromVoxel = affine({4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {-46, -46, 0}),
+                            .unitsFromStored = {1.0, -1024.0},
+                            .unit = Unit::hounsfield,
+                            .modality = "CT"},
+                           std::move(voxels));
+        return {.volume = std::make_shared<const Volume>(*std::move(volume)),
+                .identity = {.series = "Ball", .isOfNobody = true},
+                .description = "Ball"};
+    }
+    // Whether the camera stands where such a view does, as near as what is seen fits.
+    bool looksFrom(ViewDirection from) {
+        return std::abs(camera().azimuthDeg - obliquenessOf(from).azimuthDeg) < 1e-9 &&
+               std::abs(camera().elevationDeg - obliquenessOf(from).elevationDeg) < 1e-9;
+    }
+};
+
+TEST_F(FirstViewTest, IsObliqueOfAShortStackAndTurnedOfABody) {
+    window_->showStudy(ballOf(8));
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(looksFrom(ViewDirection::oblique)) << camera().azimuthDeg << ", " << camera().elevationDeg;
+    EXPECT_EQ(viewport().framedFrom(), ViewDirection::oblique);
+    EXPECT_EQ(viewport().firstFrom(), ViewDirection::oblique);
+
+    // Who has moved it is brought back there.
+    pressKey(Qt::Key_A);
+    EXPECT_TRUE(looksFrom(ViewDirection::anterior));
+    action("show-afresh").trigger();
+    EXPECT_TRUE(looksFrom(ViewDirection::oblique));
+
+    window_->showStudy(ballOf(24));
+    ASSERT_TRUE(waitForConverged());
+    EXPECT_TRUE(looksFrom(ViewDirection::turned)) << camera().azimuthDeg << ", " << camera().elevationDeg;
 }
 
 }  // namespace

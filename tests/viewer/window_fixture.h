@@ -49,6 +49,7 @@ class WindowTest : public testing::Test {
                 TransferFunction{.name = "empty", .unit = Unit::raw});
         options.layout = layout_;
         options.pictureSize = QSize(320, 240);
+        options.firstView = firstView_;
         options.sampleLimit = 2;
         options.usesModel = usesModel_;
         options.sessions = sessions_;
@@ -129,6 +130,7 @@ class WindowTest : public testing::Test {
 
     bool refusesRaw_ = true;  // what is no CT cannot be shown
     app::Layout layout_ = app::Layout::volume;
+    std::optional<ViewDirection> firstView_ = ViewDirection::anterior;  // nothing: as programs do
     bool showsInHeadset_ = false;
     bool usesModel_ = false;  // to search for one takes seconds: for tests that are about it
     std::optional<std::filesystem::path> sessions_;  // where models and states are kept; nothing: nowhere

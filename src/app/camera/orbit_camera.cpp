@@ -109,8 +109,10 @@ OrbitCamera turnedTo(OrbitCamera camera, ViewDirection from) {
             camera.elevationDeg = -90.0;
             break;
         case ViewDirection::oblique:
-            camera.azimuthDeg = kObliqueAzimuthDeg;
-            camera.elevationDeg = kObliqueElevationDeg;
+        case ViewDirection::threeQuarter:
+        case ViewDirection::turned:
+            camera.azimuthDeg = obliquenessOf(from).azimuthDeg;
+            camera.elevationDeg = obliquenessOf(from).elevationDeg;
             break;
     }
     return camera;

@@ -14,7 +14,8 @@ const std::map<std::string, ViewDirection>& viewDirections() {
         {"anterior", ViewDirection::anterior}, {"posterior", ViewDirection::posterior},
         {"left", ViewDirection::left},         {"right", ViewDirection::right},
         {"superior", ViewDirection::superior}, {"inferior", ViewDirection::inferior},
-        {"oblique", ViewDirection::oblique}};
+        {"oblique", ViewDirection::oblique},   {"three-quarter", ViewDirection::threeQuarter},
+        {"turned", ViewDirection::turned}};
     return directions;
 }
 

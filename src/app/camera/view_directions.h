@@ -1,5 +1,5 @@
 // The directions that a patient is looked at from, as a person types them: anterior, posterior, left, right,
-// superior, inferior, oblique.
+// superior, inferior, oblique, three-quarter, turned.
 #pragma once
 
 #include <optional>

@@ -1,9 +1,12 @@
 // How a volume is drawn, and what of it.
 #pragma once
 
+#include <glm/glm.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "app/frame/background_colour.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/volume/additions.h"
@@ -19,10 +22,15 @@ struct Drawing {
     std::shared_ptr<const Clip> clip{};            // null: all of the volume is shown
     std::shared_ptr<const Additions> additions{};  // to the volume and of it; null: there are none
     trace::Settings settings{};
-    std::string remarks{};  // what has to be said of pictures of it; no patient data
+    std::optional<BackgroundColour> background{};  // nothing: nearly black in a window, black in a file
+    std::string remarks{};                         // what has to be said of pictures of it; no patient data
 
     bool operator==(const Drawing&) const = default;
 };
+
+// The light of the background where a window shows it: FrameInput::background.
+inline constexpr glm::vec3 kWindowBackground{0.0025f};
+glm::vec3 backgroundInWindow(const Drawing& drawing);
 
 // Whether faces of its clip show the values themselves.
 bool hasGreyFaces(const Drawing& drawing);

@@ -25,10 +25,12 @@ bool isEstimated(const Drawing& drawing) {
            !hasAdditions(drawing);
 }
 
-// Grey faces pass the exposure unchanged, and are made for it; all other light is the same with any.
+// Grey faces pass exposure and tone map unchanged, and are made for them; all other light is the same with
+// any.
 trace::Settings lightOf(const Drawing& drawing) {
     trace::Settings settings = settingsOfLight(drawing);
     settings.exposure = trace::Settings{}.exposure;
+    settings.toneMap = trace::Settings{}.toneMap;
     return settings;
 }
 
@@ -83,15 +85,21 @@ void EstimatedModel::forget() {
 
 hybrid::ShownMatter EstimatedModel::shownMatter(const Drawing& drawing) {
     const TimelineStage stage("curve of estimate");
-    hybrid::ShownMatter shown{.optics = opticsByEntry(*volume_, fitted(*drawing.transferFunction, *volume_)),
+    const TransferFunction function = fitted(*drawing.transferFunction, *volume_);
+    hybrid::ShownMatter shown{.optics = opticsByEntry(*volume_, function),
                               .clip = drawing.clip ? *drawing.clip : Clip{},
                               .mask = nullptr};
+    if (usesSteepCurves(function)) {
+        shown.steep = opticsByEntry(*volume_, withCurvesSwapped(function));
+        shown.steepGradientPerMm = function.steep.gradientPerMm;
+    }
     if (hasGreyFaces(drawing)) {
         const auto [low, high] = entriesOf(*shown.clip.greyFaces, *volume_);
         shown.faces = hybrid::GreyValues{.low = low,
                                          .high = high,
                                          .belowIsBlack = shown.clip.facesBelowWindowAreBlack,
-                                         .exposure = float(drawing.settings.exposure)};
+                                         .exposure = float(drawing.settings.exposure),
+                                         .keepsHue = drawing.settings.toneMap == trace::ToneMap::hue};
     }
     if (!shown.clip.mask) return shown;
     const Mask& mask = *shown.clip.mask;

@@ -43,7 +43,7 @@ struct FrameInput {
     std::shared_ptr<const PictureText> text{};  // over every picture of the study; null: nothing
     // Over pictures of this camera and size, and over no others; null: nothing.
     std::shared_ptr<const PictureText> marks{};
-    glm::vec3 background{0.02f};        // linear
+    glm::vec3 background{kWindowBackground};  // as displayed, in linear light: backgroundInWindow
     std::uint32_t sampleLimit = 512;    // per pixel; then it counts as converged, if noise is not gone before
     double noiseTarget = kUnseenNoise;  // below which it is gone; above 0
     bool convergesNow = false;          // while nothing moves the model does not learn: all time is for this

@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/log.h"
+#include "base/srgb.h"
 #include "pipeline/trace/device_scene.h"
 
 namespace macula::app {
@@ -31,10 +32,6 @@ bool isSameMatter(const std::optional<std::shared_ptr<const Additions>>& applied
                   const std::shared_ptr<const Additions>& wanted) {
     static const Additions kNone;
     return applied && macula::isSameMatter(*applied ? **applied : kNone, wanted ? *wanted : kNone);
-}
-
-float encodedSrgb(float linear) {
-    return linear <= 0.0031308f ? 12.92f * linear : 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
 }
 
 // An eye that looks beside the picture, or nobody knows where: at its border, or in its middle.
@@ -482,7 +479,8 @@ Result<void> FrameRenderer::applyModel() {
         if (!made) return withoutModel(made.error());
         hybrid_.emplace(*std::move(made));
     }
-    if (isNew || key != model_->key() || hybrid_->exposure() != input_.drawing.settings.exposure) {
+    if (isNew || key != model_->key() || hybrid_->exposure() != input_.drawing.settings.exposure ||
+        hybrid_->toneMap() != input_.drawing.settings.toneMap) {
         if (const Result<void> set = hybrid_->setScene(input_.drawing.settings); !set)
             return withoutModel(set.error());
     }

@@ -239,14 +239,19 @@ Result<void> FrameRenderer::showTraced() {
     return show(*picture);
 }
 
-// While it has few samples the model stays where it is better: what is shown does not get worse.
+// Where splats are better they stay, until the noise cannot be seen: what is shown does not get worse.
 Result<const gpu::Image*> FrameRenderer::tracedPicture() {
     mixesModel_ = false;
-    if (!traced_->isNoisy() || !hasFitModel()) return traced_->display(input_.background);
+    if (!traced_->isNoisy() || !(hasFitModel() || drawsEstimate()))
+        return traced_->display(input_.background);
     Result<const gpu::Image*> weighed = frame(1.0f);
     if (weighed) return weighed;
     // Without the memory for it the model may still do for frames in motion.
-    if (weighed.error().code != ErrorCode::outOfMemory) MACULA_TRY_VOID(withoutModel(weighed.error()));
+    if (drawsEstimate()) {
+        MACULA_TRY_VOID(withoutEstimate(weighed.error()));
+    } else if (weighed.error().code != ErrorCode::outOfMemory) {
+        MACULA_TRY_VOID(withoutModel(weighed.error()));
+    }
     return traced_->display(input_.background);
 }
 
@@ -339,13 +344,13 @@ Result<const gpu::Image*> FrameRenderer::frame(float tracedShare) {
         },
         .gain = static_cast<float>(isEstimate ? estimate_->gain() : model_->gain()),
         .isLikeness = !isEstimate};
-    hybrid::FrameRequest request{
-        .eyes = {input_.camera},
-        .sizePx = {input_.width, input_.height},
-        .display = {.background = input_.background, .exposure = float(input_.drawing.settings.exposure)}};
+    hybrid::FrameRequest request{.eyes = {input_.camera},
+                                 .sizePx = {input_.width, input_.height},
+                                 .display = {.background = input_.background,
+                                             .exposure = float(input_.drawing.settings.exposure),
+                                             .toneMap = input_.drawing.settings.toneMap}};
     if (tracedShare > 0.0f) {
-        MACULA_TRY(trace::TracedLight light, traced_->light());
-        if (isEstimate) light.variances = nullptr;  // nothing to weigh its noise against
+        MACULA_TRY(const trace::TracedLight light, traced_->light());
         request.fadingIn = {.light = light, .share = tracedShare};
     }
     Result<hybrid::Frame> drawn = hybrid_->draw(request, periphery);

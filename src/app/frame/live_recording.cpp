@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/camera/orbit_camera.h"
+#include "app/camera/usual_view.h"
 #include "app/frame/render_thread.h"
 #include "base/check.h"
 #include "pipeline/gpu/transfer.h"
@@ -29,7 +30,8 @@ class Tape {
     Tape(double picturesPerS, std::uint64_t bytesOfPicture)
         : interval_(std::chrono::duration_cast<Clock::duration>(
               std::chrono::duration<double>(1.0 / std::max(picturesPerS, 1e-6)))),
-          mostPictures_(std::max<std::uint64_t>(3, kMostRecordedBytes / bytesOfPicture) - kLastOnes) {}
+          mostPictures_(std::max<std::uint64_t>(kEndsOfRests + 1, kMostRecordedBytes / bytesOfPicture) -
+                        kEndsOfRests) {}
 
     // Render thread: the picture comes before the frame that tells of it.
     Result<void> take(const gpu::Image& picture) {
@@ -59,7 +61,7 @@ class Tape {
         const auto endsRest = [&] {
             return input.phase == RecordingPhase::changed && frames_.back().phase != input.phase;
         };
-        if (lastIsSpare_ && !endsRest()) frames_.back().rgba.clear();
+        if (lastIsSpare_ && !endsRest() && !lastBeginsRest()) frames_.back().rgba.clear();
         lastIsSpare_ = isSpare_ && !pixels_.empty();
         frames_.push_back(
             {secondsSinceStart(), input.phase, input.camera, shown, sizePx_, std::exchange(pixels_, {})});
@@ -126,8 +128,15 @@ class Tape {
     }
 
   private:
-    static constexpr std::uint64_t kLastOnes = 2;  // of the rest, and of the changed drawing
+    static constexpr std::uint64_t kEndsOfRests =
+        4;  // first and last of the rest, and of the changed drawing
 
+    // Whatever comes in a rest is compared with what was there when it began.
+    bool lastBeginsRest() const {
+        const RecordingPhase phase = frames_.back().phase;
+        if (phase != RecordingPhase::resting && phase != RecordingPhase::changed) return false;
+        return frames_.size() == 1 || frames_[frames_.size() - 2].phase != phase;
+    }
     void endPhase() {
         const double nowS = secondsSinceStart();
         times_.push_back({inputs_.back().phase, nowS - phaseBeganAtS_, since(spentBefore_, spent_)});
@@ -277,8 +286,7 @@ class Recording {
             // What can be seen is known when it is on the device.
             const double aspect = double(options_.sizePx.x) / double(options_.sizePx.y);
             const auto corners = cornersOf(input_.volume->worldBox());
-            OrbitCamera start =
-                turnedTo({}, options_.from.value_or(usualDirection(input_.volume->worldBox())));
+            OrbitCamera start = turnedTo({}, firstDirection(options_.from, *input_.volume));
             start.isParallel = options_.isParallel;
             publish(RecordingPhase::opening, toCamera(fitted(start, corners, aspect)));
             MACULA_TRY_VOID(wait([&] { return tape_->outlineMm() != nullptr; }));

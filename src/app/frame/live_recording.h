@@ -25,7 +25,7 @@ struct RecordingOptions {
     // The way of the camera. Nothing: what is seen fills the picture, from `from`, and the camera goes around
     // it, one turn in `turnS`, for `movingS`; 0: it stands still.
     std::optional<CameraPath> path;
-    std::optional<ViewDirection> from = {};  // nothing: usualDirection
+    std::optional<ViewDirection> from = {};  // nothing: usualView
     bool isParallel = false;                 // of a camera that is made here
     double turnS = 60.0;
     double movingS = 10.0;

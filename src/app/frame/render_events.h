@@ -78,7 +78,7 @@ struct FrameShown {
     std::uint32_t foveaSamples = 0;      // of each of its pixels
     double foveaShare = 0.0;             // of the pixels, at most
     bool greyFacesAreCoarse = false;     // of a clip, by splats
-    bool mixesModel = false;             // traced, but for where the model has less noise
+    bool mixesModel = false;             // traced, but for where splats have less noise
     std::uint64_t samplesPerPixel = 0;   // on average: noise decides where they go
     std::uint64_t sampleLimit = 0;
     double noise = 0.0;        // estimated standard error of what is shown; +infinity before it is known

@@ -30,11 +30,8 @@ constexpr trace::Smoothing kPlainPreviewSmoothing = trace::Smoothing::slight;
 constexpr std::uint64_t kPreviewSampleLimit = 64;  // while a hand holds still
 // Cast rays have no noise: more samples only make edges smoother. As many as `macula render` takes.
 constexpr std::uint64_t kCastSampleLimit = 8;
-constexpr milliseconds kNewsInterval{100};  // more news cannot be seen, and each costs a copy
-// The full picture is denoised while it has few samples: each time they have doubled, as the filter takes as
-// long as a sample or two. What has more is shown as it is.
+// The first number of samples that the full picture is shown with, filtered (filter_course.h).
 constexpr std::uint64_t kFirstDenoised = 2;
-constexpr std::uint64_t kDenoisedBelow = 64;
 // The first number of samples that is shown where there is no memory for the filter: with fewer it would be a
 // cloud of dots.
 constexpr std::uint64_t kFirstPlain = 4;
@@ -139,7 +136,7 @@ double TracedPictures::expectedFullMs(const FrameInput& input) {
 }
 
 bool TracedPictures::hasFull(const FrameInput& input) const {
-    return full_ && isWorthShowing_ && isSamePicture(*full_, input);
+    return full_ && course_.isWorthShowing() && isSamePicture(*full_, input);
 }
 
 Result<void> TracedPictures::beginFull(const FrameInput& input) {
@@ -153,11 +150,11 @@ Result<void> TracedPictures::beginFull(const FrameInput& input) {
     scale_ = 1;
     view_ = {.camera = input.camera, .width = input.width, .height = input.height};
     const bool isDenoised = mayDenoise(input);
-    showFrom_ = !hasNoise(input) ? 1 : isDenoised ? kFirstDenoised : kFirstPlain;
+    course_.begin(!hasNoise(input) ? 1 : isDenoised ? kFirstDenoised : kFirstPlain, isDenoised);
     MACULA_TRY_VOID(applySettings(denoised(input.drawing.settings, isDenoised)));
     MACULA_TRY_VOID(tracer_.setView(view_));
-    isWorthShowing_ = isDeveloping_ = isLast_ = false;
-    samples_ = 0;
+    isDeveloping_ = isLast_ = false;
+    samples_ = 0.0;
     full_ = input;
     return {};
 }
@@ -171,30 +168,30 @@ Result<TracedPictures::Progress> TracedPictures::traceFull(const FrameInput& inp
             MACULA_TRY(const bool isWhole, tracer_.trace(1, keepGoing));
             if (!isWhole) return Progress{};
         } else {
-            MACULA_TRY_VOID(tracer_.traceFor(double(kNewsInterval.count()), keepGoing));
+            MACULA_TRY_VOID(tracer_.traceFor(double(FilterCourse::kNewsInterval.count()), keepGoing));
             if (!keepGoing()) return Progress{};
         }
         MACULA_TRY(const trace::Statistics statistics, tracer_.statistics());
-        samples_ = static_cast<std::uint64_t>(statistics.meanSamplesPerPixel);
-        isLast_ = statistics.converged || statistics.meanSamplesPerPixel >= double(sampleLimit(input));
-        if (!isLast_ && (samples_ < showFrom_ || Clock::now() - newsAt_ < kNewsInterval)) return Progress{};
-        if (samples_ >= kDenoisedBelow)
-            MACULA_TRY_VOID(applySettings(denoised(input.drawing.settings, false)));
+        samples_ = statistics.meanSamplesPerPixel;
+        isLast_ = statistics.converged || samples_ >= double(sampleLimit(input));
+        course_.noiseIs(statistics.converged, settings_->errorThreshold);
+        if (!isLast_ && !course_.isDue(samples_, Clock::now())) return Progress{};
+        MACULA_TRY_VOID(applySettings(denoised(*settings_, course_.isFiltered())));
         isDeveloping_ = true;
+        developMs_ = 0.0;
     }
+    const Clock::time_point start = Clock::now();
     const Result<bool> developed = tracer_.develop(keepGoing);
+    developMs_ += millisecondsSince(start);
     if (!developed && developed.error().code == ErrorCode::outOfMemory && trace::isDenoised(*settings_)) {
         MACULA_TRY_VOID(doWithoutDenoising());
-        showFrom_ = std::max(showFrom_, kFirstPlain);
-        isDeveloping_ = isLast_ || samples_ >= showFrom_;
+        isDeveloping_ = isLast_ || course_.isDue(samples_, Clock::now());
         return Progress{};
     }
     if (!developed) return developed.error();
     if (!*developed) return Progress{};
     isDeveloping_ = false;
-    isWorthShowing_ = true;
-    newsAt_ = Clock::now();
-    if (trace::isDenoised(*settings_)) showFrom_ = 2 * samples_;
+    course_.showed(samples_, developMs_, Clock::now());
     if (isLast_) {
         // More samples may be asked for by now.
         MACULA_TRY(const trace::Statistics now, tracer_.statistics());
@@ -206,6 +203,7 @@ Result<TracedPictures::Progress> TracedPictures::traceFull(const FrameInput& inp
 Result<void> TracedPictures::doWithoutDenoising() {
     log::warning("There is no room on the device to denoise a picture of this size.");
     pixelsRefused_ = std::int64_t(view_.width) * view_.height;
+    course_.doWithoutFilter(kFirstPlain);
     return applySettings(denoised(*settings_, false));
 }
 

@@ -9,11 +9,11 @@
 #include <optional>
 #include <utility>
 
+#include "app/frame/filter_course.h"
 #include "app/frame/frame_input.h"
 #include "app/frame/motion_scale.h"
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
-#include "pipeline/hybrid/frame/trust.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::app {
@@ -56,9 +56,9 @@ class TracedPictures {
     // The picture that there is, small or full, as it is to be seen. It is on the device, see
     // PathTracer::display.
     Result<const gpu::Image*> display(const glm::vec3& background);
-    // Whether it has too few samples to be shown beside a good model without being weighed against that; and
-    // what to weigh. It is on the device, see PathTracer::noisyLight.
-    bool isNoisy() const { return !isLast_ && samples_ < hybrid::kTrustedSamples; }
+    // Whether it is weighed against what splats show, until it is as good as it gets; and what to weigh. It
+    // is on the device, see PathTracer::noisyLight.
+    bool isNoisy() const { return !isLast_ && course_.isNoisy(); }
     Result<trace::TracedLight> light() { return isNoisy() ? tracer_.noisyLight() : tracer_.light(); }
 
     int width() const { return view_.width; }
@@ -97,12 +97,11 @@ class TracedPictures {
     std::uint32_t previewNumber_ = 0;
 
     std::optional<FrameInput> full_;  // what the full picture is of
-    bool isWorthShowing_ = false;
-    bool isDeveloping_ = false;  // its samples are to be shown; the filter is under way
+    bool isDeveloping_ = false;       // its samples are to be shown; the filter is under way
     bool isLast_ = false;
-    std::uint64_t samples_ = 0;
-    std::uint64_t showFrom_ = 0;  // the number of samples from which on it is worth showing
-    Clock::time_point newsAt_{};
+    FilterCourse course_;
+    double samples_ = 0.0;
+    double developMs_ = 0.0;  // so far, of what is under way
 };
 
 // Whether both are the same view of the same thing, pixel for pixel.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/camera/orbit_camera.h"
+#include "app/camera/usual_view.h"
 #include "app/choice/lights_choice.h"
 #include "app/frame/traced_pictures.h"
 #include "app/model/model_output.h"
@@ -214,12 +215,13 @@ void HostedLoop::change(HostedScene scene) {
     if (isOther || scene.drawing != input.drawing) knowsModel_ = false;
     input.volume = std::move(scene.volume);
     input.drawing = std::move(scene.drawing);
+    input.background = backgroundInWindow(input.drawing);
     publish(input);
 }
 
 Result<Camera> HostedLoop::fittingCamera(FrameInput input, std::optional<ViewDirection> asked,
                                          Progress& progress) {
-    const ViewDirection from = asked.value_or(usualDirection(input.volume->worldBox()));
+    const ViewDirection from = firstDirection(asked, *input.volume);
     const auto corners = cornersOf(input.volume->worldBox());
     const double aspect = double(input.width) / double(input.height);
     if (!outlineMm_) {

@@ -48,7 +48,7 @@ struct HostedScene {
 struct HostedWish {
     glm::ivec2 sizePx{0};
     std::optional<Camera> camera = {};       // nothing: what is seen fills the picture, from `from`
-    std::optional<ViewDirection> from = {};  // nothing: usualDirection
+    std::optional<ViewDirection> from = {};  // nothing: usualView
     glm::dvec2 gaze{0.0};                    // as FrameInput
     bool isMoving = false;                   // a hand or a head moves: stay fast
     // How long there is for it; the first picture of a pose may take longer. 0: a slice.

@@ -83,13 +83,14 @@ std::string digestOf(const trace::Environment& lights) {
 std::string digestOf(const trace::Settings& settings) {
     // A setting that is added has to be thought of here: this does not compile any more then.
     const auto& [bounces, seed, filter, exposure, denoising, look, lightRotationDeg, lightStrength, shading,
-                 errorThreshold, indirect, window] = settings;
+                 errorThreshold, indirect, window, toneMap] = settings;
     std::string text = fmt::format("bounces {}\nfilter {}\nlook {}\nlights {:a} {:a}\nshading {}\n", bounces,
                                    trace::nameOf(filter), trace::nameOf(look), lightRotationDeg,
                                    lightStrength, int(shading));
     text += fmt::format("seed {}\nexposure {:a}\ndenoising {}\nerror {:a}\n", seed, exposure,
                         trace::nameOf(denoising), errorThreshold);
     if (indirect != trace::Indirect::traced) text += fmt::format("indirect {}\n", trace::nameOf(indirect));
+    if (toneMap != trace::ToneMap::neutral) text += fmt::format("tone map {}\n", trace::nameOf(toneMap));
     if (window) text += fmt::format("window {:a} {:a} {}\n", window->center, window->width, window->function);
     return sha256Hex(text);
 }

@@ -4,20 +4,40 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <utility>
 
 #include "app/elapsed.h"
 #include "app/lights/light_meter.h"
+#include "app/picture/covering_picture.h"
 #include "app/picture/fitted_view.h"
 #include "app/study/nothing_visible.h"
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/trace/scene.h"
+#include "pipeline/trace/shown_colours.h"
 
 namespace macula::app {
 
 namespace {
 
-const glm::vec3 kBackground(0.0f);
+const glm::vec3 kWhite(1.0f);
+
+using Rgba = std::vector<std::uint8_t>;
+
+// What is displayed, as the request wants it; `over` shows it over a background.
+Result<Rgba> rgbaOf(const PictureRequest& request,
+                    const std::function<Result<Rgba>(const glm::vec3&)>& over) {
+    if (!request.isTransparent) return over(lightOf(request.background));
+    MACULA_TRY(const Rgba overBlack, over(lightOf(kBlackBackground)));
+    MACULA_TRY(const Rgba overWhite, over(kWhite));
+    return coveringPicture(overBlack, overWhite);
+}
+
+// A picture of the same shape whose longer side has at most so many pixels.
+glm::ivec2 smallSize(const glm::dvec2& size, double longerSidePx) {
+    return glm::max(glm::ivec2(glm::round(size * std::min(1.0, longerSidePx / std::max(size.x, size.y)))),
+                    glm::ivec2(1));
+}
 
 Result<Camera> cameraOf(const PictureRequest& request, const trace::PathTracer& tracer) {
     MACULA_TRY(std::vector<glm::dvec3> outline, tracer.outlineMm());
@@ -132,7 +152,8 @@ Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Pr
     } else {
         MACULA_TRY(drawn.camera, cameraOf(request_, tracer_));
     }
-    drawn.camera = standingBefore(drawn.camera, request_.scene.volume->worldBox());
+    const Camera asked = drawn.camera;
+    drawn.camera = standingBefore(asked, request_.scene.volume->worldBox());
     drawn.exposure = request_.settings.exposure;
     if (request_.metersExposure && !trace::isProjection(request_.settings.look)) {
         MACULA_TRY(drawn.exposure, meterExposure(drawn.camera, progress));
@@ -140,21 +161,64 @@ Result<DrawnPicture> PictureDrawer::draw(const std::optional<Camera>& camera, Pr
         exposed.exposure = drawn.exposure;
         MACULA_TRY_VOID(tracer_.setSettings(exposed));
     }
+    MACULA_TRY(const trace::Lens lens, lensFor(asked, drawn.camera));
+    drawn.focusMm = lens.focusMm;
     tracer_.forgetViews();
-    MACULA_TRY_VOID(
-        tracer_.setView({.camera = drawn.camera, .width = request_.sizePx.x, .height = request_.sizePx.y}));
+    MACULA_TRY_VOID(tracer_.setView(
+        {.camera = drawn.camera, .width = request_.sizePx.x, .height = request_.sizePx.y, .lens = lens}));
+    // First: reading guides may bring voxels, and with them the picture would begin anew.
+    std::vector<float> distancesMm;
+    if (request_.effects.fogMm > 0.0 && !trace::isProjection(request_.settings.look)) {
+        MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer_.readGuides());
+        distancesMm = matterMm(guides);
+    }
     MACULA_TRY_VOID(request_.settings.errorThreshold > 0.0
                         ? traceUntilConverged(tracer_, request_, progress)
                         : traceAll(tracer_, request_.samplesPerPixel, progress));
     drawn.seconds = secondsSince(start);
     MACULA_TRY_VOID(tracer_.estimateError());
     MACULA_TRY(drawn.statistics, tracer_.statistics());
-    if (request_.isLinear) {
-        MACULA_TRY(drawn.traced, tracer_.readback());
-    } else {
-        MACULA_TRY(drawn.rgba, tracer_.readDisplay(kBackground));
-    }
+    MACULA_TRY_VOID(read(drawn, distancesMm));
     return drawn;
+}
+
+Result<trace::Lens> PictureDrawer::lensFor(const Camera& asked, const Camera& standing) {
+    constexpr int kLongerSidePx = 256;
+    const PictureEffects& effects = request_.effects;
+    if (!(effects.lensMm > 0.0) || !trace::isPathTraced(request_.settings.look)) return trace::Lens{};
+    trace::Lens lens{.diameterMm = effects.lensMm};
+    if (effects.focusMm) {
+        MACULA_TRY(const CameraBasis axes, basis(standing));
+        lens.focusMm = *effects.focusMm + glm::dot(asked.positionMm - standing.positionMm, axes.forward);
+        return lens;
+    }
+    const glm::ivec2 small = smallSize(request_.sizePx, kLongerSidePx);
+    tracer_.forgetViews();
+    MACULA_TRY_VOID(tracer_.setView({.camera = standing, .width = small.x, .height = small.y}));
+    MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer_.readGuides());
+    MACULA_TRY(lens.focusMm, focusOfMiddle(guides, small, standing));
+    return lens;
+}
+
+Result<void> PictureDrawer::read(DrawnPicture& drawn, const std::vector<float>& distancesMm) {
+    if (!request_.isLinear && distancesMm.empty()) {
+        MACULA_TRY(drawn.rgba, rgbaOf(request_, [&](const glm::vec3& background) {
+                       return tracer_.readDisplay(background);
+                   }));
+        return {};
+    }
+    MACULA_TRY(trace::TracedImage traced, tracer_.readback());
+    if (!distancesMm.empty()) addFog(traced.radiance, distancesMm, request_.effects.fogMm);
+    if (request_.isLinear) {
+        drawn.traced = std::move(traced);
+        return {};
+    }
+    trace::Settings settings = request_.settings;
+    settings.exposure = drawn.exposure;
+    MACULA_TRY(drawn.rgba, rgbaOf(request_, [&](const glm::vec3& background) -> Result<Rgba> {
+                   return trace::shownColours(traced.radiance, background, settings);
+               }));
+    return {};
 }
 
 Result<double> PictureDrawer::meterExposure(const Camera& camera, const Progress& progress) {
@@ -176,10 +240,7 @@ Result<double> PictureDrawer::meter(const Camera& camera, const Progress& progre
     settings.denoising = trace::Denoising::on;  // noise would be metered for light
     MACULA_TRY_VOID(tracer_.setSettings(settings));
     tracer_.forgetViews();
-    const glm::dvec2 size = request_.sizePx;
-    const glm::ivec2 small =
-        glm::max(glm::ivec2(glm::round(size * std::min(1.0, kLongerSidePx / std::max(size.x, size.y)))),
-                 glm::ivec2(1));
+    const glm::ivec2 small = smallSize(request_.sizePx, kLongerSidePx);
     MACULA_TRY_VOID(tracer_.setView({.camera = camera, .width = small.x, .height = small.y}));
     MACULA_TRY(const bool whole, tracer_.trace(kSamples, [&] { return !progress.cancelled(); }));
     if (!whole || progress.cancelled()) return stopped();
@@ -196,12 +257,17 @@ Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, con
     return drawn;
 }
 
-bool isEmpty(const DrawnPicture& drawn) {
+bool isEmpty(const DrawnPicture& drawn, const PictureRequest& request) {
     if (drawn.traced)
         return std::all_of(drawn.traced->radiance.begin(), drawn.traced->radiance.end(),
                            [](const glm::vec4& pixel) { return pixel.w <= 0.0f; });
-    for (std::size_t i = 0; i < drawn.rgba.size(); ++i) {
-        if (i % 4 != 3 && drawn.rgba[i] != 0) return false;
+    const BackgroundColour& behind = request.background;
+    for (std::size_t i = 0; i + 3 < drawn.rgba.size(); i += 4) {
+        const std::uint8_t* const pixel = drawn.rgba.data() + i;
+        const bool isBare = request.isTransparent
+                                ? pixel[3] == 0
+                                : pixel[0] == behind.r && pixel[1] == behind.g && pixel[2] == behind.b;
+        if (!isBare) return false;
     }
     return true;
 }
@@ -211,7 +277,7 @@ std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest
     std::vector<PictureNote> notes;
     if (request.settings.errorThreshold > 0.0 && !statistics.converged)
         notes.push_back({"The picture is noisier than its limit of noise."});
-    if (isEmpty(drawn)) {
+    if (isEmpty(drawn, request)) {
         // A projection knows no preset: what is black there is below its window.
         const auto& window = request.settings.window;
         const bool isSeenThroughWindow = trace::isProjection(request.settings.look) && window.has_value();

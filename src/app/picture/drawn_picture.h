@@ -20,8 +20,10 @@ struct DrawnPicture {
     Camera camera;  // the one that was asked for, or found
     double seconds = 0.0;
     double exposure = 1.0;  // that of the request, or what was metered
+    double focusMm = 0.0;   // of the lens, from `camera`: asked for, or found; 0 without one
     trace::Statistics statistics;
-    // One of both, row 0 on top: display-encoded over black, 4 bytes a pixel; or linear.
+    // One of both, row 0 on top: display-encoded over the background of the request, or with coverage as
+    // alpha and straight colours where it is transparent, 4 bytes a pixel; or linear.
     std::vector<std::uint8_t> rgba;
     std::optional<trace::TracedImage> traced;
 };
@@ -46,6 +48,10 @@ class PictureDrawer {
     Result<double> meterExposure(const Camera& camera, const Progress& progress);
 
   private:
+    // As the effects say, for a picture by `standing`, which may stand farther back than was `asked` for.
+    Result<trace::Lens> lensFor(const Camera& asked, const Camera& standing);
+    // What is drawn, as the request wants it; with fog where there are distances of what each pixel shows.
+    Result<void> read(DrawnPicture& drawn, const std::vector<float>& distancesMm);
     PictureDrawer(std::shared_ptr<gpu::Device> device, PictureRequest request, trace::PathTracer tracer)
         : device_(std::move(device)), request_(std::move(request)), tracer_(std::move(tracer)) {}
     Result<double> meter(const Camera& camera, const Progress& progress);  // of the clip that is set
@@ -62,8 +68,8 @@ class PictureDrawer {
 Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
                                  Progress& progress);
 
-// Whether nothing is seen in the picture: it is black, as the background is, or clear.
-bool isEmpty(const DrawnPicture& picture);
+// Whether nothing is seen in a picture of the request: all of it is the background, or clear.
+bool isEmpty(const DrawnPicture& picture, const PictureRequest& request);
 
 // What a person has to know of a picture, without patient data.
 struct PictureNote {

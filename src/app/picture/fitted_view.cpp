@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "app/camera/usual_view.h"
 #include "pipeline/volume/brick_grid.h"
 #include "pipeline/volume/mask_bits.h"
 #include "pipeline/volume/medium.h"
@@ -17,7 +18,7 @@ Camera fittedCamera(std::vector<glm::dvec3> outlineMm, trace::Look look, const V
         outlineMm.assign(corners.begin(), corners.end());
     }
     const auto frame = view.isParallel ? frameInParallel : framePoints;
-    const ViewDirection from = view.from.value_or(usualDirection(volume.worldBox()));
+    const ViewDirection from = firstDirection(view.from, volume);
     return frame(outlineMm, standardBasis(from), view.verticalFovDeg, view.aspectWidthOverHeight);
 }
 

@@ -15,7 +15,7 @@
 namespace macula::app {
 
 struct FittedView {
-    std::optional<ViewDirection> from = {};  // nothing: usualDirection
+    std::optional<ViewDirection> from = {};  // nothing: usualView
     double verticalFovDeg = 30.0;
     bool isParallel = false;
     double aspectWidthOverHeight = 1.0;

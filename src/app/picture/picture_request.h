@@ -5,6 +5,8 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "app/frame/background_colour.h"
+#include "app/picture/picture_effects.h"
 #include "app/study/scene_on_device.h"
 #include "base/camera.h"
 #include "base/frames.h"
@@ -16,7 +18,7 @@ struct PictureRequest {
     StudyScene scene;
     // Patient LPS mm; nothing: one from `from`, of `verticalFovDeg`, that what can be seen fills.
     std::optional<Camera> camera;
-    std::optional<ViewDirection> from = {};  // nothing: usualDirection
+    std::optional<ViewDirection> from = {};  // nothing: usualView
     double verticalFovDeg = 30.0;
     bool isParallel = false;  // of a camera that is made here
     glm::ivec2 sizePx{768};   // each from 1 to trace::kMaxPictureSide
@@ -27,6 +29,9 @@ struct PictureRequest {
     std::uint32_t samplesPerPixel = 64;
     bool keepUnfinished = false;  // with an errorThreshold: who stops it wants the picture as it is then
     bool isLinear = false;        // light and depth are wanted instead of what is displayed
+    BackgroundColour background = kBlackBackground;  // of what is displayed
+    bool isTransparent = false;                      // it has an alpha channel instead
+    PictureEffects effects = {};
     trace::MemoryLimits memory;
 };
 

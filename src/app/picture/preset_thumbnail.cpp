@@ -4,8 +4,11 @@
 #include <array>
 #include <cmath>
 #include <new>
+#include <optional>
 #include <utility>
 
+#include "app/camera/usual_view.h"
+#include "base/srgb.h"
 #include "pipeline/volume/volume_fit.h"
 
 namespace macula::app {
@@ -48,12 +51,7 @@ double airOf(const Volume& volume) {
 }
 
 double encoded(double linear) {
-    const double c = std::clamp(linear, 0.0, 1.0);
-    return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-}
-
-double decoded(double c) {
-    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+    return encodedSrgb(std::clamp(linear, 0.0, 1.0));
 }
 
 // The curves over the values that there are, looked up once for each and not for each sample.
@@ -65,9 +63,9 @@ class Optics {
         for (std::size_t i = 0; i < kEntries; ++i) {
             const double value = values.low + range * double(i) / double(kEntries - 1);
             const glm::dvec3 colour = colourAt(function, value);
-            entries_.push_back(
-                {extinctionPerMm(function, value),
-                 function.albedo * glm::dvec3(decoded(colour.r), decoded(colour.g), decoded(colour.b))});
+            entries_.push_back({extinctionPerMm(function, value),
+                                function.albedo * glm::dvec3(decodedSrgb(colour.r), decodedSrgb(colour.g),
+                                                             decodedSrgb(colour.b))});
         }
     }
 
@@ -111,23 +109,46 @@ Stretch within(const glm::ivec3& size, const glm::dvec3& from, const glm::dvec3&
 struct March {
     const CoarseVolume& coarse;
     const Optics& optics;
+    const Optics* steep;  // null: all matter has one pair of curves
+    double steepPerMm;    // between cells: where half of the matter is steep
     const Lighting& lighting;
     const Clip* clip;  // null: nothing is hidden
     double longestStepMm;
 
-    // How much of the light of the eye comes back: Lambert, as much from behind.
-    double shade(const glm::dvec3& cell, const glm::dvec3& alongCells) const {
-        if (!lighting.shade) return 1.0;
+    // How values change, per cell.
+    glm::dvec3 gradientAt(const glm::dvec3& cell) const {
         glm::dvec3 gradient(0.0);
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 step(0.0);
             step[axis] = 1.0;
-            gradient[axis] = coarse.valueAt(cell + step) - coarse.valueAt(cell - step);
+            gradient[axis] = 0.5 * (coarse.valueAt(cell + step) - coarse.valueAt(cell - step));
         }
-        // A gradient in cells is a covector: its product with the way along the ray is the change of value
-        // there, and its length in mm comes of the transposed transform.
-        const glm::dvec3 perMm = glm::transpose(glm::dmat3(coarse.cellFromWorld())) * gradient;
-        const double length = glm::length(perMm);
+        return gradient;
+    }
+    // A gradient in cells is a covector: its length in mm comes of the transposed transform.
+    double perMm(const glm::dvec3& gradient) const {
+        return glm::length(glm::transpose(glm::dmat3(coarse.cellFromWorld())) * gradient);
+    }
+
+    Optics::Entry matterAt(const glm::dvec3& cell) const {
+        const double value = coarse.valueAt(cell);
+        const Optics::Entry& flat = optics.at(value);
+        if (steep == nullptr) return flat;
+        const Optics::Entry& other = steep->at(value);
+        if (!(flat.extinctionPerMm > 0.0 || other.extinctionPerMm > 0.0)) return flat;
+        const double ratio = perMm(gradientAt(cell)) / steepPerMm;
+        const double part = ratio * ratio / (1.0 + ratio * ratio);
+        const double extinction = std::lerp(flat.extinctionPerMm, other.extinctionPerMm, part);
+        if (!(extinction > 0.0)) return flat;
+        return {extinction, glm::mix(flat.colour, other.colour, part * other.extinctionPerMm / extinction)};
+    }
+
+    // How much of the light of the eye comes back: Lambert, as much from behind. The product of a gradient in
+    // cells with the way along the ray is the change of value there.
+    double shade(const glm::dvec3& cell, const glm::dvec3& alongCells) const {
+        if (!lighting.shade) return 1.0;
+        const glm::dvec3 gradient = gradientAt(cell);
+        const double length = perMm(gradient);
         const double cosine = length > 0.0 ? std::abs(glm::dot(gradient, alongCells)) / length : 1.0;
         return lighting.ambient + lighting.diffuse * std::min(cosine, 1.0);
     }
@@ -147,7 +168,7 @@ struct March {
         for (int step = 0; step < steps && transmittance > kOpaque; ++step) {
             const double at = stretch.from + (step + 0.5) * stepMm;
             const glm::dvec3 cell = from + at * along;
-            const Optics::Entry& entry = optics.at(coarse.valueAt(cell));
+            const Optics::Entry entry = matterAt(cell);
             if (!(entry.extinctionPerMm > 0.0)) continue;
             if (clip != nullptr && !shows(*clip, eyeMm + at * alongMm)) continue;
             const double opacity = -std::expm1(-entry.extinctionPerMm * stepMm);
@@ -159,6 +180,15 @@ struct March {
     }
 };
 
+// From the front, a short scan would be a band of a few rows.
+ViewDirection directionOf(const Volume& volume) {
+    return isShort(volume) ? ViewDirection::oblique : ViewDirection::anterior;
+}
+
+double shortestOf(const glm::dvec3& edges) {
+    return std::min({edges.x, edges.y, edges.z});
+}
+
 Result<PresetThumbnail> draw(const CoarseVolume& coarse, const TransferFunction& preset, const Clip* clip,
                              const CancelToken& token, int sizePx) {
     MACULA_CHECK(sizePx > 0);
@@ -169,14 +199,24 @@ Result<PresetThumbnail> draw(const CoarseVolume& coarse, const TransferFunction&
     values.low = std::min(values.low, airOf(volume));
     const Optics optics(function, values);
     const glm::dmat3 worldFromCell = glm::inverse(glm::dmat3(coarse.cellFromWorld()));
-    const double shortestMm = std::min(
+    const double shortestMm = shortestOf(
         {glm::length(worldFromCell[0]), glm::length(worldFromCell[1]), glm::length(worldFromCell[2])});
     // Cells of a thick slab are long: as many steps as an ordinary volume has are enough.
     const double stepMm =
         std::max(kStepCells * shortestMm, volume.worldBox().diagonal() / (4.0 * kLongestCoarseSide));
-    const March march{coarse, optics, function.lighting, clip && clip->hasShape() ? clip : nullptr, stepMm};
+    std::optional<Optics> steep;
+    if (usesSteepCurves(function)) steep.emplace(withCurvesSwapped(function), values);
+    // An edge in the body is some two voxels wide: between longer cells it is less steep.
+    const double widerBy = std::max(1.0, shortestMm / (2.0 * shortestOf(volume.spacingMm())));
+    const March march{coarse,
+                      optics,
+                      steep ? &*steep : nullptr,
+                      function.steep.gradientPerMm / widerBy,
+                      function.lighting,
+                      clip && clip->hasShape() ? clip : nullptr,
+                      stepMm};
 
-    const Camera camera = frameBox(volume.worldBox(), ViewDirection::anterior, kFovDeg, 1.0);
+    const Camera camera = frameBox(volume.worldBox(), directionOf(volume), kFovDeg, 1.0);
     MACULA_TRY(const CameraBasis axes, basis(camera));
     const double halfHeight = std::tan(glm::radians(kFovDeg) / 2.0);
     PresetThumbnail picture{.sizePx = sizePx, .rgba = {}};
@@ -277,6 +317,9 @@ TransferFunction CoarseVolume::fittedCurves(const TransferFunction& preset) cons
         };
         for (OpacityPoint& point : toFit.opacity) point.value = moved(point.value);
         for (ColourPoint& point : toFit.colour) point.value = moved(point.value);
+        for (OpacityPoint& point : toFit.steep.opacity) point.value = moved(point.value);
+        for (ColourPoint& point : toFit.steep.colour) point.value = moved(point.value);
+        toFit.steep.gradientPerMm *= scale;
         toFit.fitToVolume.reset();
         return toFit;
     }

@@ -54,10 +54,11 @@ class CoarseVolume {
 };
 
 // Emission and absorption along the ray with the preset's own curves, as the look "dvr" has them, lit from
-// the eye where the preset asks for that; its gradient opacity counts as 1. Where the volume is coarse, thin
-// matter is fainter than it is in a picture. `clip`, in patient LPS mm, without its mask; null: all is shown.
-// Looked at from anterior, the whole box in the picture. Fails with inputNotUsable for a preset that is not
-// valid, outOfMemory, and `cancelled`, which is looked for in each row; throws nothing.
+// the eye where the preset asks for that; its gradient opacity counts as 1, and what is steep is told by the
+// gradient between cells. Where the volume is coarse, thin matter is fainter than it is in a picture. `clip`,
+// in patient LPS mm, without its mask; null: all is shown. Looked at from anterior, a short scan (isShort)
+// obliquely, the whole box in the picture. Fails with inputNotUsable for a preset that is not valid,
+// outOfMemory, and `cancelled`, which is looked for in each row; throws nothing.
 Result<PresetThumbnail> presetThumbnail(const CoarseVolume& coarse, const TransferFunction& preset,
                                         const Clip* clip = nullptr, const CancelToken& token = {},
                                         int sizePx = kPresetThumbnailPx);

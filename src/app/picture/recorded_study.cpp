@@ -110,6 +110,7 @@ Result<FrameInput> sceneOf(const RecordingWish& wish, Wished wished, const Hears
                   shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(shown.clip)));
     if (!made.additions.isNothing())
         setAdditions(scene.drawing, std::make_shared<const Additions>(std::move(made.additions)));
+    scene.background = backgroundInWindow(scene.drawing);
     return scene;
 }
 

@@ -26,9 +26,13 @@ struct RenderRecord {
     std::string additions = {};  // Additions::remark: a second volume, coloured segments
     std::string device;
     Camera camera;
+    std::string view = {};        // from where, where a direction fitted the camera: nameOf(ViewDirection)
+    std::string whyView = {};     // "chosen", or nameOf(ViewReason); empty: a camera was given
+    std::string background = {};  // "#rrggbb", "transparent"; empty: of light, which has none
     int width = 0;
     int height = 0;
     trace::Settings settings;
+    PictureEffects effects = {};  // as they took effect: with the focus that was found
     // The numbers of matterParameters(), by id, of the preset before it is fitted to the volume.
     std::vector<std::pair<std::string_view, double>> matter = {};
     bool presetFitted = false;            // its curves were stretched to the volume

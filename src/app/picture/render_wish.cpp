@@ -49,6 +49,24 @@ Result<void> setLights(WishedPicture& picture, const std::string& typed) {
     return {};
 }
 
+Result<void> setEffects(WishedPicture& picture, const RenderWish& wish) {
+    PictureEffects& effects = picture.request.effects;
+    effects = wish.effects;
+    if (!wish.focus.empty()) {
+        MACULA_TRY(effects.focusMm, parseFocus(wish.focus));
+    }
+    return check(effects);
+}
+
+Result<void> setBackground(WishedPicture& picture, const std::string& typed) {
+    picture.request.isTransparent = typed == kTransparent;
+    if (!typed.empty() && !picture.request.isTransparent) {
+        MACULA_TRY(picture.state.background, backgroundOf(typed));
+    }
+    picture.request.background = picture.state.background.value_or(kBlackBackground);
+    return {};
+}
+
 std::string publicClip(const RenderWish& wish, const StudyState& state) {
     const std::string clip =
         state.clip && wish.state.clip.empty() ? publicClipName(*state.clip) : publicClipName(wish.state.clip);
@@ -83,7 +101,9 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
     };
     check(!wish.state.window.empty() && !isProjection(look), "--window", looksListed(trace::isProjection));
     check(wish.effort.bounces && !isTraced, "--bounces", "cinematic");
-    check(wish.effort.filter && !isTraced, "--filter", looksListed(trace::isPathTraced));
+    const auto filter = wish.effort.filter.value_or(trace::Filter::trilinear);
+    check(trace::filterOf(look, filter) != filter, fmt::format("--filter {}", trace::nameOf(filter)),
+          looksListed(filter == trace::Filter::smooth ? trace::showsMatter : trace::isPathTraced));
     check(wish.shading && look != trace::Look::dvr, "--shading", "dvr");
     const std::string traced = looksListed(trace::isPathTraced);
     check(!wish.lights.empty() && !isTraced, "--lights", traced);
@@ -92,14 +112,28 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
     check(wish.metersExposure && isProjection(look), "--auto-exposure", "all but projections");
     for (const auto& [id, value] : wish.state.matter) {
         const std::string_view option = matterParameter(id).option;
+        if (id == "steepGradientPerMm") {
+            check(isProjection(look), option, "all but projections");
+            if (!isProjection(look) && !usesSteepCurves(drawn))
+                notes.push_back(
+                    fmt::format("{} does nothing, as the preset has no curves for steep matter.", option));
+            continue;
+        }
         check(!isTraced, option, traced);
         if (isTraced && drawn.surface.weight == 0.0 && isOfSurface(id))
             notes.push_back(fmt::format(
                 "{} does nothing, as the preset has no surface: --surface gives it one.", option));
     }
     check(isGiven("exposure") && isProjection(look), "--exposure", "all but projections");
+    check(wish.state.toneMap && isProjection(look), "--tone-map", "all but projections");
+    check(wish.effects.fogMm > 0.0 && isProjection(look), "--fog-mm", "all but projections");
+    check(wish.effects.lensMm > 0.0 && !isTraced, "--lens-mm", traced);
+    if (!wish.focus.empty() && !(wish.effects.lensMm > 0.0))
+        notes.emplace_back("--focus-mm does nothing without --lens-mm: all is sharp.");
     if (wish.effort.denoise.value_or(false) && !isTraced)
         notes.emplace_back("This look is never denoised: --denoise does nothing.");
+    if (!wish.background.empty() && isExr(wish.output))
+        notes.emplace_back("--background does nothing in an EXR, which has coverage instead.");
     if (wish.keepUnfinished && wish.effort.error <= 0.0 && !endsByUsualError(wish, look))
         notes.emplace_back(
             "--keep-unfinished does nothing without --error: nothing is written when stopped.");
@@ -127,6 +161,8 @@ Result<WishedPicture> wishedPicture(const RenderWish& wish) {
     }
     picture.state.settings.seed = wish.seed;
     MACULA_TRY_VOID(setLights(picture, wish.lights));
+    MACULA_TRY_VOID(setBackground(picture, wish.background));
+    MACULA_TRY_VOID(setEffects(picture, wish));
     picture.clip = publicClip(wish, picture.state);
     request.camera = picture.state.camera;
     request.from = wish.state.view;

@@ -28,7 +28,10 @@ struct RenderWish {
     AdditionWish additions;
     bool shading = false;  // of ray casts, whatever the preset asks for
     std::string size = "768x768";
-    EffortWish effort;  // counts more than the view that was saved
+    std::string background;  // as backgroundOf, or kTransparent; instead of that of the view
+    PictureEffects effects = {};
+    std::string focus = {};  // parseFocus; in the place of effects.focusMm
+    EffortWish effort;       // counts more than the view that was saved
     std::uint32_t seed = 0;
     trace::MemoryLimits memory;
     dicom::ScanOptions how;

@@ -23,6 +23,10 @@ std::string derivationOf(const ViewPicture& picture, const RenderRecord& record)
     std::string text = fmt::format("Volume rendering ({})", trace::nameOf(look));
     if (!trace::isProjection(look)) text += ", preset " + record.preset;
     if (!picture.drawing.remarks.empty()) text += ", " + picture.drawing.remarks;
+    if (record.effects.lensMm > 0.0)
+        text += fmt::format(", blurred by a lens of {:g} mm but at {:.0f} mm", record.effects.lensMm,
+                            record.effects.focusMm.value_or(0.0));
+    if (record.effects.fogMm > 0.0) text += fmt::format(", faded by fog of {:g} mm", record.effects.fogMm);
     if (picture.stampsFor) text += ", with marks of orientation and scale";
     text +=
         fmt::format(", {:.0f} samples per pixel{}. Not for primary diagnosis.",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/frame/frame_input.h"
+#include "app/picture/picture_effects.h"
 #include "app/picture/picture_effort.h"
 #include "app/picture/stamp.h"
 #include "base/camera.h"
@@ -27,6 +28,7 @@ struct ViewPicture {
     Camera camera;
     glm::ivec2 sizePx{0};
     EffortWish effort;
+    PictureEffects effects = {};
     std::filesystem::path output;  // .png, .exr or .dcm; a file that is there is replaced
     // Of .dcm: an image of the series that is shown (dicom::SecondaryCapture), and whether nothing is taken
     // from it.
@@ -49,8 +51,8 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
 Result<double> meteredExposureOf(const ViewPicture& picture, const std::string& preferredDevice,
                                  Progress& progress);
 
-// The same pictures to be looked at, beside each other: 4 bytes a pixel, display-encoded over black, row 0 on
-// top. `output` and what is of files does not matter. Fails as above.
+// The same pictures to be looked at, beside each other: 4 bytes a pixel, display-encoded over the background
+// of the drawing, row 0 on top. `output` and what is of files does not matter. Fails as above.
 Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vector<ViewPicture>& pictures,
                                                                 const std::string& preferredDevice,
                                                                 Progress& progress);

@@ -15,6 +15,7 @@ Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear) {
         return Error{ErrorCode::usage, "The picture cannot have that size.",
                      fmt::format("{} x {}", size.x, size.y),
                      fmt::format("Take 1 to {} pixels for each side.", trace::kMaxPictureSide)};
+    MACULA_TRY_VOID(check(picture.effects));
     MACULA_TRY(Effort effort, effortOf(picture.effort, picture.drawing.settings));
     const Drawing& drawing = picture.drawing;
     return PictureRequest{.scene = {.volume = in16Bits(picture.volume),
@@ -26,7 +27,9 @@ Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear) {
                           .sizePx = size,
                           .settings = effort.settings,
                           .samplesPerPixel = effort.samplesPerPixel,
-                          .isLinear = isLinear};
+                          .isLinear = isLinear,
+                          .background = drawing.background.value_or(kBlackBackground),
+                          .effects = picture.effects};
 }
 
 RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request, const DrawnPicture& drawn) {

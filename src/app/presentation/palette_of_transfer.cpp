@@ -6,6 +6,8 @@
 #include <limits>
 #include <span>
 
+#include "base/srgb.h"
+
 namespace macula::app {
 
 namespace {
@@ -14,13 +16,6 @@ constexpr double kAll = 65535.0;
 constexpr double kFewestEntries = 2048.0;
 constexpr double kMostEntries = 65536.0;
 constexpr double kThinnest = 1e-6;  // of density, below which nothing is seen
-
-double linearOf(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-double encodedOf(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
 
 std::uint16_t levelOf(double part) {
     return std::uint16_t(std::lround(kAll * std::clamp(part, 0.0, 1.0)));
@@ -35,6 +30,8 @@ ValueRange rangeOf(const TransferFunction& function) {
     };
     for (const OpacityPoint& point : function.opacity) hold(point.value);
     for (const ColourPoint& point : function.colour) hold(point.value);
+    for (const OpacityPoint& point : function.steep.opacity) hold(point.value);
+    for (const ColourPoint& point : function.steep.colour) hold(point.value);
     constexpr double kWhole = 16.0;  // a span of so many values, and they are whole numbers
     if (range.high - range.low >= kWhole) return {std::floor(range.low), std::ceil(range.high)};
     if (range.high > range.low) return range;
@@ -49,7 +46,29 @@ std::size_t entriesOver(const ValueRange& range) {
 }
 
 double colourOf(const TransferFunction& function, double encoded) {
-    return function.albedo == 1.0 ? encoded : encodedOf(function.albedo * linearOf(encoded));
+    return function.albedo == 1.0 ? encoded : encodedSrgb(function.albedo * decodedSrgb(encoded));
+}
+
+struct Shown {
+    double opacity = 0.0;
+    glm::dvec3 colour{0.0};  // encoded
+};
+
+// What others show at a value. They know one pair of curves: where there are two, they get what a gradient
+// shows at which half of the matter is steep.
+Shown shownAt(const TransferFunction& function, double value) {
+    Shown shown{.opacity = opacityAt(function, value), .colour = colourAt(function, value)};
+    if (!usesSteepCurves(function)) return shown;
+    const TransferFunction steep = withCurvesSwapped(function);
+    const double flat = extinctionPerMm(function, value);
+    const double both = flat + extinctionPerMm(steep, value);
+    if (!(both > 0.0)) return shown;
+    const glm::dvec3 other = colourAt(steep, value);
+    for (int c = 0; c < 3; ++c)
+        shown.colour[c] =
+            encodedSrgb(std::lerp(decodedSrgb(other[c]), decodedSrgb(shown.colour[c]), flat / both));
+    shown.opacity = -std::expm1(-0.5 * both * layerMmOf(function));
+    return shown;
 }
 
 // The entries that a line through them all comes near: from each the farthest that a straight way leads to
@@ -97,11 +116,11 @@ dicom::Palette paletteOf(const TransferFunction& function) {
     for (std::size_t i = 0; i < entries; ++i) {
         // In this order whole values are exact, so that steps at them are where they were.
         const double value = palette.values.low + span * double(i) / double(entries - 1);
-        const glm::dvec3 colour = colourAt(function, value);
-        palette.red.push_back(levelOf(colourOf(function, colour.r)));
-        palette.green.push_back(levelOf(colourOf(function, colour.g)));
-        palette.blue.push_back(levelOf(colourOf(function, colour.b)));
-        palette.alpha.push_back(levelOf(function.density < kThinnest ? 0.0 : opacityAt(function, value)));
+        const Shown shown = shownAt(function, value);
+        palette.red.push_back(levelOf(colourOf(function, shown.colour.r)));
+        palette.green.push_back(levelOf(colourOf(function, shown.colour.g)));
+        palette.blue.push_back(levelOf(colourOf(function, shown.colour.b)));
+        palette.alpha.push_back(levelOf(function.density < kThinnest ? 0.0 : shown.opacity));
     }
     return palette;
 }

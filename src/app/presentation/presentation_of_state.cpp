@@ -101,6 +101,9 @@ Result<void> say(SaidState& said, const StudyState& state, const Volume& volume,
         said.leftOut.emplace_back("Others cannot show an average, and show the preset instead.");
     if (usesGradientOpacity(function))
         said.leftOut.emplace_back("Opacities that depend on edges (gradients) are for Macula alone.");
+    if (usesSteepCurves(function))
+        said.leftOut.emplace_back(
+            "Others know no steep matter: they show what is halfway between flat and steep.");
     if (trace::isPathTraced(settings.look)) {
         MACULA_TRY(const trace::LightRig lights, lightsOf(state));
         p.shading = shadingOf(lights, settings.lightRotationDeg, axes);

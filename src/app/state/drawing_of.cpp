@@ -27,7 +27,7 @@ void addMatter(std::vector<std::string>& remarks, const TransferFunction& preset
     const Result<std::shared_ptr<const TransferFunction>> original = findPreset(catalogue, from);
     if (!original) return;
     for (const MatterParameter& p : matterParameters()) {
-        if (p.id == "surfaceGradientPerMm") continue;  // a hand that widens the curves changes it too
+        if (p.unit == "per mm") continue;  // a hand that widens the curves changes it too
         if (p.get(preset) != p.get(**original)) remarks.push_back(numberText(p, preset));
     }
 }
@@ -53,7 +53,8 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
     Drawing drawing{.transferFunction = state.preset,
                     .lights = state.lights ? state.lights : defaultLights(catalogue, look),
                     .clip = std::move(clip),
-                    .settings = settingsOf(state, seriesWindows, volume.get())};
+                    .settings = settingsOf(state, seriesWindows, volume.get()),
+                    .background = state.background};
     std::vector<std::string> remarks;
     if (drawing.settings.shading == trace::Shading::headlight) remarks.emplace_back("shaded");
     if (trace::isProjection(look) && volume)
@@ -61,6 +62,8 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
     for (const Parameter& p : parameters()) {
         if (p.get(state.settings) != p.fallback()) remarks.push_back(numberText(p, state.settings));
     }
+    if (state.settings.toneMap == trace::ToneMap::hue && !trace::isProjection(look))
+        remarks.emplace_back("hues kept");
     if (state.preset && trace::isPathTraced(look)) addMatter(remarks, *state.preset, catalogue);
     if (drawing.clip && drawing.clip->mask)
         remarks.push_back(drawing.clip->mask->remark.empty() ? "masked" : drawing.clip->mask->remark);

@@ -24,8 +24,8 @@ trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesW
 // each change, as it may be as large as the volume. What is not chosen is taken from the catalogue and from
 // the volume. Remarks say what has to be known of pictures of it: "shaded", "W 400 L 40 HU", what the
 // mask leaves out, "clipped", and each number that is not what it is by default, "exposure 3", or in the
-// preset that an edited one was copied from: "roughness 0.2"; but for the
-// steepness of a surface, which changes with the width of the curve.
+// preset that an edited one was copied from: "roughness 0.2"; but for
+// gradients, which change with the width of the curve.
 Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const SeriesWindows& seriesWindows,
                   const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Clip> clip);
 

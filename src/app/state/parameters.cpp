@@ -55,7 +55,7 @@ constexpr std::array<Parameter, 4> kParameters{
       .set = [](Settings& s, double value) { s.lightStrength = value; }}}};
 
 // Their ranges are those of validate and of preset files.
-constexpr std::array<MatterParameter, 5> kMatterParameters{
+constexpr std::array<MatterParameter, 6> kMatterParameters{
     {{.id = "surfaceWeight",
       .option = "--surface",
       .label = "surface",
@@ -70,8 +70,8 @@ constexpr std::array<MatterParameter, 5> kMatterParameters{
       .option = "--surface-gradient",
       .label = "surface gradient",
       .unit = "per mm",
-      .low = kLeastSurfaceGradient,
-      .high = kMostSurfaceGradient,
+      .low = kLeastGradientPerMm,
+      .high = kMostGradientPerMm,
       .stale = Stale::matter,
       .does = "Steepness of a boundary that is half a surface, in values per mm",
       .get = [](const TransferFunction& f) { return f.surface.gradientPerMm; },
@@ -105,7 +105,17 @@ constexpr std::array<MatterParameter, 5> kMatterParameters{
       .stale = Stale::matter,
       .does = "Of what scatters like a cloud: above 0 light goes on forwards, below 0 it comes back",
       .get = [](const TransferFunction& f) { return f.anisotropy; },
-      .set = [](TransferFunction& f, double value) { f.anisotropy = value; }}}};
+      .set = [](TransferFunction& f, double value) { f.anisotropy = value; }},
+     {.id = "steepGradientPerMm",
+      .option = "--steep-gradient",
+      .label = "steep gradient",
+      .unit = "per mm",
+      .low = kLeastGradientPerMm,
+      .high = kMostGradientPerMm,
+      .stale = Stale::matter,
+      .does = "Of presets with curves for steep matter: where half of the matter is steep, in values per mm",
+      .get = [](const TransferFunction& f) { return f.steep.gradientPerMm; },
+      .set = [](TransferFunction& f, double value) { f.steep.gradientPerMm = value; }}}};
 
 // The row with that id, which must be in the table.
 template <class Table>

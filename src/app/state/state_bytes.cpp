@@ -13,6 +13,7 @@ std::size_t bytesOf(const std::vector<T>& all) {
 
 std::size_t bytesOf(const TransferFunction& function) {
     return sizeof function + bytesOf(function.opacity) + bytesOf(function.colour) +
+           bytesOf(function.steep.opacity) + bytesOf(function.steep.colour) +
            bytesOf(function.gradientOpacity) + function.document.size();
 }
 

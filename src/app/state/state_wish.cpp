@@ -59,6 +59,12 @@ Result<void> completePresented(StudyState& state, const StateWish& wish, StudyIn
 
 }  // namespace
 
+UnaskedTable unaskedTable(const StateWish& wish) {
+    const bool isSaid =
+        wish.removeTable || wish.keepTable || !wish.session.empty() || !wish.presentation.empty();
+    return isSaid ? UnaskedTable::stays : UnaskedTable::goesWhereSure;
+}
+
 std::vector<std::filesystem::path> filesOf(const StateWish& wish) {
     return {wish.session, wish.presentation, wish.preset, wish.clip, wish.camera};
 }
@@ -75,6 +81,7 @@ Result<StudyState> stateOf(const StateWish& wish, StudyState usual) {
         state = std::move(presented.state);
     }
     if (wish.look) state.settings.look = *wish.look;
+    if (wish.toneMap) state.settings.toneMap = *wish.toneMap;
     for (const auto& [id, value] : wish.numbers) parameter(id).set(state.settings, value);
     if (!wish.window.empty()) {
         MACULA_TRY(state.windows.at(std::size_t(state.settings.look)), parseWindow(wish.window));
@@ -84,7 +91,7 @@ Result<StudyState> stateOf(const StateWish& wish, StudyState usual) {
         MACULA_TRY(state.clip, chooseClip(wish.clip));
         state.cuts = {};
     }
-    state.leavesTableOut = state.leavesTableOut || wish.removeTable;
+    state.leavesTableOut = (state.leavesTableOut || wish.removeTable) && !wish.keepTable;
     MACULA_TRY_VOID(setCamera(state, wish));
     return state;
 }

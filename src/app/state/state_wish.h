@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/state/study_state.h"
+#include "app/study/shown_clip.h"
 #include "app/study/study_input.h"
 #include "app/study/study_preset.h"
 #include "base/frames.h"
@@ -23,11 +24,13 @@ struct StateWish {
     std::filesystem::path session = {};  // a view that was saved: readStudyState
     // A DICOM presentation state, which takes the place of a view: dicom::readPresentationState.
     std::filesystem::path presentation = {};
-    std::string preset = {};  // as choosePreset
-    bool fit = false;         // the preset's range is stretched to the volume
-    std::string clip = {};    // as chooseClip; in the place of the cuts of a view too
-    bool removeTable = false;
+    std::string preset = {};   // as choosePreset
+    bool fit = false;          // the preset's range is stretched to the volume
+    std::string clip = {};     // as chooseClip; in the place of the cuts of a view too
+    bool removeTable = false;  // leave it out
+    bool keepTable = false;    // show it, also where a view leaves it out
     std::optional<trace::Look> look = {};
+    std::optional<trace::ToneMap> toneMap = {};
     std::string window = {};                          // of projections: parseWindow
     std::map<std::string_view, double> numbers = {};  // by Parameter::id
     std::map<std::string_view, double> matter = {};   // by MatterParameter::id; of whichever preset
@@ -38,6 +41,9 @@ struct StateWish {
     // Of the picture, so that all of the view of a presentation state is seen in it; 0: not known.
     double aspectWidthOverHeight = 0.0;
 };
+
+// What becomes of a table of which neither the wish nor a view says anything.
+UnaskedTable unaskedTable(const StateWish& wish);
 
 // What may be a file among what is given, for OutputFiles::read.
 std::vector<std::filesystem::path> filesOf(const StateWish& wish);

@@ -44,6 +44,7 @@ trace::Settings withoutParameters(trace::Settings settings) {
     settings.errorThreshold = usual.errorThreshold;
     settings.window = usual.window;
     settings.denoising = usual.denoising;
+    settings.toneMap = usual.toneMap;
     return settings;
 }
 
@@ -52,7 +53,8 @@ Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
     for (const Parameter& p : parameters()) {
         if (p.get(before) != p.get(after)) stale = std::max(stale, p.stale);
     }
-    if (before.denoising != after.denoising) stale = std::max(stale, Stale::display);
+    if (before.denoising != after.denoising || before.toneMap != after.toneMap)
+        stale = std::max(stale, Stale::display);
     if (!(withoutParameters(before) == withoutParameters(after))) stale = std::max(stale, Stale::light);
     return stale;
 }
@@ -71,10 +73,10 @@ bool BesideState::operator==(const BesideState& b) const {
 bool StudyState::operator==(const StudyState& b) const {
     return seriesDigest == b.seriesDigest && grid == b.grid && samePreset(*this, b) && clip == b.clip &&
            leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
-           windows == b.windows && camera == b.camera && showsMarks == b.showsMarks && layout == b.layout &&
-           slices == b.slices && measurements == b.measurements && cuts == b.cuts &&
-           namedClips == b.namedClips && segmentations == b.segmentations && beside == b.beside &&
-           otherKeys == b.otherKeys;
+           windows == b.windows && camera == b.camera && showsMarks == b.showsMarks &&
+           background == b.background && layout == b.layout && slices == b.slices &&
+           measurements == b.measurements && cuts == b.cuts && namedClips == b.namedClips &&
+           segmentations == b.segmentations && beside == b.beside && otherKeys == b.otherKeys;
 }
 
 Stale staleAfter(const StudyState& before, const StudyState& after) {
@@ -88,7 +90,8 @@ Stale staleAfter(const StudyState& before, const StudyState& after) {
     Stale stale = staleAfter(before.settings, after.settings);
     if (!sameLights(before, after)) stale = std::max(stale, Stale::light);
     if (before.camera != after.camera) stale = std::max(stale, Stale::camera);
-    if (before.windows != after.windows) stale = std::max(stale, Stale::display);
+    if (before.windows != after.windows || before.background != after.background)
+        stale = std::max(stale, Stale::display);
     return stale;
 }
 

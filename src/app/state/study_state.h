@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/clip/cuts.h"
+#include "app/frame/background_colour.h"
 #include "app/state/beside_state.h"
 #include "app/state/parameters.h"
 #include "app/state/saved_grid.h"
@@ -80,6 +81,8 @@ struct StudyState {
     std::array<std::optional<DisplayWindow>, trace::kLooks.size()> windows = {};
     std::optional<Camera> camera = {};  // nothing: one that fits what is visible
     bool showsMarks = true;             // cube and scale over the picture in 3D
+    // Behind the patient in 3D. Nothing: nearly black in a window, black in a file.
+    std::optional<BackgroundColour> background = {};
     Layout layout = Layout::fourPanes;
     SliceState slices = {};
     std::vector<slices::Measurement> measurements = {};

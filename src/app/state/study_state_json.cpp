@@ -5,10 +5,9 @@
 //     <a key for each row of parameters()>,
 //     "preset": {as presets/transfer}, "clip": {as presets/clip}, "leavesTableOut": true,
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
-//     "camera": {as camera_file.h}, "cubeAndScale": false, "layout": "axial", "slices": {as slices_json.h},
-//     "measurements": [as slices_json.h], "cuts": {as cuts_json.h}, "namedClips": [likewise],
-//     "segmentations": [as segments_json.h],
-//     "beside": {as beside_json.h} }
+//     "camera": {as camera_file.h}, "cubeAndScale": false, "background": "#rrggbb", "layout": "axial",
+//     "slices": {as slices_json.h}, "measurements": [as slices_json.h], "cuts": {as cuts_json.h},
+//     "namedClips": [likewise], "segmentations": [as segments_json.h], "beside": {as beside_json.h} }
 // Everything but the version may be left out.
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -98,10 +97,11 @@ Result<std::optional<T>> readPart(const Json& all, const char* key, const Read& 
 }  // namespace
 
 std::vector<std::string> stateKeys() {
-    std::vector<std::string> keys{
-        "version", "series",       "grid",           "look",   "shading",    "filter",        "denoising",
-        "preset",  "clip",         "leavesTableOut", "lights", "windows",    "camera",        "layout",
-        "slices",  "measurements", "cubeAndScale",   "cuts",   "namedClips", "segmentations", "beside"};
+    std::vector<std::string> keys{"version",      "series",       "grid",   "look",       "shading",
+                                  "filter",       "denoising",    "preset", "clip",       "leavesTableOut",
+                                  "lights",       "windows",      "camera", "layout",     "slices",
+                                  "measurements", "cubeAndScale", "cuts",   "namedClips", "segmentations",
+                                  "beside",       "background",   "toneMap"};
     for (const Parameter& parameter : parameters()) keys.emplace_back(parameter.id);
     return keys;
 }
@@ -114,6 +114,7 @@ std::string toJson(const StudyState& state) {
     json["shading"] = state.settings.shading == trace::Shading::headlight;
     json["filter"] = nameOf(state.settings.filter);
     json["denoising"] = nameOf(state.settings.denoising);
+    json["toneMap"] = nameOf(state.settings.toneMap);
     for (const Parameter& p : parameters()) json[std::string(p.id)] = p.get(state.settings);
     if (state.preset) json["preset"] = Json::parse(toJson(*state.preset));
     if (state.clip) json["clip"] = Json::parse(toJson(*state.clip));
@@ -125,6 +126,7 @@ std::string toJson(const StudyState& state) {
     }
     if (state.camera) json["camera"] = toJson(*state.camera);
     if (!state.showsMarks) json["cubeAndScale"] = false;
+    if (state.background) json["background"] = hexOf(*state.background);
     if (state.layout != StudyState{}.layout) json["layout"] = nameOf(state.layout);
     if (Json slices = toJson(state.slices); !slices.empty()) json["slices"] = std::move(slices);
     if (Json all = measurementsJson(state.measurements); !all.empty()) json["measurements"] = std::move(all);
@@ -156,6 +158,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     readName(root, "look", looks, state.settings.look);
     readName(root, "filter", trace::kFilters, state.settings.filter);
     readName(root, "denoising", kDenoisings, state.settings.denoising);
+    readName(root, "toneMap", trace::kToneMaps, state.settings.toneMap);
     if (const auto node = root.find("shading"))
         state.settings.shading = node->boolean() ? trace::Shading::headlight : trace::Shading::none;
     readParameters(root, state.settings);
@@ -166,6 +169,10 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
         if (!basis(*state.camera)) node->fail("an eye, a target and an upright that make a camera");
     }
     if (const auto node = root.find("cubeAndScale")) state.showsMarks = node->boolean();
+    if (const auto node = root.find("background")) {
+        state.background = colourOfHex(node->text());
+        if (!state.background) node->fail("a colour as #rrggbb");
+    }
     readName(root, "layout", kLayouts, state.layout);
     if (const auto node = root.find("slices")) state.slices = sliceStateFrom(*node);
     if (const auto node = root.find("measurements")) state.measurements = measurementsFrom(*node);

@@ -81,10 +81,15 @@ class Matter {
         return std::visit([&](const auto& voxels) { return voxels.linear(at); }, voxels_);
     }
 
+    // The mean edge of a voxel.
+    double edgeMm() const {
+        const glm::dvec3 spacing = volume_.spacingMm();
+        return (spacing.x + spacing.y + spacing.z) / 3.0;
+    }
+
     // In units per voxel of mean edge, as TransferFunction::gradientOpacity has it.
     double gradientAt(const glm::dvec3& pointMm) const {
-        const glm::dvec3 spacing = volume_.spacingMm();
-        const double edge = (spacing.x + spacing.y + spacing.z) / 3.0;
+        const double edge = edgeMm();
         glm::dvec3 gradient(0.0);
         for (int axis = 0; axis < 3; ++axis) {
             glm::dvec3 step(0.0);
@@ -166,6 +171,8 @@ bool isGreyFace(const Clip* clip, double value) {
 std::optional<glm::dvec3> matterAlong(const Walk& walk, const Matter& matter, const Volume& volume,
                                       const Drawing& drawing) {
     const TransferFunction function = fitted(*drawing.transferFunction, volume);
+    const TransferFunction steep = withCurvesSwapped(function);
+    const bool usesSteep = usesSteepCurves(function);
     const bool usesGradient = usesGradientOpacity(function);
     std::vector<double> depths{0.0};  // optical, behind so many steps
     bool wasHidden = false;
@@ -177,6 +184,9 @@ std::optional<glm::dvec3> matterAlong(const Walk& walk, const Matter& matter, co
         if (!std::isnan(value)) {
             if (wasHidden && isGreyFace(drawing.clip.get(), value)) return point;
             extinction = extinctionPerMm(function, value);
+            if (usesSteep)
+                extinction = std::lerp(extinction, extinctionPerMm(steep, value),
+                                       steepPartAt(function, matter.gradientAt(point) / matter.edgeMm()));
             if (extinction > 0.0 && usesGradient)
                 extinction *= gradientOpacityAt(function, matter.gradientAt(point));
             if (extinction > 0.0) extinction *= matter.segmentOpacityAt(point);

@@ -163,6 +163,8 @@ Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& stud
     }
     if (state.preset && usesGradientOpacity(*state.preset))
         drawn.notes.emplace_back("The gradient opacity of the second volume's preset is not drawn.");
+    if (state.preset && usesSteepCurves(*state.preset))
+        drawn.notes.emplace_back("The second volume's preset is drawn without its curves of steep matter.");
     drawn.remark = secondRemark(*input.volume, state, patient);
     drawn.second = secondIn3d(state, input.volume);
     return drawn;

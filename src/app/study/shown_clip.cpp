@@ -16,6 +16,33 @@ std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& fo
                 .remark = std::string(kTableLeftOut)};
 }
 
+namespace {
+
+// Fails with `cancelled` alone.
+Result<ShownClip> withoutSureTable(const ClipPreset& preset, const Volume& volume, Progress& progress) {
+    ShownClip shown{.clip = clipFor(preset, volume)};
+    if (volume.unit() != Unit::hounsfield) return shown;
+    Result<segment::PatientMask> found = segment::findPatient(volume, progress);
+    if (!found) {
+        if (found.error().code == ErrorCode::cancelled) return found.error();
+        shown.notes.push_back("A table was not looked for: " + found.error().message);
+        return shown;
+    }
+    if (!(found->removedMl > 0.0)) return shown;
+    if (found->confidence != segment::Confidence::high) {
+        shown.notes.emplace_back(
+            "What may be a table is shown, as it is not sure what is patient; --remove-table leaves it out.");
+        return shown;
+    }
+    for (const Message& message : found->messages) shown.notes.push_back(message.sentence);
+    shown.notes.emplace_back("--keep-table shows what was left out.");
+    shown.clip.mask = maskOf(std::make_shared<const segment::PatientMask>(*std::move(found)));
+    shown.tableRemoved = true;
+    return shown;
+}
+
+}  // namespace
+
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress) {
     ShownClip shown{.clip = clipFor(preset, volume)};
@@ -27,9 +54,12 @@ Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Vo
     return shown;
 }
 
-Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress) {
-    MACULA_TRY(ShownClip shown,
-               shownClip(state.clip.value_or(ClipPreset{}), state.leavesTableOut, volume, progress));
+Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress,
+                            UnaskedTable unasked) {
+    const ClipPreset preset = state.clip.value_or(ClipPreset{});
+    const bool looksForTable = unasked == UnaskedTable::goesWhereSure && !state.leavesTableOut;
+    MACULA_TRY(ShownClip shown, looksForTable ? withoutSureTable(preset, volume, progress)
+                                              : shownClip(preset, state.leavesTableOut, volume, progress));
     std::vector<Mask> masks;
     if (shown.clip.mask) masks.push_back(*std::move(shown.clip.mask));
     MACULA_TRY(std::optional<Mask> cut, scissorMask({}, state.cuts.scissors, volume, progress));

@@ -28,12 +28,18 @@ struct ShownClip {
     std::vector<std::string> notes;  // about the table, and what a state has that is not drawn
 };
 
+// What becomes of a table when nobody said: it is shown, or it is left out where it is sure
+// (segment::Confidence::high) that nothing of the patient goes with it.
+enum class UnaskedTable { stays, goesWhereSure };
+
 // Fails as segment::findPatient where the table is to be removed. Of a state its cuts are in it too: fails as
 // scissorMask and combinedMask.
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress);
 // Segments of the state are not hidden or coloured, and its second volume is not there; notes say so, but for
-// whoever took them out of the state to draw them: app::additionChoice.
-Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress);
+// whoever took them out of the state to draw them: app::additionChoice. `unasked` is of a state that does not
+// leave the table out; where it is not found out what is table, a note says so, and all is shown.
+Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress,
+                            UnaskedTable unasked = UnaskedTable::stays);
 
 }  // namespace macula::app

@@ -64,11 +64,19 @@ bool hasRangeOfItsOwn(const TransferFunction& function) {
     return function.effectiveRange && !function.fitToVolume;
 }
 
-// From the first point of either curve to the last of either.
+// From the first point of any curve to the last of any.
 ValueRange spanOf(const TransferFunction& function) {
     MACULA_CHECK(!function.opacity.empty() && !function.colour.empty());
-    return {std::min(function.opacity.front().value, function.colour.front().value),
-            std::max(function.opacity.back().value, function.colour.back().value)};
+    ValueRange span{function.opacity.front().value, function.opacity.back().value};
+    const auto hold = [&span](const auto& points) {
+        if (points.empty()) return;
+        span.low = std::min(span.low, points.front().value);
+        span.high = std::max(span.high, points.back().value);
+    };
+    hold(function.colour);
+    hold(function.steep.opacity);
+    hold(function.steep.colour);
+    return span;
 }
 
 // `map` keeps the order of values.
@@ -76,6 +84,8 @@ template <class Map>
 void mapValues(TransferFunction& function, const Map& map) {
     for (OpacityPoint& point : function.opacity) point.value = inRange(map(point.value));
     for (ColourPoint& point : function.colour) point.value = inRange(map(point.value));
+    for (OpacityPoint& point : function.steep.opacity) point.value = inRange(map(point.value));
+    for (ColourPoint& point : function.steep.colour) point.value = inRange(map(point.value));
     if (!hasRangeOfItsOwn(function)) return;
     ValueRange& range = *function.effectiveRange;
     range = {inRange(map(range.low)), inRange(map(range.high))};
@@ -149,6 +159,19 @@ TransferFunction withoutColourPoint(TransferFunction function, std::size_t index
     return function;
 }
 
+TransferFunction withSteepCurves(TransferFunction function) {
+    if (usesSteepCurves(function)) return function;
+    function.steep.opacity = function.opacity;
+    function.steep.colour = function.colour;
+    return function;
+}
+
+TransferFunction withoutSteepCurves(TransferFunction function) {
+    function.steep.opacity.clear();
+    function.steep.colour.clear();
+    return function;
+}
+
 TransferFunction shifted(TransferFunction function, double by) {
     if (!std::isfinite(by)) return function;
     double least = -2.0 * kLargest;
@@ -169,14 +192,15 @@ TransferFunction widened(TransferFunction function, double factor, double about)
     if (factor == 1.0) return function;
     mapValues(function, [=](double value) { return about + factor * (value - about); });
     for (OpacityPoint& point : function.gradientOpacity) point.value = inRange(factor * point.value);
-    function.surface.gradientPerMm =
-        std::clamp(factor * function.surface.gradientPerMm, kLeastSurfaceGradient, kMostSurfaceGradient);
+    for (double* gradient : {&function.surface.gradientPerMm, &function.steep.gradientPerMm})
+        *gradient = std::clamp(factor * *gradient, kLeastGradientPerMm, kMostGradientPerMm);
     return function;
 }
 
 TransferFunction withOpacityScaled(TransferFunction function, double factor) {
     if (!std::isfinite(factor) || !(factor >= 0.0)) return function;
     for (OpacityPoint& point : function.opacity) point.opacity = std::min(1.0, factor * point.opacity);
+    for (OpacityPoint& point : function.steep.opacity) point.opacity = std::min(1.0, factor * point.opacity);
     return function;
 }
 

@@ -34,18 +34,23 @@ Added withColourPoint(TransferFunction function, double value, const glm::dvec3&
 TransferFunction withoutOpacityPoint(TransferFunction function, std::size_t index);
 TransferFunction withoutColourPoint(TransferFunction function, std::size_t index);
 
-// Both curves move by so much towards larger values, and the effective range with them, unless that is what
+// Steep matter gets curves of its own, which begin as those of all matter: no picture changes. Where it has
+// some, they stay.
+TransferFunction withSteepCurves(TransferFunction function);
+TransferFunction withoutSteepCurves(TransferFunction function);
+
+// All curves move by so much towards larger values, and the effective range with them, unless that is what
 // the preset is fitted by.
 TransferFunction shifted(TransferFunction function, double by);
-// The same with value' = about + factor * (value - about); the gradient opacity is stretched with them, as by
-// a fit. The factor is above 0, and is held where the curves would get narrower than kNarrowestCurve or
-// leave the range of values.
+// The same with value' = about + factor * (value - about); gradients are stretched with them, as by a fit.
+// The factor is above 0, and is held where the curves would get narrower than kNarrowestCurve or leave the
+// range of values.
 inline constexpr double kNarrowestCurve = 1e-6;
 TransferFunction widened(TransferFunction function, double factor, double about);
 
-// Of a surface, in units of the curve per mm: what files hold.
-inline constexpr double kLeastSurfaceGradient = 1e-6;
-inline constexpr double kMostSurfaceGradient = 1e6;
+// Of surfaces and of steep matter, in units of the curve per mm: what files hold.
+inline constexpr double kLeastGradientPerMm = 1e-6;
+inline constexpr double kMostGradientPerMm = 1e6;
 
 // All opacities times a factor of 0 or above, at most 1.
 TransferFunction withOpacityScaled(TransferFunction function, double factor);

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/exceptions.h"
+#include "base/srgb.h"
 #include "dicom/read/dataset.h"
 #include "dicom/read/image_size.h"
 #include "dicom/read/sop_class.h"
@@ -227,9 +228,7 @@ std::array<std::uint8_t, 3> rgbOfCieLab(const std::array<std::uint16_t, 3>& word
                                     0.0556434 * x65 - 0.2040259 * y65 + 1.0572252 * z65};
     std::array<std::uint8_t, 3> result{};
     for (std::size_t i = 0; i < 3; ++i) {
-        const double c = std::clamp(rgb[i], 0.0, 1.0);
-        const double encoded = c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1.0 / 2.4) - 0.055;
-        result[i] = static_cast<std::uint8_t>(std::lround(255.0 * encoded));
+        result[i] = static_cast<std::uint8_t>(std::lround(255.0 * encodedSrgb(std::clamp(rgb[i], 0.0, 1.0))));
     }
     return result;
 }

@@ -189,11 +189,11 @@ Result<void> DeviceScene::makeAdditionTables() {
 
 Result<void> DeviceScene::showVoxels() {
     std::vector<std::uint8_t> alsoShown = bricksAtGreyFaces(clip_, *volume_, grid_);
-    if (!projection_ && (hasGradientOpacity() || hasSurfaces() || gradients_))
+    if (!projection_ && (hasGradientOpacity() || hasSteep() || hasSurfaces() || gradients_))
         addReachOfGradients(grid_, medium_.bounds, alsoShown);
     // Where the second volume alone is seen, values of this one need not be there: none of them has any
     // extinction.
-    return voxels_->show(grid_, medium_.ownBounds(), alsoShown, medium_.extinctionPerMm);
+    return voxels_->show(grid_, medium_.ownBounds(), alsoShown, medium_.mostPerMm());
 }
 
 Result<void> DeviceScene::makeTables() {
@@ -212,9 +212,14 @@ Result<void> DeviceScene::makeTables() {
     if (voxels_->isCoarse()) coverCoarseBlocks(medium_, grid_, voxels_->levels());
     std::vector<float> opacities = medium_.extinctionPerMm;
     opacities.insert(opacities.end(), medium_.gradientOpacity.begin(), medium_.gradientOpacity.end());
+    std::vector<glm::vec4> matter = medium_.albedo;
+    matter.insert(matter.end(), medium_.steep.begin(), medium_.steep.end());
+    for (const glm::vec4& steep : medium_.steep) opacities.push_back(steep.w);
+    hasSteepDensity_ = false;
+    for (std::size_t entry = 0; entry < medium_.steep.size(); ++entry)
+        hasSteepDensity_ = hasSteepDensity_ || medium_.steep[entry].w != medium_.extinctionPerMm[entry];
     MACULA_TRY(extinction_, makeTexels<float>(device_, "extinction", VK_FORMAT_R32_SFLOAT, opacities));
-    MACULA_TRY(albedo_,
-               makeTexels<glm::vec4>(device_, "albedo", VK_FORMAT_R32G32B32A32_SFLOAT, medium_.albedo));
+    MACULA_TRY(albedo_, makeTexels<glm::vec4>(device_, "albedo", VK_FORMAT_R32G32B32A32_SFLOAT, matter));
     MACULA_TRY(bounds_, makeTexels<float>(device_, "bounds", VK_FORMAT_R32_SFLOAT, medium_.bounds));
     return {};
 }
@@ -244,8 +249,9 @@ Result<void> DeviceScene::makeReadyFor(const Settings& settings) {
     const bool gradients = takesGradients(settings);
     const auto projection = projectionOf(settings.look);
     // Bounds that reach further hold for all filters, but a picture would depend on those drawn before.
-    if (isPathTraced(settings.look) && grid_.reach != reachOf(settings.filter)) {
-        grid_ = makeBrickGrid(*volume_, reachOf(settings.filter));
+    const int reach = reachOf(filterOf(settings.look, settings.filter));
+    if (isPathTraced(settings.look) ? grid_.reach != reach : grid_.reach < reach) {
+        grid_ = makeBrickGrid(*volume_, reach);
         projection_ = projection;
         gradients_ = gradients_ || gradients;
         return makeTables();
@@ -260,7 +266,7 @@ Result<void> DeviceScene::keepForGradients() {
     MACULA_CHECK(isComplete());
     if (gradients_) return {};
     gradients_ = true;
-    if (projection_ || hasGradientOpacity() || hasSurfaces()) return {};
+    if (projection_ || hasGradientOpacity() || hasSteep() || hasSurfaces()) return {};
     // What was there before stays as it is, and so does what was seen of it, unless something has to become
     // coarser.
     if (voxels_->isCoarse()) return makeTables();

@@ -71,6 +71,11 @@ class DeviceScene {
     // Whether there is gradient opacity in the look that makeReadyFor() prepared last.
     bool hasGradientOpacity() const { return !medium_.gradientOpacity.empty(); }
 
+    // Whether steep matter has curves of its own in that look.
+    bool hasSteep() const { return !medium_.steep.empty(); }
+    // Whether it is denser or thinner by them anywhere, and not of another colour alone.
+    bool hasSteepDensity() const { return hasSteepDensity_; }
+
     bool isComplete() const;
     // Majorants and empty distances by brick (Medium::bounds), in that look as well.
     std::span<const float> bounds() const { return medium_.bounds; }
@@ -120,6 +125,7 @@ class DeviceScene {
     std::shared_ptr<const Volume> volume_;
     BrickGrid grid_;
     Medium medium_;
+    bool hasSteepDensity_ = false;
     std::optional<Projection> projection_;      // what medium_ is for; nothing: matter
     bool gradients_ = false;                    // whether what these reach is kept
     std::optional<TransferFunction> function_;  // as it was given

@@ -9,6 +9,7 @@
 
 namespace macula::trace {
 
+// Through a lens it is the mean over rays of the pixel: normals are shorter than 1 then where they differ.
 // World is patient LPS mm; pixels are counted from the top left corner of the picture.
 template <class Real>
 struct GuideOf {

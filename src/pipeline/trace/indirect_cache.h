@@ -24,7 +24,8 @@ struct LightOfScene {
     int bounces = 1;
     double strength = 1.0;
     double rotationDeg = 0.0;
-    double exposure = 1.0;  // 1 where it changes no light
+    double exposure = 1.0;               // 1 where it changes no light
+    ToneMap toneMap = ToneMap::neutral;  // likewise
 
     bool operator==(const LightOfScene&) const = default;
 };

@@ -69,5 +69,8 @@ constexpr bool isPathTraced(Look look) {
 constexpr bool isProjection(Look look) {
     return traitsOf(look).kind == LookKind::values;
 }
+constexpr bool showsMatter(Look look) {
+    return !isProjection(look);
+}
 
 }  // namespace macula::trace

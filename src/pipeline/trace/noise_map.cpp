@@ -42,7 +42,8 @@ Result<void> NoiseMap::measureSome(const Film& film, const Settings& settings) {
     const shared::NoisePush push{.imageSize = {width_, height_},
                                  .firstBlock = measured_,
                                  .exposure = static_cast<float>(settings.exposure),
-                                 .backdrop = isPathTraced(settings.look) ? kBackdrop : 0.0f};
+                                 .backdrop = isPathTraced(settings.look) ? kBackdrop : 0.0f,
+                                 .keepsHue = settings.toneMap == ToneMap::hue ? 1 : 0};
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "noise"));
     recorder.dispatch(kernel_, {count}, push, {film.sums(), film.counts(), film.squares(), noises_});
     MACULA_TRY(const gpu::Ticket ticket, recorder.submit());

@@ -155,11 +155,14 @@ Result<void> PathTracer::setSettings(const Settings& settings) {
     sameSamples.errorThreshold = settings.errorThreshold;
     if (settings != sameSamples || settings == before) impl_->stale = true;
     // The light that arrives from each point stays what it was while these differ besides. Grey faces are
-    // another light for each exposure, so that they look the same.
+    // another light for each exposure and tone map, so that they look the same.
     Settings sameLight = sameSamples;
     sameLight.seed = settings.seed;
     sameLight.indirect = settings.indirect;
-    if (!impl_->scene.scene().hasGreyFaces()) sameLight.exposure = settings.exposure;
+    if (!impl_->scene.scene().hasGreyFaces()) {
+        sameLight.exposure = settings.exposure;
+        sameLight.toneMap = settings.toneMap;
+    }
     if (settings != sameLight) impl_->looksOther();
     return isDenoised(settings) && impl_->scene.scene().isComplete() ? impl_->scene.scene().keepForGradients()
                                                                      : Result<void>();
@@ -197,7 +200,8 @@ LightOfScene PathTracer::Impl::lightOfScene() const {
             .bounces = settings.bounces,
             .strength = settings.lightStrength,
             .rotationDeg = settings.lightRotationDeg,
-            .exposure = scene.scene().hasGreyFaces() ? settings.exposure : 1.0};
+            .exposure = scene.scene().hasGreyFaces() ? settings.exposure : 1.0,
+            .toneMap = scene.scene().hasGreyFaces() ? settings.toneMap : ToneMap::neutral};
 }
 
 TraceVariant PathTracer::Impl::variant() const {
@@ -403,7 +407,8 @@ Result<const gpu::Image*> PathTracer::display(const glm::vec3& background, Smoot
     const shared::DisplayPush push{.background = background,
                                    .exposure = static_cast<float>(t.settings.exposure),
                                    .smoothing = shown.areMeans ? 0 : static_cast<int>(smoothing),
-                                   .denoised = shown.areMeans ? 1 : 0};
+                                   .denoised = shown.areMeans ? 1 : 0,
+                                   .keepsHue = t.settings.toneMap == ToneMap::hue ? 1 : 0};
     recorder.dispatch(t.displayKernel,
                       {static_cast<std::uint32_t>(t.view.width), static_cast<std::uint32_t>(t.view.height)},
                       push, {*shown.values, *shown.counts, film.picture()});

@@ -168,8 +168,9 @@ class PathTracer {
     // came. Whether all is done; true at once where nothing is denoised. outOfMemory as display().
     Result<bool> develop(const std::function<bool()>& keepGoing);
 
-    // The tone-mapped picture so far, display-encoded RGBA8, premultiplied over `background` (linear). Stays
-    // on the device, in layout GENERAL, size of the view, valid until the next setView.
+    // The tone-mapped picture so far, display-encoded RGBA8, over `background`: linear light that is
+    // displayed as it is, whatever exposure and tone map. Stays on the device, in layout GENERAL, size of the
+    // view, valid until the next setView.
     Result<const gpu::Image*> display(const glm::vec3& background, Smoothing smoothing = Smoothing::none);
 
     // What display() shows, before background and tone map; valid until the next call.

@@ -49,6 +49,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
           extinction_(tables.extinctionPerMm.data()),
           gradientOpacity_(tables.gradientOpacity.data()),
           albedo_(tables.albedo.data()),
+          steep_(tables.steep),
           bounds_(tables.bounds.data()),
           environment_(tables.environment.data()),
           cumulative_(tables.cumulative.data()),
@@ -86,6 +87,10 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     Real fetchGradientOpacity(int step) const { return Real(gradientOpacity_[step]); }
     vec3 fetchAlbedo(int entry) const { return vec3(glm::vec3(albedo_[entry])); }
     vec4 fetchMatter(int entry) const { return vec4(fetchAlbedo(entry), fetchExtinction(entry)); }
+    bool useSteep() const { return !steep_.empty(); }
+    bool useSteepDensity() const { return useSteep(); }
+    Real fetchSteepExtinction(int entry) const { return Real(steep_[std::size_t(entry)].w); }
+    vec4 fetchSteepMatter(int entry) const { return vec4(steep_[std::size_t(entry)]); }
     Real fetchBound(int brick) const { return Real(bounds_[brick]); }
     vec4 fetchEnvironment(int texel) const {
         return vec4(vec3(environment_[texel].radiance), Real(environment_[texel].pdfPerSr));
@@ -157,6 +162,9 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
 #undef DEPTH_1_4
 #undef DEPTH_OPAQUE
 #undef FINE
+#undef LENS_RAYS
+#undef SHOULDER
+#undef WHITE_AT
 #undef CAST_STEPS
 #undef CAST_STEPS_LATE
 #undef MANY_ROUNDS
@@ -171,6 +179,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     const float* extinction_;
     const float* gradientOpacity_;
     const glm::vec4* albedo_;
+    std::span<const glm::vec4> steep_;  // empty: steep matter has no curves of its own
     const float* bounds_;
     const EnvironmentTexel* environment_;
     const float* cumulative_;

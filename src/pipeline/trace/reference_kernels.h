@@ -71,6 +71,16 @@ ReferenceTracer::Moments transmittanceOn(Host host, const glm::dvec3& originVoxe
 }
 
 template <class Host>
+glm::dvec3 meanGradientOn(Host host, const glm::dvec3& pointVoxel, std::uint32_t samples) {
+    glm::dvec3 sum(0.0);
+    for (std::uint32_t s = 0; s < samples; ++s) {
+        auto rng = host.makeRng(0u, 0u, s, host.params.seed);
+        sum += glm::dvec3(host.surfaceGradientByChance(typename Host::vec3(pointVoxel), rng));
+    }
+    return sum / double(samples);
+}
+
+template <class Host>
 std::vector<GuideOf<double>> guidesOn(Host prototype, const shared::GuidePush& before) {
     using Real = typename Host::Real;
     const int width = prototype.params.imageSize.x;

@@ -37,6 +37,7 @@ ReferenceTracer::ReferenceTracer(const Volume& volume, const Medium& medium, con
     tables->extinctionPerMm = medium.extinctionPerMm;
     tables->gradientOpacity = medium.gradientOpacity;
     tables->albedo = medium.albedo;
+    tables->steep = medium.steep;
     tables->bounds = medium.bounds;
     tables->environment.assign(environment.texels().begin(), environment.texels().end());
     tables->cumulative.assign(environment.cumulative().begin(), environment.cumulative().end());
@@ -70,7 +71,8 @@ std::vector<glm::dvec4> ReferenceTracer::trace(const shared::TraceParams& params
 std::vector<glm::dvec4> ReferenceTracer::cast(const shared::TraceParams& params, const Cast& what,
                                               Precision precision, std::uint32_t firstSample,
                                               std::uint32_t sampleCount) const {
-    return reference::withHost(*tables_, params, Filter::trilinear, precision, [&](auto host) {
+    const Filter filter = what.smooth ? Filter::smooth : Filter::trilinear;
+    return reference::withHost(*tables_, params, filter, precision, [&](auto host) {
         return reference::castOn(host, what, firstSample, sampleCount);
     });
 }
@@ -81,6 +83,14 @@ ReferenceTracer::Moments ReferenceTracer::transmittance(const shared::TraceParam
                                                         std::uint32_t samples) const {
     return reference::withHost(*tables_, params, filter, precision, [&](auto host) {
         return reference::transmittanceOn(host, originVoxel, worldDirection, samples);
+    });
+}
+
+glm::dvec3 ReferenceTracer::meanGradient(const shared::TraceParams& params, Filter filter,
+                                         Precision precision, const glm::dvec3& pointVoxel,
+                                         std::uint32_t samples) const {
+    return reference::withHost(*tables_, params, filter, precision, [&](auto host) {
+        return reference::meanGradientOn(host, pointVoxel, samples);
     });
 }
 

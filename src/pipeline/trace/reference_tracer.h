@@ -37,6 +37,7 @@ class ReferenceTracer {
     struct Cast {
         int kind = shared::kCastMatter;  // of trace_params.h
         bool shading = false;
+        bool smooth = false;  // values by the spline of Filter::smooth
     };
     std::vector<glm::dvec4> cast(const shared::TraceParams& params, const Cast& what, Precision precision,
                                  std::uint32_t firstSample, std::uint32_t sampleCount) const;
@@ -49,6 +50,11 @@ class ReferenceTracer {
     Moments transmittance(const shared::TraceParams& params, Filter filter, Precision precision,
                           const glm::dvec3& originVoxel, const glm::dvec3& worldDirection,
                           std::uint32_t samples) const;
+
+    // The mean over `samples` of the gradients that paths take the normal of a surface from, by chance: table
+    // entries per mm along the axes of the world. The point is in voxels with integers at faces.
+    glm::dvec3 meanGradient(const shared::TraceParams& params, Filter filter, Precision precision,
+                            const glm::dvec3& pointVoxel, std::uint32_t samples) const;
 
     // The guides of each pixel, by its centre ray; row 0 on top.
     std::vector<GuideOf<double>> guides(const shared::TraceParams& params, const shared::GuidePush& before,
@@ -86,6 +92,7 @@ class ReferenceTracer {
         std::vector<float> extinctionPerMm;
         std::vector<float> gradientOpacity;  // may be empty
         std::vector<glm::vec4> albedo;
+        std::vector<glm::vec4> steep;  // Medium::steep; may be empty
         std::vector<float> bounds;
         std::vector<EnvironmentTexel> environment;
         std::vector<float> cumulative;

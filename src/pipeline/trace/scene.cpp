@@ -62,6 +62,13 @@ void writeGradientOpacity(const Medium& medium, const Volume& volume, shared::Tr
     params.gradientScale = static_cast<float>(volume.unitsFromStored().slope / medium.gradientStep);
 }
 
+// The extinctions of steep matter are the last in their table (DeviceScene::makeTables).
+void writeSteep(const Medium& medium, const Volume& volume, shared::TraceParams& params) {
+    if (medium.steep.empty()) return;
+    params.steepGradient = static_cast<float>(medium.steepGradientPerMm / volume.unitsFromStored().slope);
+    params.steepFirst = static_cast<int>(medium.extinctionPerMm.size() + medium.gradientOpacity.size());
+}
+
 void writeSurface(const Medium& medium, const Volume& volume, shared::TraceParams& params) {
     const Surface& surface = medium.surface;
     params.surfaceWeight = static_cast<float>(surface.weight);
@@ -161,6 +168,20 @@ Result<void> checkSettings(const Settings& settings) {
     return {};
 }
 
+Result<void> check(const Lens& lens) {
+    if (!(lens.diameterMm >= 0.0 && lens.diameterMm <= kMostLensMm))
+        return Error{ErrorCode::usage,
+                     "The diameter of the lens is not usable.",
+                     {},
+                     fmt::format("Choose a number from 0 to {} mm.", kMostLensMm)};
+    if (lens.diameterMm > 0.0 && !(lens.focusMm > 0.0 && lens.focusMm <= kMostFocusMm))
+        return Error{ErrorCode::usage,
+                     "The distance of what is sharp is not usable.",
+                     {},
+                     fmt::format("Choose a number above 0, up to {} mm.", kMostFocusMm)};
+    return {};
+}
+
 bool isUsable(const Foveation& foveation) {
     return std::abs(foveation.gaze.x) <= 1.0 && std::abs(foveation.gaze.y) <= 1.0 &&
            foveation.fieldDeg > 0.0 && foveation.fieldDeg < 170.0 && foveation.magnification >= 1.0 &&
@@ -229,6 +250,7 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
             {},
             "Give a gaze inside the picture, a field above 0 and below 170 degrees, and 1 to 16 times."};
     }
+    MACULA_TRY_VOID(check(view.lens));
     const glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel());
     const FoveaInPlane fovea = foveaInPlane(view);
 
@@ -252,14 +274,18 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     params.anisotropy = medium.anisotropy;
     writeClip(clip, volume, params);
     writeGradientOpacity(medium, volume, params);
+    writeSteep(medium, volume, params);
     writeCast(settings, medium, volume, params);
     writeAdditions(additions, volume, params);
     params.exposure = static_cast<float>(settings.exposure);
+    params.keepsHue = settings.toneMap == ToneMap::hue ? 1 : 0;
     params.planeHalfSize = fovea.halfSize;
     params.gaze = fovea.gaze;
     params.foveaRadius = static_cast<float>(fovea.radius);
     params.foveaMagnification = static_cast<float>(fovea.magnification);
     params.parallelMm = static_cast<float>(fovea.parallelMm);
+    params.lensRadiusMm = static_cast<float>(0.5 * view.lens.diameterMm);
+    params.lensFocusMm = static_cast<float>(view.lens.focusMm);
     writeIndirectLight(volume, environment, view, settings, fovea, params);
     return params;
 }

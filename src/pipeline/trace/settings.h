@@ -17,14 +17,21 @@ namespace macula::trace {
 enum class Filter {
     trilinear,   // eight voxels, then the transfer function: the value a radiologist expects at an edge
     stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
-    smooth,  // as trilinear, at a place moved by chance: no rings where planes of voxels meet a steep curve,
-             // and edges a voxel softer
+    smooth,  // by a cubic B-spline, with softer edges: rays that are cast take its value, without the kinks
+             // that show as rings; paths average by it what the curve makes of trilinear values
 };
 inline constexpr std::array kFilters{Filter::trilinear, Filter::stochastic, Filter::smooth};
 
 // How many voxels beside its place a value may be taken: BrickGrid::reach.
 constexpr int reachOf(Filter filter) {
     return filter == Filter::smooth ? 1 : 0;
+}
+
+// What of it a look makes use of: rays that are cast through matter take values without chance, and
+// projections show those that interpolation gives, so that a maximum is that of a voxel.
+constexpr Filter filterOf(Look look, Filter filter) {
+    if (isPathTraced(look)) return filter;
+    return look == Look::dvr && filter == Filter::smooth ? Filter::smooth : Filter::trilinear;
 }
 
 // As in files and reports: "trilinear".
@@ -71,13 +78,26 @@ enum class Shading {
 
 // Raised whenever the same scene and settings get other light, chance aside, or the filter another blur:
 // what was learnt from pictures of another version is not gone on with (app/session/scene_key.h).
-inline constexpr std::uint32_t kTracerVersion = 1;
+inline constexpr std::uint32_t kTracerVersion = 2;
 
 inline constexpr int kMaxBounces = 1024;
 // Of pictures, of views to learn from, and of what models are compared with. White bone passes light on many
 // times. 16 have no more error in equal time; 8 show the first sample sooner, with most of their light
 // (docs/speed-and-accuracy.md).
 inline constexpr int kDefaultBounces = 8;
+// How light that is brighter than the display becomes what it shows (shaders/lib/picture.glsl).
+enum class ToneMap {
+    neutral,  // Khronos PBR neutral: more contrast at an exposure of 1, and hues that turn a little
+    hue,      // keeps hue and the order of lightness: colours as they are up to a middle lightness, and what
+              // is brighter bleaches in its own hue
+};
+inline constexpr std::array kToneMaps{ToneMap::neutral, ToneMap::hue};
+
+// As in files and reports.
+constexpr std::string_view nameOf(ToneMap map) {
+    return map == ToneMap::neutral ? "neutral" : "hue";
+}
+
 inline constexpr double kMaxGain = 1e6;  // of exposure and strength of light
 inline constexpr int kMaxPictureSide = 16384;
 
@@ -99,6 +119,7 @@ struct Settings {
     Indirect indirect = Indirect::traced;
     // What projections are seen through; else the series' first window, else all of its values.
     std::optional<DisplayWindow> window = {};
+    ToneMap toneMap = ToneMap::neutral;  // projections undo it, as they do the exposure
 
     bool operator==(const Settings&) const = default;
 };
@@ -123,12 +144,26 @@ struct Foveation {
     double magnification = 2.5;         // 1 to 16: how many times more pixels along each side
 };
 
+// A thin lens in the place of the eye: what lies at the distance of its focus is sharp, all else is blurred
+// (Potmesil and Chakravarty 1981, "A lens and aperture camera model for synthetic image generation"). A point
+// at distance z is a disc of diameter |z - focus| / z of that of the lens, measured at the focus; under
+// parallel rays |z - focus| / focus. Of path-traced looks; the guides see through the same lens.
+struct Lens {
+    double diameterMm = 0.0;  // 0: none, all is sharp
+    double focusMm = 0.0;     // above 0; from the camera, along its axis
+
+    bool operator==(const Lens&) const = default;
+};
+inline constexpr double kMostLensMm = 1e4;
+inline constexpr double kMostFocusMm = 1e6;
+
 // What one picture shows.
 struct View {
     Camera camera;
     int width = 512;  // pixels, 1 to kMaxPictureSide
     int height = 512;
     std::optional<Foveation> foveation = {};
+    Lens lens = {};
 };
 
 // A plain picture of what lies around a point of another view's picture: `gaze` as in Foveation, `fieldDeg`

@@ -39,6 +39,8 @@ SceneKind kindOf(const DeviceScene& scene) {
     return {.clip = scene.isClipped(),
             .mask = scene.isMasked(),
             .gradientOpacity = scene.hasGradientOpacity(),
+            .steep = scene.hasSteep(),
+            .steepDensity = scene.hasSteepDensity(),
             .coarse = scene.holdsCoarseBlocks(),
             .surfaces = scene.hasSurfaces(),
             .second = scene.hasSecond(),
@@ -51,7 +53,10 @@ TraceVariant variantOf(const Settings& settings, SceneKind scene) {
     if (isPathTraced(settings.look)) return {.filter = settings.filter, .scene = scene};
     scene.surfaces = false;
     scene.gradientOpacity = scene.gradientOpacity && settings.look == Look::dvr;
+    scene.steep = scene.steep && settings.look == Look::dvr;
+    scene.steepDensity = scene.steepDensity && settings.look == Look::dvr;
     return {.look = settings.look,
+            .filter = filterOf(settings.look, settings.filter),
             .shading = settings.look == Look::dvr && settings.shading == Shading::headlight,
             .scene = scene};
 }
@@ -66,6 +71,8 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
                             {"kClip", variant.scene.clip},
                             {"kMask", variant.scene.mask},
                             {"kGradientOpacity", variant.scene.gradientOpacity},
+                            {"kSteep", variant.scene.steep},
+                            {"kSteepDensity", variant.scene.steepDensity},
                             {"kCoarse", variant.scene.coarse},
                             {"kSecond", variant.scene.second},
                             {"kTints", variant.scene.tints},
@@ -120,6 +127,8 @@ Result<const gpu::Kernel*> TraceKernels::find(std::map<SceneKind, gpu::Kernel>& 
     gpu::KernelOptions options{.specializations = {{"kClip", scene.clip},
                                                    {"kMask", scene.mask},
                                                    {"kGradientOpacity", scene.gradientOpacity},
+                                                   {"kSteep", scene.steep},
+                                                   {"kSteepDensity", scene.steepDensity},
                                                    {"kCoarse", scene.coarse},
                                                    {"kSecond", scene.second},
                                                    {"kTints", scene.tints},

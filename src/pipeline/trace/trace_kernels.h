@@ -22,13 +22,15 @@ struct SceneKind {
     bool clip = false;
     bool mask = false;
     bool gradientOpacity = false;
-    bool coarse = false;     // not all of its blocks of voxels are whole
-    bool greyFaces = false;  // of a clip; counts for surface points only
-    bool surfaces = false;   // counts where paths are traced
-    bool second = false;     // a second volume in the same picture
-    bool tints = false;      // segments with colours
-    int poolViews = 1;       // of the pool of voxels, each but the last with 2^poolViewShift values
-    int poolViewShift = 0;   // counts where there are several
+    bool steep = false;         // steep matter has curves of its own
+    bool steepDensity = false;  // by which it is denser or thinner
+    bool coarse = false;        // not all of its blocks of voxels are whole
+    bool greyFaces = false;     // of a clip; counts for surface points only
+    bool surfaces = false;      // counts where paths are traced
+    bool second = false;        // a second volume in the same picture
+    bool tints = false;         // segments with colours
+    int poolViews = 1;          // of the pool of voxels, each but the last with 2^poolViewShift values
+    int poolViewShift = 0;      // counts where there are several
 
     auto operator<=>(const SceneKind&) const = default;  // NOLINT(modernize-use-nullptr): its mistake
 };

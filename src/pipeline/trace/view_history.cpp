@@ -28,7 +28,7 @@ bool sameFovea(const std::optional<Foveation>& a, const std::optional<Foveation>
 }
 
 bool sameView(const View& a, const View& b) {
-    return a.width == b.width && a.height == b.height && a.camera == b.camera &&
+    return a.width == b.width && a.height == b.height && a.camera == b.camera && a.lens == b.lens &&
            sameFovea(a.foveation, b.foveation, 0.0);
 }
 
@@ -46,7 +46,7 @@ std::optional<double> turnDeg(const Camera& from, const Camera& to) {
 bool continues(const View& from, const View& to, LightFrame lights) {
     if (from.width != to.width || from.height != to.height ||
         from.camera.verticalFovDeg != to.camera.verticalFovDeg ||
-        isParallel(from.camera) != isParallel(to.camera) ||
+        isParallel(from.camera) != isParallel(to.camera) || !(from.lens == to.lens) ||
         !sameFovea(from.foveation, to.foveation, kFarthestGaze)) {
         return false;
     }

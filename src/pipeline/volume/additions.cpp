@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "base/srgb.h"
 #include "pipeline/volume/entry_map.h"
 
 namespace macula {
@@ -14,10 +15,6 @@ namespace {
 
 constexpr double kSlackVoxels = 0.05;  // of the second volume: what rounding may move a point by
 constexpr double kSlackOfWay = 1e-6;   // and in parts of its distance from the corner of it
-
-float linearFromSrgb(float encoded) {
-    return encoded <= 0.04045f ? encoded / 12.92f : std::pow((encoded + 0.055f) / 1.055f, 2.4f);
-}
 
 bool isShare(float x) {
     return x >= 0.0f && x <= 1.0f;
@@ -149,8 +146,8 @@ std::vector<glm::vec4> additionTable(const Additions& additions) {
     if (additions.second) table = opticsByEntry(*additions.second->volume, *additions.second->function);
     if (!additions.tints) return table;
     for (const SegmentTints::Colour& colour : additions.tints->colours)
-        table.emplace_back(linearFromSrgb(colour.rgb.r), linearFromSrgb(colour.rgb.g),
-                           linearFromSrgb(colour.rgb.b), colour.opacity);
+        table.emplace_back(decodedSrgb(colour.rgb.r), decodedSrgb(colour.rgb.g), decodedSrgb(colour.rgb.b),
+                           colour.opacity);
     return table;
 }
 

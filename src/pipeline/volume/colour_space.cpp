@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/srgb.h"
+
 namespace macula {
 
 namespace {
@@ -19,14 +21,6 @@ constexpr std::array<std::pair<ColourSpace, std::string_view>, 6> kNames{
      {ColourSpace::step, "step"}}};
 
 const glm::dvec3 kWhite(0.9505, 1.0, 1.089);  // D65
-
-double linear(double encoded) {
-    return encoded > 0.04045 ? std::pow((encoded + 0.055) / 1.055, 2.4) : encoded / 12.92;
-}
-
-double encoded(double light) {
-    return light > 0.0031308 ? 1.055 * std::pow(light, 1.0 / 2.4) - 0.055 : 12.92 * light;
-}
 
 // Hue, saturation and value, each 0 to 1; the hue of a grey is 0.
 glm::dvec3 hsvFromRgb(const glm::dvec3& rgb) {
@@ -125,7 +119,7 @@ glm::dvec3 mixDiverging(const glm::dvec3& from, const glm::dvec3& to, double fra
 }  // namespace
 
 glm::dvec3 labFromSrgb(const glm::dvec3& rgb) {
-    const glm::dvec3 light(linear(rgb.r), linear(rgb.g), linear(rgb.b));
+    const glm::dvec3 light(decodedSrgb(rgb.r), decodedSrgb(rgb.g), decodedSrgb(rgb.b));
     const glm::dvec3 xyz = glm::dvec3(0.4124 * light.r + 0.3576 * light.g + 0.1805 * light.b,
                                       0.2126 * light.r + 0.7152 * light.g + 0.0722 * light.b,
                                       0.0193 * light.r + 0.1192 * light.g + 0.9505 * light.b) /
@@ -139,9 +133,9 @@ glm::dvec3 srgbFromLab(const glm::dvec3& lab) {
     const double y = (lab.x + 16.0) / 116.0;
     const auto cube = [](double t) { return t * t * t > 0.008856 ? t * t * t : (t - 16.0 / 116.0) / 7.787; };
     const glm::dvec3 xyz = kWhite * glm::dvec3(cube(y + lab.y / 500.0), cube(y), cube(y - lab.z / 200.0));
-    glm::dvec3 rgb(encoded(3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z),
-                   encoded(-0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z),
-                   encoded(0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z));
+    glm::dvec3 rgb(encodedSrgb(3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z),
+                   encodedSrgb(-0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z),
+                   encodedSrgb(0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z));
     rgb /= std::max({1.0, rgb.r, rgb.g, rgb.b});
     return glm::max(rgb, glm::dvec3(0.0));
 }

@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "base/srgb.h"
 #include "pipeline/volume/clip_bricks.h"
 #include "pipeline/volume/empty_space.h"
 #include "pipeline/volume/range_max.h"
@@ -18,10 +19,6 @@ namespace {
 // Interpolating two entries in floating point can come out a few parts in 10^7 above both.
 constexpr float kOutward = 1.0f + 1e-6f;
 constexpr int kGradientSteps = 4096;
-
-double linearFromSrgb(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
 
 // Calls body(x, y, z) for every brick, rows on all cores.
 template <class Body>
@@ -43,7 +40,7 @@ float sumOfBounds(float first, float second) {
 // Computes the majorants of bricks from the extinction by entry.
 void boundBricks(Medium& medium, const Volume& volume, const BrickGrid& grid, const Clip& clip,
                  const MaskBits* mask) {
-    const RangeMax largest(medium.extinctionPerMm);
+    const RangeMax largest(medium.mostPerMm());
     medium.gridSize = grid.size;
     medium.bounds.resize(grid.ranges.size());
     forEachBrick(grid.size, [&](int x, int y, int z) {
@@ -69,6 +66,8 @@ double featureOf(const TransferFunction& function, double leastUnits) {
     };
     look(function.opacity);
     look(function.colour);
+    look(function.steep.opacity);
+    look(function.steep.colour);
     return std::max(narrowest / 3.0, leastUnits);
 }
 
@@ -89,6 +88,13 @@ void tabulateGradientOpacity(const TransferFunction& function, const Volume& vol
 }
 
 }  // namespace
+
+std::vector<float> Medium::mostPerMm() const {
+    std::vector<float> most = extinctionPerMm;
+    for (std::size_t entry = 0; entry < steep.size(); ++entry)
+        most[entry] = std::max(most[entry], steep[entry].w);
+    return most;
+}
 
 std::size_t Medium::visibleBricks() const {
     return static_cast<std::size_t>(
@@ -114,8 +120,8 @@ std::vector<glm::vec4> opticsByEntry(const Volume& volume, const TransferFunctio
         const double value = units(double(map.low) + double(entry));
         const glm::dvec3 colour = colourAt(function, value);
         optics[entry] = glm::vec4(
-            function.albedo * linearFromSrgb(colour.r), function.albedo * linearFromSrgb(colour.g),
-            function.albedo * linearFromSrgb(colour.b), static_cast<float>(extinctionPerMm(function, value)));
+            function.albedo * decodedSrgb(colour.r), function.albedo * decodedSrgb(colour.g),
+            function.albedo * decodedSrgb(colour.b), static_cast<float>(extinctionPerMm(function, value)));
     }
     optics.back() = optics[map.tableSize() - 2];
     return optics;
@@ -136,6 +142,10 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, const TransferFun
     medium.extinctionPerMm.resize(medium.albedo.size());
     for (std::size_t entry = 0; entry < medium.albedo.size(); ++entry)
         medium.extinctionPerMm[entry] = medium.albedo[entry].w;
+    if (usesSteepCurves(function)) {
+        medium.steep = opticsByEntry(volume, withCurvesSwapped(function));
+        medium.steepGradientPerMm = function.steep.gradientPerMm;
+    }
     medium.addedBounds.assign(added.begin(), added.end());
     boundBricks(medium, volume, grid, clip, mask);
     return medium;
@@ -167,7 +177,7 @@ Medium makeMedium(const Volume& volume, const BrickGrid& grid, Projection projec
 
 void coverCoarseBlocks(Medium& medium, const BrickGrid& grid, std::span<const std::uint8_t> levels) {
     MACULA_CHECK_EQ(levels.size(), grid.blockRanges.size());
-    const RangeMax largest(medium.extinctionPerMm);
+    const RangeMax largest(medium.mostPerMm());
     forEachBrick(grid.size, [&](int x, int y, int z) {
         float& bound = medium.bounds[grid.index(x, y, z)];
         if (!(bound > 0.0f)) return;

@@ -33,6 +33,10 @@ struct Medium {
     // from 0; empty when it is 1 everywhere.
     std::vector<float> gradientOpacity;
     double gradientStep = 0.0;
+    // As `albedo`, of steep matter; empty when it has no curves of its own. `steepGradientPerMm` is that of
+    // the fitted preset.
+    std::vector<glm::vec4> steep;
+    double steepGradientPerMm = 0.0;
     double unitDepthMm = 1.0;  // of the preset: unit distance divided by density
     // Values this far apart may have quite different optics: a third of the narrowest piece of the curves.
     double featureUnits = 1.0;
@@ -41,6 +45,8 @@ struct Medium {
     float ambient = 1.0f;  // of the preset's lighting
     float diffuse = 0.0f;
 
+    // By entry: the extinction per mm by the denser of the curves, which no gradient can exceed.
+    std::vector<float> mostPerMm() const;
     std::size_t visibleBricks() const;
     // The bounds where there is matter of the volume itself, 0 elsewhere.
     std::vector<float> ownBounds() const;
@@ -48,7 +54,7 @@ struct Medium {
 
 // By entry: linear RGB albedo, and in w the extinction per mm. `function` as below.
 std::vector<glm::vec4> opticsByEntry(const Volume& volume, const TransferFunction& function);
-// See Medium::featureUnits.
+// See Medium::featureUnits; of all curves.
 double featureUnitsOf(const TransferFunction& function, const Volume& volume);
 
 // `function` is used as it is: fit it to the volume before (fitted). It must be valid (validate). Bricks of

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "pipeline/volume/curve_blend.h"
 
@@ -53,6 +54,33 @@ bool isInRange(const OpacityPoint& point) {
     return isFraction(point.opacity) && isFraction(point.midpoint) && isFraction(point.sharpness);
 }
 
+bool isInRange(const ColourPoint& point) {
+    return isFraction(point.colour.r) && isFraction(point.colour.g) && isFraction(point.colour.b) &&
+           isFraction(point.midpoint) && isFraction(point.sharpness);
+}
+
+template <class Point>
+bool areInRange(const std::vector<Point>& points) {
+    return std::all_of(points.begin(), points.end(), [](const Point& point) { return isInRange(point); });
+}
+
+bool isPositive(double x) {
+    return x > 0.0 && std::isfinite(x);
+}
+
+// Nothing when the curves of steep matter and its gradient can be used.
+const char* faultOf(const SteepMatter& steep) {
+    if (!isPositive(steep.gradientPerMm)) return "The preset's gradient of steep matter must be above 0.";
+    if (steep.opacity.empty() && steep.colour.empty()) return nullptr;
+    if (!isSortedAndFinite(steep.opacity) || !isSortedAndFinite(steep.colour))
+        return "The preset's curves of steep matter need points of opacity and of colour, finite and sorted "
+               "by value.";
+    if (!areInRange(steep.opacity) || !areInRange(steep.colour))
+        return "An opacity of the preset's steep matter, a colour, a midpoint or a sharpness lies outside 0 "
+               "to 1.";
+    return nullptr;
+}
+
 }  // namespace
 
 double opacityAt(const TransferFunction& function, double value) {
@@ -88,6 +116,22 @@ glm::dvec3 colourAt(const TransferFunction& function, double value) {
     return mixColours(function.colourSpace, from.colour, points[piece.to].colour, fraction);
 }
 
+bool usesSteepCurves(const TransferFunction& function) {
+    return !function.steep.opacity.empty();
+}
+
+double steepPartAt(const TransferFunction& function, double gradientPerMm) {
+    // As a ratio: the square of a large gradient could be infinite.
+    const double ratio = function.steep.gradientPerMm / gradientPerMm;
+    return gradientPerMm > 0.0 ? 1.0 / (1.0 + ratio * ratio) : 0.0;
+}
+
+TransferFunction withCurvesSwapped(TransferFunction function) {
+    std::swap(function.opacity, function.steep.opacity);
+    std::swap(function.colour, function.steep.colour);
+    return function;
+}
+
 double extinctionPerMm(const TransferFunction& function, double value) {
     const double opacity = std::clamp(opacityAt(function, value), 0.0, kMaxOpacity);
     return -std::log1p(-opacity) / function.unitDistanceMm * function.density;
@@ -103,18 +147,12 @@ Result<void> validate(const TransferFunction& function) {
         return fail("The preset's colour points are missing, not finite, or not sorted by value.");
     if (!function.gradientOpacity.empty() && !isSortedAndFinite(function.gradientOpacity))
         return fail("The preset's gradient opacity points are not finite or not sorted by value.");
-    if (!std::all_of(function.opacity.begin(), function.opacity.end(), isInRange) ||
-        !std::all_of(function.gradientOpacity.begin(), function.gradientOpacity.end(), isInRange)) {
+    if (!areInRange(function.opacity) || !areInRange(function.gradientOpacity))
         return fail("An opacity of the preset, a midpoint or a sharpness lies outside 0 to 1.");
-    }
-    for (const ColourPoint& point : function.colour) {
-        if (!isFraction(point.colour.r) || !isFraction(point.colour.g) || !isFraction(point.colour.b) ||
-            !isFraction(point.midpoint) || !isFraction(point.sharpness)) {
-            return fail("A colour of the preset, a midpoint or a sharpness lies outside 0 to 1.");
-        }
-    }
-    if (!(function.unitDistanceMm > 0.0 && std::isfinite(function.unitDistanceMm)))
-        return fail("The preset's unit distance must be above 0 mm.");
+    if (!areInRange(function.colour))
+        return fail("A colour of the preset, a midpoint or a sharpness lies outside 0 to 1.");
+    if (const char* fault = faultOf(function.steep); fault != nullptr) return fail(fault);
+    if (!isPositive(function.unitDistanceMm)) return fail("The preset's unit distance must be above 0 mm.");
     if (!(function.density >= 0.0 && std::isfinite(function.density)))
         return fail("The preset's density must be 0 or above.");
     if (!isFraction(function.albedo)) return fail("The preset's albedo must lie in 0 to 1.");
@@ -126,8 +164,7 @@ Result<void> validate(const TransferFunction& function) {
         return fail(
             "The preset's surface weight or reflectance lies outside 0 to 1, or its roughness outside 0.1 to "
             "1.");
-    if (!(surface.gradientPerMm > 0.0 && std::isfinite(surface.gradientPerMm)))
-        return fail("The preset's surface gradient must be above 0.");
+    if (!isPositive(surface.gradientPerMm)) return fail("The preset's surface gradient must be above 0.");
     if (function.fitToVolume && !(function.fitToVolume->low < function.fitToVolume->high)) {
         return fail("The preset's range to fit to the volume is empty.");
     }

@@ -54,6 +54,20 @@ struct Surface {
 };
 inline constexpr double kLeastRoughness = 0.1;  // highlights below are smaller than any light
 
+// Other curves for matter whose values change steeply, where values alone cannot tell: bone and blood with
+// contrast agent have the same, but bone ends within a millimetre (Kniss, Kindlmann and Hansen 2002,
+// "Multidimensional transfer functions for interactive volume rendering"; here the second dimension has two
+// ends, and a curve of its own between them). At a voxel the part g^2 / (g^2 + gradientPerMm^2) of the matter
+// is steep, g the length of the gradient from central differences; between voxels that part is trilinear.
+// The extinction there is that mixture of the extinctions by both curves, and each part has its own colour.
+struct SteepMatter {
+    std::vector<OpacityPoint> opacity = {};  // as TransferFunction's; empty: all has one pair of curves
+    std::vector<ColourPoint> colour = {};    // empty when `opacity` is, and only then
+    double gradientPerMm = 200.0;            // above 0, in units of the volume: half of the matter is steep
+
+    bool operator==(const SteepMatter&) const = default;
+};
+
 enum class Interpolation { nearest, linear, cubic };
 
 // Of the absolute value of Henyey-Greenstein's g: nearer to 1, light goes so straight on that single floats
@@ -75,6 +89,7 @@ struct TransferFunction {
     double albedo = 1.0;      // multiplies the linear colour; 1 loses no light
     double anisotropy = 0.0;  // Henyey-Greenstein g, at most kMostScatteringAnisotropy
     Surface surface = {};
+    SteepMatter steep = {};
     // When set, the curves are stretched so that this interval of their values falls on an interval of the
     // volume's (volume_fit.h): MR values mean nothing across scanners.
     struct Fit {
@@ -116,6 +131,14 @@ double gradientOpacityAt(const TransferFunction& function, double unitsPerVoxel)
 
 // Whether the gradient opacity is other than 1 anywhere at 0 or above, where gradients are.
 bool usesGradientOpacity(const TransferFunction& function);
+
+// Whether steep matter has curves of its own.
+bool usesSteepCurves(const TransferFunction& function);
+// The part of matter that is steep where the gradient has this length, in units of the volume per mm; 0 to 1.
+double steepPartAt(const TransferFunction& function, double gradientPerMm);
+// The same with the curves of steep matter in the place of the others, and the others in theirs: what reads
+// or edits one pair of curves does so with the other.
+TransferFunction withCurvesSwapped(TransferFunction function);
 
 // sigma = -ln(1 - min(opacity, 0.999)) / unitDistanceMm * density, per millimetre. Opacity 1
 // would be infinite; with the clamp, density 1 and 1 mm the densest matter has a mean free path of 0.14 mm.

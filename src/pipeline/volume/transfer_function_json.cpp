@@ -88,6 +88,17 @@ Surface surfaceFrom(const JsonNode& node) {
     return surface;
 }
 
+// The curves are written as those of the component are. Either both are there, or none.
+SteepMatter steepFrom(const JsonNode& node) {
+    node.allowOnly({"gradientPerMm", "scalarOpacity", "rgbTransferFunction"});
+    SteepMatter steep;
+    if (const auto gradient = node.find("gradientPerMm")) steep.gradientPerMm = gradient->number(kPositive);
+    if (!node.find("scalarOpacity") && !node.find("rgbTransferFunction")) return steep;
+    steep.opacity = readOpacity(node["scalarOpacity"]);
+    steep.colour = readColour(node["rgbTransferFunction"]);
+    return steep;
+}
+
 void readVendorPart(const JsonNode& node, const JsonNode& property, TransferFunction& function) {
     if (node["version"].number() != 1.0) node["version"].fail("version 1; newer ones need a newer Macula");
     function.name = nameFrom(node["name"]);
@@ -101,6 +112,7 @@ void readVendorPart(const JsonNode& node, const JsonNode& property, TransferFunc
     if (const auto albedo = node.find("albedo")) function.albedo = albedo->number(kFraction);
     if (const auto density = node.find("density")) function.density = density->number({1e-6, 1000.0});
     if (const auto surface = node.find("surface")) function.surface = surfaceFrom(*surface);
+    if (const auto steep = node.find("steep")) function.steep = steepFrom(*steep);
     if (const auto space = node.find("colorSpace")) {
         const std::optional<ColourSpace> known = colourSpaceNamed(space->text());
         if (!known) space->fail("\"rgb\", \"hsv\", \"hsvWrap\", \"lab\", \"diverging\" or \"step\"");
@@ -203,6 +215,25 @@ void putOpacity(Json& curve, const std::vector<OpacityPoint>& points) {
               [](Json& node, const OpacityPoint& point) { put(node, "y", point.opacity); });
 }
 
+void putColour(Json& curve, const std::vector<ColourPoint>& points) {
+    putPoints(curve, "colorTransferFunction", points, [](Json& node, const ColourPoint& point) {
+        put(node, "color", {point.colour.r, point.colour.g, point.colour.b});
+    });
+}
+
+void putSteep(Json& macula, const SteepMatter& steep) {
+    if (steep == SteepMatter{} && !macula.contains("steep")) return;
+    Json& node = child(macula, "steep");
+    put(node, "gradientPerMm", steep.gradientPerMm);
+    if (steep.opacity.empty()) {
+        node.erase("scalarOpacity");
+        node.erase("rgbTransferFunction");
+        return;
+    }
+    putOpacity(child(node, "scalarOpacity"), steep.opacity);
+    putColour(child(node, "rgbTransferFunction"), steep.colour);
+}
+
 void putVendorPart(Json& macula, const TransferFunction& function) {
     put(macula, "version", 1);
     put(macula, "name", function.name);
@@ -226,6 +257,7 @@ void putVendorPart(Json& macula, const TransferFunction& function) {
         put(surface, "roughness", function.surface.roughness);
         put(surface, "reflectance", function.surface.reflectance);
     }
+    putSteep(macula, function.steep);
     const auto& fit = function.fitToVolume;
     Json wanted = fit.has_value();
     if (fit && fit->to == Fit::To::valueRange) wanted = "valueRange";
@@ -262,10 +294,7 @@ void putComponent(Json& component, const TransferFunction& function) {
     putOpacity(child(component, "scalarOpacity"), function.opacity);
     if (!function.gradientOpacity.empty())
         putOpacity(child(component, "gradientOpacity"), function.gradientOpacity);
-    putPoints(child(component, "rgbTransferFunction"), "colorTransferFunction", function.colour,
-              [](Json& node, const ColourPoint& point) {
-                  put(node, "color", {point.colour.r, point.colour.g, point.colour.b});
-              });
+    putColour(child(component, "rgbTransferFunction"), function.colour);
 }
 
 }  // namespace

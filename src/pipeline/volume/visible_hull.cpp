@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "pipeline/volume/voxel_gradient.h"
 
 namespace macula {
 
@@ -99,13 +100,22 @@ class Rows {
     double entryOf(const glm::ivec3& voxel) const {
         return double(map_.entryOf(volume_.stored(voxel.x, voxel.y, voxel.z)));
     }
-    // The extinction per mm, linear between the entries.
-    double extinctionOf(double entry) const {
+    // The extinction per mm, linear between the entries, where that part of the matter is steep.
+    double extinctionOf(double entry, double steep) const {
         if (entry > opaqueFrom_) return 1e9;
         const auto low = static_cast<std::size_t>(entry);
         const double part = entry - double(low);
-        return double(medium_.extinctionPerMm[low]) * (1.0 - part) +
-               double(medium_.extinctionPerMm[low + 1]) * part;
+        const double usual = double(medium_.extinctionPerMm[low]) * (1.0 - part) +
+                             double(medium_.extinctionPerMm[low + 1]) * part;
+        if (medium_.steep.empty()) return usual;
+        return std::lerp(
+            usual, std::lerp(double(medium_.steep[low].w), double(medium_.steep[low + 1].w), part), steep);
+    }
+    double steepPartOf(const glm::ivec3& voxel) const {
+        if (medium_.steep.empty()) return 0.0;
+        const double length = gradientPerMmAt(volume_, map_, voxel);
+        const double half = medium_.steepGradientPerMm;
+        return length * length / (length * length + half * half);
     }
     bool isShown(const glm::dvec3& voxel) const {
         if (mask_ != nullptr) {
@@ -116,7 +126,8 @@ class Rows {
     }
     double secondAt(const glm::dvec3& voxel) const { return second_ ? second_->at(voxel) : 0.0; }
     double extinctionAt(const glm::ivec3& voxel) const {
-        const double extinction = extinctionOf(entryOf(voxel)) + secondAt(glm::dvec3(voxel));
+        const double extinction =
+            extinctionOf(entryOf(voxel), steepPartOf(voxel)) + secondAt(glm::dvec3(voxel));
         return extinction < leastPerMm_ || isShown(glm::dvec3(voxel)) ? extinction : 0.0;
     }
     // The place of the border between a visible voxel and the one before it, which is not visible or does not
@@ -127,13 +138,16 @@ class Rows {
         if (before[axis] < 0 || before[axis] >= volume_.size()[axis]) return voxel[axis] - 0.5 * step;
         const double from = entryOf(before);
         const double to = entryOf(voxel);
+        const double steepFrom = steepPartOf(before);
+        const double steepTo = steepPartOf(voxel);
         double hidden = 0.0;
         double seen = 1.0;
         for (int i = 0; i < kBisections; ++i) {
             const double part = 0.5 * (hidden + seen);
             glm::dvec3 at(before);
             at[axis] += part * step;
-            const double extinction = extinctionOf(from + (to - from) * part) + secondAt(at);
+            const double extinction =
+                extinctionOf(from + (to - from) * part, std::lerp(steepFrom, steepTo, part)) + secondAt(at);
             const bool isSeen = extinction >= leastPerMm_ && isShown(at);
             (isSeen ? seen : hidden) = part;
         }

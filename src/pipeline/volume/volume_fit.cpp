@@ -79,6 +79,9 @@ TransferFunction fitted(const TransferFunction& function, const Volume& volume) 
     TransferFunction result = function;
     for (OpacityPoint& point : result.opacity) point.value = (*fit)(point.value);
     for (ColourPoint& point : result.colour) point.value = (*fit)(point.value);
+    for (OpacityPoint& point : result.steep.opacity) point.value = (*fit)(point.value);
+    for (ColourPoint& point : result.steep.colour) point.value = (*fit)(point.value);
+    result.steep.gradientPerMm *= fit->scale();
     for (OpacityPoint& point : result.gradientOpacity) point.value *= fit->scale();
     result.surface.gradientPerMm *= fit->scale();
     if (result.effectiveRange)

@@ -87,9 +87,14 @@ void addReachOfGradients(const BrickGrid& grid, std::span<const float> bounds,
         const int z = static_cast<int>(row) / grid.size.y;
         for (int x = 0; x < grid.size.x; ++x) {
             const std::size_t brick = grid.index(x, y, z);
-            alsoShown[brick] = needed(brick) || (x > 0 && needed(grid.index(x - 1, y, z))) ||
-                               (y > 0 && needed(grid.index(x, y - 1, z))) ||
-                               (z > 0 && needed(grid.index(x, y, z - 1)));
+            bool reached = false;
+            for (int below = 0; below < 8; ++below) {
+                const glm::ivec3 from =
+                    glm::ivec3(x, y, z) - glm::ivec3(below & 1, below >> 1 & 1, below >> 2);
+                reached |= glm::all(glm::greaterThanEqual(from, glm::ivec3(0))) &&
+                           needed(grid.index(from.x, from.y, from.z));
+            }
+            alsoShown[brick] = reached ? 1 : 0;
         }
     });
 }

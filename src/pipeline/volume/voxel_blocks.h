@@ -36,9 +36,9 @@ constexpr std::uint32_t blockWord(std::uint8_t level, std::uint32_t unitOrValue)
 std::vector<std::uint8_t> blocksToShow(const BrickGrid& grid, std::span<const float> bounds,
                                        std::span<const std::uint8_t> alsoShown = {});
 
-// Gradients take differences to a voxel on either side, and so reach into the next brick up along each axis
-// (what they reach below, a brick touches itself): these are marked in `alsoShown` (by brick, or empty:
-// none), for the visible bricks and for those that are marked already.
+// Gradients take differences to a voxel on either side, also across (shaders/lib/material.glsl), and so reach
+// into the next bricks up, corners as well (what they reach below, a brick touches itself): these are marked
+// in `alsoShown` (by brick, or empty: none), for the visible bricks and for those that are marked already.
 void addReachOfGradients(const BrickGrid& grid, std::span<const float> bounds,
                          std::vector<std::uint8_t>& alsoShown);
 

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "app/state/parameters.h"
+#include "base/srgb.h"
 #include "pipeline/trace/light_rig_json.h"
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/language/core_words.h"
@@ -25,23 +26,16 @@ namespace {
 constexpr int kSwatchPx = 16;
 constexpr int kGainDecimals = 6;  // as small as the least exposure
 
-double encoded(double linear) {
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1.0 / 2.4) - 0.055;
-}
-
-double decoded(double encoded) {
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
 // Scales the colour to the brightest that the screen shows: the field of the strength tells how bright it is.
 QColor shownColour(const glm::dvec3& linear) {
     const double most = std::max({linear.r, linear.g, linear.b, 1e-6});
-    return colourOf({encoded(linear.r / most), encoded(linear.g / most), encoded(linear.b / most)});
+    return colourOf(
+        {encodedSrgb(linear.r / most), encodedSrgb(linear.g / most), encodedSrgb(linear.b / most)});
 }
 
 glm::dvec3 linearOf(const QColor& colour) {
     const glm::dvec3 shown = encodedFrom(colour);
-    return {decoded(shown.r), decoded(shown.g), decoded(shown.b)};
+    return {decodedSrgb(shown.r), decodedSrgb(shown.g), decodedSrgb(shown.b)};
 }
 
 }  // namespace

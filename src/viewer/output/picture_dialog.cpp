@@ -24,6 +24,18 @@ QSpinBox* side(QWidget* parent, int px, const QString& name) {
     return box;
 }
 
+// At 0, its least, there is none.
+QDoubleSpinBox* effectMm(QWidget* parent, double most, const QString& name, const QString& does) {
+    auto* box = new QDoubleSpinBox(parent);
+    box->setRange(0.0, most);
+    box->setDecimals(1);
+    box->setSuffix(QStringLiteral(" mm"));
+    box->setSpecialValueText(QDialog::tr("None"));
+    box->setAccessibleName(name);
+    box->setToolTip(does);
+    return box;
+}
+
 }  // namespace
 
 PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
@@ -34,6 +46,12 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
       width_(side(this, onScreenPx.width(), tr("Width"))),
       height_(side(this, onScreenPx.height(), tr("Height"))),
       qualities_(new QComboBox(this)),
+      lens_(effectMm(this, trace::kMostLensMm, tr("Lens"),
+                     tr("Diameter in mm: what the middle of the picture shows is sharp, what is nearer or "
+                        "farther is blurred. Not of ray casts and projections"))),
+      fog_(effectMm(this, app::kMostFogMm, tr("Fog"),
+                    tr("What lies behind the nearest matter fades into the background, to 37 % over so many "
+                       "mm. Not of projections"))),
       overlays_(new QCheckBox(tr("With &cube, scale and letters"), this)),
       deidentified_(new QCheckBox(tr("&Without patient and study"), this)) {
     setWindowTitle(tr("Save Picture"));
@@ -72,6 +90,8 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     }
     qualities_->setCurrentIndex(qualities_->findData(QString::fromLatin1(kFirstQuality)));
 
+    lens_->setObjectName(QStringLiteral("picture-lens"));
+    fog_->setObjectName(QStringLiteral("picture-fog"));
     overlays_->setObjectName(QStringLiteral("picture-overlays"));
     // A picture that leaves this window without its sides can be taken for its mirror image.
     overlays_->setChecked(true);
@@ -89,12 +109,18 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
     buttons->button(QDialogButtonBox::Cancel)->setToolTip(tr("Save no picture"));
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    addRows(buttons);
+}
+
+void PictureDialog::addRows(QWidget* buttons) {
     auto* form = new QFormLayout(this);
     form->addRow(hidden_);
     form->addRow(tr("&Size"), sizes_);
     form->addRow(tr("&Width"), width_);
     form->addRow(tr("&Height"), height_);
     form->addRow(tr("&Quality"), qualities_);
+    form->addRow(tr("&Lens"), lens_);
+    form->addRow(tr("&Fog"), fog_);
     form->addRow(overlays_);
     form->addRow(deidentified_);
     form->addRow(buttons);
@@ -110,12 +136,22 @@ void PictureDialog::beginWith(const QString& quality, bool isDeidentified) {
     deidentified_->setChecked(isDeidentified);
 }
 
+void PictureDialog::offerEffectsOf(trace::Look look) {
+    lens_->setEnabled(trace::isPathTraced(look));
+    fog_->setEnabled(!trace::isProjection(look));
+}
+
 void PictureDialog::tellThat3dIsHidden() {
     hidden_->show();
 }
 
 QSize PictureDialog::sizePx() const {
     return {width_->value(), height_->value()};
+}
+
+app::PictureEffects PictureDialog::effects() const {
+    return {.lensMm = lens_->isEnabled() ? lens_->value() : 0.0,
+            .fogMm = fog_->isEnabled() ? fog_->value() : 0.0};
 }
 
 std::string PictureDialog::quality() const {

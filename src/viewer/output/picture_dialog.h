@@ -4,10 +4,13 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSize>
 #include <QSpinBox>
 #include <string>
+
+#include "app/picture/picture_effects.h"
 
 namespace macula::viewer {
 
@@ -22,22 +25,29 @@ class PictureDialog : public QDialog {
     // Instead of what it begins with by itself; a quality that there is not changes nothing.
     void beginWith(const QString& quality, bool isDeidentified);
 
+    // Only what the look has may be chosen: a lens of path-traced ones, fog of all but projections.
+    void offerEffectsOf(trace::Look look);
+
     // Says that the view in 3D is drawn all the same.
     void tellThat3dIsHidden();
 
     QSize sizePx() const;
-    std::string quality() const;  // by name: app::EffortWish
+    std::string quality() const;          // by name: app::EffortWish
+    app::PictureEffects effects() const;  // sharp is what the middle of the picture shows
     bool isDeidentified() const { return deidentified_->isChecked(); }
     bool hasOverlays() const { return overlays_->isChecked(); }  // cube, scale, letters
 
   private:
     void addSize(const QString& title, QSize pixels);
+    void addRows(QWidget* buttons);
 
     QLabel* hidden_;
     QComboBox* sizes_;
     QSpinBox* width_;
     QSpinBox* height_;
     QComboBox* qualities_;
+    QDoubleSpinBox* lens_;
+    QDoubleSpinBox* fog_;
     QCheckBox* overlays_;
     QCheckBox* deidentified_;
 };

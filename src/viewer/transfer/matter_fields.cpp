@@ -15,7 +15,11 @@ namespace {
 
 constexpr int kDecimals = 3;
 constexpr double kStep = 0.05;
-constexpr std::string_view kGradient = "surfaceGradientPerMm";
+
+// In the unit of the values.
+bool isGradient(const app::MatterParameter& parameter) {
+    return parameter.unit == "per mm";
+}
 
 // "Surface gradient": a label stands by itself, and begins a sentence.
 QString labelOf(const app::MatterParameter& parameter) {
@@ -46,7 +50,7 @@ void MatterFields::addRow(const app::MatterParameter& parameter) {
     box->setAccessibleName(labelOf(parameter));
     box->setToolTip(doesOf(parameter));
     box->setKeyboardTracking(false);  // a number that is half typed changes nothing
-    if (parameter.id == kGradient) {
+    if (isGradient(parameter)) {
         box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);  // some are of 0.01, some of 1000
     } else {
         box->setDecimals(kDecimals);
@@ -61,13 +65,13 @@ void MatterFields::addRow(const app::MatterParameter& parameter) {
 }
 
 double MatterFields::scaleOf(const app::MatterParameter& parameter) const {
-    return parameter.id == kGradient ? map_.scale : 1.0;
+    return isGradient(parameter) ? map_.scale : 1.0;
 }
 
 void MatterFields::setUnit(const QString& unit, int decimals, const app::ValueMap& map) {
     map_ = map;
     for (const Row& row : rows_) {
-        if (row.parameter->id != kGradient) continue;
+        if (!isGradient(*row.parameter)) continue;
         const QSignalBlocker quiet(row.box);  // fewer decimals round the number
         row.box->setDecimals(decimals);
         // The least that can be shown is not 0, which no gradient is.
@@ -83,6 +87,7 @@ void MatterFields::showMatter(const TransferFunction& function) {
     for (const Row& row : rows_) {
         const QSignalBlocker quiet(row.box);
         row.box->setValue(row.parameter->get(function) * scaleOf(*row.parameter));
+        if (row.parameter->id == "steepGradientPerMm") row.box->setEnabled(usesSteepCurves(function));
     }
 }
 

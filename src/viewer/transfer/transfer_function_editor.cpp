@@ -45,6 +45,7 @@ TransferFunctionEditor::TransferFunctionEditor(ViewerSession& session, QWidget* 
       curve_(new TransferCurve(this)),
       fields_(new PointFields(this)),
       matter_(new MatterFields(this)),
+      steep_(new SteepChoice(this)),
       showsMatter_(new QPushButton(tr("Matter"), this)),
       reset_(new QPushButton(tr("Reset"), this)),
       save_(new QPushButton(tr("Save as…"), this)) {
@@ -60,6 +61,7 @@ TransferFunctionEditor::TransferFunctionEditor(ViewerSession& session, QWidget* 
     // Below the fields: beside them they would take half of a window from the pictures.
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(showsMatter_);
+    buttons->addWidget(steep_);
     buttons->addStretch(1);
     buttons->addWidget(reset_);
     buttons->addWidget(save_);
@@ -90,8 +92,10 @@ void TransferFunctionEditor::makeButtons() {
 }
 
 void TransferFunctionEditor::listen() {
-    connect(curve_, &TransferCurve::edited, this, [this](const TransferFunction& f) { propose(f, false); });
-    connect(curve_, &TransferCurve::dragged, this, [this](const TransferFunction& f) { propose(f, true); });
+    connect(curve_, &TransferCurve::edited, this,
+            [this](const TransferFunction& f) { propose(edits(f), false); });
+    connect(curve_, &TransferCurve::dragged, this,
+            [this](const TransferFunction& f) { propose(edits(f), true); });
     connect(curve_, &TransferCurve::dragEnded, this, [this] { session_.endDrag(); });
     connect(curve_, &TransferCurve::selectionChanged, this, [this] {
         fields_->dropDialog();
@@ -105,6 +109,8 @@ void TransferFunctionEditor::listen() {
     connect(fields_, &PointFields::ended, this, [this] { session_.endDrag(); });
     connect(matter_, &MatterFields::changed, this, &TransferFunctionEditor::changeMatter);
     connect(matter_, &MatterFields::ended, this, [this] { session_.endDrag(); });
+    connect(steep_, &SteepChoice::chosen, this, &TransferFunctionEditor::changeSide);
+    connect(steep_, &SteepChoice::steepWanted, this, &TransferFunctionEditor::changeSteep);
     connect(showsMatter_, &QPushButton::toggled, matter_, &QWidget::setVisible);
     connect(reset_, &QPushButton::clicked, this, &TransferFunctionEditor::reset);
     connect(save_, &QPushButton::clicked, this, &TransferFunctionEditor::saveAsked);
@@ -147,9 +153,10 @@ void TransferFunctionEditor::onChanged(const app::StudyState& before) {
 }
 
 void TransferFunctionEditor::showNothing() {
-    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_, matter_, reset_, save_})
+    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_, matter_, steep_, reset_, save_})
         part->setEnabled(false);
     own_ = {};
+    steep_->showCurves(false);
     isCopy_ = false;
     fields_->showPoint(std::nullopt);
     showLine();
@@ -173,13 +180,14 @@ void TransferFunctionEditor::showState() {
     fields_->setUnit(unit, decimals);
     matter_->setUnit(unit, decimals, map.value_or(app::ValueMap{}));
     matter_->showMatter(own_);
+    steep_->showCurves(usesSteepCurves(own_));
     fields_->setUnitDistance(own_.unitDistanceMm);
-    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_, matter_})
+    for (QWidget* part : std::initializer_list<QWidget*>{curve_, fields_, matter_, steep_})
         part->setEnabled(map.has_value());
     reset_->setEnabled(isCopy_);
     save_->setEnabled(true);
     if (map) {
-        curve_->setFunction(own_, *map, unit);
+        curve_->setFunction(edits(own_), *map, unit);
     } else {
         curve_->setFunction({}, {}, unit);
         if (trouble_.isEmpty()) look(true);
@@ -290,9 +298,10 @@ void TransferFunctionEditor::changeSelected(std::optional<double> value, std::op
     if (!selected) return;
     const std::size_t index = selected->index;
     const app::ValueMap map = curve_->valueMap();
-    TransferFunction edited = own_;
+    const TransferFunction before = edits(own_);
+    TransferFunction edited = before;
     if (selected->curve == PointId::Curve::opacity) {
-        const OpacityPoint from = own_.opacity.at(index);
+        const OpacityPoint from = before.opacity.at(index);
         edited = app::movedOpacityPoint(std::move(edited), index, value ? map.presetFrom(*value) : from.value,
                                         opacity.value_or(from.opacity));
     } else if (colour) {
@@ -300,8 +309,30 @@ void TransferFunctionEditor::changeSelected(std::optional<double> value, std::op
     } else if (value) {
         edited = app::movedColourPoint(std::move(edited), index, map.presetFrom(*value));
     }
-    if (!(edited == own_)) propose(edited, true);
+    if (!(edited == before)) propose(edits(edited), true);
     showFields();  // what was typed may lie beyond the next point
+}
+
+TransferFunction TransferFunctionEditor::edits(const TransferFunction& function) const {
+    return steep_->isSteep() ? withCurvesSwapped(function) : function;
+}
+
+void TransferFunctionEditor::changeSide() {
+    curve_->cancelDrag();
+    session_.endDrag();
+    fields_->dropDialog();
+    curve_->select(std::nullopt);
+    showState();
+    if (curve_->isAxisFitted()) curve_->fitAxis();
+}
+
+void TransferFunctionEditor::changeSteep(bool isThere) {
+    curve_->cancelDrag();
+    session_.endDrag();
+    fields_->dropDialog();
+    curve_->select(std::nullopt);
+    propose(isThere ? app::withSteepCurves(own_) : app::withoutSteepCurves(own_), false);
+    if (isThere && usesSteepCurves(own_)) steep_->chooseSteep();
 }
 
 void TransferFunctionEditor::changeMatter(const app::MatterParameter& parameter, double value) {
@@ -321,13 +352,14 @@ void TransferFunctionEditor::showFields() {
     const std::optional<PointId> selected = curve_->selected();
     if (!selected || own_.opacity.empty()) return fields_->showPoint(std::nullopt);
     const app::ValueMap map = curve_->valueMap();
+    const TransferFunction of = edits(own_);
     PointFields::Point shown;
     if (selected->curve == PointId::Curve::opacity) {
-        const OpacityPoint& point = own_.opacity.at(selected->index);
+        const OpacityPoint& point = of.opacity.at(selected->index);
         shown.value = map.shownFrom(point.value);
         shown.opacity = point.opacity;
     } else {
-        const ColourPoint& point = own_.colour.at(selected->index);
+        const ColourPoint& point = of.colour.at(selected->index);
         shown.value = map.shownFrom(point.value);
         shown.colour = point.colour;
     }
@@ -350,6 +382,9 @@ void TransferFunctionEditor::showLine() {
     }
     if (!suits(own_, session_.study().volume->unit()))
         sentences << tr("It is made for other units than those of the series.");
+    if (usesSteepCurves(own_))
+        sentences << (steep_->isSteep() ? tr("These are its curves of steep matter.")
+                                        : tr("These are its curves of flat matter."));
     if (usesGradientOpacity(own_)) sentences << tr("Its gradient opacity is kept.");
     line_->setText(sentences.join(QStringLiteral(" ")));
 }

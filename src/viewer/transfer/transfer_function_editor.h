@@ -18,6 +18,7 @@
 #include "viewer/session/viewer_session.h"
 #include "viewer/transfer/matter_fields.h"
 #include "viewer/transfer/point_fields.h"
+#include "viewer/transfer/steep_choice.h"
 #include "viewer/transfer/transfer_curve.h"
 
 namespace macula::viewer {
@@ -78,6 +79,10 @@ class TransferFunctionEditor : public QWidget {
     void propose(const TransferFunction& function, bool isDrag);
     void changeSelected(std::optional<double> value, std::optional<double> opacity,
                         const std::optional<glm::dvec3>& colour);
+    // With the pair of curves that is edited in the first place; of such a function, as it was.
+    TransferFunction edits(const TransferFunction& function) const;
+    void changeSide();
+    void changeSteep(bool isThere);
     void changeMatter(const app::MatterParameter& parameter, double value);
     void reset();
     void showFields();
@@ -89,6 +94,7 @@ class TransferFunctionEditor : public QWidget {
     TransferCurve* curve_ = nullptr;
     PointFields* fields_ = nullptr;
     MatterFields* matter_ = nullptr;
+    SteepChoice* steep_ = nullptr;
     QPushButton* showsMatter_ = nullptr;
     QPushButton* reset_ = nullptr;
     QPushButton* save_ = nullptr;

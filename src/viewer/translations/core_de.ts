@@ -508,6 +508,10 @@
         <translation>Gradient der Oberfläche</translation>
     </message>
     <message>
+        <source>Steep gradient</source>
+        <translation>Gradient des Steilen</translation>
+    </message>
+    <message>
         <source>Roughness</source>
         <translation>Rauheit</translation>
     </message>
@@ -526,6 +530,10 @@
     <message>
         <source>Steepness of a boundary that is half a surface, in values per mm</source>
         <translation>Steilheit einer Grenze, die halb Oberfläche ist, in Werten je mm</translation>
+    </message>
+    <message>
+        <source>Of presets with curves for steep matter: where half of the matter is steep, in values per mm</source>
+        <translation>Bei Voreinstellungen mit Kurven für steile Materie: ab wo die Hälfte der Materie steil ist, in Werten je mm</translation>
     </message>
     <message>
         <source>Of surfaces: highlights are smaller and brighter where it is less</source>
@@ -3207,6 +3215,10 @@
         <translation>schattiert</translation>
     </message>
     <message>
+        <source>hues kept</source>
+        <translation>Farbtöne erhalten</translation>
+    </message>
+    <message>
         <source>table left out</source>
         <translation>Tisch weggelassen</translation>
     </message>
@@ -3813,6 +3825,10 @@
     <message>
         <source>Opacities that depend on edges (gradients) are for Macula alone.</source>
         <translation>Deckkräfte, die von Kanten (Gradienten) abhängen, gelten nur für Macula.</translation>
+    </message>
+    <message>
+        <source>Others know no steep matter: they show what is halfway between flat and steep.</source>
+        <translation>Andere Programme kennen keine steile Materie: sie zeigen, was in der Mitte zwischen flacher und steiler liegt.</translation>
     </message>
     <message>
         <source>Others have no path tracing: of the lights they get the strongest, and how bright the rest is.</source>
@@ -5455,6 +5471,18 @@
         <translation>Der Gradient der Oberfläche muss in der Voreinstellung über 0 liegen.</translation>
     </message>
     <message>
+        <source>The preset's gradient of steep matter must be above 0.</source>
+        <translation>Der Gradient steiler Materie muss in der Voreinstellung über 0 liegen.</translation>
+    </message>
+    <message>
+        <source>The preset's curves of steep matter need points of opacity and of colour, finite and sorted by value.</source>
+        <translation>Die Kurven steiler Materie brauchen in der Voreinstellung Punkte der Deckkraft und der Farbe, endlich und nach Wert sortiert.</translation>
+    </message>
+    <message>
+        <source>An opacity of the preset's steep matter, a colour, a midpoint or a sharpness lies outside 0 to 1.</source>
+        <translation>Eine Deckkraft der steilen Materie der Voreinstellung, eine Farbe, ein Mittelpunkt oder eine Schärfe liegt nicht in 0 bis 1.</translation>
+    </message>
+    <message>
         <source>The preset's range to fit to the volume is empty.</source>
         <translation>Der Bereich der Voreinstellung, der an das Volumen angepasst wird, ist leer.</translation>
     </message>
@@ -5529,6 +5557,50 @@
     <message>
         <source>The strength of the lights is not usable.</source>
         <translation>Die Stärke der Beleuchtung ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>The diameter of the lens is not usable.</source>
+        <translation>Der Durchmesser der Linse ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose a number from 0 to %1 mm.</source>
+        <translation>Wählen Sie eine Zahl von 0 bis %1 mm.</translation>
+    </message>
+    <message>
+        <source>The distance of what is sharp is not usable.</source>
+        <translation>Die Entfernung des Scharfen ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Choose a number above 0, up to %1 mm.</source>
+        <translation>Wählen Sie eine Zahl über 0, bis %1 mm.</translation>
+    </message>
+    <message>
+        <source>Give 0 to %1 mm; 0 is none.</source>
+        <translation>Geben Sie 0 bis %1 mm an; 0 ist keine.</translation>
+    </message>
+    <message>
+        <source>Give a number above 0, up to %1 mm, or auto.</source>
+        <translation>Geben Sie eine Zahl über 0, bis %1 mm, oder auto an.</translation>
+    </message>
+    <message>
+        <source>The depth of the fog is not usable.</source>
+        <translation>Die Tiefe des Nebels ist nicht brauchbar.</translation>
+    </message>
+    <message>
+        <source>Give %1 to %2 mm, or 0 for none.</source>
+        <translation>Geben Sie %1 bis %2 mm an, oder 0 für keinen.</translation>
+    </message>
+    <message>
+        <source>The middle of the picture shows nothing that a lens could be focused on.</source>
+        <translation>Die Bildmitte zeigt nichts, worauf eine Linse scharf gestellt werden könnte.</translation>
+    </message>
+    <message>
+        <source>Move the camera, or give the distance in mm of what is to be sharp: --focus-mm.</source>
+        <translation>Bewegen Sie die Kamera, oder geben Sie die Entfernung dessen, was scharf sein soll, in mm an: --focus-mm.</translation>
+    </message>
+    <message>
+        <source>The camera stands in what the middle of the picture shows.</source>
+        <translation>Die Kamera steht in dem, was die Bildmitte zeigt.</translation>
     </message>
     <message>
         <source>Choose a number from 0 to %1.</source>

@@ -426,6 +426,10 @@
         <source>%1 in pixels, 1 to %2</source>
         <translation>%1 in Pixeln, 1 bis %2</translation>
     </message>
+    <message>
+        <source>None</source>
+        <translation>Ohne</translation>
+    </message>
 </context>
 <context>
     <name>QuitQuestion</name>
@@ -738,6 +742,49 @@
     <message>
         <source> Presets that show something of it: %1.</source>
         <translation> Voreinstellungen, die etwas davon zeigen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::BackgroundMenu</name>
+    <message>
+        <source>Back&amp;ground</source>
+        <translation>&amp;Hintergrund</translation>
+    </message>
+    <message>
+        <source>&amp;Nearly Black</source>
+        <translation>&amp;Fast schwarz</translation>
+    </message>
+    <message>
+        <source>As when nobody has chosen; saved pictures are black then</source>
+        <translation>Wie wenn niemand gewählt hat; gespeicherte Bilder sind dann schwarz</translation>
+    </message>
+    <message>
+        <source>&amp;Black</source>
+        <translation>&amp;Schwarz</translation>
+    </message>
+    <message>
+        <source>&amp;Grey</source>
+        <translation>&amp;Grau</translation>
+    </message>
+    <message>
+        <source>&amp;White</source>
+        <translation>&amp;Weiß</translation>
+    </message>
+    <message>
+        <source>&amp;Other Colour…</source>
+        <translation>&amp;Andere Farbe…</translation>
+    </message>
+    <message>
+        <source>Of what lies behind the patient in the 3D picture, and in pictures saved of it</source>
+        <translation>Was im 3D-Bild hinter dem Patienten liegt, auch in Bildern, die davon gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Colour of the background</source>
+        <translation>Farbe des Hintergrunds</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
     </message>
 </context>
 <context>
@@ -1963,6 +2010,18 @@
         <translation>Volumen-Rendering vom Auge aus beleuchten, so viel die Voreinstellung vorgibt</translation>
     </message>
     <message>
+        <source>Keep &amp;Hues of Highlights</source>
+        <translation>Farbtöne &amp;heller Stellen erhalten</translation>
+    </message>
+    <message>
+        <source>What is too bright for the screen bleaches in its own hue; without it, contrast is higher. Not of projections</source>
+        <translation>Was zu hell für den Bildschirm ist, verblasst in seinem eigenen Farbton; ohne dies ist der Kontrast höher. Nicht bei Projektionen</translation>
+    </message>
+    <message>
+        <source>Hues of highlights</source>
+        <translation>Farbtöne heller Stellen</translation>
+    </message>
+    <message>
         <source>Reset &amp;Window</source>
         <translation>&amp;Fensterung zurücksetzen</translation>
     </message>
@@ -2522,8 +2581,8 @@
         <translation>Zwischen Voxeln &amp;glatt</translation>
     </message>
     <message>
-        <source>No rings on skin and bone, and edges that are a voxel softer; of Cinematic and Clear</source>
-        <translation>Keine Ringe auf Haut und Knochen, und Kanten, die ein Voxel weicher sind; von Cinematic und Klar</translation>
+        <source>Fewer rings on skin and bone, and edges that are a voxel softer; not of projections</source>
+        <translation>Weniger Ringe auf Haut und Knochen, und Kanten, die ein Voxel weicher sind; nicht bei Projektionen</translation>
     </message>
     <message>
         <source>Smoothing</source>
@@ -2971,6 +3030,30 @@
     <message>
         <source>More samples per pixel: less noise, and more time</source>
         <translation>Mehr Abtastungen je Pixel: weniger Rauschen und mehr Zeit</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Linse</translation>
+    </message>
+    <message>
+        <source>Diameter in mm: what the middle of the picture shows is sharp, what is nearer or farther is blurred. Not of ray casts and projections</source>
+        <translation>Durchmesser in mm: Scharf ist, was die Bildmitte zeigt; was näher oder ferner ist, wird unscharf. Nicht bei Volumen-Rendering und Projektionen</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>What lies behind the nearest matter fades into the background, to 37 % over so many mm. Not of projections</source>
+        <translation>Was hinter der nächsten Materie liegt, verblasst in den Hintergrund, auf 37 % in so vielen mm. Nicht bei Projektionen</translation>
+    </message>
+    <message>
+        <source>&amp;Lens</source>
+        <translation>&amp;Linse</translation>
+    </message>
+    <message>
+        <source>&amp;Fog</source>
+        <translation>&amp;Nebel</translation>
     </message>
     <message>
         <source>Of DICOM files: nothing of the patient is written, and all UIDs are new. Other files never name anybody. A face can still be seen.</source>
@@ -4061,6 +4144,49 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::SteepChoice</name>
+    <message>
+        <source>Flat</source>
+        <translation>Flach</translation>
+    </message>
+    <message>
+        <source>Steep</source>
+        <translation>Steil</translation>
+    </message>
+    <message>
+        <source>Which curves are edited</source>
+        <translation>Welche Kurven bearbeitet werden</translation>
+    </message>
+    <message>
+        <source>Curves of matter whose values change little around a place, or steeply</source>
+        <translation>Kurven der Materie, deren Werte sich um einen Ort wenig oder steil ändern</translation>
+    </message>
+    <message>
+        <source>Remove steep</source>
+        <translation>Steile entfernen</translation>
+    </message>
+    <message>
+        <source>Add steep</source>
+        <translation>Steile hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the curves of steep matter</source>
+        <translation>Die Kurven steiler Materie entfernen</translation>
+    </message>
+    <message>
+        <source>Add curves for steep matter</source>
+        <translation>Kurven für steile Materie hinzufügen</translation>
+    </message>
+    <message>
+        <source>All matter has the curves of flat matter again; can be undone</source>
+        <translation>Alle Materie hat wieder die Kurven der flachen; kann rückgängig gemacht werden</translation>
+    </message>
+    <message>
+        <source>Where values change steeply, matter gets curves of its own</source>
+        <translation>Wo Werte sich steil ändern, erhält die Materie eigene Kurven</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::StudyBrowser</name>
     <message>
         <source>Search the studies of the folder</source>
@@ -4380,6 +4506,14 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>Its gradient opacity is kept.</source>
         <translation>Ihre Gradienten-Deckkraft bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>These are its curves of steep matter.</source>
+        <translation>Dies sind ihre Kurven steiler Materie.</translation>
+    </message>
+    <message>
+        <source>These are its curves of flat matter.</source>
+        <translation>Dies sind ihre Kurven flacher Materie.</translation>
     </message>
     <message>
         <source>Matter</source>

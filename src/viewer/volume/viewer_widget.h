@@ -15,7 +15,7 @@ namespace macula::viewer {
 struct ViewerWidgetOptions {
     std::string device = {};                        // as in gpu::chooseDevice
     std::shared_ptr<app::SceneKeeper> keeper = {};  // of models between runs; null: nothing is written
-    std::optional<ViewDirection> firstView = {};    // nothing: usualDirection
+    std::optional<ViewDirection> firstView = {};    // nothing: app::usualView
     bool showsNames = true;                         // patient and study over the picture
 };
 

@@ -187,6 +187,27 @@ TEST(LitMatterTest, WhatAClipOrAMaskHidesIsNotThere) {
     }
 }
 
+// A step of 800 along x, on voxels of 2 mm: at its two voxels the gradient is 200 per mm, elsewhere 0.
+TEST(LitMatterTest, SteepMatterIsThereWhereValuesChange) {
+    const glm::ivec3 size{10, 4, 4};
+    const CoarseMatter matter = cellsOf(size, [](int i, int, int) { return i < 5 ? 100 : 900; });
+    ShownMatter shown = shownBy(matter, 0.0);
+    shown.steep = opticsByEntry(matter.volume(), scenes::homogeneous(0.6));
+    shown.steepGradientPerMm = 100.0;
+    const LitMatter lit = litMatter(matter, shown);
+    for (int i = 0; i < size.x; ++i)
+        EXPECT_NEAR(lit.extinctionPerMm[matter.indexOf({i, 2, 1})], i == 4 || i == 5 ? 0.6 * 0.8 : 0.0, 1e-5)
+            << i;
+    // Colours are mixed by extinction: here all of it is that of steep matter.
+    const std::uint16_t entry = matter.entriesOf(matter.indexOf({5, 2, 1}))[0];
+    const glm::vec4 optics = shown.opticsAt(matter, entry, {5, 2, 1});
+    EXPECT_EQ(glm::vec3(optics), glm::vec3(shown.steep[entry]));
+    shown.steepGradientPerMm = 400.0;
+    EXPECT_NEAR(shown.opticsAt(matter, entry, {5, 2, 1}).w, 0.6 * 0.2, 1e-5);
+    shown.optics = shown.steep;
+    EXPECT_EQ(shown.opticsAt(matter, entry, {5, 2, 1}), shown.steep[entry]);
+}
+
 TEST(ReflectanceTest, IsThatOfAHalfSpace) {
     EXPECT_EQ(reflectanceOf(glm::vec3(1.0f)), glm::vec3(1.0f));
     EXPECT_EQ(reflectanceOf(glm::vec3(0.0f)), glm::vec3(0.0f));

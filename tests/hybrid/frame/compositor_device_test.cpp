@@ -66,7 +66,8 @@ class CompositorTest : public trace::DeviceTest {
     }
     static glm::dvec3 expected(const glm::dvec4& light, const Display& display) {
         ShaderLibTwofold lib;
-        return lib.displayColour(light, glm::dvec3(display.background), double(display.exposure));
+        return lib.displayColour(light, glm::dvec3(display.background), double(display.exposure),
+                                 display.toneMap == trace::ToneMap::hue);
     }
 };
 
@@ -78,7 +79,7 @@ TEST(ComposeLayout, PushConstantsAgree) {
         *compose->pushConstants->block.find("push"),
         {MACULA_FIELD(ComposePush, background), MACULA_FIELD(ComposePush, exposure),
          MACULA_FIELD(ComposePush, splatGain), MACULA_FIELD(ComposePush, tracedShare),
-         MACULA_FIELD(ComposePush, tracedAreMeans)});
+         MACULA_FIELD(ComposePush, tracedAreMeans), MACULA_FIELD(ComposePush, keepsHue)});
 }
 
 TEST_F(CompositorTest, MixesAsLightAndShowsAsTheTracerDoes) {
@@ -91,7 +92,10 @@ TEST_F(CompositorTest, MixesAsLightAndShowsAsTheTracerDoes) {
             counts[i] = std::uint32_t(i % 5);  // also of a pixel that has no sample yet
             sums[i] *= float(std::max(counts[i], 1u));
         }
-        const Display display{.background = {0.02f, 0.1f, 0.3f}, .exposure = 1.7f};
+        const bool isWarm = brightest == 1.0f;
+        const Display display{.background = {0.02f, 0.1f, 0.3f},
+                              .exposure = 1.7f,
+                              .toneMap = isWarm ? trace::ToneMap::neutral : trace::ToneMap::hue};
         for (const float share : {0.0f, 0.25f, 0.9f, 1.0f}) {
             const auto ofSums = composed(upload(splats, sums, counts), share, false, display);
             const auto ofMeans = composed(upload(splats, traced, counts), share, true, display);

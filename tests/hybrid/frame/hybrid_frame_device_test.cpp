@@ -294,8 +294,8 @@ TEST_F(HybridFrameTest, AFoveaWeighsAsMuchAsItIsBetterThanTheSplats) {
     EXPECT_LT(weightOfMarker(showing(bright)), 0.01) << "it is weighed once";
     EXPECT_GT(weightOfMarker(showing(bright, false)), 0.95) << "the model was given up";
     EXPECT_GT(weightOfMarker(showing(bright)), 0.95) << "they are something else";
-    ASSERT_TRUE(frame.adopt(screen, wholeView(kTrustedSamples)).ok());
-    EXPECT_GT(weightOfMarker(showing(traced)), 0.95) << "it is right, and not weighed";
+    ASSERT_TRUE(frame.adopt(screen, wholeView(1024)).ok());
+    EXPECT_LT(weightOfMarker(showing(traced)), 0.01) << "noise counts, not what was asked for";
 }
 
 // With all pixels, what is traced is shown as far as it is better, and the fovea of before is not.

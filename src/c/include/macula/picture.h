@@ -36,6 +36,12 @@ typedef struct macula_picture {
     uint8_t* rgba;
     uint64_t bytes;     /* of rgba */
     uint64_t row_bytes; /* from row to row; 0: 4 * width */
+    /* Of cinematic and clear: the diameter of a lens, above 0, blurs what is nearer or farther than its
+     * focus; focus_mm is from the camera along its axis, 0: what the middle of the picture shows. */
+    double lens_mm;
+    double focus_mm;
+    double fog_mm; /* above 0: what lies behind the nearest matter fades, to 37 % over so many mm; not of
+                    * projections */
 } macula_picture;
 
 /* What was drawn. Texts live until the view is drawn again or closed. */

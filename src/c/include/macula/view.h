@@ -37,10 +37,14 @@ MACULA_API macula_status macula_view_remove_table(macula_view* view, int32_t rem
 
 /* Replaces a direction. */
 MACULA_API macula_status macula_view_set_camera(macula_view* view, const macula_camera* camera);
-/* "anterior", "posterior", "left", "right", "superior", "inferior", "oblique": where the viewer stands; what
- * is seen fills the picture. null: "anterior", of a short stack of slices "oblique". Replaces a camera. From
- * the front, the patient's left is at the right of the picture. */
+/* "anterior", "posterior", "left", "right", "superior", "inferior", "oblique", "three-quarter", "turned":
+ * where the viewer stands; what is seen fills the picture. null: by what was scanned, as `macula render`; the
+ * record of the picture tells which and why. Replaces a camera. From the front, the patient's left is at the
+ * right of the picture. */
 MACULA_API macula_status macula_view_set_direction(macula_view* view, const char* direction);
+/* Behind the patient, as it is displayed: "black", "white", "grey" or "#rrggbb". null: black, and nearly
+ * black in live pictures. */
+MACULA_API macula_status macula_view_set_background(macula_view* view, const char* background);
 /* All that was chosen, as the JSON of views that the viewer and --session of `macula render` save and open.
  * Lives until this is asked again or the view is closed. MACULA_USAGE for lights of a panorama. */
 MACULA_API macula_status macula_view_state(macula_view* view, const char** json);

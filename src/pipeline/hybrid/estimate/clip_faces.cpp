@@ -44,7 +44,7 @@ class FaceSearch {
             found.push_back({.cell = std::uint32_t(cell),
                              .voxel = voxel,
                              .outwards = glm::normalize(outwards),
-                             .radiance = splat::lightOfGrey(grey) / values.exposure});
+                             .radiance = splat::lightOfGrey(grey, values.keepsHue) / values.exposure});
         }
     }
 

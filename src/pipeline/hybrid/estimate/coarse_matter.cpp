@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "pipeline/volume/voxel_gradient.h"
 
 namespace macula::hybrid {
 
@@ -78,6 +79,18 @@ glm::ivec3 CoarseMatter::voxelOf(std::size_t cell, std::size_t sample) const {
     const glm::ivec3 low = cellAt(cell) * edge_;
     const glm::ivec3 half{int(sample & 1u), int(sample >> 1u & 1u), int(sample >> 2u & 1u)};
     return glm::min(low + (2 * half + 1) * edge_ / 4, volume_->size() - 1);
+}
+
+glm::vec4 ShownMatter::opticsAt(const CoarseMatter& matter, std::uint16_t entry,
+                                const glm::ivec3& voxel) const {
+    const glm::vec4& usual = optics[entry];
+    if (steep.empty() || steep[entry] == usual) return usual;
+    const double length = gradientPerMmAt(matter.volume(), matter.entryMap(), voxel);
+    const double half = steepGradientPerMm;
+    const auto part = float(length * length / (length * length + half * half));
+    const float extinction = std::lerp(usual.w, steep[entry].w, part);
+    const float share = extinction > 0.0f ? part * steep[entry].w / extinction : 0.0f;
+    return {glm::mix(glm::vec3(usual), glm::vec3(steep[entry]), share), extinction};
 }
 
 bool ShownMatter::shows(const Volume& volume, const glm::dvec3& voxel) const {

@@ -61,6 +61,7 @@ struct GreyValues {
     float high = 1.0f;
     bool belowIsBlack = false;  // else clear
     float exposure = 1.0f;      // that the greys are shown with
+    bool keepsHue = false;      // and by which tone map: toneMapHue, else toneMapNeutral
 
     bool operator==(const GreyValues&) const = default;
 };
@@ -74,6 +75,11 @@ struct ShownMatter {
     Clip clip;                             // what of it is not in `mask` is its shape
     std::shared_ptr<const MaskBits> mask;  // null: none
     std::optional<GreyValues> faces = {};  // of the shape
+    std::vector<glm::vec4> steep = {};     // Medium::steep; empty: steep matter has no curves of its own
+    double steepGradientPerMm = 0.0;
+
+    // Of a voxel with that entry.
+    glm::vec4 opticsAt(const CoarseMatter& matter, std::uint16_t entry, const glm::ivec3& voxel) const;
 
     // Of that point, as far as the shape goes, and of that voxel.
     bool isInShape(const Volume& volume, const glm::dvec3& voxel) const;

@@ -35,7 +35,9 @@ LitMatter shownMatterOf(const CoarseMatter& matter, const ShownMatter& shown) {
         const auto entries = matter.entriesOf(cell);
         float sum = 0.0f;
         for (std::size_t s = 0; s < CoarseMatter::kSamples; ++s) {
-            const float one = extinction[entries[s]];
+            const float one = shown.steep.empty()
+                                  ? extinction[entries[s]]
+                                  : shown.opticsAt(matter, entries[s], matter.voxelOf(cell, s)).w;
             if (!(one > 0.0f)) continue;
             if (isWhole || shown.shows(matter.volume(), glm::dvec3(matter.voxelOf(cell, s)))) sum += one;
         }

@@ -144,7 +144,10 @@ SplatEstimate::SplatEstimate(std::shared_ptr<const CoarseMatter> matter,
       learntOf_(std::move(learntOf)),
       options_(options),
       voxelFromWorld_(glm::inverse(matter_->volume().worldFromVoxel())) {
-    if (model_->size() == 0) std::fill(learntOf_.optics.begin(), learntOf_.optics.end(), glm::vec4(0.0f));
+    if (model_->size() == 0) {
+        std::fill(learntOf_.optics.begin(), learntOf_.optics.end(), glm::vec4(0.0f));
+        learntOf_.steep.clear();
+    }
     const Volume& volume = matter_->volume();
     const EntryMap& map = matter_->entryMap();
     places_.resize(model_->size());
@@ -184,8 +187,11 @@ SplatEstimate::SplatEstimate(std::shared_ptr<const CoarseMatter> matter,
 SplatEstimate::Matter SplatEstimate::matterAt(const Place& place, const ShownMatter& shown) const {
     Matter sum;
     glm::vec3 albedo{0.0f};
+    // All of a splat is as steep as its middle.
+    const glm::ivec3 voxel(
+        glm::clamp(glm::round(place.voxel), glm::vec3(0.0f), glm::vec3(matter_->volume().size() - 1)));
     for (const std::uint16_t entry : place.entries) {
-        const glm::vec4 optics = shown.optics[entry];
+        const glm::vec4 optics = shown.opticsAt(*matter_, entry, voxel);
         sum.extinction += optics.w;
         albedo += optics.w * glm::vec3(optics);
     }
@@ -327,8 +333,9 @@ void SplatEstimate::addSplatOf(std::uint32_t cell, const ShownMatter& shown, con
     glm::vec3 albedo{0.0f};
     float weight = 0.0f;
     for (std::size_t s = 0; s < CoarseMatter::kSamples; ++s) {
-        const glm::vec4 optics = shown.optics[entries[s]];
-        const glm::dvec3 at(matter_->voxelOf(cell, s));
+        const glm::ivec3 sampled = matter_->voxelOf(cell, s);
+        const glm::vec4 optics = shown.opticsAt(*matter_, entries[s], sampled);
+        const glm::dvec3 at(sampled);
         if (!(optics.w > 0.0f) || (isClipped && !shown.shows(volume, at))) continue;
         weight += optics.w;
         voxel += double(optics.w) * at;

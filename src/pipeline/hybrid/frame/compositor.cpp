@@ -60,7 +60,8 @@ Result<const gpu::Image*> Compositor::compose(const Layers& layers, const Displa
         .exposure = display.exposure,
         .splatGain = layers.splatGain,
         .tracedShare = layers.tracedShare,
-        .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0};
+        .tracedAreMeans = layers.traced != nullptr && layers.traced->areMeans ? 1 : 0,
+        .keepsHue = display.toneMap == trace::ToneMap::hue ? 1 : 0};
     MACULA_TRY(const gpu::Kernel kernel, kernelFor(layers, display));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "compose"));
     recorder.dispatch(kernel, {width, height}, push,

@@ -31,8 +31,9 @@ struct Layers {
 };
 
 struct Display {
-    glm::vec3 background{0.0f};  // linear
+    glm::vec3 background{0.0f};  // in linear light, displayed as it is
     float exposure = 1.0f;
+    trace::ToneMap toneMap = trace::ToneMap::neutral;
     // The picture is premultiplied (as linear light) and has the coverage as alpha; there is no background.
     bool keepsCoverage = false;
 };

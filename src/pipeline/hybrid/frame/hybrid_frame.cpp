@@ -193,7 +193,7 @@ double HybridFrame::foveaBudgetMs(double mostMs) const {
 
 // Once for each fovea: the splats change little while it is shown.
 Result<void> HybridFrame::weighFovea(const Periphery& periphery) {
-    if (fovea_->isWeighed || fovea_->aim.samplesPerPixel >= kTrustedSamples) return {};
+    if (fovea_->isWeighed) return {};
     const CapturedPicture& picture = fovea_->picture;
     MACULA_TRY(const DrawnSplats splats, periphery.draw(picture.camera, picture.sizePx));
     if (splats.depthSums == nullptr) return {};

@@ -92,8 +92,9 @@ class HybridFrame {
     // far a fovea is denoised, its aim says. What is shown of the scene must be on the device.
     Result<void> setScene(const trace::Settings& settings);
 
-    // Of the settings: grey faces of a clip depend on it.
+    // Of the settings: grey faces of a clip depend on both.
     double exposure() const { return settings_.exposure; }
+    trace::ToneMap toneMap() const { return settings_.toneMap; }
 
     // Begins a picture, and drops the one that is under way. After setScene. usage as trace::fovealWindow.
     Result<void> aim(const FoveaAim& aim);

@@ -16,9 +16,6 @@
 
 namespace macula::hybrid {
 
-// From so many samples on, traced light is right beside any splats, and is not weighed against them.
-inline constexpr std::uint32_t kTrustedSamples = 64;
-
 // Used by one thread at a time, the one that uses the device. Nothing goes through the host, and nothing is
 // waited for.
 class Trust {

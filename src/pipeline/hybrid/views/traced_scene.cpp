@@ -48,7 +48,8 @@ Result<TracedScene> TracedScene::create(std::shared_ptr<const Volume> volume,
     const Medium& medium = scene.medium_;
     std::string text = fingerprint(v) + "\n" + hashOf<EntryRange>(grid.ranges);
     text += hashOf<float>(medium.extinctionPerMm) + hashOf<glm::vec4>(medium.albedo) +
-            hashOf<float>(medium.gradientOpacity) + hashOf<float>(medium.bounds);
+            hashOf<float>(medium.gradientOpacity) + hashOf<glm::vec4>(medium.steep) +
+            hashOf<float>(medium.bounds);
     text += mask ? hashOf<std::uint32_t>(mask->words) : "no mask\n";
     if (additions.second)
         text += fingerprint(*additions.second->volume) + "\n" +

@@ -24,31 +24,6 @@ void overPixels(std::size_t count, const std::function<void(std::size_t)>& body)
     });
 }
 
-float greatest(const glm::vec3& c) {
-    return std::max({c.x, c.y, c.z});
-}
-float least(const glm::vec3& c) {
-    return std::min({c.x, c.y, c.z});
-}
-
-// The inverse of toneMapNeutral (shaders/lib/picture.glsl), step by step in the opposite order.
-glm::vec3 beforeToneMap(glm::vec3 mapped) {
-    constexpr float kStart = 0.8f - 0.04f;
-    constexpr float kRoom = 1.0f - kStart;
-    constexpr float kDesaturation = 0.15f;
-    constexpr float kWhite = 0.995f;  // white itself is infinitely bright
-    const float peak = std::min(greatest(mapped), kWhite);
-    if (peak >= kStart) {
-        const float before = kRoom * kRoom / (1.0f - peak) - kRoom + kStart;
-        const float colourful = 1.0f / (kDesaturation * (before - peak) + 1.0f);
-        const glm::vec3 vivid =
-            (glm::min(mapped, glm::vec3(peak)) - peak * (1.0f - colourful)) / colourful * (before / peak);
-        mapped = least(vivid) >= 0.0f ? vivid : mapped * (0.999f * kStart / peak);
-    }
-    const float low = least(mapped);
-    return mapped + (low < 0.04f ? std::sqrt(low / 6.25f) - low : 0.04f);
-}
-
 std::uint8_t byteOf(float value) {
     return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255.0f));
 }
@@ -60,13 +35,13 @@ class Display {
         : host_({}, {}),
           space_(space),
           background_(options.background),
-          linear_(beforeToneMap({host_.decodeSrgb(background_.x), host_.decodeSrgb(background_.y),
-                                 host_.decodeSrgb(background_.z)})),
+          linear_(host_.decodeSrgb(background_.x), host_.decodeSrgb(background_.y),
+                  host_.decodeSrgb(background_.z)),
           exposure_(options.exposure) {}
 
     glm::vec3 colourOf(const glm::vec4& p) {
         return space_ == ColourSpace::linear
-                   ? host_.displayColour(p, linear_, exposure_)
+                   ? host_.displayColour(p, linear_, exposure_, false)
                    : glm::vec3(p) + background_ * (1.0f - std::clamp(p.w, 0.0f, 1.0f));
     }
 
@@ -102,9 +77,9 @@ std::vector<glm::vec3> displayedExactly(std::span<const glm::vec4> pixels, Colou
     return colours;
 }
 
-float lightOfGrey(float encoded) {
+float lightOfGrey(float encoded, bool keepsHue) {
     Host host({}, {});
-    return beforeToneMap(glm::vec3(host.decodeSrgb(std::clamp(encoded, 0.0f, 1.0f)))).x;
+    return host.greyBeforeToneMap(std::clamp(encoded, 0.0f, 1.0f), keepsHue);
 }
 
 std::vector<glm::vec4> linearRadiance(std::span<const glm::vec4> pixels, ColourSpace space) {
@@ -126,7 +101,8 @@ Splats asDisplayed(Splats splats) {
     constexpr float kReach = 0.48860251f;
     Host host({}, {});
     const auto shown = [&](const glm::vec3& linear) {
-        return host.displayColour(glm::vec4(glm::max(linear, glm::vec3(0.0f)), 1.0f), glm::vec3(0.0f), 1.0f);
+        return host.displayColour(glm::vec4(glm::max(linear, glm::vec3(0.0f)), 1.0f), glm::vec3(0.0f), 1.0f,
+                                  false);
     };
     const std::size_t count = shCount(splats.shDegree);
     for (std::size_t i = 0; i < splats.size(); ++i) {

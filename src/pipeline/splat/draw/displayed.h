@@ -15,11 +15,9 @@ struct DisplayOptions {
     float exposure = 1.0f;       // multiplies linear radiance before the tone map; others have none
 };
 
-// 8-bit RGBA, opaque, of premultiplied `pixels`. Linear radiance is laid over the background, exposed, tone
-// mapped and encoded, as displayColour in shaders/lib/picture.glsl; the background is put through the inverse
-// of that first, so that it is shown as it was asked for (but for the brightest saturated colours, which the
-// tone map has none of: they come out darker, of the same hue). Colours of the display are laid over the
-// background as they are, as 3DGS does.
+// 8-bit RGBA, opaque, of premultiplied `pixels`. Linear radiance is exposed, tone mapped, laid over the
+// background and encoded, as displayColour in shaders/lib/picture.glsl with the neutral tone map. Colours of
+// the display are laid over the background as they are, as 3DGS does.
 std::vector<std::uint8_t> displayed(std::span<const glm::vec4> pixels, ColourSpace space,
                                     const DisplayOptions& options);
 
@@ -28,7 +26,8 @@ std::vector<glm::vec3> displayedExactly(std::span<const glm::vec4> pixels, Colou
                                         const DisplayOptions& options);
 
 // The linear grey that is displayed as `encoded`, 0 to 1, at an exposure of 1; of white, nearly so.
-float lightOfGrey(float encoded);
+// `keepsHue`: by toneMapHue, else toneMapNeutral.
+float lightOfGrey(float encoded, bool keepsHue = false);
 
 // Premultiplied linear radiance. Colours of the display are taken as sRGB: each pixel's own colour, without
 // what is behind it, is decoded.

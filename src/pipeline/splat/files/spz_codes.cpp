@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/srgb.h"
+
 namespace macula::splat::spz {
 
 namespace {
@@ -96,13 +98,11 @@ glm::vec4 rotationOf(std::uint8_t x, std::uint8_t y, std::uint8_t z) {
 }
 
 float encoded(float linear) {
-    if (linear <= 0.0031308f) return 12.92f * linear;
-    return 1.055f * std::pow(linear, 1.0f / 2.4f) - 0.055f;
+    return encodedSrgb(linear);
 }
 
 float linearOf(float encoded) {
-    if (encoded <= 0.04045f) return encoded / 12.92f;
-    return std::pow((encoded + 0.055f) / 1.055f, 2.4f);
+    return decodedSrgb(encoded);
 }
 
 float slope(float linear) {

@@ -1,0 +1,109 @@
+// Values between voxels by a cubic B-spline, for rays that are cast: without kinks at the planes of voxels. What paths take by
+// chance (movedByChance in medium.glsl) is this on average. Weights as in Unser, "Splines: a perfect fit" (1999).
+//
+// Needs, beside cell_walk.glsl, nothing.
+
+// The 4 x 4 x 4 voxels around a cell, in the walk's coordinates: 16 rows along x, along y faster than along z.
+struct SplineCell {
+    vec4 rows[16];
+};
+
+struct SplinePoint {
+    float value;
+    vec3 slope;  // per voxel, in the walk's coordinates
+};
+
+SplineCell fetchSpline(CellWalk cells) {
+    ivec3 last = params.volumeSize - ivec3(1);
+    Blocks blocks = blocksAround(cells);
+    ivec3 side = ivec3(cells.side);
+    ivec3 first = ivec3(mirrored(cells, cells.cell - vec3(1.0)));
+    ivec3 low = clamp(first, ivec3(0), last);
+    int x1 = clamp(first.x + side.x, 0, last.x);
+    int x2 = clamp(first.x + 2 * side.x, 0, last.x);
+    int x3 = clamp(first.x + 3 * side.x, 0, last.x);
+    SplineCell spline;
+    for (int row = 0; row < 16; ++row) {
+        int y = clamp(first.y + (row & 3) * side.y, 0, last.y);
+        int z = clamp(first.z + (row >> 2) * side.z, 0, last.z);
+        spline.rows[row] = vec4(fetchFrom(blocks, ivec3(low.x, y, z)), fetchFrom(blocks, ivec3(x1, y, z)),
+                                fetchFrom(blocks, ivec3(x2, y, z)), fetchFrom(blocks, ivec3(x3, y, z)));
+    }
+    return spline;
+}
+
+// What four voxels weigh at a fraction of the way from the second to the third.
+vec4 splineWeights(float t) {
+    float u = float(1.0) - t;
+    return vec4(u * u * u, float(4.0) + t * t * (float(3.0) * t - float(6.0)), float(4.0) + u * u * (float(3.0) * u - float(6.0)),
+                t * t * t) * float(1.0 / 6.0);
+}
+// The derivatives of these weights.
+vec4 splineSlopes(float t) {
+    float u = float(1.0) - t;
+    return vec4(-u * u, t * (float(3.0) * t - float(4.0)), u * (float(4.0) - float(3.0) * u), t * t) * float(0.5);
+}
+
+// At a place between the corners of the cell, 0 to 1 along each axis.
+SplinePoint splineAt(SplineCell spline, vec3 fraction) {
+    vec4 x = splineWeights(fraction.x);
+    vec4 y = splineWeights(fraction.y);
+    vec4 z = splineWeights(fraction.z);
+    vec4 alongX = splineSlopes(fraction.x);
+    vec4 alongY = splineSlopes(fraction.y);
+    vec4 alongZ = splineSlopes(fraction.z);
+    // Of each layer of z.
+    vec4 values = vec4(0.0);
+    vec4 slopesX = vec4(0.0);
+    vec4 slopesY = vec4(0.0);
+    for (int layer = 0; layer < 4; ++layer) {
+        vec4 a = spline.rows[4 * layer];
+        vec4 b = spline.rows[4 * layer + 1];
+        vec4 c = spline.rows[4 * layer + 2];
+        vec4 d = spline.rows[4 * layer + 3];
+        vec4 row = vec4(dot(a, x), dot(b, x), dot(c, x), dot(d, x));
+        values[layer] = dot(row, y);
+        slopesY[layer] = dot(row, alongY);
+        slopesX[layer] = dot(vec4(dot(a, alongX), dot(b, alongX), dot(c, alongX), dot(d, alongX)), y);
+    }
+    SplinePoint point;
+    point.value = dot(values, z);
+    point.slope = vec3(dot(slopesX, z), dot(slopesY, z), dot(values, alongZ));
+    return point;
+}
+
+// Along the ray through a cell: the value as a polynomial that has the spline's values at both ends and in the middle, and
+// its slopes at both ends; the gradient as the parabola through the same three places.
+struct SplineCourse {
+    Course value;
+    vec3 gradient;  // per voxel, in the walk's coordinates, where the ray enters
+    vec3 gradientLinear;
+    vec3 gradientSquare;
+};
+
+SplineCourse splineCourse(CellWalk cells) {
+    SplineCell spline = fetchSpline(cells);
+    vec3 entry = fractionIn(cells, float(0.0));
+    vec3 exit = fractionIn(cells, float(1.0));
+    SplinePoint a = splineAt(spline, entry);
+    SplinePoint b = splineAt(spline, (entry + exit) * float(0.5));
+    SplinePoint c = splineAt(spline, exit);
+    float begins = dot(a.slope, exit - entry);
+    float ends = dot(c.slope, exit - entry);
+    // What is above the line that the value begins along: in the middle, at the end, and there per part of the way.
+    float middle = b.value - a.value - float(0.5) * begins;
+    float end = c.value - a.value - begins;
+    float steeper = ends - begins;
+    float fourth = float(16.0) * middle - float(8.0) * end + float(2.0) * steeper;
+    SplineCourse course;
+    course.value.start = a.value;
+    course.value.slopes = vec4(begins, float(3.0) * end - steeper + fourth, steeper - float(2.0) * (end + fourth), fourth);
+    course.gradient = a.slope;
+    course.gradientLinear = float(4.0) * b.slope - float(3.0) * a.slope - c.slope;
+    course.gradientSquare = float(2.0) * (a.slope + c.slope) - float(4.0) * b.slope;
+    return course;
+}
+
+vec3 gradientOn(CellWalk cells, SplineCourse course, float part) {
+    return worldGradient((course.gradient + part * (course.gradientLinear + part * course.gradientSquare)) * cells.side);
+}

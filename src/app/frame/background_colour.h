@@ -1,0 +1,29 @@
+// What lies behind the patient in a picture: a colour as it is displayed, which no exposure and no tone map
+// changes.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/result.h"
+
+namespace macula::app {
+
+using BackgroundColour = glm::u8vec3;  // display-encoded (IEC 61966-2-1)
+
+inline constexpr BackgroundColour kBlackBackground{0, 0, 0};
+inline constexpr std::string_view kTransparent = "transparent";  // of what has an alpha channel instead
+
+// "black", "white", "grey", or "#rrggbb". Fails with usage.
+Result<BackgroundColour> backgroundOf(std::string_view text);
+
+// "#rrggbb", as in files; and back, nothing for other text.
+std::string hexOf(BackgroundColour colour);
+std::optional<BackgroundColour> colourOfHex(std::string_view text);
+
+// Linear, as the displays of PathTracer and Compositor want it.
+glm::vec3 lightOf(BackgroundColour colour);
+
+}  // namespace macula::app

@@ -1,0 +1,20 @@
+// The transfer curve of sRGB (IEC 61966-2-1). The kernels' own is in shaders/lib/picture.glsl.
+#pragma once
+
+#include <cmath>
+#include <concepts>
+
+namespace macula {
+
+// Both go on above 1, and are linear through 0 below it. Whoever wants 0 to 1 clamps.
+template <std::floating_point T>
+T decodedSrgb(T encoded) {
+    return encoded <= T(0.04045) ? encoded / T(12.92) : std::pow((encoded + T(0.055)) / T(1.055), T(2.4));
+}
+
+template <std::floating_point T>
+T encodedSrgb(T linear) {
+    return linear <= T(0.0031308) ? T(12.92) * linear : T(1.055) * std::pow(linear, T(1) / T(2.4)) - T(0.055);
+}
+
+}  // namespace macula
