@@ -169,7 +169,7 @@ TEST_F(DrawnPictureTest, TheCameraThatFitsIsTheSameWithoutADevice) {
     }
     // Nothing to be seen: the whole volume.
     const std::shared_ptr<const Volume> volume = request().scene.volume;
-    const Camera empty = fittedCamera({}, trace::Look::cinematic, *volume, {});
+    const Camera empty = fittedCamera({}, trace::Look::cinematic, *volume, {.from = ViewDirection::anterior});
     EXPECT_LT(glm::distance(empty.targetMm, volume->worldBox().centre()), 1e-6);
 }
 

@@ -410,6 +410,7 @@ class Lives(unittest.TestCase):
 
     def test_frames_come_into_the_array_that_is_given_and_are_not_mirrored(self):
         pixels = numpy.zeros((40, 40, 4), numpy.uint8)
+        self.view.set_direction("anterior")  # so that the eye is opposite when its place is negated
         with self.view.live(model=False) as live:
             frame = live.frame(40, 40, out=pixels)
             self.assertIn(frame.kind, ("small", "traced"))
