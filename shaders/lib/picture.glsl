@@ -52,7 +52,7 @@ vec3 toneMapNeutral(vec3 colour) {
 }
 
 // OKLab (Ottosson 2020, "A perceptual color space for image processing") of linear sRGB: lightness, and two coordinates
-// whose angle is the hue. In proportion to the light all three grow with its cube root.
+// whose angle is the hue. All three grow with the cube root of the light: twice the light keeps the hue.
 vec3 oklabOf(vec3 c) {
     float third = float(1.0 / 3.0);
     float l = pow(dot(vec3(float(0.4122214708), float(0.5363325363), float(0.0514459929)), c), third);

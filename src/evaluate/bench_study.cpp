@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/camera/camera_file.h"
 #include "app/choice/lights_choice.h"
 #include "app/open_device.h"
@@ -56,6 +58,18 @@ Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& pr
 Result<image::Image> BenchStudy::readShown(trace::PathTracer& tracer) const {
     MACULA_TRY(const std::vector<std::uint8_t> rgba, tracer.readDisplay(glm::vec3(0.0f)));
     return imageOf(rgba, {view.width, view.height});
+}
+
+Result<void> traceMore(trace::PathTracer& tracer, std::uint32_t samples, Progress& progress) {
+    constexpr std::uint32_t kPortion = 16;
+    for (std::uint32_t done = 0; done < samples; done += kPortion) {
+        const std::uint32_t count = std::min(kPortion, samples - done);
+        MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
+        if (!whole || progress.cancelled())
+            return Error{ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
+        progress.advance(count);
+    }
+    return {};
 }
 
 nlohmann::ordered_json describe(const std::string& benchmark, const BenchStudy& study) {

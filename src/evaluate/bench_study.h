@@ -54,6 +54,10 @@ struct BenchStudy {
     Result<image::Image> readShown(trace::PathTracer& tracer) const;
 };
 
+// Adds samples to each pixel, a few at a time, and advances the progress by them. Fails with cancelled, and
+// as PathTracer::trace.
+Result<void> traceMore(trace::PathTracer& tracer, std::uint32_t samples, Progress& progress);
+
 Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& progress);
 
 // What a report begins with.

@@ -10,10 +10,10 @@
 
 #include "app/choice/lights_choice.h"
 #include "app/choice/preset_choice.h"
+#include "app/lights/light_meter.h"
 #include "app/open_device.h"
 #include "app/output/output_files.h"
 #include "base/parallel.h"
-#include "base/srgb.h"
 #include "evaluate/bench_study.h"
 #include "evaluate/shown_picture.h"
 #include "evaluate/vtk_cast.h"
@@ -61,38 +61,15 @@ trace::View viewOf(double heightMm, int size) {
             .height = size};
 }
 
-double luminanceOf(const glm::vec4& radiance) {
-    return 0.2126 * double(radiance.r) + 0.7152 * double(radiance.g) + 0.0722 * double(radiance.b);
-}
-
-LuminancePicture luminancesOf(const image::Image& shown) {
-    LuminancePicture picture{shown.width, shown.height, {}};
-    for (std::size_t i = 0; i < shown.pixels.size(); i += 3) {
-        const float* const encoded = shown.pixels.data() + i;
-        picture.luminance.push_back(
-            luminanceOf({decodedSrgb(encoded[0]), decodedSrgb(encoded[1]), decodedSrgb(encoded[2]), 1.0f}));
-    }
-    return picture;
-}
-
-Error cancelled() {
-    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
-}
-
 // A picture of the tracer's scene, from its first sample; luminance before exposure and tone map.
 Result<LuminancePicture> draw(trace::PathTracer& tracer, const trace::Settings& settings,
                               std::uint32_t samples, Progress& progress) {
-    constexpr std::uint32_t kPortion = 16;
     MACULA_TRY_VOID(tracer.setSettings(settings));
-    for (std::uint32_t done = 0; done < samples; done += kPortion) {
-        MACULA_TRY(const bool whole,
-                   tracer.trace(std::min(kPortion, samples - done), [&] { return !progress.cancelled(); }));
-        if (!whole || progress.cancelled()) return cancelled();
-    }
+    MACULA_TRY_VOID(traceMore(tracer, samples, progress));
     MACULA_TRY(const trace::TracedImage image, tracer.readback());
     LuminancePicture picture{image.width, image.height, {}};
-    for (const glm::vec4& pixel : image.radiance) picture.luminance.push_back(luminanceOf(pixel));
-    progress.advance();
+    for (const glm::vec4& pixel : image.radiance)
+        picture.luminance.push_back(app::brightnessOf(glm::dvec3(pixel)));
     return picture;
 }
 
@@ -161,7 +138,7 @@ Result<void> measureSurface(const Bench& bench, Shape shape, const TransferFunct
         report.withoutVtk = cast.error();
         return {};
     }
-    const LuminancePicture theirs = luminancesOf(cast->converged);
+    const LuminancePicture theirs{bench.options.size, bench.options.size, luminancesOf(cast->converged)};
     report.surfaces.push_back({shape, "vtk", rippleOf(theirs, theirs, counts)});
     return keepPicture(bench, shape, "vtk", cast->converged);
 }
@@ -267,11 +244,12 @@ Result<InterpolationReport> measureInterpolation(const InterpolationOptions& opt
     const Bench bench{options, std::move(device), progress};
     InterpolationReport report{
         .device = bench.device->info().name, .surfaces = {}, .details = {}, .withoutVtk = {}};
-    // Of each shape two pictures by three filters of paths and one by two of rays.
-    progress.beginStage("Drawing shapes", kShapes.size() * 8);
+    // Of each shape two pictures by each filter of paths, and one by two of rays.
+    const std::size_t ofShape = 2 * trace::kFilters.size() * options.samples + 2 * kCastSamples;
+    progress.beginStage("Drawing shapes", kShapes.size() * ofShape);
     for (const Shape shape : kShapes)
         MACULA_TRY_VOID(measureSurface(bench, shape, preset.function, lights, report));
-    progress.beginStage("Drawing fine detail", kDetails.size() * trace::kFilters.size());
+    progress.beginStage("Drawing fine detail", kDetails.size() * trace::kFilters.size() * options.samples);
     for (const Detail detail : kDetails) MACULA_TRY_VOID(measureDetail(bench, detail, report));
     return report;
 }

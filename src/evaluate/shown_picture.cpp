@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/lights/light_meter.h"
 #include "base/check.h"
+#include "base/srgb.h"
 #include "image/image_file.h"
 #include "pipeline/gpu/transfer.h"
 
@@ -42,6 +44,16 @@ image::Image imageOf(std::span<const std::uint8_t> rgba, const glm::ivec2& sizeP
         for (std::size_t c = 0; c < 3; ++c) image.pixels.push_back(static_cast<float>(rgba[i + c]) / 255.0f);
     }
     return image;
+}
+
+std::vector<double> luminancesOf(const image::Image& shown) {
+    MACULA_CHECK(shown.encoding == image::Encoding::display && shown.channels == 3);
+    std::vector<double> luminances(shown.pixels.size() / 3);
+    for (std::size_t i = 0; i < luminances.size(); ++i) {
+        const float* const rgb = shown.pixels.data() + 3 * i;
+        luminances[i] = app::brightnessOf({decodedSrgb(rgb[0]), decodedSrgb(rgb[1]), decodedSrgb(rgb[2])});
+    }
+    return luminances;
 }
 
 image::Image scaledTo(const image::Image& picture, const glm::ivec2& sizePx) {

@@ -17,6 +17,9 @@ namespace macula::evaluate {
 // The colours of RGBA8 over black; row 0 on top.
 image::Image imageOf(std::span<const std::uint8_t> rgba, const glm::ivec2& sizePx);
 
+// The luminance (Rec. 709) of each pixel in linear light, row 0 on top; of three channels, display-encoded.
+std::vector<double> luminancesOf(const image::Image& shown);
+
 // As a file; of three channels, display-encoded.
 Result<void> writePng(const std::filesystem::path& path, const image::Image& picture);
 

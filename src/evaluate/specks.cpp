@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/srgb.h"
+#include "evaluate/shown_picture.h"
 #include "image/metrics.h"
 
 namespace macula::evaluate {
@@ -16,34 +17,8 @@ constexpr double kTenth = 0.1;
 constexpr double kStep = 1.01 / 255.0;  // rounding makes no two
 constexpr int kAround = 2;              // pixels to each side
 
-Error cancelled() {
-    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
-}
-
-std::vector<double> luminancesOf(const image::Image& image) {
-    MACULA_CHECK(image.encoding == image::Encoding::display && image.channels == 3);
-    std::vector<double> luminances(image.pixels.size() / 3);
-    for (std::size_t i = 0; i < luminances.size(); ++i) {
-        const float* rgb = image.pixels.data() + 3 * i;
-        luminances[i] =
-            0.2126 * decodedSrgb(rgb[0]) + 0.7152 * decodedSrgb(rgb[1]) + 0.0722 * decodedSrgb(rgb[2]);
-    }
-    return luminances;
-}
-
 bool isAStepAbove(double high, double low) {
     return encodedSrgb(high) - encodedSrgb(low) > kStep;
-}
-
-Result<void> traceMore(trace::PathTracer& tracer, std::uint32_t samples, Progress& progress) {
-    constexpr std::uint32_t kPortion = 16;
-    for (std::uint32_t done = 0; done < samples; done += kPortion) {
-        const std::uint32_t count = std::min(kPortion, samples - done);
-        MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
-        if (!whole || progress.cancelled()) return cancelled();
-        progress.advance(count);
-    }
-    return {};
 }
 
 }  // namespace

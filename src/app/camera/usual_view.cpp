@@ -19,7 +19,7 @@ constexpr std::array<std::pair<ViewReason, std::string_view>, 4> kNames{
      {ViewReason::shortScan, "short-scan"},
      {ViewReason::body, "body"}}};
 
-// Of PS3.16 L. No neck, of which a portrait shows nothing.
+// Codes of PS3.16 Annex L. The neck is none of them: a portrait shows nothing of it.
 constexpr std::array<std::string_view, 15> kOfHead{"BRAIN",    "EAR",   "EYE",   "FACE",     "HEAD",
                                                    "HEADNECK", "IAC",   "JAW",   "MANDIBLE", "MAXILLA",
                                                    "NOSE",     "ORBIT", "SINUS", "SKULL",    "TMJ"};

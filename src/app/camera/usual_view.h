@@ -32,8 +32,8 @@ struct UsualView {
 // Less than half as high as it is wide or deep.
 bool isShort(const Volume& volume);
 
-// Heads from the three-quarter view, short scans obliquely, all else from the front, slightly turned. Looks
-// at some 100 000 of the values where the body part is not said: a few milliseconds.
+// Shows heads from the three-quarter view, short scans obliquely, all else from the front, slightly turned.
+// Where the body part is not said, it looks at some 100 000 of the values.
 UsualView usualView(const Volume& volume);
 
 // The direction that was asked for, or else the usual one: what all who show a volume first ask.

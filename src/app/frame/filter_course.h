@@ -22,7 +22,7 @@ class FilterCourse {
     // Another picture, which is worth showing from so many samples of a pixel on. `filters`: there is a
     // filter for it.
     void begin(std::uint64_t firstSamples, bool filters);
-    // There is no memory for the filter after all.
+    // Shows plain means from now on, because the device has no memory for the filter.
     void doWithoutFilter(std::uint64_t firstSamples);
 
     // Whether the noise of the plain mean is below that threshold, 0 to 1 as displayed. Once it cannot be

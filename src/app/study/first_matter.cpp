@@ -81,7 +81,7 @@ class Matter {
         return std::visit([&](const auto& voxels) { return voxels.linear(at); }, voxels_);
     }
 
-    // The mean edge of a voxel.
+    // The mean of the three spacings, by which VTK measures gradients.
     double edgeMm() const {
         const glm::dvec3 spacing = volume_.spacingMm();
         return (spacing.x + spacing.y + spacing.z) / 3.0;

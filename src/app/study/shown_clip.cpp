@@ -31,7 +31,8 @@ Result<ShownClip> withoutSureTable(const ClipPreset& preset, const Volume& volum
     if (!(found->removedMl > 0.0)) return shown;
     if (found->confidence != segment::Confidence::high) {
         shown.notes.emplace_back(
-            "What may be a table is shown, as it is not sure what is patient; --remove-table leaves it out.");
+            "What may be a table is shown, as Macula cannot tell it from the patient for sure; "
+            "--remove-table leaves it out.");
         return shown;
     }
     for (const Message& message : found->messages) shown.notes.push_back(message.sentence);

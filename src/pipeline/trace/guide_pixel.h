@@ -9,8 +9,8 @@
 
 namespace macula::trace {
 
-// Through a lens it is the mean over rays of the pixel: normals are shorter than 1 then where they differ.
-// World is patient LPS mm; pixels are counted from the top left corner of the picture.
+// With depth of field it is the mean over rays through the lens: normals that differ add to less than
+// length 1. World is patient LPS mm; pixels are counted from the top left corner of the picture.
 template <class Real>
 struct GuideOf {
     Real depthMm{-1};    // along the eye ray to transmittance 1/2; negative when it does not fall so far

@@ -85,7 +85,8 @@ inline constexpr int kMaxBounces = 1024;
 // times. 16 have no more error in equal time; 8 show the first sample sooner, with most of their light
 // (docs/speed-and-accuracy.md).
 inline constexpr int kDefaultBounces = 8;
-// How light that is brighter than the display becomes what it shows (shaders/lib/picture.glsl).
+// The tone map: how it compresses light that is brighter than the display can show
+// (shaders/lib/picture.glsl).
 enum class ToneMap {
     neutral,  // Khronos PBR neutral: more contrast at an exposure of 1, and hues that turn a little
     hue,      // keeps hue and the order of lightness: colours as they are up to a middle lightness, and what

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pipeline/volume/curve_blend.h"
+#include "pipeline/volume/voxel_gradient.h"
 
 namespace macula {
 
@@ -121,9 +122,7 @@ bool usesSteepCurves(const TransferFunction& function) {
 }
 
 double steepPartAt(const TransferFunction& function, double gradientPerMm) {
-    // As a ratio: the square of a large gradient could be infinite.
-    const double ratio = function.steep.gradientPerMm / gradientPerMm;
-    return gradientPerMm > 0.0 ? 1.0 / (1.0 + ratio * ratio) : 0.0;
+    return steepPart(gradientPerMm, function.steep.gradientPerMm);
 }
 
 TransferFunction withCurvesSwapped(TransferFunction function) {

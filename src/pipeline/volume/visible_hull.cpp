@@ -113,9 +113,7 @@ class Rows {
     }
     double steepPartOf(const glm::ivec3& voxel) const {
         if (medium_.steep.empty()) return 0.0;
-        const double length = gradientPerMmAt(volume_, map_, voxel);
-        const double half = medium_.steepGradientPerMm;
-        return length * length / (length * length + half * half);
+        return steepPart(gradientPerMmAt(volume_, map_, voxel), medium_.steepGradientPerMm);
     }
     bool isShown(const glm::dvec3& voxel) const {
         if (mask_ != nullptr) {

@@ -19,4 +19,10 @@ double gradientPerMmAt(const Volume& volume, const EntryMap& map, const glm::ive
     return volume.unitsFromStored().slope * glm::length(glm::transpose(voxelFromWorld) * perVoxel);
 }
 
+double steepPart(double gradientPerMm, double halfPerMm) {
+    // As a ratio: the square of a large gradient could be infinite.
+    const double ratio = halfPerMm / gradientPerMm;
+    return gradientPerMm > 0.0 ? 1.0 / (1.0 + ratio * ratio) : 0.0;
+}
+
 }  // namespace macula

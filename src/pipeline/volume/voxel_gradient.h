@@ -14,4 +14,8 @@ namespace macula {
 // volume must be stored16, and `map` its own.
 double gradientPerMmAt(const Volume& volume, const EntryMap& map, const glm::ivec3& voxel);
 
+// The part of matter that is steep where the gradient has that length and half of it is steep at `halfPerMm`,
+// above 0; 0 to 1. Lengths in the same unit per mm.
+double steepPart(double gradientPerMm, double halfPerMm);
+
 }  // namespace macula

@@ -79,7 +79,8 @@ class TransferFunctionEditor : public QWidget {
     void propose(const TransferFunction& function, bool isDrag);
     void changeSelected(std::optional<double> value, std::optional<double> opacity,
                         const std::optional<glm::dvec3>& colour);
-    // With the pair of curves that is edited in the first place; of such a function, as it was.
+    // Swaps the curves of steep matter to the front while these are edited, so that all editing is of one
+    // pair; called again, it swaps them back.
     TransferFunction edits(const TransferFunction& function) const;
     void changeSide();
     void changeSteep(bool isThere);

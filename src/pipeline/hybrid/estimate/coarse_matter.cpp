@@ -85,9 +85,8 @@ glm::vec4 ShownMatter::opticsAt(const CoarseMatter& matter, std::uint16_t entry,
                                 const glm::ivec3& voxel) const {
     const glm::vec4& usual = optics[entry];
     if (steep.empty() || steep[entry] == usual) return usual;
-    const double length = gradientPerMmAt(matter.volume(), matter.entryMap(), voxel);
-    const double half = steepGradientPerMm;
-    const auto part = float(length * length / (length * length + half * half));
+    const auto part =
+        float(steepPart(gradientPerMmAt(matter.volume(), matter.entryMap(), voxel), steepGradientPerMm));
     const float extinction = std::lerp(usual.w, steep[entry].w, part);
     const float share = extinction > 0.0f ? part * steep[entry].w / extinction : 0.0f;
     return {glm::mix(glm::vec3(usual), glm::vec3(steep[entry]), share), extinction};
