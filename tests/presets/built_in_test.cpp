@@ -74,6 +74,46 @@ TEST(PresetFiles, ShowWhatTheyAreFor) {
     EXPECT_EQ(opacityAt(lung, 40.0), 0.0) << "soft tissue hides the lung";
 }
 
+TEST(PresetFiles, ShowTheBodyPartsTheyAreFor) {
+    const TransferFunction head = builtIn("cinematic-head");
+    EXPECT_EQ(opacityAt(head, 80.0), 0.0) << "fresh blood hides nothing";
+    EXPECT_GT(opacityAt(withCurvesSwapped(head), 200.0), opacityAt(head, 200.0)) << "thin bones end steeply";
+
+    const TransferFunction coronary = builtIn("cinematic-coronary");
+    EXPECT_LT(opacityAt(coronary, 120.0), 0.05) << "the wall hides its arteries";
+    EXPECT_GT(opacityAt(coronary, 380.0), 0.4);
+    const glm::dvec3 calcium = colourAt(coronary, 900.0);
+    EXPECT_LT(calcium.r, 1.2 * calcium.b) << "plaque is as blood";
+
+    const TransferFunction abdomen = builtIn("cinematic-abdomen");
+    EXPECT_LT(opacityAt(abdomen, 60.0), 0.01) << "muscle hides the organs";
+    EXPECT_GT(opacityAt(abdomen, 115.0), 0.2);
+
+    const TransferFunction liver = builtIn("cinematic-liver");
+    EXPECT_LT(opacityAt(liver, 110.0), 0.01);
+    EXPECT_GT(opacityAt(liver, 170.0), 0.4);
+
+    const TransferFunction kidney = builtIn("cinematic-kidney");
+    const glm::dvec3 urine = colourAt(kidney, 900.0);
+    EXPECT_GT(urine.g, 1.5 * urine.b) << "urine with contrast agent is golden";
+
+    const TransferFunction tendons = builtIn("cinematic-tendons");
+    EXPECT_GT(opacityAt(tendons, 100.0), 20.0 * opacityAt(tendons, 55.0)) << "muscle hides tendons";
+
+    const TransferFunction teeth = builtIn("cinematic-dental");
+    EXPECT_GT(opacityAt(teeth, 1700.0), 10.0 * opacityAt(teeth, 900.0)) << "the jaw hides roots";
+
+    const TransferFunction colon = builtIn("cinematic-colon");
+    EXPECT_EQ(opacityAt(colon, -1000.0), 0.0);
+    EXPECT_GT(opacityAt(colon, -500.0), 0.5);
+    EXPECT_EQ(opacityAt(colon, -100.0), 0.0) << "no light comes in";
+    const glm::dvec3 tagged = colourAt(colon, 400.0);
+    EXPECT_GT(tagged.g, 2.0 * tagged.b) << "tagged residue is as the wall";
+
+    EXPECT_EQ(opacityAt(builtIn("cinematic-mr-vessels"), 300.0), 0.0) << "brain hides vessels";
+    EXPECT_LT(opacityAt(builtIn("cinematic-mr-knee"), 250.0), 0.03) << "muscle hides cartilage";
+}
+
 // Blood with contrast agent and bone have the same values: where these change little it is blood, where they
 // change steeply it is bone. Both are as opaque, so that flights need no gradient.
 TEST(PresetFiles, TellBloodFromBoneByTheGradient) {

@@ -568,6 +568,50 @@
         <translation>Cinematic Gefäße</translation>
     </message>
     <message>
+        <source>Cinematic abdomen</source>
+        <translation>Cinematic Abdomen</translation>
+    </message>
+    <message>
+        <source>Cinematic colon</source>
+        <translation>Cinematic Kolon</translation>
+    </message>
+    <message>
+        <source>Cinematic coronary arteries</source>
+        <translation>Cinematic Koronararterien</translation>
+    </message>
+    <message>
+        <source>Cinematic head</source>
+        <translation>Cinematic Kopf</translation>
+    </message>
+    <message>
+        <source>Cinematic kidneys</source>
+        <translation>Cinematic Nieren</translation>
+    </message>
+    <message>
+        <source>Cinematic liver</source>
+        <translation>Cinematic Leber</translation>
+    </message>
+    <message>
+        <source>Cinematic micro-CT</source>
+        <translation>Cinematic Mikro-CT</translation>
+    </message>
+    <message>
+        <source>Cinematic MR knee</source>
+        <translation>Cinematic MR Knie</translation>
+    </message>
+    <message>
+        <source>Cinematic MR vessels</source>
+        <translation>Cinematic MR Gefäße</translation>
+    </message>
+    <message>
+        <source>Cinematic teeth</source>
+        <translation>Cinematic Zähne</translation>
+    </message>
+    <message>
+        <source>Cinematic tendons</source>
+        <translation>Cinematic Sehnen</translation>
+    </message>
+    <message>
         <source>Even</source>
         <translation>Gleichmäßig</translation>
     </message>
