@@ -106,7 +106,7 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
             CellGradient gradients;
             Corners steepParts;
             SplineCourse spline;
-            if (useSmooth()) {
+            if (useSpline()) {
                 spline = splineCourse(cells);
                 value = spline.value;
             } else {
@@ -127,17 +127,18 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
                 float part = (float(i) + phase) / float(steps);
                 vec3 fraction = fractionIn(cells, part);
                 float entry = max(valueOf(value, part), float(0.0));
+                if (useSpline()) entry = clamp(entry, spline.least, spline.most);
                 vec4 matter = matterOfEntry(entry);
                 vec3 at = positionIn(cells, fraction);
                 bool masked = isMasked(at);
                 float shade = float(1.0);
                 if (hasGradients()) {
-                    vec3 gradient = useSmooth() ? gradientOn(cells, spline, part) : gradientIn(cells, gradients, fraction);
+                    vec3 gradient = useSpline() ? gradientOn(cells, spline, part) : gradientIn(cells, gradients, fraction);
                     if (useGradientOpacity()) matter.w = thinnedByGradient(matter.w, gradient);
                     if (useSteep()) {
                         vec4 steep = steepMatterOfEntry(entry);
                         if (useGradientOpacity()) steep.w = thinnedByGradient(steep.w, gradient);
-                        matter = mixedMatter(matter, steep, useSmooth() ? steepPart(gradient) : interpolated(steepParts, fraction));
+                        matter = mixedMatter(matter, steep, useSpline() ? steepPart(gradient) : interpolated(steepParts, fraction));
                     }
                     if (useShading()) shade = headlight(gradient, eye.direction);
                 }

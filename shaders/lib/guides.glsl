@@ -99,7 +99,7 @@ March march(INOUT(BrickWalk) walk) {
             float step = min(stepMm, walk.segmentEndMm - fromMm);
             float middleMm = fromMm + float(0.5) * step;
             vec3 at = walkPositionAt(walk, middleMm);
-            float entry = trilinearEntry(at);
+            float entry = expectedEntry(at);
             float steep = steepAt(at, entry);
             Mixture matter = mixtureAt(at, entry, steep);
             float extinction = totalOf(matter);
@@ -152,8 +152,8 @@ vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
     vec3 x = vec3(float(1.0), float(0.0), float(0.0));
     vec3 y = vec3(float(0.0), float(1.0), float(0.0));
     vec3 z = vec3(float(0.0), float(0.0), float(1.0));
-    vec3 gradient = vec3(trilinearEntry(at + x) - trilinearEntry(at - x), trilinearEntry(at + y) - trilinearEntry(at - y),
-                         trilinearEntry(at + z) - trilinearEntry(at - z));
+    vec3 gradient = vec3(expectedEntry(at + x) - expectedEntry(at - x), expectedEntry(at + y) - expectedEntry(at - y),
+                         expectedEntry(at + z) - expectedEntry(at - z));
     // A twentieth of a stored value over two voxels is rounding of large values, no surface.
     if (!(dot(gradient, gradient) > float(0.0025))) return vec3(0.0);
     // A gradient in voxels becomes one in mm by the transpose of the map from mm to voxels.
@@ -165,7 +165,7 @@ vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
 // The same of whatever stops most of the light there.
 vec3 normalAt(vec3 at, vec3 worldDirection) {
     if (!useSecond()) return surfaceNormal(at, worldDirection);
-    float entry = trilinearEntry(at);
+    float entry = expectedEntry(at);
     float steep = steepAt(at, entry);
     if (secondShareOf(mixtureAt(at, entry, steep)) <= float(0.5)) return surfaceNormal(at, worldDirection);
     vec3 world = secondGradient(at);

@@ -1,7 +1,6 @@
-// Values between voxels by a cubic B-spline, for rays that are cast: without kinks at the planes of voxels. What paths take by
-// chance (movedByChance in medium.glsl) is this on average. Weights as in Unser, "Splines: a perfect fit" (1999).
+// Values and gradients between voxels by the splines of medium.glsl, for rays that are cast.
 //
-// Needs, beside cell_walk.glsl, nothing.
+// Needs, beside cell_walk.glsl and medium.glsl, nothing.
 
 // The 4 x 4 x 4 voxels around a cell, in the walk's coordinates: 16 rows along x, along y faster than along z.
 struct SplineCell {
@@ -32,16 +31,14 @@ SplineCell fetchSpline(CellWalk cells) {
     return spline;
 }
 
-// What four voxels weigh at a fraction of the way from the second to the third.
-vec4 splineWeights(float t) {
-    float u = float(1.0) - t;
-    return vec4(u * u * u, float(4.0) + t * t * (float(3.0) * t - float(6.0)), float(4.0) + u * u * (float(3.0) * u - float(6.0)),
-                t * t * t) * float(1.0 / 6.0);
-}
-// The derivatives of these weights.
+// The derivatives of what voxels weigh.
 vec4 splineSlopes(float t) {
     float u = float(1.0) - t;
-    return vec4(-u * u, t * (float(3.0) * t - float(4.0)), u * (float(4.0) - float(3.0) * u), t * t) * float(0.5);
+    vec4 soft = vec4(-u * u, t * (float(3.0) * t - float(4.0)), u * (float(4.0) - float(3.0) * u), t * t) * float(0.5);
+    if (useSmooth()) return soft;
+    vec4 through = vec4(u * (float(3.0) * t - float(1.0)), t * (float(9.0) * t - float(10.0)), u * (float(10.0) - float(9.0) * u),
+                        t * (float(3.0) * t - float(2.0))) * float(0.5);
+    return through + (soft - through) * float(1.0 / 3.0);
 }
 
 // At a place between the corners of the cell, 0 to 1 along each axis.
@@ -76,6 +73,8 @@ SplinePoint splineAt(SplineCell spline, vec3 fraction) {
 // its slopes at both ends; the gradient as the parabola through the same three places.
 struct SplineCourse {
     Course value;
+    float least;  // of the voxels: values are held to them
+    float most;
     vec3 gradient;  // per voxel, in the walk's coordinates, where the ray enters
     vec3 gradientLinear;
     vec3 gradientSquare;
@@ -96,6 +95,14 @@ SplineCourse splineCourse(CellWalk cells) {
     float steeper = ends - begins;
     float fourth = float(16.0) * middle - float(8.0) * end + float(2.0) * steeper;
     SplineCourse course;
+    vec4 least = spline.rows[0];
+    vec4 most = spline.rows[0];
+    for (int row = 1; row < 16; ++row) {
+        least = min(least, spline.rows[row]);
+        most = max(most, spline.rows[row]);
+    }
+    course.least = min(min(least.x, least.y), min(least.z, least.w));
+    course.most = max(max(most.x, most.y), max(most.z, most.w));
     course.value.start = a.value;
     course.value.slopes = vec4(begins, float(3.0) * end - steeper + fourth, steeper - float(2.0) * (end + fourth), fourth);
     course.gradient = a.slope;

@@ -9,6 +9,7 @@
 
 layout(constant_id = 0) const bool kTrilinear = true;
 layout(constant_id = 15) const bool kSmooth = false;
+layout(constant_id = 19) const bool kSharp = false;
 layout(constant_id = 16) const bool kSurfaces = false;
 layout(constant_id = 2) const bool kClip = false;
 layout(constant_id = 3) const bool kMask = false;
@@ -181,6 +182,9 @@ bool useTrilinear() {
 }
 bool useSmooth() {
     return kSmooth;
+}
+bool useSharp() {
+    return kSharp;
 }
 bool useClip() {
     return kClip;

@@ -69,6 +69,7 @@ void addBenchCast(CLI::App& bench, Action& action) {
     auto* command =
         bench.add_subcommand("cast", "Ray-cast looks, one sample a pixel, beside VTK's CPU mapper");
     addBenchStudyOptions(*command, options->study, 512);
+    addBenchCamera(*command, options->study);
     command->add_option("--repetitions", options->turns, "Turns; medians are printed")
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));

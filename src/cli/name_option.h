@@ -16,7 +16,7 @@ CLI::Validator asViewDirection();
 
 // For an option of type trace::Filter: a name becomes the value.
 CLI::Validator asFilter();
-inline constexpr const char* kFilterNames = "trilinear|stochastic|smooth";
+inline constexpr const char* kFilterNames = "trilinear|stochastic|smooth|sharp";
 
 // For an option of type trace::ToneMap, likewise.
 CLI::Validator asToneMap();

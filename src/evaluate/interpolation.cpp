@@ -45,7 +45,7 @@ std::vector<Subject> subjects() {
     std::vector<Subject> all;
     for (const Filter filter : trace::kFilters)
         all.push_back({fmt::format("cinematic {}", trace::nameOf(filter)), {.filter = filter}});
-    for (const Filter filter : {Filter::trilinear, Filter::smooth})
+    for (const Filter filter : {Filter::trilinear, Filter::smooth, Filter::sharp})
         all.push_back({fmt::format("dvr {}", trace::nameOf(filter)),
                        {.filter = filter, .look = Look::dvr, .shading = trace::Shading::headlight},
                        false});
@@ -244,8 +244,8 @@ Result<InterpolationReport> measureInterpolation(const InterpolationOptions& opt
     const Bench bench{options, std::move(device), progress};
     InterpolationReport report{
         .device = bench.device->info().name, .surfaces = {}, .details = {}, .withoutVtk = {}};
-    // Of each shape two pictures by each filter of paths, and one by two of rays.
-    const std::size_t ofShape = 2 * trace::kFilters.size() * options.samples + 2 * kCastSamples;
+    // Of each shape two pictures by each filter of paths, and one by three of rays.
+    const std::size_t ofShape = 2 * trace::kFilters.size() * options.samples + 3 * kCastSamples;
     progress.beginStage("Drawing shapes", kShapes.size() * ofShape);
     for (const Shape shape : kShapes)
         MACULA_TRY_VOID(measureSurface(bench, shape, preset.function, lights, report));

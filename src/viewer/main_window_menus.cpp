@@ -4,6 +4,8 @@
 #include <QMenuBar>
 #include <QStatusBar>
 #include <QToolBar>
+#include <algorithm>
+#include <array>
 
 #include "app/camera/view_directions.h"
 #include "pipeline/volume/window.h"
@@ -43,23 +45,37 @@ void fill(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items)
 }
 
 // How values between voxels are found; of looks that show matter.
-void addSmoothing(QMenu& menu, ViewerSession& session) {
-    QAction* smooth = menu.addAction(MainWindow::tr("S&mooth Between Voxels"));
-    smooth->setObjectName(QStringLiteral("smooth-between-voxels"));
-    smooth->setCheckable(true);
-    smooth->setToolTip(MainWindow::tr(
-        "Fewer rings on skin and bone, and edges that are a voxel softer; not of projections"));
-    QObject::connect(smooth, &QAction::triggered, &session, [&session](bool isSmooth) {
-        session.change(MainWindow::tr("Smoothing"), [isSmooth](app::StudyState& next) {
-            next.settings.filter = isSmooth ? trace::Filter::smooth : trace::Filter::trilinear;
+void addFilters(QMenu& menu, ViewerSession& session) {
+    struct Choice {
+        trace::Filter filter;
+        QString text;
+        QString hint;
+    };
+    const std::array choices{
+        Choice{trace::Filter::trilinear, MainWindow::tr("&Linear"),
+               MainWindow::tr("Values between eight voxels, as other viewers show them")},
+        Choice{trace::Filter::smooth, MainWindow::tr("&Smooth"),
+               MainWindow::tr("Without rings on skin and bone, and a voxel softer")},
+        Choice{trace::Filter::sharp, MainWindow::tr("S&harp"),
+               MainWindow::tr("With fewer rings on skin and bone, and details as sharp as the voxels")}};
+    auto* filters = new ChoiceMenu(MainWindow::tr("Between &Voxels"), &menu);
+    for (const Choice& choice : choices)
+        filters->addChoice(choice.text, QStringLiteral("between-voxels-") + asText(nameOf(choice.filter)))
+            ->setToolTip(choice.hint);
+    menu.addMenu(filters);
+    QObject::connect(filters, &ChoiceMenu::changed, &session, [&session, choices](int index) {
+        session.change(MainWindow::tr("Values between voxels"), [&](app::StudyState& next) {
+            next.settings.filter = choices[std::size_t(index)].filter;
         });
     });
-    const auto show = [smooth, &session] {
-        smooth->setChecked(session.state().settings.filter == trace::Filter::smooth);
-        smooth->setEnabled(trace::showsMatter(session.state().settings.look));
+    const auto show = [filters, choices, &session] {
+        const trace::Settings& settings = session.state().settings;
+        const auto shown = std::ranges::find(choices, settings.filter, &Choice::filter);
+        filters->choose(shown == choices.end() ? -1 : int(shown - choices.begin()));
+        for (QAction* action : filters->actions()) action->setEnabled(trace::showsMatter(settings.look));
     };
-    QObject::connect(&session, &ViewerSession::changed, smooth, show);
-    QObject::connect(&session, &ViewerSession::studyShown, smooth, show);
+    QObject::connect(&session, &ViewerSession::changed, filters, show);
+    QObject::connect(&session, &ViewerSession::studyShown, filters, show);
     show();
 }
 
@@ -223,7 +239,7 @@ void MainWindow::makeLookMenu() {
     shading_->setShortcut(keyOf(KeyAction::shade));
     shading_->setToolTip(tr("Light ray casts from the eye, as much as the preset says"));
     shading_->setChecked(true);
-    addSmoothing(*looks_, session_);
+    addFilters(*looks_, session_);
     addToneMap(*looks_, session_);
     QAction* window = looks_->addAction(tr("Reset &Window"), this, [this] {
         session_.change(tr("Window"), [](app::StudyState& next) {

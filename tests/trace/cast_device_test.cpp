@@ -165,7 +165,7 @@ TEST_F(CastOnDevice, DrawsWhatTheReferenceDraws) {
             Settings settings{.exposure = 1.3, .look = look.look};
             settings.window = DisplayWindow{.center = 0, .width = 2000, .explanation = {}, .function = {}};
             if (trial % 2 == 1) settings.shading = Shading::headlight;
-            if (trial % 3 == 1) settings.filter = Filter::smooth;
+            if (trial % 3 == 1) settings.filter = trial % 2 == 1 ? Filter::smooth : Filter::sharp;
             PathTracer t = tracer(volume, function, kSky, view, settings);
             ASSERT_TRUE(t.scene().setClip(clip).ok());
             ASSERT_TRUE(*t.trace(3));
@@ -183,7 +183,7 @@ TEST_F(CastOnDevice, DrawsWhatTheReferenceDraws) {
                                                      : look.look == Look::minip ? shared::kCastMinimum
                                                                                 : shared::kCastMean,
                                              .shading = trial % 2 == 1 && look.look == Look::dvr,
-                                             .smooth = filter == Filter::smooth};
+                                             .filter = filter};
             const auto params = makeTraceParams(*volume, medium, kSky, view, settings, clip);
             ASSERT_TRUE(params.ok());
             const auto sums =

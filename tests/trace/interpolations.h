@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
+#include <limits>
 
 #include "base/volume.h"
 #include "trace/dense_march.h"
@@ -33,19 +34,31 @@ struct Trilinear {
     }
 };
 
-struct Spline {
-    // Beyond the outer voxels they go on.
+// Mitchell and Netravali, "Reconstruction filters in computer graphics" (1988), with B = C = 1/3.
+inline double mitchellNetravali(double t) {
+    t = std::abs(t);
+    if (t < 1.0) return (7.0 * t * t * t - 12.0 * t * t + 16.0 / 3.0) / 6.0;
+    return t < 2.0 ? (-7.0 / 3.0 * t * t * t + 12.0 * t * t - 20.0 * t + 32.0 / 3.0) / 6.0 : 0.0;
+}
+
+template <double (*kWeight)(double)>
+struct SplineOf {
+    // Beyond the outer voxels they go on. Held to the values of the voxels.
     static double valueAt(const Volume& volume, const glm::dvec3& voxel) {
         const glm::ivec3 first = glm::ivec3(glm::floor(voxel)) - 1;
         double sum = 0.0;
+        double least = std::numeric_limits<double>::max();
+        double most = std::numeric_limits<double>::lowest();
         for (int n = 0; n < 64; ++n) {
             const glm::ivec3 at = first + glm::ivec3(n & 3, n >> 2 & 3, n >> 4);
             const glm::dvec3 away = voxel - glm::dvec3(at);
             const glm::ivec3 there = glm::clamp(at, glm::ivec3(0), volume.size() - 1);
-            sum += cubicBSpline(away.x) * cubicBSpline(away.y) * cubicBSpline(away.z) *
-                   volume.value(there.x, there.y, there.z);
+            const double value = volume.value(there.x, there.y, there.z);
+            sum += kWeight(away.x) * kWeight(away.y) * kWeight(away.z) * value;
+            least = std::min(least, value);
+            most = std::max(most, value);
         }
-        return sum;
+        return std::clamp(sum, least, most);
     }
     static glm::dvec3 gradientAt(const Volume& volume, const glm::dvec3& voxel) {
         constexpr double kStep = 1e-4;
@@ -58,5 +71,7 @@ struct Spline {
         return gradient;
     }
 };
+using Spline = SplineOf<cubicBSpline>;
+using SharpSpline = SplineOf<mitchellNetravali>;
 
 }  // namespace macula::scenes

@@ -63,10 +63,11 @@ TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
     EXPECT_TRUE(says("Path traced"));
     EXPECT_FALSE(isGrey());
     const QString studio = box("Lights").currentText();
-    action("smooth-between-voxels").trigger();
+    action("between-voxels-smooth").trigger();
     EXPECT_EQ(window_->state().settings.filter, trace::Filter::smooth);
     window_->session().undo();
-    EXPECT_FALSE(action("smooth-between-voxels").isChecked());
+    EXPECT_FALSE(action("between-voxels-smooth").isChecked());
+    EXPECT_TRUE(action("between-voxels-trilinear").isChecked());
     action("keep-hues").trigger();
     EXPECT_EQ(window_->state().settings.toneMap, trace::ToneMap::hue);
     ASSERT_TRUE(waitUntil([&] { return says("hues kept"); }));
@@ -95,7 +96,7 @@ TEST_F(DrawingTest, EachLookIsDrawnAndSaidAndWhatIsNoTableStays) {
         // Lights that nobody chose go with the look.
         EXPECT_EQ(box("Lights").currentText() == studio, expected.look != trace::Look::clear);
         EXPECT_EQ(action("keep-hues").isEnabled(), !expected.hasWindow);
-        EXPECT_EQ(action("smooth-between-voxels").isEnabled(), !expected.hasWindow);
+        EXPECT_EQ(action("between-voxels-smooth").isEnabled(), !expected.hasWindow);
         EXPECT_EQ(action("shade-ray-cast").isEnabled(), expected.look == trace::Look::dvr);
     }
     const int checked = int(std::count_if(trace::kLooks.begin(), trace::kLooks.end(), [&](const auto& look) {

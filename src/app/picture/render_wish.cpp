@@ -103,7 +103,7 @@ std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Loo
     check(wish.effort.bounces && !isTraced, "--bounces", "cinematic");
     const auto filter = wish.effort.filter.value_or(trace::Filter::trilinear);
     check(trace::filterOf(look, filter) != filter, fmt::format("--filter {}", trace::nameOf(filter)),
-          looksListed(filter == trace::Filter::smooth ? trace::showsMatter : trace::isPathTraced));
+          looksListed(trace::isSpline(filter) ? trace::showsMatter : trace::isPathTraced));
     check(wish.shading && look != trace::Look::dvr, "--shading", "dvr");
     const std::string traced = looksListed(trace::isPathTraced);
     check(!wish.lights.empty() && !isTraced, "--lights", traced);

@@ -26,7 +26,8 @@ Result<Quality> qualityFromJson(std::string_view text, const std::string& where)
     const std::string filter = root["filter"].text();
     const auto known =
         std::find_if(kFilters.begin(), kFilters.end(), [&](Filter one) { return nameOf(one) == filter; });
-    if (known == kFilters.end()) root["filter"].fail("\"trilinear\", \"stochastic\" or \"smooth\"");
+    if (known == kFilters.end())
+        root["filter"].fail("\"trilinear\", \"stochastic\", \"smooth\" or \"sharp\"");
     const Quality quality{
         .name = root["name"].text(),
         .title = root["title"].text(),

@@ -54,7 +54,8 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
           environment_(tables.environment.data()),
           cumulative_(tables.cumulative.data()),
           trilinear_(filter != Filter::stochastic),
-          smooth_(filter == Filter::smooth) {
+          smooth_(filter == Filter::smooth),
+          sharp_(filter == Filter::sharp) {
         clip_ = isClipped(p);
         mask_ = tables.mask;
         secondEntries_ = tables.secondEntries;
@@ -98,6 +99,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     Real fetchCumulative(int index) const { return Real(cumulative_[index]); }
     bool useTrilinear() const { return trilinear_; }
     bool useSmooth() const { return smooth_; }
+    bool useSharp() const { return sharp_; }
     bool useClip() const { return clip_; }
     bool useMask() const { return !mask_.empty(); }
     Real fetchMask(const ivec3& voxel) const {
@@ -185,6 +187,7 @@ struct MACULA_HOST : GlslInCpp<MACULA_REAL> {
     const float* cumulative_;
     bool trilinear_;
     bool smooth_;
+    bool sharp_;
     bool clip_;
     std::span<const std::uint32_t> mask_;
     std::span<const std::uint16_t> secondEntries_;  // empty: there is no second volume

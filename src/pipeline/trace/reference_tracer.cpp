@@ -71,8 +71,7 @@ std::vector<glm::dvec4> ReferenceTracer::trace(const shared::TraceParams& params
 std::vector<glm::dvec4> ReferenceTracer::cast(const shared::TraceParams& params, const Cast& what,
                                               Precision precision, std::uint32_t firstSample,
                                               std::uint32_t sampleCount) const {
-    const Filter filter = what.smooth ? Filter::smooth : Filter::trilinear;
-    return reference::withHost(*tables_, params, filter, precision, [&](auto host) {
+    return reference::withHost(*tables_, params, what.filter, precision, [&](auto host) {
         return reference::castOn(host, what, firstSample, sampleCount);
     });
 }

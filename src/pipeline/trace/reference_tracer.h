@@ -37,7 +37,7 @@ class ReferenceTracer {
     struct Cast {
         int kind = shared::kCastMatter;  // of trace_params.h
         bool shading = false;
-        bool smooth = false;  // values by the spline of Filter::smooth
+        Filter filter = Filter::trilinear;  // what filterOf() gives
     };
     std::vector<glm::dvec4> cast(const shared::TraceParams& params, const Cast& what, Precision precision,
                                  std::uint32_t firstSample, std::uint32_t sampleCount) const;

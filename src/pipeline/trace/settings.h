@@ -17,26 +17,42 @@ namespace macula::trace {
 enum class Filter {
     trilinear,   // eight voxels, then the transfer function: the value a radiologist expects at an edge
     stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
-    smooth,  // by a cubic B-spline, with softer edges: rays that are cast take its value, without the kinks
-             // that show as rings; paths average by it what the curve makes of trilinear values
+    smooth,  // a cubic B-spline of 64 voxels: no kinks, which a steep curve shows as rings, and softer edges
+    sharp,   // Mitchell and Netravali's spline of 64 voxels: a little sharper than trilinear values, and
+             // without kinks; it is held to these voxels' values, so that none is shown that is not there
 };
-inline constexpr std::array kFilters{Filter::trilinear, Filter::stochastic, Filter::smooth};
+inline constexpr std::array kFilters{Filter::trilinear, Filter::stochastic, Filter::smooth, Filter::sharp};
 
-// How many voxels beside its place a value may be taken: BrickGrid::reach.
+// Whether values come from a spline, of 64 voxels.
+constexpr bool isSpline(Filter filter) {
+    return filter == Filter::smooth || filter == Filter::sharp;
+}
+
+// How many voxels beside the eight around its place a value may be taken from: BrickGrid::reach.
 constexpr int reachOf(Filter filter) {
-    return filter == Filter::smooth ? 1 : 0;
+    return isSpline(filter) ? 1 : 0;
 }
 
 // What of it a look makes use of: rays that are cast through matter take values without chance, and
 // projections show those that interpolation gives, so that a maximum is that of a voxel.
 constexpr Filter filterOf(Look look, Filter filter) {
     if (isPathTraced(look)) return filter;
-    return look == Look::dvr && filter == Filter::smooth ? Filter::smooth : Filter::trilinear;
+    return look == Look::dvr && isSpline(filter) ? filter : Filter::trilinear;
 }
 
 // As in files and reports: "trilinear".
 constexpr std::string_view nameOf(Filter filter) {
-    return filter == Filter::trilinear ? "trilinear" : filter == Filter::stochastic ? "stochastic" : "smooth";
+    switch (filter) {
+        case Filter::trilinear:
+            return "trilinear";
+        case Filter::stochastic:
+            return "stochastic";
+        case Filter::smooth:
+            return "smooth";
+        case Filter::sharp:
+            break;
+    }
+    return "sharp";
 }
 
 // How far what is shown and read is filtered, see denoiser.h. It never changes what is traced, and looks
@@ -78,7 +94,7 @@ enum class Shading {
 
 // Raised whenever the same scene and settings get other light, chance aside, or the filter another blur:
 // what was learnt from pictures of another version is not gone on with (app/session/scene_key.h).
-inline constexpr std::uint32_t kTracerVersion = 2;
+inline constexpr std::uint32_t kTracerVersion = 3;
 
 inline constexpr int kMaxBounces = 1024;
 // Of pictures, of views to learn from, and of what models are compared with. White bone passes light on many

@@ -67,6 +67,7 @@ Result<TraceKernels::Found> TraceKernels::samples(const TraceVariant& variant) {
     gpu::KernelOptions options{
         .specializations = {{"kTrilinear", variant.filter != Filter::stochastic},
                             {"kSmooth", variant.filter == Filter::smooth},
+                            {"kSharp", variant.filter == Filter::sharp},
                             {"kMaxRounds", device_->isCpu() ? kMaxRoundsCpu : kMaxRoundsGpu},
                             {"kClip", variant.scene.clip},
                             {"kMask", variant.scene.mask},

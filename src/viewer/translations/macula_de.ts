@@ -2577,16 +2577,36 @@
         <translation>Eigene</translation>
     </message>
     <message>
-        <source>S&amp;mooth Between Voxels</source>
-        <translation>Zwischen Voxeln &amp;glatt</translation>
+        <source>Between &amp;Voxels</source>
+        <translation>Zwischen &amp;Voxeln</translation>
     </message>
     <message>
-        <source>Fewer rings on skin and bone, and edges that are a voxel softer; not of projections</source>
-        <translation>Weniger Ringe auf Haut und Knochen, und Kanten, die ein Voxel weicher sind; nicht bei Projektionen</translation>
+        <source>&amp;Linear</source>
+        <translation>&amp;Linear</translation>
     </message>
     <message>
-        <source>Smoothing</source>
-        <translation>Glättung</translation>
+        <source>Values between eight voxels, as other viewers show them</source>
+        <translation>Werte zwischen acht Voxeln, wie andere Betrachter sie zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Smooth</source>
+        <translation>&amp;Glatt</translation>
+    </message>
+    <message>
+        <source>Without rings on skin and bone, and a voxel softer</source>
+        <translation>Ohne Ringe auf Haut und Knochen, und ein Voxel weicher</translation>
+    </message>
+    <message>
+        <source>S&amp;harp</source>
+        <translation>&amp;Scharf</translation>
+    </message>
+    <message>
+        <source>With fewer rings on skin and bone, and details as sharp as the voxels</source>
+        <translation>Mit weniger Ringen auf Haut und Knochen, und Einzelheiten so scharf wie die Voxel</translation>
+    </message>
+    <message>
+        <source>Values between voxels</source>
+        <translation>Werte zwischen Voxeln</translation>
     </message>
 </context>
 <context>
