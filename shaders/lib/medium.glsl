@@ -4,7 +4,7 @@
 // Needs from its host: params.volumeSize, fetchStored(voxel) in table entries, fetchCorners(low, high,
 // near, far): the same for the eight corners between two voxels that are at most 1 apart, blocksOfBrick(brick) and fetchFrom(blocks,
 // voxel) for those of one brick and of the brick before it along each axis, fetchExtinction(entry) per mm, and
-// useTrilinear(), useSmooth() and useSharp(), constants.
+// constants: useTrilinear(), false for the stochastic filter alone, and useSmooth() and useSharp(), of which one at most is true.
 
 // The eight voxels around a point, and where between them it lies.
 struct Corners {
@@ -41,9 +41,9 @@ float stochasticEntry(vec3 p, INOUT(Rng) rng) {
     return fetchStored(clamp(voxel, ivec3(0), params.volumeSize - ivec3(1)));
 }
 
-// A place that chance moves by up to a voxel along each axis, by the sum of two even numbers: on average over it what is trilinear
-// is weighted by a cubic B-spline (a hat over a hat). One fetch, for what light is linear in (stochastic texture filtering,
-// Pharr et al. 2024).
+// A place that chance moves by up to a voxel along each axis, by the sum of two even numbers: the average of a trilinear field over
+// such places is a cubic B-spline's (a hat over a hat). One fetch, for what light is linear in (stochastic texture filtering, Pharr
+// et al. 2024).
 vec3 movedByChance(vec3 p, INOUT(Rng) rng) {
     vec3 first = random01Coarse3(rng);
     return p + first + random01Coarse3(rng) - vec3(1.0);
@@ -54,8 +54,7 @@ bool useSpline() {
 }
 
 // What four voxels weigh at a fraction of the way from the second to the third: in a cubic B-spline (Unser, "Splines: a perfect
-// fit", 1999), or in that of Mitchell and Netravali (1988), a third of the way there from that of Catmull and Rom, which goes
-// through the values of the voxels.
+// fit", 1999), or in Mitchell and Netravali's (1988), which is a third of that and two thirds of Catmull and Rom's.
 vec4 splineWeights(float t) {
     float u = float(1.0) - t;
     vec4 soft = vec4(u * u * u, float(4.0) + t * t * (float(3.0) * t - float(6.0)), float(4.0) + u * u * (float(3.0) * u - float(6.0)),
@@ -66,10 +65,16 @@ vec4 splineWeights(float t) {
     return through + (soft - through) * float(1.0 / 3.0);
 }
 
-// The value at a point by a spline of the 4 x 4 x 4 voxels around. It has no kinks at the planes of voxels, which a steep curve
-// would show as rings. No collision may draw one of these voxels instead: on average it would see what the curve makes of their
-// values, not of the spline's. It is held to the least and the largest of them, which the sharp spline overshoots, and rounding of
-// the other: so bounds of bricks are bounds of it, and nobody is shown a value that is not there.
+// What four values make in a spline, within their range: Mitchell's overshoots it, the B-spline only by rounding.
+float splined(vec4 values, vec4 weights) {
+    return clamp(dot(values, weights), min(min(values.x, values.y), min(values.z, values.w)),
+                 max(max(values.x, values.y), max(values.z, values.w)));
+}
+
+// The value at a point by a spline of the 4 x 4 x 4 voxels around: along x, then y, then z. It has no kinks at the planes of
+// voxels, which a steep curve would show as rings. No collision may draw one of these voxels instead: on average it would see what
+// the curve makes of their values, not of the spline's. It stays within the range of these voxels, so bounds of bricks are bounds
+// of it; as that is seen to along each axis, it does not jump where the next voxels begin.
 float splineEntry(vec3 p) {
     ivec3 last = params.volumeSize - ivec3(1);
     vec3 q = p - vec3(0.5);
@@ -83,21 +88,18 @@ float splineEntry(vec3 p) {
     int x1 = clamp(cell.x, 0, last.x);
     int x2 = clamp(cell.x + 1, 0, last.x);
     int x3 = clamp(cell.x + 2, 0, last.x);
-    float sum = float(0.0);
-    vec4 least = vec4(1e9);
-    vec4 most = vec4(0.0);
+    vec4 layers = vec4(0.0);
     for (int k = 0; k < 4; ++k) {
         int atZ = clamp(cell.z - 1 + k, 0, last.z);
+        vec4 rows = vec4(0.0);
         for (int j = 0; j < 4; ++j) {
             int atY = clamp(cell.y - 1 + j, 0, last.y);
-            vec4 row = vec4(fetchFrom(blocks, ivec3(x0, atY, atZ)), fetchFrom(blocks, ivec3(x1, atY, atZ)),
-                            fetchFrom(blocks, ivec3(x2, atY, atZ)), fetchFrom(blocks, ivec3(x3, atY, atZ)));
-            sum += dot(row, x) * (y[j] * z[k]);
-            least = min(least, row);
-            most = max(most, row);
+            rows[j] = splined(vec4(fetchFrom(blocks, ivec3(x0, atY, atZ)), fetchFrom(blocks, ivec3(x1, atY, atZ)),
+                                   fetchFrom(blocks, ivec3(x2, atY, atZ)), fetchFrom(blocks, ivec3(x3, atY, atZ))), x);
         }
+        layers[k] = splined(rows, y);
     }
-    return clamp(sum, min(min(least.x, least.y), min(least.z, least.w)), max(max(most.x, most.y), max(most.z, most.w)));
+    return splined(layers, z);
 }
 
 // Without chance; of a stochastic value what it is on average.

@@ -58,13 +58,13 @@ SplinePoint splineAt(SplineCell spline, vec3 fraction) {
         vec4 b = spline.rows[4 * layer + 1];
         vec4 c = spline.rows[4 * layer + 2];
         vec4 d = spline.rows[4 * layer + 3];
-        vec4 row = vec4(dot(a, x), dot(b, x), dot(c, x), dot(d, x));
-        values[layer] = dot(row, y);
+        vec4 row = vec4(splined(a, x), splined(b, x), splined(c, x), splined(d, x));
+        values[layer] = splined(row, y);
         slopesY[layer] = dot(row, alongY);
         slopesX[layer] = dot(vec4(dot(a, alongX), dot(b, alongX), dot(c, alongX), dot(d, alongX)), y);
     }
     SplinePoint point;
-    point.value = dot(values, z);
+    point.value = splined(values, z);
     point.slope = vec3(dot(slopesX, z), dot(slopesY, z), dot(values, alongZ));
     return point;
 }
@@ -73,7 +73,7 @@ SplinePoint splineAt(SplineCell spline, vec3 fraction) {
 // its slopes at both ends; the gradient as the parabola through the same three places.
 struct SplineCourse {
     Course value;
-    float least;  // of the voxels: values are held to them
+    float least;  // of the voxels: between its three places the polynomial is held to them
     float most;
     vec3 gradient;  // per voxel, in the walk's coordinates, where the ray enters
     vec3 gradientLinear;

@@ -32,7 +32,7 @@ constexpr double kLeastOrganHu = 85.0;  // liver has 40 to 75 HU without contras
 constexpr double kLeastBloodMm3 = 40e3;
 constexpr double kLeastOrganMm3 = 500e3;
 
-enum class BodyPart { unsaid, head, teeth, heart, vessels, abdomen, bones, knee };
+enum class BodyPart { unsaid, head, teeth, heart, vessels, abdomen, spine, bones, knee };
 
 struct BodyPartWord {
     std::string_view letters;
@@ -44,7 +44,7 @@ struct BodyPartWord {
 // and in a chest with abdomen lungs decide.
 constexpr auto kBodyPartWords = std::to_array<BodyPartWord>({
     {"JAW", false, BodyPart::teeth},       {"MAXILLA", false, BodyPart::teeth},
-    {"MANDIB", false, BodyPart::teeth},    {"DENT", false, BodyPart::teeth},
+    {"MANDIB", false, BodyPart::teeth},    {"DENTA", false, BodyPart::teeth},
     {"TOOTH", false, BodyPart::teeth},     {"TEETH", false, BodyPart::teeth},
     {"HEART", false, BodyPart::heart},     {"CORONAR", false, BodyPart::heart},
     {"CARDIA", false, BodyPart::heart},    {"HEAD", false, BodyPart::head},
@@ -53,15 +53,17 @@ constexpr auto kBodyPartWords = std::to_array<BodyPartWord>({
     {"FACIAL", false, BodyPart::head},     {"ORBIT", false, BodyPart::head},
     {"SINUS", false, BodyPart::head},      {"EAR", true, BodyPart::head},
     {"IAC", true, BodyPart::head},         {"TEMPORAL", false, BodyPart::head},
-    {"KNEE", false, BodyPart::knee},       {"SPINE", false, BodyPart::bones},
-    {"SPINAL", false, BodyPart::bones},    {"VERTEBRA", false, BodyPart::bones},
-    {"LUMBAR", false, BodyPart::bones},    {"CERVICAL", false, BodyPart::bones},
+    {"KNEE", false, BodyPart::knee},       {"SPINE", false, BodyPart::spine},
+    {"SPINAL", false, BodyPart::spine},    {"VERTEBRA", false, BodyPart::spine},
+    {"LUMBAR", false, BodyPart::spine},    {"CERVICAL", false, BodyPart::spine},
     {"CTA", true, BodyPart::vessels},      {"ANGIO", false, BodyPart::vessels},
     {"AORT", false, BodyPart::vessels},    {"CAROTID", false, BodyPart::vessels},
     {"VESSEL", false, BodyPart::vessels},  {"ARTER", false, BodyPart::vessels},
     {"NECK", false, BodyPart::vessels},    {"CHEST", false, BodyPart::unsaid},
     {"THORA", false, BodyPart::unsaid},    {"LUNG", false, BodyPart::unsaid},
-    {"ABD", false, BodyPart::abdomen},     {"LIVER", false, BodyPart::abdomen},
+    {"ABD", false, BodyPart::abdomen},     {"STOMACH", false, BodyPart::abdomen},
+    {"BOWEL", false, BodyPart::abdomen},   {"GALL", false, BodyPart::abdomen},
+    {"BLADDER", false, BodyPart::abdomen}, {"LIVER", false, BodyPart::abdomen},
     {"KIDNEY", false, BodyPart::abdomen},  {"RENAL", false, BodyPart::abdomen},
     {"PANCREA", false, BodyPart::abdomen}, {"SPLEEN", false, BodyPart::abdomen},
     {"COLON", false, BodyPart::abdomen},   {"PELVI", false, BodyPart::bones},
@@ -144,7 +146,7 @@ FlatMatter flatMatter(const Volume& volume) {
     const glm::ivec3 size = volume.size();
     FlatMatter found;
     if (std::min({size.x, size.y, size.z}) < 3) return found;
-    const int step = std::max(1, int(std::cbrt(double(volume.voxelCount()) / kMostCubes)));
+    const int step = std::max(1, int(std::ceil(std::cbrt(double(volume.voxelCount()) / kMostCubes))));
     const glm::dvec3 spacing = volume.spacingMm();
     const double cubeMm3 = spacing.x * spacing.y * spacing.z * step * step * step;
     for (int k = 1; k < size.z - 1; k += step) {
@@ -198,9 +200,12 @@ std::optional<std::string> transferOfPart(const Volume& volume) {
         case BodyPart::abdomen:
             if (flatMatter(volume).organsMm3 >= kLeastOrganMm3) return "cinematic-abdomen";
             break;
+        case BodyPart::spine:
+            return "cinematic-bone";  // lungs lie beside one
         case BodyPart::bones:
         case BodyPart::knee:
-            return "cinematic-bone";
+            if (!hasLungs(volume)) return "cinematic-bone";
+            break;
     }
     return std::nullopt;
 }

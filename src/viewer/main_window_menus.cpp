@@ -57,7 +57,7 @@ void addFilters(QMenu& menu, ViewerSession& session) {
         Choice{trace::Filter::smooth, MainWindow::tr("&Smooth"),
                MainWindow::tr("Without rings on skin and bone, and a voxel softer")},
         Choice{trace::Filter::sharp, MainWindow::tr("S&harp"),
-               MainWindow::tr("With fewer rings on skin and bone, and details as sharp as the voxels")}};
+               MainWindow::tr("Fine detail as with Linear, and somewhat fewer rings")}};
     auto* filters = new ChoiceMenu(MainWindow::tr("Between &Voxels"), &menu);
     for (const Choice& choice : choices)
         filters->addChoice(choice.text, QStringLiteral("between-voxels-") + asText(nameOf(choice.filter)))

@@ -24,7 +24,7 @@ Volume volumeOf(Unit unit, const char* modality, int air, int low, int high) {
     return *std::move(made);
 }
 
-// Cubes of 48 mm in air: each of the values with a grain as of noise, or of trabeculae.
+// Cubes of 96 mm in air: each of the values with a grain as of noise, or of trabeculae.
 struct Part {
     int hu;
     int grainHu = 10;
@@ -115,8 +115,9 @@ TEST(DefaultTransfer, IsThatOfTheBodyPart) {
 // What the tag says is of the protocol: what is there comes before it.
 TEST(DefaultTransfer, DoesNotTrustTheBodyPart) {
     const std::vector<Part> chest{kLung, kMuscle, kTrabeculae, kCortex};
-    for (const char* said : {"HEAD", "JAW", "HEART", "NECK", "ABDOMEN"})
+    for (const char* said : {"HEAD", "JAW", "HEART", "NECK", "ABDOMEN", "PELVIS", "KNEE", "ARM", "INCIDENTAL"})
         EXPECT_EQ(defaultTransfer(scanOf(said, chest)), "cinematic-chest") << said;
+    EXPECT_EQ(defaultTransfer(scanOf("TSPINE", chest)), "cinematic-bone");
     const std::vector<Part> withoutAgent{kAir, kMuscle, kTrabeculae, kCortex};
     for (const char* said : {"HEART", "NECK", "ABDOMEN", "CTA"})
         EXPECT_EQ(defaultTransfer(scanOf(said, withoutAgent)), "cinematic-bone") << said;

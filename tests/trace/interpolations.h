@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <limits>
+#include <glm/gtx/component_wise.hpp>
 
 #include "base/volume.h"
 #include "trace/dense_march.h"
@@ -43,22 +43,31 @@ inline double mitchellNetravali(double t) {
 
 template <double (*kWeight)(double)>
 struct SplineOf {
-    // Beyond the outer voxels they go on. Held to the values of the voxels.
+    // Within the range of the values.
+    static double of(const glm::dvec4& values, const glm::dvec4& weights) {
+        return std::clamp(glm::dot(values, weights), glm::compMin(values), glm::compMax(values));
+    }
+    // Along x, then y, then z. Beyond the outer voxels they go on.
     static double valueAt(const Volume& volume, const glm::dvec3& voxel) {
         const glm::ivec3 first = glm::ivec3(glm::floor(voxel)) - 1;
-        double sum = 0.0;
-        double least = std::numeric_limits<double>::max();
-        double most = std::numeric_limits<double>::lowest();
-        for (int n = 0; n < 64; ++n) {
-            const glm::ivec3 at = first + glm::ivec3(n & 3, n >> 2 & 3, n >> 4);
-            const glm::dvec3 away = voxel - glm::dvec3(at);
-            const glm::ivec3 there = glm::clamp(at, glm::ivec3(0), volume.size() - 1);
-            const double value = volume.value(there.x, there.y, there.z);
-            sum += kWeight(away.x) * kWeight(away.y) * kWeight(away.z) * value;
-            least = std::min(least, value);
-            most = std::max(most, value);
+        const auto weights = [&](int axis) {
+            const double at = voxel[axis] - first[axis];
+            return glm::dvec4(kWeight(at), kWeight(at - 1.0), kWeight(at - 2.0), kWeight(at - 3.0));
+        };
+        const auto valueOf = [&](int i, int j, int k) {
+            const glm::ivec3 at = glm::clamp(first + glm::ivec3(i, j, k), glm::ivec3(0), volume.size() - 1);
+            return double(volume.value(at.x, at.y, at.z));
+        };
+        glm::dvec4 layers;
+        for (int k = 0; k < 4; ++k) {
+            glm::dvec4 rows;
+            for (int j = 0; j < 4; ++j) {
+                const glm::dvec4 row(valueOf(0, j, k), valueOf(1, j, k), valueOf(2, j, k), valueOf(3, j, k));
+                rows[j] = of(row, weights(0));
+            }
+            layers[k] = of(rows, weights(1));
         }
-        return std::clamp(sum, least, most);
+        return of(layers, weights(2));
     }
     static glm::dvec3 gradientAt(const Volume& volume, const glm::dvec3& voxel) {
         constexpr double kStep = 1e-4;

@@ -44,7 +44,7 @@ TEST_F(SteepOnDevice, PathsGiveThePictureOfTheReference) {
     const auto scenes = steepScenes();
     ASSERT_EQ(scenes.size(), 2u);
     for (const scenes::SmallScene& scene : scenes) {
-        for (const Filter filter : {Filter::trilinear, Filter::stochastic, Filter::smooth}) {
+        for (const Filter filter : kFilters) {
             const Settings settings{.bounces = 4, .seed = 5, .filter = filter, .look = Look::cinematic};
             PathTracer t = tracer(scene.volume, scene.function, kSky, scene.view, settings);
             ASSERT_TRUE(t.trace(kSamples).ok());

@@ -121,7 +121,7 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
-    choosePreset("cinematic-soft-tissue");
+    choosePreset("ct-bone");
     ASSERT_TRUE(waitUntil([&] { return !seen_.empty() && isOnScreen(app::OnScreen::traced); }));
     // Before there was a model of it that is fit to be shown it was estimated from the one before, and no
     // picture was small.
@@ -138,7 +138,7 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     choosePreset("cinematic-bone");
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
-    choosePreset("cinematic-soft-tissue");
+    choosePreset("ct-bone");
     ASSERT_TRUE(waitUntil([&] { return !seen_.empty(); }));
     EXPECT_EQ(seen_.front().picture, app::OnScreen::model);
 

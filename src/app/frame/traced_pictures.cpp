@@ -54,7 +54,8 @@ bool sameDrawing(const Drawing& a, Drawing b) {
 trace::Settings previewSettings(trace::Settings settings, std::uint32_t number) {
     settings.bounces = std::min(settings.bounces, kPreviewBounces);
     settings.seed += number;  // else the noise would stand still on the screen like dirt
-    settings.filter = trace::Filter::stochastic;
+    // A spline stays: bricks are bounded for it, and would be bounded anew with each motion.
+    if (settings.filter == trace::Filter::trilinear) settings.filter = trace::Filter::stochastic;
     return settings;
 }
 

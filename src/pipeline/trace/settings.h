@@ -18,8 +18,8 @@ enum class Filter {
     trilinear,   // eight voxels, then the transfer function: the value a radiologist expects at an edge
     stochastic,  // one voxel drawn with the trilinear weights: faster; blends optics instead of values
     smooth,  // a cubic B-spline of 64 voxels: no kinks, which a steep curve shows as rings, and softer edges
-    sharp,   // Mitchell and Netravali's spline of 64 voxels: a little sharper than trilinear values, and
-             // without kinks; it is held to these voxels' values, so that none is shown that is not there
+    sharp,   // Mitchell and Netravali's spline of 64 voxels: a little sharper than trilinear values, without
+             // kinks but where it is held to the range of these voxels
 };
 inline constexpr std::array kFilters{Filter::trilinear, Filter::stochastic, Filter::smooth, Filter::sharp};
 

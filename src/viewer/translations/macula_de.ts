@@ -2601,8 +2601,8 @@
         <translation>&amp;Scharf</translation>
     </message>
     <message>
-        <source>With fewer rings on skin and bone, and details as sharp as the voxels</source>
-        <translation>Mit weniger Ringen auf Haut und Knochen, und Einzelheiten so scharf wie die Voxel</translation>
+        <source>Fine detail as with Linear, and somewhat fewer rings</source>
+        <translation>Feine Einzelheiten wie bei Linear, und etwas weniger Ringe</translation>
     </message>
     <message>
         <source>Values between voxels</source>
