@@ -115,7 +115,8 @@ TEST(DefaultTransfer, IsThatOfTheBodyPart) {
 // What the tag says is of the protocol: what is there comes before it.
 TEST(DefaultTransfer, DoesNotTrustTheBodyPart) {
     const std::vector<Part> chest{kLung, kMuscle, kTrabeculae, kCortex};
-    for (const char* said : {"HEAD", "JAW", "HEART", "NECK", "ABDOMEN", "PELVIS", "KNEE", "ARM", "INCIDENTAL"})
+    for (const char* said :
+         {"HEAD", "JAW", "HEART", "NECK", "ABDOMEN", "PELVIS", "KNEE", "ARM", "INCIDENTAL"})
         EXPECT_EQ(defaultTransfer(scanOf(said, chest)), "cinematic-chest") << said;
     EXPECT_EQ(defaultTransfer(scanOf("TSPINE", chest)), "cinematic-bone");
     const std::vector<Part> withoutAgent{kAir, kMuscle, kTrabeculae, kCortex};
