@@ -256,12 +256,13 @@ TEST_F(Evaluate, TellsWhatEachInterpolationDoes) {
         ripples[row["shape"].get<std::string>() + " " + row["by"].get<std::string>()] = row["ripple"];
     }
     for (const std::string shape : {"plane", "cylinder", "sphere"}) {
-        for (const char* by : {"cinematic trilinear", "cinematic stochastic", "cinematic smooth"})
+        for (const char* by :
+             {"cinematic trilinear", "cinematic stochastic", "cinematic smooth", "cinematic sharp"})
             EXPECT_TRUE(ripples.contains(shape + " " + by)) << ran.out;
         // Without chance: the spline is smoother at any number of samples.
         EXPECT_LT(ripples.at(shape + " dvr smooth"), ripples.at(shape + " dvr trilinear")) << ran.out;
     }
-    ASSERT_EQ(report["details"].size(), 9u);
+    ASSERT_EQ(report["details"].size(), 12u);
     for (const json& row : report["details"]) EXPECT_GT(row["contrast"].get<double>(), 0.0) << row;
     EXPECT_EQ(runMacula(arguments).exitCode, 2) << "the pictures are there";
     EXPECT_EQ(runMacula({"evaluate", "interpolation", "--preset", "no-such-preset"}).exitCode, 2);
