@@ -74,7 +74,7 @@ float splined(vec4 values, vec4 weights) {
 // The value at a point by a spline of the 4 x 4 x 4 voxels around: along x, then y, then z. It has no kinks at the planes of
 // voxels, which a steep curve would show as rings. No collision may draw one of these voxels instead: on average it would see what
 // the curve makes of their values, not of the spline's. It stays within the range of these voxels, so bounds of bricks are bounds
-// of it; as that is seen to along each axis, it does not jump where the next voxels begin.
+// of it. Each axis is clamped by itself: so the value does not jump from one cell to the next.
 float splineEntry(vec3 p) {
     ivec3 last = params.volumeSize - ivec3(1);
     vec3 q = p - vec3(0.5);

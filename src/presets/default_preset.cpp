@@ -173,8 +173,8 @@ std::string usualTransfer(const Volume& volume) {
     return volume.modality() == "CT" ? "cinematic-micro-ct" : "cinematic-mr";
 }
 
-// The tag is often that of the protocol and not of what was scanned: what is there comes before it. Nothing
-// where the body part says no more than the kind of images.
+// The tag is often that of the protocol and not of what was scanned: what is there comes before it. Returns
+// nothing where the body part says no more than the kind of images.
 std::optional<std::string> transferOfPart(const Volume& volume) {
     const BodyPart part = bodyPartOf(volume.bodyPart());
     if (volume.unit() == Unit::raw && volume.modality() == "MR") {

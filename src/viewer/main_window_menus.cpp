@@ -55,7 +55,7 @@ void addFilters(QMenu& menu, ViewerSession& session) {
         Choice{trace::Filter::trilinear, MainWindow::tr("&Linear"),
                MainWindow::tr("Values between eight voxels, as other viewers show them")},
         Choice{trace::Filter::smooth, MainWindow::tr("&Smooth"),
-               MainWindow::tr("Without rings on skin and bone, and a voxel softer")},
+               MainWindow::tr("Fewest rings on skin and bone, and a voxel softer")},
         Choice{trace::Filter::sharp, MainWindow::tr("S&harp"),
                MainWindow::tr("Fine detail as with Linear, and somewhat fewer rings")}};
     auto* filters = new ChoiceMenu(MainWindow::tr("Between &Voxels"), &menu);

@@ -2593,8 +2593,8 @@
         <translation>&amp;Glatt</translation>
     </message>
     <message>
-        <source>Without rings on skin and bone, and a voxel softer</source>
-        <translation>Ohne Ringe auf Haut und Knochen, und ein Voxel weicher</translation>
+        <source>Fewest rings on skin and bone, and a voxel softer</source>
+        <translation>Die wenigsten Ringe auf Haut und Knochen, und ein Voxel weicher</translation>
     </message>
     <message>
         <source>S&amp;harp</source>
