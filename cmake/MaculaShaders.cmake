@@ -81,7 +81,8 @@ namespace macula::shaders {
 " @ONLY)
     add_library(macula_shaders_${target} STATIC ${cpps})
     add_library(macula::shaders_${target} ALIAS macula_shaders_${target})
-    set_target_properties(macula_shaders_${target} PROPERTIES EXPORT_NAME shaders_${target} CXX_VISIBILITY_PRESET hidden)
+    set_target_properties(macula_shaders_${target} PROPERTIES EXPORT_NAME shaders_${target} CXX_VISIBILITY_PRESET hidden
+        UNITY_BUILD OFF)  # arrays, all of one name
     # shaders/ itself is included for the structs in shaders/shared.
     target_include_directories(macula_shaders_${target} PUBLIC
         $<BUILD_INTERFACE:${generated}> $<BUILD_INTERFACE:${root}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src>)

@@ -1,0 +1,39 @@
+# Several sources are compiled as one unit: what they include is read once, and templates are made once. It takes a quarter of
+# the time. A name in the unnamed namespace of one source is then seen by those behind it: sources whose names meet those of
+# another are compiled alone, and listed in MaculaAlone.cmake. Whoever adds a source that the compiler says so of renames, or
+# lists it. `./check` compiles on their own the sources that changed, so that none lives on what another includes.
+option(MACULA_UNITY "Compile several sources as one unit" ${PROJECT_IS_TOP_LEVEL})
+
+# Not in what is packaged, of which every source is compiled as it would be elsewhere, nor where lines are counted.
+if(MACULA_UNITY AND NOT CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT MACULA_COVERAGE)
+    set(CMAKE_UNITY_BUILD ON)
+    set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+    # Of a class in a source, whose members have types of its unnamed namespace: there, it has been included.
+    list(APPEND MACULA_WARNINGS -Wno-subobject-linkage)
+    include(MaculaAlone)
+endif()
+
+# At the end, when every target is known: properties of sources are of a folder.
+function(macula_compile_alone folder)
+    if(NOT MACULA_ALONE)
+        return()
+    endif()
+    get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
+    get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
+    foreach(target IN LISTS targets)
+        get_target_property(sources ${target} SOURCES)
+        get_target_property(place ${target} SOURCE_DIR)
+        foreach(source IN LISTS sources)
+            if(source MATCHES "\\.(c|cpp)$")
+                cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${place} NORMALIZE OUTPUT_VARIABLE file)
+                cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE name)
+                if(name IN_LIST MACULA_ALONE OR source MATCHES "\\.c$")  # examples in C are each a program's
+                    set_source_files_properties(${file} TARGET_DIRECTORY ${target} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+                endif()
+            endif()
+        endforeach()
+    endforeach()
+    foreach(below IN LISTS folders)
+        macula_compile_alone(${below})
+    endforeach()
+endfunction()
