@@ -9,7 +9,7 @@ if(MACULA_UNITY AND NOT CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT MACULA_COVER
     set(CMAKE_UNITY_BUILD ON)
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
     # Of a class in a source, whose members have types of its unnamed namespace: there, it has been included.
-    list(APPEND MACULA_WARNINGS -Wno-subobject-linkage)
+    list(APPEND MACULA_WARNINGS $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     include(MaculaAlone)
 endif()
 
