@@ -1,7 +1,8 @@
-# Several sources are compiled as one unit: what they include is read once, and templates are made once. It takes a quarter of
-# the time. A name in the unnamed namespace of one source is then seen by those behind it: sources whose names meet those of
-# another are compiled alone, and listed in MaculaAlone.cmake. Whoever adds a source that the compiler says so of renames, or
-# lists it. `./check` compiles on their own the sources that changed, so that none lives on what another includes.
+# CMake joins several sources into one unit: the compiler reads what they include once, and makes templates once
+# (docs/measurements/build.md has the times). The unnamed namespace of one source is then visible to the sources behind it.
+# MaculaAlone.cmake lists the sources whose names clash with another's; they are compiled alone. If the compiler reports a
+# redefinition in a new source, rename, or list the source there. `./check` compiles changed sources of `src` alone as well,
+# so that none depends on what another includes.
 option(MACULA_UNITY "Compile several sources as one unit" ${PROJECT_IS_TOP_LEVEL})
 
 # Not in what is packaged, of which every source is compiled as it would be elsewhere, nor where lines are counted.

@@ -54,8 +54,7 @@ TEST_F(EditsOnDevice, AnEstimateIsOfWhatTheEditShows) {
         // What is opaque is there, and what is hidden is not.
         EXPECT_LT(edit["estimated"]["lacks"].get<double>(), 0.01) << name;
         EXPECT_LT(edit["estimated"]["remains"].get<double>(), 0.03) << name;
-        // Soft tissue after bone is lit roughly, by a model of 60 steps: 0.39 under `studio`, of which little
-        // is sky.
+        // A model of 60 steps lights soft tissue after bone roughly: FLIP 0.39 under `studio`, which has little sky.
         EXPECT_LT(edit["estimated"]["flip"].get<double>(), 0.45) << name;
         EXPECT_GT(edit["small"]["flip"].get<double>(), 0.0) << name;
     }
