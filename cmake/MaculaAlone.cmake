@@ -1,54 +1,6 @@
 # Sources that are compiled alone: a name in their unnamed namespace is that of another source of the same target
 # (MaculaUnity.cmake).
 set(MACULA_ALONE
-    src/app/camera/splat_cameras.cpp
-    src/app/clip/clip_outline.cpp
-    src/app/clip/edited_clip.cpp
-    src/app/clip/eye_cut.cpp
-    src/app/clip/kept_box.cpp
-    src/app/clip/removed_on_slice.cpp
-    src/app/clip/scissor_cut.cpp
-    src/app/frame/frame_renderer_pictures.cpp
-    src/app/frame/traced_pictures.cpp
-    src/app/hosted/hosted_loop.cpp
-    src/app/measure/measurements_file.cpp
-    src/app/picture/drawn_picture.cpp
-    src/app/picture/picture_names.cpp
-    src/app/picture/preset_thumbnail.cpp
-    src/app/picture/recorded_study.cpp
-    src/app/picture/view_picture.cpp
-    src/app/picture/view_sequence.cpp
-    src/app/presentation/cropping_clip.cpp
-    src/app/presentation/presentation_of_state.cpp
-    src/app/presentation/softcopy_on_slices.cpp
-    src/app/presentation/state_of_presentation.cpp
-    src/app/quality/calibration.cpp
-    src/app/segmentation/loaded_segmentation.cpp
-    src/app/segmentation/segments_to_draw.cpp
-    src/app/session/own_preset.cpp
-    src/app/session/sessions_json.cpp
-    src/app/session/stored_presets.cpp
-    src/app/session/stored_sessions.cpp
-    src/app/slices/own_windows.cpp
-    src/app/state/beside_json.cpp
-    src/app/state/cuts_json.cpp
-    src/app/state/segments_json.cpp
-    src/app/state/slices_json.cpp
-    src/app/state/state_bytes.cpp
-    src/app/state/state_merge.cpp
-    src/app/state/study_state.cpp
-    src/app/state/study_state_json.cpp
-    src/app/study/grid_json.cpp
-    src/app/study/presented_volume.cpp
-    src/app/study/scan_json.cpp
-    src/app/study/second_curve.cpp
-    src/app/study/second_study.cpp
-    src/app/study/stack_label_text.cpp
-    src/app/study/study_input.cpp
-    src/app/study/study_tree.cpp
-    src/app/study/volume_export.cpp
-    src/app/transfer/own_copy.cpp
-    src/app/transfer/value_axis.cpp
     src/base/quantised.cpp
     src/c/live.cpp
     src/cli/bench_cast_command.cpp
@@ -83,31 +35,31 @@ set(MACULA_ALONE
     src/dicom/frame_loader.cpp
     src/dicom/loader.cpp
     src/dicom/pixels/image_checks.cpp
-    src/dicom/pixels/intensity_plan.cpp
-    src/dicom/pixels/value_unit.cpp
     src/dicom/presentation/write_presentation.cpp
     src/dicom/read/outline.cpp
     src/dicom/read/sop_class.cpp
     src/dicom/read/transfer_syntax.cpp
-    src/dicom/secondary_capture.cpp
     src/dicom/segmentation/segment_voxels.cpp
     src/dicom/segmentation/segmentation_loader.cpp
-    src/dicom/series_writer.cpp
     src/dicom/split/acquisition_time.cpp
     src/dicom/split/acquisitions.cpp
     src/dicom/split/changes_along_stack.cpp
     src/dicom/split/frame_order.cpp
     src/dicom/split/join.cpp
     src/dicom/split/missing_images.cpp
-    src/dicom/split/odd_images.cpp
     src/dicom/split/partition.cpp
     src/dicom/split/phases.cpp
     src/dicom/split/rank_model.cpp
     src/dicom/split/split.cpp
-    src/dicom/split/split_rules.cpp
     src/dicom/split/splitter.cpp
-    src/dicom/split/stack.cpp
     src/dicom/split/stack_numbering.cpp
+    src/dicom/stack/intensity_plan.cpp
+    src/dicom/stack/odd_images.cpp
+    src/dicom/stack/split_rules.cpp
+    src/dicom/stack/stack.cpp
+    src/dicom/stack/value_unit.cpp
+    src/dicom/write/secondary_capture.cpp
+    src/dicom/write/series_writer.cpp
     src/evaluate/benchmark_reports.cpp
     src/evaluate/edits.cpp
     src/evaluate/evaluation_report.cpp
@@ -133,6 +85,20 @@ set(MACULA_ALONE
     src/formats/volume_file.cpp
     src/image/masked_metrics.cpp
     src/image/noisy_reference.cpp
+    src/live/frame/frame_renderer_pictures.cpp
+    src/live/frame/traced_pictures.cpp
+    src/live/hosted/hosted_loop.cpp
+    src/live/quality/calibration.cpp
+    src/live/store/own_preset.cpp
+    src/live/store/sessions_json.cpp
+    src/live/store/stored_presets.cpp
+    src/live/store/stored_sessions.cpp
+    src/pictures/drawn_picture.cpp
+    src/pictures/picture_names.cpp
+    src/pictures/preset_thumbnail.cpp
+    src/pictures/recorded_study.cpp
+    src/pictures/view_picture.cpp
+    src/pictures/view_sequence.cpp
     src/pipeline/gpu/shared_image.cpp
     src/pipeline/gpu/spirv_reflection.cpp
     src/pipeline/hybrid/frame/reprojection.cpp
@@ -160,91 +126,94 @@ set(MACULA_ALONE
     src/presets/paraview_json.cpp
     src/presets/slicer_xml.cpp
     src/registration/rival.cpp
+    src/scene/camera/splat_cameras.cpp
+    src/scene/clip/clip_outline.cpp
+    src/scene/clip/edited_clip.cpp
+    src/scene/clip/eye_cut.cpp
+    src/scene/clip/kept_box.cpp
+    src/scene/clip/removed_on_slice.cpp
+    src/scene/clip/scissor_cut.cpp
+    src/scene/presentation/cropping_clip.cpp
+    src/scene/presentation/presentation_of_state.cpp
+    src/scene/presentation/softcopy_on_slices.cpp
+    src/scene/presentation/state_of_presentation.cpp
+    src/scene/second/second_curve.cpp
+    src/scene/second/second_study.cpp
+    src/scene/segments/segments_to_draw.cpp
+    src/scene/slices/measurements_file.cpp
+    src/scene/slices/own_windows.cpp
+    src/scene/state/beside_json.cpp
+    src/scene/state/cuts_json.cpp
+    src/scene/state/segments_json.cpp
+    src/scene/state/slices_json.cpp
+    src/scene/state/state_bytes.cpp
+    src/scene/state/state_merge.cpp
+    src/scene/state/study_state.cpp
+    src/scene/state/study_state_json.cpp
+    src/scene/transfer/own_copy.cpp
+    src/scene/transfer/value_axis.cpp
     src/session/store.cpp
     src/session/store_documents.cpp
     src/session/store_models.cpp
     src/slices/cut_voxels.cpp
+    src/study/export/grid_json.cpp
+    src/study/export/volume_export.cpp
+    src/study/list/scan_json.cpp
+    src/study/list/study_tree.cpp
+    src/study/open/presented_volume.cpp
+    src/study/open/stack_label_text.cpp
+    src/study/open/study_input.cpp
+    src/study/segmentation/loaded_segmentation.cpp
     src/viewer/browser/study_row_delegate.cpp
     src/viewer/clip/clip_handles_tool.cpp
     src/viewer/clip/face_row.cpp
     src/viewer/driven/driven_hand.cpp
     src/viewer/driven/orbit_gauge.cpp
+    src/viewer/driven/orbit_script.cpp
     src/viewer/driven/session_script.cpp
     src/viewer/driven/session_steps.cpp
     src/viewer/headset/headset_show.cpp
     src/viewer/headset/headset_words.cpp
-    src/viewer/help_boxes.cpp
-    src/viewer/join_question.cpp
     src/viewer/language/core_words.cpp
     src/viewer/lights/lights_editing.cpp
-    src/viewer/main_window_output.cpp
-    src/viewer/marks/cube_and_scale.cpp
-    src/viewer/marks/tool_marks.cpp
-    src/viewer/orbit_script.cpp
     src/viewer/output/movie_stamps.cpp
     src/viewer/output/picture_dialog.cpp
-    src/viewer/painted_text.cpp
+    src/viewer/overlay/cube_and_scale.cpp
+    src/viewer/overlay/overlay_layout.cpp
+    src/viewer/overlay/painted_text.cpp
+    src/viewer/overlay/slice_overlay.cpp
+    src/viewer/overlay/tool_marks.cpp
     src/viewer/panes/tool_box.cpp
     src/viewer/presets/preset_comparison.cpp
     src/viewer/presets/preset_gallery.cpp
-    src/viewer/quit_question.cpp
     src/viewer/settings/key_book.cpp
     src/viewer/settings/settings.cpp
     src/viewer/slices/clip_on_slice.cpp
     src/viewer/slices/label_editor.cpp
     src/viewer/slices/measurement_texts.cpp
-    src/viewer/slices/overlay_layout.cpp
     src/viewer/slices/second_series.cpp
     src/viewer/slices/slice_menu.cpp
-    src/viewer/slices/slice_overlay.cpp
     src/viewer/slices/slice_sampler.cpp
     src/viewer/slices/slice_view.cpp
     src/viewer/slices/slice_view_events.cpp
     src/viewer/slices/slice_view_second.cpp
-    src/viewer/study_texts.cpp
+    src/viewer/status/visibility_note.cpp
     src/viewer/transfer/matter_fields.cpp
     src/viewer/transfer/point_fields.cpp
     src/viewer/transfer/transfer_curve.cpp
     src/viewer/transfer/transfer_curve_mouse.cpp
     src/viewer/transfer/transfer_curve_paint.cpp
     src/viewer/transfer/transfer_function_editor.cpp
-    src/viewer/visibility_note.cpp
-    src/viewer/volume_choice.cpp
+    src/viewer/window/help_boxes.cpp
+    src/viewer/window/join_question.cpp
+    src/viewer/window/main_window_output.cpp
+    src/viewer/window/quit_question.cpp
+    src/viewer/window/study_texts.cpp
+    src/viewer/window/volume_choice.cpp
     src/xr/room_view.cpp
     src/xr/study_in_headset.cpp
     src/xr/visibility_mask.cpp
     src/xr/wrist_panel.cpp
-    tests/app/clip_handles_test.cpp
-    tests/app/cuts_json_test.cpp
-    tests/app/edited_clip_test.cpp
-    tests/app/edited_transfer_test.cpp
-    tests/app/first_matter_test.cpp
-    tests/app/hand_rhythm_test.cpp
-    tests/app/latest_test.cpp
-    tests/app/light_direction_test.cpp
-    tests/app/measurements_file_test.cpp
-    tests/app/model_keeper_test.cpp
-    tests/app/open_device_test.cpp
-    tests/app/opened_study_test.cpp
-    tests/app/orbit_camera_test.cpp
-    tests/app/output_files_test.cpp
-    tests/app/own_presets_test.cpp
-    tests/app/own_windows_test.cpp
-    tests/app/parameters_test.cpp
-    tests/app/picture_course_test.cpp
-    tests/app/picture_effects_test.cpp
-    tests/app/projection_windows_test.cpp
-    tests/app/scene_key_test.cpp
-    tests/app/scissor_cut_test.cpp
-    tests/app/second_curve_test.cpp
-    tests/app/second_study_test.cpp
-    tests/app/series_thumbnail_test.cpp
-    tests/app/softcopy_on_slices_test.cpp
-    tests/app/study_state_test.cpp
-    tests/app/study_tree_test.cpp
-    tests/app/view_picture_test.cpp
-    tests/app/view_sequence_test.cpp
-    tests/app/window_presets_test.cpp
     tests/architecture/build_flags_test.cpp
     tests/architecture/comments_test.cpp
     tests/base/installation_key_test.cpp
@@ -324,9 +293,37 @@ set(MACULA_ALONE
     tests/image/metrics_test.cpp
     tests/image/multiscale_ssim_test.cpp
     tests/image/noisy_reference_test.cpp
+    tests/live/hand_rhythm_test.cpp
+    tests/live/latest_test.cpp
+    tests/live/model_keeper_test.cpp
+    tests/live/open_device_test.cpp
+    tests/live/own_presets_test.cpp
+    tests/live/picture_course_test.cpp
+    tests/live/scene_key_test.cpp
     tests/pages/page.cpp
     tests/pages/risk_test.cpp
+    tests/pictures/output_files_test.cpp
+    tests/pictures/picture_effects_test.cpp
+    tests/pictures/view_picture_test.cpp
+    tests/pictures/view_sequence_test.cpp
     tests/registration/rival_test.cpp
+    tests/scene/clip_handles_test.cpp
+    tests/scene/cuts_json_test.cpp
+    tests/scene/edited_clip_test.cpp
+    tests/scene/edited_transfer_test.cpp
+    tests/scene/first_matter_test.cpp
+    tests/scene/light_direction_test.cpp
+    tests/scene/measurements_file_test.cpp
+    tests/scene/orbit_camera_test.cpp
+    tests/scene/own_windows_test.cpp
+    tests/scene/parameters_test.cpp
+    tests/scene/projection_windows_test.cpp
+    tests/scene/scissor_cut_test.cpp
+    tests/scene/second_curve_test.cpp
+    tests/scene/second_study_test.cpp
+    tests/scene/softcopy_on_slices_test.cpp
+    tests/scene/study_state_test.cpp
+    tests/scene/window_presets_test.cpp
     tests/segment/real_ct_test.cpp
     tests/session/age_clock_test.cpp
     tests/session/damage_test.cpp
@@ -353,6 +350,9 @@ set(MACULA_ALONE
     tests/splat/files/training_file_test.cpp
     tests/splat/model/splats_test.cpp
     tests/splat/train/loss_device_test.cpp
+    tests/study/opened_study_test.cpp
+    tests/study/series_thumbnail_test.cpp
+    tests/study/study_tree_test.cpp
     tests/trace/cast_device_test.cpp
     tests/trace/clip_device_test.cpp
     tests/trace/denoise_specks_test.cpp

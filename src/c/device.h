@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/hosted/lent_handles.h"
 #include "c/kept_scene.h"
+#include "live/hosted/lent_handles.h"
 #include "pipeline/gpu/recovery.h"
 
 struct macula_device {

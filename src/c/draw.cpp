@@ -4,14 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/choice/clip_choice.h"
-#include "app/choice/lights_choice.h"
-#include "app/elapsed.h"
-#include "app/frame/projection_windows.h"
-#include "app/picture/drawn_picture.h"
-#include "app/picture/picture_effort.h"
-#include "app/picture/render_record.h"
-#include "app/state/drawing_of.h"
+#include "base/elapsed.h"
 #include "c/camera.h"
 #include "c/device.h"
 #include "c/handles.h"
@@ -21,6 +14,13 @@
 #include "c/sized.h"
 #include "c/told_progress.h"
 #include "c/view.h"
+#include "pictures/drawn_picture.h"
+#include "pictures/picture_effort.h"
+#include "pictures/render_record.h"
+#include "scene/choice/clip_choice.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/drawing/drawing_of.h"
+#include "scene/drawing/projection_windows.h"
 
 namespace macula::c {
 

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "app/study/found_volumes.h"
-#include "app/study/scan_json.h"
 #include "c/handles.h"
 #include "c/last_error.h"
 #include "c/study.h"
 #include "dicom/best_volume.h"
+#include "study/list/scan_json.h"
+#include "study/open/found_volumes.h"
 
 namespace macula::c {
 

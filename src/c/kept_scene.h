@@ -6,7 +6,7 @@
 #include <mutex>
 #include <optional>
 
-#include "app/picture/drawn_picture.h"
+#include "pictures/drawn_picture.h"
 
 namespace macula::c {
 

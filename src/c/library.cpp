@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "app/choice/built_in_list.h"
 #include "base/log.h"
 #include "c/last_error.h"
 #include "c/told_progress.h"
 #include "pipeline/trace/look.h"
+#include "scene/choice/built_in_list.h"
 
 namespace macula::c {
 

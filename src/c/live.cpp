@@ -10,14 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/choice/catalogue.h"
-#include "app/choice/lights_choice.h"
-#include "app/frame/fidelity.h"
-#include "app/frame/projection_windows.h"
-#include "app/frame/times_report.h"
-#include "app/hosted/hosted_loop.h"
-#include "app/output/output_files.h"
-#include "app/state/drawing_of.h"
 #include "c/camera.h"
 #include "c/device.h"
 #include "c/handles.h"
@@ -28,6 +20,14 @@
 #include "c/sized.h"
 #include "c/told_progress.h"
 #include "c/view.h"
+#include "live/frame/fidelity.h"
+#include "live/frame/times_report.h"
+#include "live/hosted/hosted_loop.h"
+#include "pictures/output_files.h"
+#include "scene/choice/catalogue.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/drawing/drawing_of.h"
+#include "scene/drawing/projection_windows.h"
 
 struct macula_live {
     std::unique_ptr<macula::app::HostedLoop> loop;

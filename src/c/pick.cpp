@@ -5,10 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/choice/catalogue.h"
-#include "app/frame/projection_windows.h"
-#include "app/state/drawing_of.h"
-#include "app/study/first_matter.h"
 #include "c/camera.h"
 #include "c/handles.h"
 #include "c/last_error.h"
@@ -17,6 +13,10 @@
 #include "c/sized.h"
 #include "c/told_progress.h"
 #include "c/view.h"
+#include "scene/choice/catalogue.h"
+#include "scene/drawing/drawing_of.h"
+#include "scene/drawing/first_matter.h"
+#include "scene/drawing/projection_windows.h"
 
 namespace macula::c {
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/choice/lights_choice.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::c {
 

@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "app/state/study_state.h"
-#include "app/study/shown_clip.h"
-#include "app/study/study_preset.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "c/view.h"
+#include "scene/choice/study_preset.h"
+#include "scene/drawing/shown_clip.h"
+#include "scene/state/study_state.h"
 
 namespace macula::c {
 

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <utility>
 
-#include "app/study/found_volumes.h"
 #include "base/fingerprint.h"
 #include "c/handles.h"
 #include "c/last_error.h"
@@ -17,6 +16,7 @@
 #include "c/told_progress.h"
 #include "c/utf8_text.h"
 #include "formats/raw_image.h"
+#include "study/open/found_volumes.h"
 
 namespace macula::c {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/study/opened_study.h"
+#include "study/open/opened_study.h"
 
 struct macula_study {
     macula::app::OpenedStudy opened;  // with a volume

@@ -4,17 +4,17 @@
 #include <memory>
 #include <utility>
 
-#include "app/camera/view_directions.h"
-#include "app/choice/clip_choice.h"
-#include "app/choice/lights_choice.h"
-#include "app/frame/background_colour.h"
-#include "app/study/study_preset.h"
 #include "c/camera.h"
 #include "c/handles.h"
 #include "c/last_error.h"
 #include "c/sized.h"
 #include "c/study.h"
 #include "pipeline/trace/look.h"
+#include "scene/camera/view_directions.h"
+#include "scene/choice/clip_choice.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/choice/study_preset.h"
+#include "scene/lights/background_colour.h"
 
 namespace macula::c {
 

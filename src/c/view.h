@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "app/state/state_wish.h"
-#include "app/state/study_state.h"
-#include "app/study/study_input.h"
 #include "base/camera.h"
 #include "base/volume.h"
 #include "c/kept_scene.h"
+#include "pictures/state_wish.h"
+#include "scene/state/study_state.h"
+#include "study/open/study_input.h"
 
 namespace macula::c {
 

@@ -3,12 +3,12 @@
 #include <string>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
-#include "app/state/study_state.h"
 #include "c/handles.h"
 #include "c/last_error.h"
 #include "c/seen_view.h"
 #include "c/view.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/state/study_state.h"
 
 namespace macula::c {
 

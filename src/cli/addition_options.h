@@ -4,7 +4,7 @@
 
 #include <CLI/App.hpp>
 
-#include "app/picture/addition_wish.h"
+#include "pictures/addition_wish.h"
 
 namespace macula::cli {
 

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/study/study_input.h"
 #include "base/parallel.h"
 #include "base/progress_bar.h"
 #include "base/sha256.h"
@@ -17,6 +16,7 @@
 #include "dicom/scan.h"
 #include "evaluate/baseline.h"
 #include "evaluate/benchmark_reports.h"
+#include "study/open/study_input.h"
 
 namespace macula::cli {
 

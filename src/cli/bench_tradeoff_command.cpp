@@ -5,7 +5,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/output/output_files.h"
 #include "base/atomic_file.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
@@ -16,6 +15,7 @@
 #include "cli/study_options.h"
 #include "evaluate/benchmark_reports.h"
 #include "evaluate/svg_plot.h"
+#include "pictures/output_files.h"
 
 namespace macula::cli {
 

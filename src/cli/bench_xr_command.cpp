@@ -9,13 +9,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/choice/typed_values.h"
 #include "base/progress_bar.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
 #include "cli/number_range.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
+#include "scene/choice/typed_values.h"
 #include "xr/study_in_headset.h"
 
 namespace macula::cli {

@@ -7,10 +7,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/choice/clip_choice.h"
-#include "app/choice/lights_choice.h"
-#include "app/open_device.h"
-#include "app/output/output_files.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -22,7 +18,11 @@
 #include "cli/study_options.h"
 #include "evaluate/study_evaluation.h"
 #include "image/image_file.h"
+#include "live/device/open_device.h"
+#include "pictures/output_files.h"
 #include "pipeline/trace/settings.h"
+#include "scene/choice/clip_choice.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::cli {
 

@@ -3,12 +3,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/output/output_files.h"
 #include "cli/command.h"
 #include "cli/number_range.h"
 #include "cli/study_options.h"
 #include "cli/study_report.h"
 #include "evaluate/edits.h"
+#include "pictures/output_files.h"
 
 namespace macula::cli {
 

@@ -3,11 +3,11 @@
 #include <memory>
 #include <string>
 
-#include "app/output/output_files.h"
 #include "cli/command.h"
 #include "cli/number_range.h"
 #include "cli/study_options.h"
 #include "cli/study_report.h"
+#include "pictures/output_files.h"
 
 namespace macula::cli {
 

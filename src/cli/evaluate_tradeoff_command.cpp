@@ -3,7 +3,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/output/output_files.h"
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/number_range.h"
@@ -11,6 +10,7 @@
 #include "cli/study_options.h"
 #include "cli/study_report.h"
 #include "evaluate/frame_tradeoff_report.h"
+#include "pictures/output_files.h"
 
 namespace macula::cli {
 

@@ -8,10 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/elapsed.h"
-#include "app/output/output_files.h"
-#include "app/study/study_input.h"
-#include "app/study/volume_export.h"
+#include "base/elapsed.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -21,6 +18,9 @@
 #include "cli/report.h"
 #include "cli/study_options.h"
 #include "formats/volume_file.h"
+#include "pictures/output_files.h"
+#include "study/export/volume_export.h"
+#include "study/open/study_input.h"
 
 namespace macula::cli {
 

@@ -3,7 +3,6 @@
 #include <CLI/Option.hpp>
 #include <memory>
 
-#include "app/picture/recorded_study.h"
 #include "base/progress_bar.h"
 #include "cli/addition_options.h"
 #include "cli/command.h"
@@ -13,6 +12,7 @@
 #include "cli/report.h"
 #include "cli/session_choice.h"
 #include "cli/study_options.h"
+#include "pictures/recorded_study.h"
 
 namespace macula::cli {
 

@@ -8,8 +8,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/study/scan_json.h"
-#include "app/study/study_input.h"
 #include "base/printable.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
@@ -21,6 +19,8 @@
 #include "dicom/read/transfer_syntax.h"
 #include "dicom/segmentation/segmentation.h"
 #include "formats/volume_file.h"
+#include "study/list/scan_json.h"
+#include "study/open/study_input.h"
 
 namespace macula::cli {
 

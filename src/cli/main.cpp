@@ -8,13 +8,13 @@
 #include <iostream>
 #include <new>
 
-#include "app/choice/nearest_name.h"
-#include "app/exit_codes.h"
-#include "app/open_device.h"
 #include "base/core_dumps.h"
+#include "base/exit_codes.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
+#include "live/device/open_device.h"
+#include "scene/choice/nearest_name.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/camera/view_directions.h"
-#include "app/choice/nearest_name.h"
 #include "pipeline/trace/settings.h"
+#include "scene/camera/view_directions.h"
+#include "scene/choice/nearest_name.h"
 
 namespace macula::cli {
 

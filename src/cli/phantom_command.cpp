@@ -7,7 +7,7 @@
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
-#include "dicom/series_writer.h"
+#include "dicom/write/series_writer.h"
 
 namespace macula::cli {
 

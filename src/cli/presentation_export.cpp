@@ -5,16 +5,16 @@
 #include <map>
 #include <utility>
 
-#include "app/output/output_files.h"
-#include "app/picture/fitted_view.h"
-#include "app/presentation/presentation_file.h"
-#include "app/study/shown_clip.h"
 #include "base/progress_bar.h"
 #include "cli/interrupt.h"
 #include "cli/name_option.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
 #include "formats/volume_file.h"
+#include "pictures/fitted_view.h"
+#include "pictures/output_files.h"
+#include "scene/drawing/shown_clip.h"
+#include "scene/presentation/presentation_file.h"
 
 namespace macula::cli {
 

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <string>
 
-#include "app/state/state_wish.h"
 #include "base/result.h"
 #include "dicom/scan.h"
+#include "pictures/state_wish.h"
 
 namespace macula::cli {
 

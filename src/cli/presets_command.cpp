@@ -7,16 +7,16 @@
 #include <utility>
 #include <vector>
 
-#include "app/choice/built_in_list.h"
-#include "app/choice/preset_choice.h"
-#include "app/output/output_files.h"
 #include "base/atomic_file.h"
 #include "cli/command.h"
 #include "cli/json_text.h"
 #include "cli/output_options.h"
 #include "cli/report.h"
+#include "pictures/output_files.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/preset_file.h"
+#include "scene/choice/built_in_list.h"
+#include "scene/choice/preset_choice.h"
 
 namespace macula::cli {
 

@@ -5,19 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/camera/usual_view.h"
-#include "app/elapsed.h"
-#include "app/open_device.h"
-#include "app/picture/addition_wish.h"
-#include "app/picture/drawn_picture.h"
-#include "app/picture/picture_file.h"
-#include "app/picture/render_record.h"
-#include "app/picture/render_wish.h"
-#include "app/state/drawing_of.h"
-#include "app/state/state_wish.h"
-#include "app/study/read_study.h"
-#include "app/study/shown_clip.h"
-#include "app/study/study_input.h"
+#include "base/elapsed.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -25,6 +13,18 @@
 #include "cli/output_options.h"
 #include "cli/render_options.h"
 #include "cli/report.h"
+#include "live/device/open_device.h"
+#include "pictures/addition_wish.h"
+#include "pictures/drawn_picture.h"
+#include "pictures/picture_file.h"
+#include "pictures/render_record.h"
+#include "pictures/render_wish.h"
+#include "pictures/state_wish.h"
+#include "scene/camera/usual_view.h"
+#include "scene/drawing/drawing_of.h"
+#include "scene/drawing/shown_clip.h"
+#include "study/open/read_study.h"
+#include "study/open/study_input.h"
 
 namespace macula::cli {
 

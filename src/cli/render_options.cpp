@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <map>
 
-#include "app/state/parameters.h"
 #include "cli/addition_options.h"
 #include "cli/name_option.h"
 #include "cli/number_range.h"
 #include "cli/output_options.h"
 #include "cli/study_options.h"
 #include "pipeline/trace/settings.h"
+#include "scene/state/parameters.h"
 
 namespace macula::cli {
 

@@ -3,7 +3,7 @@
 
 #include <CLI/App.hpp>
 
-#include "app/picture/render_wish.h"
+#include "pictures/render_wish.h"
 
 namespace macula::cli {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "app/elapsed.h"
+#include "base/elapsed.h"
 #include "base/printable.h"
 #include "base/progress_bar.h"
 

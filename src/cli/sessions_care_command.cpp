@@ -4,12 +4,12 @@
 #include <CLI/Validators.hpp>
 #include <memory>
 
-#include "app/session/byte_size.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/sessions_options.h"
+#include "live/store/byte_size.h"
 
 namespace macula::cli {
 

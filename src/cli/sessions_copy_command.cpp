@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/session/session_copies.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/sessions_options.h"
+#include "live/store/session_copies.h"
 
 namespace macula::cli {
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "app/session/sessions_json.h"
-#include "app/session/sessions_text.h"
 #include "cli/json_text.h"
+#include "live/store/sessions_json.h"
+#include "live/store/sessions_text.h"
 #include "session/store.h"
 
 namespace macula::cli {

@@ -5,11 +5,11 @@
 #include <chrono>
 #include <memory>
 
-#include "app/session/purge_plan.h"
 #include "cli/command.h"
 #include "cli/question.h"
 #include "cli/report.h"
 #include "cli/sessions_options.h"
+#include "live/store/purge_plan.h"
 
 namespace macula::cli {
 

@@ -5,12 +5,6 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/open_device.h"
-#include "app/output/output_files.h"
-#include "app/picture/picture_file.h"
-#include "app/picture/preset_sheet.h"
-#include "app/study/study_input.h"
-#include "app/study/study_preset.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -19,8 +13,14 @@
 #include "cli/report.h"
 #include "cli/study_options.h"
 #include "image/image_file.h"
+#include "live/device/open_device.h"
+#include "pictures/output_files.h"
+#include "pictures/picture_file.h"
+#include "pictures/preset_sheet.h"
 #include "pipeline/trace/look.h"
 #include "presets/catalogue.h"
+#include "scene/choice/study_preset.h"
+#include "study/open/study_input.h"
 
 namespace macula::cli {
 

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <memory>
 
-#include "app/model/model_output.h"
-#include "app/output/output_files.h"
 #include "cli/command.h"
 #include "cli/output_options.h"
 #include "cli/report.h"
+#include "live/model/model_output.h"
+#include "pictures/output_files.h"
 #include "pipeline/splat/files/model_file.h"
 
 namespace macula::cli {

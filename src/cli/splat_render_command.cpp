@@ -8,14 +8,6 @@
 #include <memory>
 #include <optional>
 
-#include "app/camera/framed_model.h"
-#include "app/camera/splat_cameras.h"
-#include "app/camera/view_directions.h"
-#include "app/choice/typed_values.h"
-#include "app/open_device.h"
-#include "app/output/output_files.h"
-#include "app/picture/model_picture.h"
-#include "app/picture/picture_names.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -23,6 +15,14 @@
 #include "cli/number_range.h"
 #include "cli/output_options.h"
 #include "cli/report.h"
+#include "live/device/open_device.h"
+#include "pictures/model_picture.h"
+#include "pictures/output_files.h"
+#include "pictures/picture_names.h"
+#include "scene/camera/framed_model.h"
+#include "scene/camera/splat_cameras.h"
+#include "scene/camera/view_directions.h"
+#include "scene/choice/typed_values.h"
 
 namespace macula::cli {
 

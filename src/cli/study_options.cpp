@@ -4,7 +4,7 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 
-#include "app/choice/lights_choice.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::cli {
 

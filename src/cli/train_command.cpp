@@ -10,17 +10,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/choice/clip_choice.h"
-#include "app/choice/lights_choice.h"
-#include "app/model/model_key.h"
-#include "app/model/model_output.h"
-#include "app/model/model_training.h"
-#include "app/model/training_record.h"
-#include "app/open_device.h"
-#include "app/output/output_files.h"
-#include "app/study/shown_clip.h"
-#include "app/study/study_input.h"
-#include "app/study/study_preset.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
 #include "cli/interrupt.h"
@@ -30,8 +19,19 @@
 #include "cli/output_options.h"
 #include "cli/report.h"
 #include "cli/study_options.h"
+#include "live/device/open_device.h"
+#include "live/model/model_key.h"
+#include "live/model/model_output.h"
+#include "live/model/model_training.h"
+#include "live/model/training_record.h"
+#include "pictures/output_files.h"
 #include "pipeline/splat/files/model_file.h"
 #include "pipeline/trace/settings.h"
+#include "scene/choice/clip_choice.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/choice/study_preset.h"
+#include "scene/drawing/shown_clip.h"
+#include "study/open/study_input.h"
 
 namespace macula::cli {
 

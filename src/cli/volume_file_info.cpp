@@ -2,11 +2,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/study/grid_json.h"
-#include "app/study/volume_file_json.h"
 #include "base/phantom.h"
 #include "cli/json_text.h"
 #include "formats/volume_file.h"
+#include "study/export/grid_json.h"
+#include "study/export/volume_file_json.h"
 
 namespace macula::cli {
 

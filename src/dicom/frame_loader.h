@@ -6,7 +6,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "dicom/split/stack.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "dicom/read/examination.h"
 #include "dicom/split/missing_images.h"
+#include "dicom/stack/examination.h"
 
 namespace macula::dicom {
 

@@ -14,9 +14,9 @@
 #include "dicom/pixels/frame_decoder.h"
 #include "dicom/pixels/image_checks.h"
 #include "dicom/pixels/slice_sources.h"
-#include "dicom/pixels/value_unit.h"
 #include "dicom/read/image_size.h"
-#include "dicom/split/split_rules.h"
+#include "dicom/stack/split_rules.h"
+#include "dicom/stack/value_unit.h"
 
 namespace macula::dicom {
 

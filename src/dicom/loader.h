@@ -7,7 +7,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
-#include "dicom/split/series.h"
+#include "dicom/stack/series.h"
 
 namespace macula::dicom {
 

@@ -15,7 +15,6 @@
 #include "base/parallel.h"
 #include "dicom/listed_files.h"
 #include "dicom/read/dictionary.h"
-#include "dicom/read/examination.h"
 #include "dicom/read/folder.h"
 #include "dicom/read/placeholder.h"
 #include "dicom/read/sop_class.h"
@@ -27,6 +26,7 @@
 #include "dicom/split/missing_images.h"
 #include "dicom/split/neighbours.h"
 #include "dicom/split/split.h"
+#include "dicom/stack/examination.h"
 
 namespace macula::dicom {
 

@@ -11,7 +11,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "dicom/split/series.h"
+#include "dicom/stack/series.h"
 
 namespace macula::dicom {
 

@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "dicom/read/examination.h"
 #include "dicom/scan.h"
+#include "dicom/stack/examination.h"
 
 namespace macula::dicom {
 

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "app/camera/camera_file.h"
-#include "app/choice/lights_choice.h"
-#include "app/open_device.h"
-#include "app/study/study_input.h"
 #include "evaluate/shown_picture.h"
+#include "live/device/open_device.h"
 #include "pipeline/trace/device_scene.h"
+#include "scene/camera/camera_file.h"
+#include "scene/choice/lights_choice.h"
+#include "study/open/study_input.h"
 
 namespace macula::evaluate {
 

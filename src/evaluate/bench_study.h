@@ -7,17 +7,17 @@
 #include <optional>
 #include <string>
 
-#include "app/study/scene_on_device.h"
-#include "app/study/study_preset.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "dicom/scan.h"
 #include "image/image.h"
+#include "live/device/scene_on_device.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/path_tracer.h"
 #include "pipeline/volume/transfer_function.h"
+#include "scene/choice/study_preset.h"
 
 namespace macula::evaluate {
 

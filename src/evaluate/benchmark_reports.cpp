@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
-#include "app/camera/camera_file.h"
-#include "app/frame/times_report.h"
 #include "base/parallel.h"
+#include "live/frame/times_report.h"
+#include "scene/camera/camera_file.h"
 
 namespace macula::evaluate {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "app/elapsed.h"
+#include "base/elapsed.h"
 #include "base/parallel.h"
 #include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"

@@ -6,20 +6,20 @@
 #include <initializer_list>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
-#include "app/frame/estimated_model.h"
-#include "app/study/scene_on_device.h"
-#include "app/transfer/edited_transfer.h"
 #include "evaluate/measurement.h"
 #include "evaluate/shown_picture.h"
 #include "evaluate/viewpoints.h"
 #include "evaluate/window_drawing.h"
 #include "image/metrics.h"
+#include "live/device/scene_on_device.h"
+#include "live/frame/estimated_model.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "pipeline/trace/device_scene.h"
 #include "pipeline/volume/volume_fit.h"
 #include "pipeline/volume/window.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/transfer/edited_transfer.h"
 
 namespace macula::evaluate {
 

@@ -6,12 +6,12 @@
 #include <limits>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
-#include "app/study/scene_on_device.h"
 #include "evaluate/measurement.h"
 #include "evaluate/model_kernels.h"
 #include "evaluate/moving_frames.h"
 #include "evaluate/viewpoints.h"
+#include "live/device/scene_on_device.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::evaluate {
 

@@ -6,11 +6,11 @@
 #include <memory>
 #include <vector>
 
-#include "app/study/scene_on_device.h"
 #include "base/camera.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/view_scores.h"
+#include "live/device/scene_on_device.h"
 #include "pipeline/hybrid/views/pose_sampling.h"
 #include "pipeline/hybrid/views/truth_pictures.h"
 #include "pipeline/splat/model/splats.h"

@@ -8,16 +8,16 @@
 #include <numbers>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
-#include "app/choice/preset_choice.h"
-#include "app/lights/light_meter.h"
-#include "app/open_device.h"
-#include "app/output/output_files.h"
 #include "base/parallel.h"
 #include "evaluate/bench_study.h"
 #include "evaluate/shown_picture.h"
 #include "evaluate/vtk_cast.h"
+#include "live/device/open_device.h"
+#include "pictures/output_files.h"
 #include "pipeline/trace/environment.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/choice/preset_choice.h"
+#include "scene/lights/light_meter.h"
 
 namespace macula::evaluate {
 

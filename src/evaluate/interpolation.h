@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "app/choice/lights_choice.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/made_shapes.h"
 #include "evaluate/ripple.h"
 #include "pipeline/trace/settings.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::evaluate {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "app/frame/live_recording.h"
+#include "live/frame/live_recording.h"
 
 namespace macula::evaluate {
 

@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/picture/recorded_study.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/bench_study.h"
 #include "evaluate/live_figures.h"
+#include "pictures/recorded_study.h"
 
 namespace macula::evaluate {
 

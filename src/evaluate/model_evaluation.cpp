@@ -6,7 +6,7 @@
 #include <iterator>
 #include <utility>
 
-#include "app/elapsed.h"
+#include "base/elapsed.h"
 #include "evaluate/held_out_views.h"
 #include "pipeline/hybrid/model/live_model.h"
 #include "pipeline/splat/model/constant_colour.h"

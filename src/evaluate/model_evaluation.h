@@ -8,12 +8,12 @@
 #include <optional>
 #include <vector>
 
-#include "app/study/scene_on_device.h"
 #include "base/camera.h"
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/view_scores.h"
+#include "live/device/scene_on_device.h"
 #include "pipeline/hybrid/model/first_model.h"
 #include "pipeline/hybrid/model/refinement.h"
 #include "pipeline/hybrid/views/truth_pictures.h"

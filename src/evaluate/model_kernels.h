@@ -1,10 +1,10 @@
 // Kernels of first models, compiled before any model's time is taken.
 #pragma once
 
-#include "app/study/scene_on_device.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/bench_study.h"
+#include "live/device/scene_on_device.h"
 
 namespace macula::evaluate {
 

@@ -5,8 +5,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
-#include "app/study/scene_on_device.h"
 #include "evaluate/shown_picture.h"
 #include "evaluate/splat_periphery.h"
 #include "evaluate/viewpoints.h"
@@ -14,9 +12,11 @@
 #include "image/fovea_mask.h"
 #include "image/masked_metrics.h"
 #include "image/metrics.h"
+#include "live/device/scene_on_device.h"
 #include "pipeline/gpu/transfer.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "pipeline/splat/draw/model_painter.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::evaluate {
 

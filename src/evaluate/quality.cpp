@@ -4,12 +4,12 @@
 #include <iterator>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
-#include "app/study/scene_on_device.h"
 #include "evaluate/frame_makers.h"
 #include "evaluate/held_out_views.h"
 #include "evaluate/measurement.h"
 #include "evaluate/model_kernels.h"
+#include "live/device/scene_on_device.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::evaluate {
 

@@ -6,13 +6,13 @@
 #include <system_error>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
-#include "app/elapsed.h"
 #include "base/check.h"
 #include "base/draft.h"
+#include "base/elapsed.h"
 #include "evaluate/measurement.h"
 #include "evaluate/session_scene.h"
 #include "evaluate/window_drawing.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::evaluate {
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "app/camera/orbit_camera.h"
 #include "evaluate/measurement.h"
+#include "scene/camera/orbit_camera.h"
 
 namespace macula::evaluate {
 

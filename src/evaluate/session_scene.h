@@ -10,15 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "app/frame/drawing.h"
-#include "app/session/model_keeper.h"
-#include "app/study/scene_on_device.h"
 #include "base/camera.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "evaluate/bench_study.h"
+#include "live/device/scene_on_device.h"
+#include "live/store/model_keeper.h"
 #include "pipeline/hybrid/model/live_model.h"
 #include "pipeline/hybrid/model/model_store.h"
+#include "scene/drawing/drawing.h"
 #include "session/store.h"
 
 namespace macula::evaluate {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/lights/light_meter.h"
 #include "base/check.h"
 #include "base/srgb.h"
 #include "image/image_file.h"
 #include "pipeline/gpu/transfer.h"
+#include "scene/lights/light_meter.h"
 
 namespace macula::evaluate {
 

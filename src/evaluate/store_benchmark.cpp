@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/elapsed.h"
 #include "base/check.h"
 #include "base/draft.h"
+#include "base/elapsed.h"
 #include "base/sha256.h"
 #include "evaluate/measurement.h"
 #include "session/store.h"

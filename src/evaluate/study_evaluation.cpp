@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/choice/clip_choice.h"
-#include "app/choice/lights_choice.h"
-#include "app/study/scene_on_device.h"
-#include "app/study/shown_clip.h"
-#include "app/study/study_input.h"
-#include "app/study/study_preset.h"
+#include "live/device/scene_on_device.h"
+#include "scene/choice/clip_choice.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/choice/study_preset.h"
+#include "scene/drawing/shown_clip.h"
+#include "study/open/study_input.h"
 
 namespace macula::evaluate {
 

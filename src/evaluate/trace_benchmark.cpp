@@ -1,6 +1,6 @@
 #include "evaluate/trace_benchmark.h"
 
-#include "app/picture/drawn_picture.h"
+#include "pictures/drawn_picture.h"
 #include "pipeline/trace/reference_tracer.h"
 #include "pipeline/trace/scene.h"
 

@@ -1,6 +1,6 @@
 #include "evaluate/window_drawing.h"
 
-#include "app/choice/catalogue.h"
+#include "scene/choice/catalogue.h"
 
 namespace macula::evaluate {
 

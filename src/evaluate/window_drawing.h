@@ -4,10 +4,10 @@
 #include <memory>
 #include <string>
 
-#include "app/frame/drawing.h"
 #include "base/result.h"
 #include "evaluate/bench_study.h"
 #include "pipeline/trace/environment.h"
+#include "scene/drawing/drawing.h"
 
 namespace macula::evaluate {
 

@@ -5,9 +5,9 @@
 #include <QRegularExpression>
 #include <utility>
 
-#include "app/camera/view_directions.h"
 #include "pipeline/trace/settings.h"
-#include "viewer/keys.h"
+#include "scene/camera/view_directions.h"
+#include "viewer/keys/keys.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {

@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "app/state/study_state.h"
 #include "base/frames.h"
 #include "base/result.h"
+#include "scene/state/study_state.h"
 #include "viewer/settings/settings.h"
 
 namespace macula::viewer {

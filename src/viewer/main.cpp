@@ -1,5 +1,5 @@
 // macula-viewer: the window on a study.
-#include "viewer/main_window.h"  // before Qt, see vulkan_window.h
+#include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
 
 #include <QApplication>
 #include <QJsonDocument>
@@ -20,20 +20,20 @@
 #include <malloc.h>
 #endif
 
-#include "app/exit_codes.h"
-#include "app/open_device.h"
-#include "app/quality/calibration.h"
-#include "app/quality/quality_front.h"
 #include "base/core_dumps.h"
+#include "base/exit_codes.h"
+#include "live/device/open_device.h"
+#include "live/quality/calibration.h"
+#include "live/quality/quality_front.h"
 #include "session/store.h"
-#include "viewer/changes_script.h"
 #include "viewer/command_line.h"
 #include "viewer/display_check.h"
+#include "viewer/driven/changes_script.h"
+#include "viewer/driven/orbit_script.h"
 #include "viewer/driven/session_script.h"
 #include "viewer/driven/stations_script.h"
 #include "viewer/language/core_words.h"
 #include "viewer/language/language.h"
-#include "viewer/orbit_script.h"
 #include "viewer/quit_signals.h"
 #include "viewer/settings/settings.h"
 #include "viewer/theme/theme.h"

@@ -7,8 +7,8 @@
 #include <set>
 #include <utility>
 
-#include "app/transfer/edited_transfer.h"
-#include "app/transfer/own_copy.h"
+#include "scene/transfer/edited_transfer.h"
+#include "scene/transfer/own_copy.h"
 #include "xr/placement.h"
 
 namespace macula::xr {

@@ -6,16 +6,16 @@
 #include <optional>
 #include <vector>
 
-#include "app/frame/drawing.h"
-#include "app/frame/scene_names.h"
 #include "base/result.h"
 #include "base/volume.h"
+#include "live/frame/scene_names.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/frame/eye_depths.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "pipeline/hybrid/model/live_model.h"
 #include "pipeline/hybrid/model/model_shelf.h"
 #include "pipeline/trace/path_tracer.h"
+#include "scene/drawing/drawing.h"
 #include "xr/eyes.h"
 #include "xr/governor.h"
 #include "xr/room_controls.h"

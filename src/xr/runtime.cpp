@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/frame/device_options.h"
+#include "live/device/device_options.h"
 #include "xr/xr_error.h"
 
 namespace macula::xr {

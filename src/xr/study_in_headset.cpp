@@ -8,12 +8,12 @@
 #include <thread>
 #include <utility>
 
-#include "app/choice/catalogue.h"
-#include "app/frame/projection_windows.h"
-#include "app/state/drawing_of.h"
-#include "app/study/shown_clip.h"
-#include "app/study/study_input.h"
 #include "pipeline/gpu/recovery.h"
+#include "scene/choice/catalogue.h"
+#include "scene/drawing/drawing_of.h"
+#include "scene/drawing/projection_windows.h"
+#include "scene/drawing/shown_clip.h"
+#include "study/open/study_input.h"
 #include "xr/headset.h"
 
 namespace macula::xr {

@@ -7,11 +7,11 @@
 #include <glm/glm.hpp>
 #include <string>
 
-#include "app/choice/catalogue.h"
-#include "app/state/state_wish.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "dicom/scan.h"
+#include "pictures/state_wish.h"
+#include "scene/choice/catalogue.h"
 #include "xr/frame_statistics.h"
 #include "xr/room_host.h"
 #include "xr/room_view.h"

@@ -189,19 +189,19 @@ TEST(Architecture, RulesFire) {
     EXPECT_NE(whyForbidden("src/pipeline/trace/a.cpp", "#include <dcmtk/dcmdata/dctk.h>"), "");
     EXPECT_NE(whyForbidden("src/viewer/a.cpp", "#include <OpenImageIO/imageio.h>"), "");
     EXPECT_NE(whyForbidden("src/viewer/a.cpp", "#include \"cli/report.h\""), "");
-    EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include \"viewer/viewport.h\""), "");
-    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include \"evaluate/tradeoff.h\""), "");
+    EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include \"viewer/viewport/viewport.h\""), "");
+    EXPECT_NE(whyForbidden("src/live/a.cpp", "#include \"evaluate/tradeoff.h\""), "");
     EXPECT_NE(whyForbidden("src/c/a.cpp", "#include \"cli/report.h\""), "");
     EXPECT_NE(whyForbidden("src/c/a.cpp", "#include <QImage>"), "");
-    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include \"c/last_error.h\""), "");
-    EXPECT_EQ(whyForbidden("src/c/a.cpp", "#include \"app/open_device.h\""), "");
-    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include <QObject>"), "");
-    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include <SQLiteCpp/Database.h>"), "");
-    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include <sqlite3.h>"), "");
+    EXPECT_NE(whyForbidden("src/live/a.cpp", "#include \"c/last_error.h\""), "");
+    EXPECT_EQ(whyForbidden("src/c/a.cpp", "#include \"live/device/open_device.h\""), "");
+    EXPECT_NE(whyForbidden("src/live/a.cpp", "#include <QObject>"), "");
+    EXPECT_NE(whyForbidden("src/live/a.cpp", "#include <SQLiteCpp/Database.h>"), "");
+    EXPECT_NE(whyForbidden("src/live/a.cpp", "#include <sqlite3.h>"), "");
     EXPECT_NE(whyForbidden("src/session/a.cpp", "#include \"pipeline/splat/model/splats.h\""), "");
     EXPECT_NE(whyForbidden("src/pipeline/hybrid/a.cpp", "#include \"session/store.h\""), "");
-    EXPECT_EQ(whyForbidden("src/app/a.cpp", "#include \"session/store.h\""), "");
-    EXPECT_NE(whyForbidden("src/app/a.cpp", "#include <CLI/App.hpp>"), "");
+    EXPECT_EQ(whyForbidden("src/live/a.cpp", "#include \"session/store.h\""), "");
+    EXPECT_NE(whyForbidden("src/live/a.cpp", "#include <CLI/App.hpp>"), "");
     EXPECT_NE(whyForbidden("src/evaluate/a.cpp", "#include <CLI/App.hpp>"), "");
     EXPECT_NE(whyForbidden("src/dicom/a.cpp", "#include <itkImage.h>"), "");
     EXPECT_NE(whyForbidden("src/pipeline/gpu/a.cpp", "#include \"shared/trace_params.h\""), "");
@@ -211,7 +211,7 @@ TEST(Architecture, RulesFire) {
     EXPECT_EQ(whyForbidden("shaders/splat/a.comp", "#include \"lib/splat_lib.glsl\""), "");
     EXPECT_EQ(whyForbidden("shaders/trace/a.comp", "#include \"shared/trace_params.h\""), "");
     EXPECT_EQ(whyForbidden("src/pipeline/trace/a.cpp", "#include \"shared/trace_params.h\""), "");
-    EXPECT_EQ(whyForbidden("src/app/a.cpp", "#include \"pipeline/trace/path_tracer.h\""), "");
+    EXPECT_EQ(whyForbidden("src/live/a.cpp", "#include \"pipeline/trace/path_tracer.h\""), "");
     EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include <QtGui/QWindow>"), "");
     EXPECT_NE(whyForbidden("src/cli/a.cpp", "#include <vulkan/vulkan.h>"), "");
     EXPECT_NE(whyForbidden("src/image/a.cpp", "#include <vulkan/vulkan_core.h>"), "");
@@ -220,6 +220,11 @@ TEST(Architecture, RulesFire) {
     EXPECT_NE(whyForbidden("src/segment/a.cpp", "#include \"dicom/scan.h\""), "");
     EXPECT_NE(whyForbidden("src/pipeline/volume/a.cpp", "#include <itkImage.h>"), "");
     EXPECT_EQ(whyForbidden("src/segment/a.cpp", "#include <itkImage.h>"), "");
+    EXPECT_NE(whyForbidden("src/study/a.cpp", "#include \"scene/state/study_state.h\""), "");
+    EXPECT_NE(whyForbidden("src/scene/a.cpp", "#include \"live/frame/frame_input.h\""), "");
+    EXPECT_NE(whyForbidden("src/scene/a.cpp", "#include \"session/store.h\""), "");
+    EXPECT_NE(whyForbidden("src/live/a.cpp", "#include \"pictures/picture_request.h\""), "");
+    EXPECT_EQ(whyForbidden("src/pictures/a.cpp", "#include \"study/open/opened_study.h\""), "");
     EXPECT_NE(whyForbidden("src/novel/a.cpp", "#include <vector>"), "");
     EXPECT_EQ(whyForbidden("src/viewer/a.cpp", "#include <QWindow>"), "");
     EXPECT_EQ(whyForbidden("src/viewer/a.cpp", "#include \"pipeline/trace/path_tracer.h\""), "");
@@ -262,38 +267,76 @@ TEST(Architecture, ArrowsPointDownOnly) {
     EXPECT_GT(count, 100u) << "the sources were not found at " << kRoot;
 }
 
-// Why a file of src/app/frame or src/app/session may not include `target`; empty where it may. What draws
-// knows no study, file or store, and what keeps models knows of it no more than what a scene is.
-std::string whyForbiddenInApp(const std::string& file, const std::string& target) {
-    const bool isFrame = file.starts_with("src/app/frame/");
-    if (isFrame && target.starts_with("session/")) return "frames know no store";
-    if (isFrame && target.starts_with("app/") && !target.starts_with("app/frame/") &&
-        !target.starts_with("app/camera/"))
-        return "frames know of app only cameras";
-    if (file.starts_with("src/app/session/") && target.starts_with("app/frame/") &&
-        target != "app/frame/drawing.h" && target != "app/frame/scene_keeper.h")
-        return "sessions know of frames only drawings and who keeps their models";
+// Why a file of live/frame or live/store may not include `target`; empty where it may. What draws knows no
+// study, file or store, and what keeps models knows of frames no more than who asks for them.
+std::string whyForbiddenInLive(const std::string& file, const std::string& target) {
+    const auto isOf = [&](const char* folder) { return target.starts_with(folder); };
+    if (file.starts_with("src/live/frame/")) {
+        if (isOf("session/") || isOf("live/store/")) return "frames know no store";
+        if (isOf("study/")) return "frames know no study";
+        if (isOf("scene/") && !isOf("scene/camera/") && !isOf("scene/drawing/"))
+            return "frames know of a scene only cameras and drawings";
+    }
+    if (file.starts_with("src/live/store/") && isOf("live/frame/") && target != "live/frame/scene_keeper.h")
+        return "stores know of frames only who keeps their models";
     return {};
 }
 
-TEST(Architecture, FramesAndSessionsAreApart) {
-    EXPECT_NE(whyForbiddenInApp("src/app/frame/a.h", "app/session/model_keeper.h"), "");
-    EXPECT_NE(whyForbiddenInApp("src/app/frame/a.h", "session/store.h"), "");
-    EXPECT_NE(whyForbiddenInApp("src/app/frame/a.h", "app/study/study_input.h"), "");
-    EXPECT_NE(whyForbiddenInApp("src/app/session/a.h", "app/frame/frame_input.h"), "");
-    EXPECT_EQ(whyForbiddenInApp("src/app/session/a.h", "app/frame/drawing.h"), "");
-    EXPECT_EQ(whyForbiddenInApp("src/app/picture/a.h", "app/session/model_keeper.h"), "");
+TEST(Architecture, FramesAndStoresAreApart) {
+    EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "live/store/model_keeper.h"), "");
+    EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "session/store.h"), "");
+    EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "study/open/study_input.h"), "");
+    EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "scene/state/study_state.h"), "");
+    EXPECT_NE(whyForbiddenInLive("src/live/store/a.h", "live/frame/frame_input.h"), "");
+    EXPECT_EQ(whyForbiddenInLive("src/live/store/a.h", "scene/drawing/drawing.h"), "");
+    EXPECT_EQ(whyForbiddenInLive("src/live/hosted/a.h", "live/store/model_keeper.h"), "");
     std::size_t count = 0;
-    for (const char* folder : {"src/app/frame", "src/app/session"}) {
+    for (const char* folder : {"src/live/frame", "src/live/store"}) {
         for (const fs::path& path : sourcesIn(folder)) {
             for (const Include& include : includesOf(path)) {
                 ++count;
-                EXPECT_EQ(whyForbiddenInApp(include.file, include.target), "")
+                EXPECT_EQ(whyForbiddenInLive(include.file, include.target), "")
                     << include.file << ":" << include.line << " includes " << include.target;
             }
         }
     }
     EXPECT_GT(count, 100u) << "the sources were not found at " << kRoot;
+}
+
+// Each folder of files to the folders whose files they include, in one or more steps.
+std::map<std::string, Names> foldersReached(const std::vector<Include>& includes) {
+    std::map<std::string, Names> reached;
+    for (const Include& include : includes) {
+        const std::string from = fs::path(include.file).parent_path().generic_string();
+        const std::string to = fs::path("src/" + include.target).parent_path().generic_string();
+        if (from == to || !fs::exists(kRoot / "src" / include.target)) continue;
+        reached[from].insert(to);
+        reached[to];
+    }
+    close(reached);
+    return reached;
+}
+
+// Folders of one room as well: none includes another that includes it.
+TEST(Architecture, NoCircleBetweenFolders) {
+    const std::string dicom = "src/dicom/";
+    const auto circle = foldersReached({{dicom + "read/a.cpp", 1, "dicom/stack/stack.h"},
+                                        {dicom + "stack/stack.h", 1, "dicom/split/split.h"},
+                                        {dicom + "split/split.h", 1, "dicom/read/tags.h"}});
+    EXPECT_TRUE(circle.at("src/dicom/read").contains("src/dicom/read")) << "a rule that never fires";
+    std::vector<Include> includes;
+    for (const fs::path& path : sourcesIn("src")) {
+        const auto more = includesOf(path);
+        includes.insert(includes.end(), more.begin(), more.end());
+    }
+    const auto reached = foldersReached(includes);
+    EXPECT_GT(reached.size(), 60u) << "the sources were not found at " << kRoot;
+    for (const auto& [folder, others] : reached) {
+        for (const std::string& other : others) {
+            const bool isBack = reached.at(other).contains(folder);
+            EXPECT_FALSE(isBack) << folder << " and " << other << " include each other";
+        }
+    }
 }
 
 // One translation unit or two per heavy library, so that a cold build stays short and each has one owner.
@@ -345,7 +388,8 @@ TEST(Architecture, AVerbIsOptionsAndPrinting) {
 
 // Who calls decides what is printed, and where to.
 TEST(Architecture, WhatProgramsSharePrintsNothing) {
-    for (const char* folder : {"src/app", "src/c", "src/evaluate"}) {
+    for (const char* folder :
+         {"src/study", "src/scene", "src/live", "src/pictures", "src/c", "src/evaluate"}) {
         for (const fs::path& path : sourcesIn(folder)) {
             std::ifstream stream(path);
             const std::string text{std::istreambuf_iterator<char>(stream), {}};

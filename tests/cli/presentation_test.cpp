@@ -4,7 +4,7 @@
 
 #include "base/paths.h"
 #include "cli/run_command.h"
-#include "dicom/series_writer.h"
+#include "dicom/write/series_writer.h"
 #include "image/image_file.h"
 
 namespace macula::cli {

@@ -8,7 +8,7 @@
 #include "base/paths.h"
 #include "base/phantom.h"
 #include "cli/run_command.h"
-#include "dicom/series_writer.h"
+#include "dicom/write/series_writer.h"
 #include "image/image_file.h"
 #include "pipeline/trace/look.h"
 #include "segment/scene.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "dicom/read/dataset.h"
-#include "dicom/series_writer.h"
+#include "dicom/write/series_writer.h"
 
 namespace macula::dicom::test {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "dicom/messages.h"
+#include "dicom/stack/messages.h"
 #include "hostile_studies.h"
 
 namespace macula::dicom::test {

@@ -6,7 +6,7 @@
 
 #include "dicom/loader.h"
 #include "dicom/pixels/slice_sources.h"
-#include "dicom/pixels/value_unit.h"
+#include "dicom/stack/value_unit.h"
 #include "edit.h"
 #include "support.h"
 #include "synthetic.h"

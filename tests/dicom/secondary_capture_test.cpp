@@ -1,5 +1,5 @@
 // Pictures for the archive: whose they are, what is in them, and what a checker of DICOM says.
-#include "dicom/secondary_capture.h"
+#include "dicom/write/secondary_capture.h"
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
@@ -11,7 +11,7 @@
 
 #include "dicom/read/placeholder.h"
 #include "dicom/scan.h"
-#include "dicom/series_writer.h"
+#include "dicom/write/series_writer.h"
 #include "edit.h"
 #include "opens_in_dcmtk.h"
 #include "support.h"

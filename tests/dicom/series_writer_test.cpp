@@ -1,4 +1,4 @@
-#include "dicom/series_writer.h"
+#include "dicom/write/series_writer.h"
 
 #include <fstream>
 

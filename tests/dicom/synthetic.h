@@ -12,7 +12,7 @@
 
 #include "base/frames.h"
 #include "base/volume.h"
-#include "dicom/pixels/intensity.h"
+#include "dicom/stack/intensity.h"
 
 class DcmItem;
 class DcmTagKey;

@@ -8,9 +8,9 @@
 #include <set>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
 #include "evaluate/benchmark_reports.h"
 #include "gpu/shared_device.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::evaluate {
 namespace {
@@ -54,7 +54,8 @@ TEST_F(EditsOnDevice, AnEstimateIsOfWhatTheEditShows) {
         // What is opaque is there, and what is hidden is not.
         EXPECT_LT(edit["estimated"]["lacks"].get<double>(), 0.01) << name;
         EXPECT_LT(edit["estimated"]["remains"].get<double>(), 0.03) << name;
-        // A model of 60 steps lights soft tissue after bone roughly: FLIP 0.39 under `studio`, which has little sky.
+        // A model of 60 steps lights soft tissue after bone roughly: FLIP 0.39 under `studio`, which has
+        // little sky.
         EXPECT_LT(edit["estimated"]["flip"].get<double>(), 0.45) << name;
         EXPECT_GT(edit["small"]["flip"].get<double>(), 0.0) << name;
     }

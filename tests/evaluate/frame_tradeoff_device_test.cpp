@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
 #include "evaluate/frame_tradeoff.h"
 #include "evaluate/frame_tradeoff_report.h"
 #include "gpu/shared_device.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::evaluate {
 namespace {

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
 #include "evaluate/benchmark_reports.h"
 #include "evaluate/motion.h"
 #include "gpu/shared_device.h"
+#include "scene/choice/lights_choice.h"
 
 namespace macula::evaluate {
 namespace {

@@ -7,10 +7,10 @@
 #include "dicom/pixels/pixels.h"
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/softcopy_state.h"
-#include "dicom/read/examination.h"
 #include "dicom/read/media_directory.h"
 #include "dicom/scan.h"
 #include "dicom/segmentation/segmentation.h"
+#include "dicom/stack/examination.h"
 #include "fuzz/file_of_bytes.h"
 
 namespace macula::dicom {

@@ -3,16 +3,16 @@
 #include <array>
 #include <string_view>
 
-#include "app/camera/camera_file.h"
-#include "app/camera/camera_path.h"
-#include "app/camera/splat_cameras.h"
-#include "app/clip/scissor_cut.h"
-#include "app/session/own_preset.h"
-#include "app/slices/own_windows.h"
-#include "app/state/study_state.h"
 #include "fuzz/file_of_bytes.h"
+#include "live/store/own_preset.h"
 #include "pipeline/trace/light_rig_json.h"
 #include "pipeline/trace/quality.h"
+#include "scene/camera/camera_file.h"
+#include "scene/camera/camera_path.h"
+#include "scene/camera/splat_cameras.h"
+#include "scene/clip/scissor_cut.h"
+#include "scene/slices/own_windows.h"
+#include "scene/state/study_state.h"
 
 namespace macula::app {
 namespace {

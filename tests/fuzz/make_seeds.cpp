@@ -8,9 +8,9 @@
 #include "base/progress.h"
 #include "dicom/bytes.h"
 #include "dicom/encapsulated.h"
-#include "dicom/series_writer.h"
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
+#include "dicom/write/series_writer.h"
 #include "formats/volume_file.h"
 #include "fuzz/seeds.h"
 

@@ -1,6 +1,6 @@
 // In place of what draws a second volume: fuzz_state asks of no state what it leaves stale.
-#include "app/study/second_curve.h"
 #include "base/check.h"
+#include "scene/second/second_curve.h"
 
 namespace macula::app {
 

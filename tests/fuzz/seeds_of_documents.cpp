@@ -1,12 +1,12 @@
 // Seeds of fuzz_preset and fuzz_state: small texts of each format, with all that a format may have.
-#include "app/camera/camera_file.h"
-#include "app/camera/camera_path.h"
-#include "app/session/own_preset.h"
-#include "app/slices/own_windows.h"
-#include "app/state/study_state.h"
 #include "fuzz/seeds.h"
+#include "live/store/own_preset.h"
 #include "pipeline/trace/light_rig_json.h"
 #include "pipeline/volume/transfer_function_json.h"
+#include "scene/camera/camera_file.h"
+#include "scene/camera/camera_path.h"
+#include "scene/slices/own_windows.h"
+#include "scene/state/study_state.h"
 
 namespace macula::fuzz {
 namespace {

@@ -1,5 +1,5 @@
 // Work beside the window that cannot be begun, or cannot be done.
-#include "viewer/background_job.h"
+#include "viewer/jobs/background_job.h"
 
 #include <gtest/gtest.h>
 

@@ -14,11 +14,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/clip/edited_clip.h"
+#include "scene/clip/edited_clip.h"
 #include "viewer/beside/beside_bar.h"
 #include "viewer/beside_fixture.h"
 #include "viewer/language/language.h"
-#include "viewer/status_texts.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
 namespace {

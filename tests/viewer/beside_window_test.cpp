@@ -2,7 +2,7 @@
 #include <QAction>
 #include <stdexcept>
 
-#include "app/found_by_hand.h"
+#include "study/found_by_hand.h"
 #include "viewer/beside/beside_study.h"
 #include "viewer/beside/slice_pair.h"
 #include "viewer/browser/study_browser.h"

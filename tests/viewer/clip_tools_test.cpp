@@ -1,5 +1,5 @@
 // Handles, scissors, cuts from the eye and clips under a name, with hands on them, against a session.
-#include "app/frame/frame_input.h"  // before Qt, see viewer/vulkan_window.h
+#include "live/frame/frame_input.h"  // before Qt, see viewer/viewport/vulkan_window.h
 
 #include <gtest/gtest.h>
 
@@ -14,19 +14,19 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/choice/catalogue.h"
-#include "app/clip/edited_clip.h"
-#include "app/clip/eye_cut.h"
-#include "app/study/scissor_mask.h"
 #include "base/phantom.h"
 #include "pipeline/volume/mask_bits.h"
+#include "scene/choice/catalogue.h"
+#include "scene/clip/edited_clip.h"
+#include "scene/clip/eye_cut.h"
+#include "scene/clip/scissor_mask.h"
 #include "viewer/clip/clip_editing.h"
 #include "viewer/clip/clip_handles_tool.h"
 #include "viewer/clip/cut_tools.h"
 #include "viewer/clip/named_clips.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/clip/voxel_cutting.h"
-#include "viewer/hidden_voxels.h"
+#include "viewer/volume/hidden_voxels.h"
 #include "viewer/volume/shown_volume.h"
 #include "viewer/wait_until.h"
 

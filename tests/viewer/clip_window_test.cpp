@@ -6,8 +6,8 @@
 #include <QAction>
 #include <stdexcept>
 
-#include "app/camera/picture_rays.h"
-#include "app/clip/kept_box.h"
+#include "scene/camera/picture_rays.h"
+#include "scene/clip/kept_box.h"
 #include "viewer/clip/clip_editing.h"
 #include "viewer/clip/scissor_tool.h"
 

@@ -3,7 +3,7 @@
 
 #include <QRect>
 
-#include "app/frame/picture_text.h"
+#include "live/frame/picture_text.h"
 
 namespace macula::viewer::test {
 

@@ -1,5 +1,5 @@
 // The cube and the scale over the picture in 3D: how long the bar is, where the cube is, what is clicked.
-#include "viewer/marks/cube_and_scale.h"
+#include "viewer/overlay/cube_and_scale.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "app/camera/orbit_camera.h"
+#include "scene/camera/orbit_camera.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {

@@ -10,9 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "app/choice/catalogue.h"
-#include "app/state/parameters.h"
-#include "app/state/state_keys.h"
+#include "scene/choice/catalogue.h"
+#include "scene/state/parameters.h"
+#include "scene/state/state_keys.h"
+#include "scene/transfer/same_transfer.h"
 #include "viewer/offscreen.h"
 #include "viewer/session/viewer_session.h"
 

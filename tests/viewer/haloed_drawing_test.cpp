@@ -1,5 +1,5 @@
 // Letters on slices are kept as pictures: they look as those that are drawn anew.
-#include "viewer/slices/haloed_drawing.h"
+#include "viewer/overlay/haloed_drawing.h"
 
 #include <gtest/gtest.h>
 

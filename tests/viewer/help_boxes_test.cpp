@@ -1,5 +1,5 @@
 // The table of keys: all of it can be read on a low screen.
-#include "viewer/help_boxes.h"
+#include "viewer/window/help_boxes.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <QScrollBar>
 #include <QTest>
 
-#include "viewer/keys.h"
+#include "viewer/keys/keys.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {

@@ -11,7 +11,7 @@
 #include <QTreeWidget>
 #include <algorithm>
 
-#include "viewer/keys.h"
+#include "viewer/keys/keys.h"
 #include "viewer/offscreen.h"
 #include "viewer/settings/keys_page.h"
 

@@ -3,7 +3,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "app/choice/catalogue.h"
+#include "scene/choice/catalogue.h"
 #include "viewer/clip/clip_panel.h"
 #include "viewer/keyboard_walk.h"
 #include "viewer/offscreen.h"
@@ -12,7 +12,7 @@
 #include "viewer/session/viewer_session.h"
 #include "viewer/settings/settings_dialog.h"
 #include "viewer/slices/slice_view.h"
-#include "viewer/status_widgets.h"
+#include "viewer/status/status_widgets.h"
 #include "viewer/theme/theme.h"
 #include "viewer/transfer/transfer_function_editor.h"
 

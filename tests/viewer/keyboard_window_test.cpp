@@ -7,7 +7,7 @@
 #include <QMenuBar>
 
 #include "viewer/keyboard_walk.h"
-#include "viewer/keys.h"
+#include "viewer/keys/keys.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/settings/key_book.h"
 #include "viewer/theme/theme.h"

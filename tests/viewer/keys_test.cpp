@@ -1,5 +1,5 @@
 // The table of keys: no key does two things, and docs/window.md says what it says.
-#include "viewer/keys.h"
+#include "viewer/keys/keys.h"
 
 #include <gtest/gtest.h>
 

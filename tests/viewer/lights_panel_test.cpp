@@ -12,8 +12,8 @@
 #include <optional>
 #include <stdexcept>
 
-#include "app/choice/lights_choice.h"
 #include "base/phantom.h"
+#include "scene/choice/lights_choice.h"
 #include "viewer/lights/lights_tool.h"
 
 namespace macula::viewer {

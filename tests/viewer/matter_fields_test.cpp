@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/choice/catalogue.h"
 #include "base/phantom.h"
 #include "pipeline/volume/volume_fit.h"
+#include "scene/choice/catalogue.h"
 #include "viewer/offscreen.h"
 #include "viewer/transfer/transfer_function_editor.h"
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <optional>
 
-#include "app/camera/orbit_camera.h"
+#include "scene/camera/orbit_camera.h"
 #include "viewer/offscreen.h"
 #include "viewer/output/model_export.h"
 #include "viewer/output/movie_export.h"

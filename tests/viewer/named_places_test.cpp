@@ -9,8 +9,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "app/study/found_volumes.h"
 #include "base/atomic_file.h"
+#include "study/open/found_volumes.h"
 #include "support.h"
 #include "synthetic.h"
 #include "viewer/beside/beside_study.h"

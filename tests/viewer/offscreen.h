@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/study/opened_study.h"
+#include "study/open/opened_study.h"
 #include "viewer/wait_until.h"
 
 namespace macula::viewer::test {

@@ -1,5 +1,5 @@
 // Where texts over a slice stand, in panes of any size and fonts of any size.
-#include "viewer/slices/overlay_layout.h"
+#include "viewer/overlay/overlay_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <set>
 
 #include "viewer/offscreen.h"
-#include "viewer/slices/slice_texts.h"
+#include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {
 namespace {

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <fstream>
 
-#include "app/session/machine_documents.h"
+#include "live/store/machine_documents.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {

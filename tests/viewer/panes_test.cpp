@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "base/atomic_file.h"
+#include "scene/transfer/same_transfer.h"
 #include "viewer/output/picture_dialog.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/transfer/transfer_function_editor.h"

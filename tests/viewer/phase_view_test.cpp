@@ -4,8 +4,8 @@
 #include <QCheckBox>
 #include <QTest>
 
-#include "app/found_by_hand.h"
-#include "app/study/carried_view.h"
+#include "scene/state/carried_view.h"
+#include "study/found_by_hand.h"
 #include "viewer/beside/beside_bar.h"
 #include "viewer/beside_fixture.h"
 

@@ -5,10 +5,10 @@
 
 #include "viewer/covered_by.h"
 #include "viewer/offscreen.h"
-#include "viewer/painted_text.h"
-#include "viewer/panes/drawn_icon.h"
+#include "viewer/overlay/painted_text.h"
 #include "viewer/session/viewer_session.h"
 #include "viewer/slices/slice_view.h"
+#include "viewer/theme/drawn_icon.h"
 #include "viewer/theme/theme.h"
 #include "viewer/transfer/point_fields.h"
 

@@ -5,8 +5,8 @@
 #include <QTreeView>
 #include <functional>
 
-#include "app/presentation/presentation_file.h"
-#include "app/study/found_volumes.h"
+#include "scene/presentation/presentation_file.h"
+#include "study/open/found_volumes.h"
 #include "support.h"
 #include "synthetic_softcopy.h"
 #include "viewer/browser/study_browser.h"

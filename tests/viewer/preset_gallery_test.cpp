@@ -15,10 +15,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/choice/catalogue.h"
 #include "base/atomic_file.h"
 #include "dicom/support.h"
 #include "pipeline/volume/transfer_function_json.h"
+#include "scene/choice/catalogue.h"
 #include "viewer/offscreen.h"
 #include "viewer/presets/preset_box.h"
 #include "viewer/presets/preset_comparison.h"

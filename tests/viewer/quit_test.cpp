@@ -8,8 +8,8 @@
 #include <QTemporaryDir>
 #include <filesystem>
 
-#include "app/frame/projection_windows.h"
-#include "app/state/drawing_of.h"
+#include "scene/drawing/drawing_of.h"
+#include "scene/drawing/projection_windows.h"
 #include "viewer/output/picture_dialog.h"
 #include "viewer/output/picture_export.h"
 #include "viewer/window_fixture.h"

@@ -12,12 +12,12 @@
 #include <QTreeWidget>
 #include <stdexcept>
 
-#include "app/study/opened_study.h"
 #include "pipeline/volume/mask_bits.h"
+#include "study/open/opened_study.h"
 #include "support.h"
 #include "synthetic_segmentation.h"
-#include "viewer/hidden_voxels.h"
 #include "viewer/offscreen.h"
+#include "viewer/volume/hidden_voxels.h"
 #include "viewer/volume/shown_additions.h"
 
 namespace macula::viewer {

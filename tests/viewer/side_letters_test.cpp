@@ -1,12 +1,12 @@
 // Letters at the edges of a 3D picture, and how little of it they cover.
-#include "viewer/marks/side_letters.h"
+#include "viewer/overlay/side_letters.h"
 
 #include <QImage>
 #include <QPainter>
 
 #include "viewer/covered_by.h"
-#include "viewer/marks/mark_atlas.h"
 #include "viewer/offscreen.h"
+#include "viewer/overlay/mark_atlas.h"
 
 namespace macula::viewer {
 namespace {

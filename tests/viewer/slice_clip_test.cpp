@@ -1,5 +1,5 @@
 // A clip on slices: what it removes, and its handles.
-#include "app/clip/edited_clip.h"
+#include "scene/clip/edited_clip.h"
 #include "viewer/slice_view_fixture.h"
 
 namespace macula::viewer {

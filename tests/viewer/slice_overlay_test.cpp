@@ -1,5 +1,5 @@
 // What is drawn over the picture of a slice: where the cross-hair leaves texts free.
-#include "viewer/slices/slice_overlay.h"
+#include "viewer/overlay/slice_overlay.h"
 
 #include <gtest/gtest.h>
 

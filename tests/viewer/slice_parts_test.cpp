@@ -5,16 +5,16 @@
 #include <cmath>
 #include <limits>
 
-#include "viewer/harmless_text.h"
+#include "viewer/language/harmless_text.h"
+#include "viewer/overlay/measurement_handles.h"
+#include "viewer/overlay/scale_bar.h"
+#include "viewer/overlay/slice_steps.h"
+#include "viewer/overlay/slice_texts.h"
 #include "viewer/slice_volume.h"
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/measurement_drawing.h"
-#include "viewer/slices/measurement_handles.h"
 #include "viewer/slices/measurement_texts.h"
 #include "viewer/slices/pane_view.h"
-#include "viewer/slices/scale_bar.h"
-#include "viewer/slices/slice_steps.h"
-#include "viewer/slices/slice_texts.h"
 
 namespace macula::viewer {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "app/frame/projection_windows.h"
+#include "scene/drawing/projection_windows.h"
 #include "viewer/slice_view_fixture.h"
 #include "viewer/slices/label_editor.h"
 

@@ -1,5 +1,5 @@
 // What the status line says of the preview.
-#include "viewer/status_texts.h"
+#include "viewer/status/status_texts.h"
 
 #include <gtest/gtest.h>
 

@@ -9,9 +9,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/choice/catalogue.h"
-#include "app/state/study_state.h"
 #include "base/phantom.h"
+#include "scene/choice/catalogue.h"
+#include "scene/state/study_state.h"
 #include "viewer/offscreen.h"
 #include "viewer/transfer/transfer_function_editor.h"
 

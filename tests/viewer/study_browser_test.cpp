@@ -13,9 +13,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/found_by_hand.h"
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
+#include "study/found_by_hand.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_tree_model.h"
 #include "viewer/language/core_words.h"

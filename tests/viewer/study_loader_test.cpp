@@ -1,4 +1,4 @@
-#include "viewer/study_loader.h"
+#include "viewer/volume/study_loader.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@
 #include "base/phantom.h"
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
-#include "viewer/newest_posted.h"
+#include "viewer/jobs/newest_posted.h"
 #include "viewer/wait_until.h"
 
 namespace macula::viewer {

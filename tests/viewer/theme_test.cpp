@@ -22,8 +22,8 @@
 #include <vector>
 
 #include "viewer/offscreen.h"
-#include "viewer/painted_text.h"
-#include "viewer/status_widgets.h"
+#include "viewer/overlay/painted_text.h"
+#include "viewer/status/status_widgets.h"
 #include "viewer/theme/theme_style.h"
 
 namespace macula::viewer {

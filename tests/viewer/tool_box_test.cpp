@@ -12,9 +12,9 @@
 #include <utility>
 #include <vector>
 
-#include "viewer/keys.h"
+#include "viewer/keys/keys.h"
+#include "viewer/keys/slice_tool_keys.h"
 #include "viewer/offscreen.h"
-#include "viewer/panes/slice_tool_keys.h"
 #include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {

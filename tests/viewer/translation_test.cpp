@@ -18,10 +18,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/choice/catalogue.h"
-#include "app/choice/quality_choice.h"
 #include "base/paths.h"
-#include "viewer/keys.h"
+#include "scene/choice/catalogue.h"
+#include "scene/choice/quality_choice.h"
+#include "viewer/keys/keys.h"
 #include "viewer/language/core_words.h"
 #include "viewer/language/language.h"
 #include "viewer/offscreen.h"
@@ -276,7 +276,7 @@ QStringList sentencesOf(const char* source) {
 
 TEST_F(GermanTest, MessagesWithKeysHaveOne) {
     const std::set<QString> known = coreTexts();
-    for (const char* source : {"src/dicom/messages.cpp", "src/segment/messages.cpp"}) {
+    for (const char* source : {"src/dicom/stack/messages.cpp", "src/segment/messages.cpp"}) {
         const QStringList sentences = sentencesOf(source);
         EXPECT_GT(sentences.size(), 8) << source;
         for (const QString& sentence : sentences)

@@ -8,9 +8,9 @@
 #include <QTemporaryDir>
 #include <csignal>
 
-#include "app/state/drawing_of.h"
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
+#include "scene/drawing/drawing_of.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/output/picture_export.h"
 #include "viewer/window_fixture.h"

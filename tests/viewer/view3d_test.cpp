@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "viewer/marks/cube_and_scale.h"
+#include "viewer/overlay/cube_and_scale.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {

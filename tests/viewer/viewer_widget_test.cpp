@@ -9,7 +9,7 @@
 #include <QSet>
 
 #include "viewer/slices/slice_view.h"
-#include "viewer/study_loader.h"
+#include "viewer/volume/study_loader.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {

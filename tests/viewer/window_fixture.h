@@ -1,7 +1,7 @@
 // A main window on a display, in this process.
 #pragma once
 
-#include "viewer/main_window.h"  // before Qt, see vulkan_window.h
+#include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@
 
 #include "gpu/lose_device.h"
 #include "viewer/display.h"
-#include "viewer/painted_text.h"
+#include "viewer/overlay/painted_text.h"
 #include "viewer/wait_until.h"
 
 namespace macula::viewer {

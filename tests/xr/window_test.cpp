@@ -5,9 +5,9 @@
 
 #include <cstdlib>
 
-#include "app/choice/catalogue.h"
-#include "app/state/drawing_of.h"
 #include "base/phantom.h"
+#include "scene/choice/catalogue.h"
+#include "scene/drawing/drawing_of.h"
 #include "viewer/offscreen.h"
 #include "viewer/wait_until.h"
 #include "xr/runtime/script.h"

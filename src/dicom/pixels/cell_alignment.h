@@ -8,8 +8,8 @@
 #include <span>
 
 #include "base/progress.h"
-#include "dicom/pixels/intensity.h"
-#include "dicom/split/stack.h"
+#include "dicom/stack/intensity.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

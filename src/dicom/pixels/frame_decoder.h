@@ -9,9 +9,9 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "dicom/pixels/intensity.h"
 #include "dicom/pixels/slice_samples.h"
-#include "dicom/split/stack.h"
+#include "dicom/stack/intensity.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "dicom/pixels/odd_slices.h"
-#include "dicom/split/odd_images.h"
+#include "dicom/stack/odd_images.h"
 
 namespace macula::dicom {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "dicom/pixels/intensity.h"
 #include "dicom/pixels/slice_samples.h"
+#include "dicom/stack/intensity.h"
 
 namespace macula::dicom {
 

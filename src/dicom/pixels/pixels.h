@@ -9,7 +9,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "dicom/pixels/intensity.h"
+#include "dicom/stack/intensity.h"
 
 namespace macula::dicom {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/volume.h"
-#include "dicom/read/geometry.h"
+#include "dicom/stack/geometry.h"
 
 namespace macula::dicom {
 

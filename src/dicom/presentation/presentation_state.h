@@ -11,7 +11,7 @@
 #include "base/message.h"
 #include "base/result.h"
 #include "dicom/presentation/volume_presentation.h"
-#include "dicom/secondary_capture.h"
+#include "dicom/write/secondary_capture.h"
 
 namespace macula::dicom {
 

@@ -7,15 +7,15 @@
 #include <utility>
 
 #include "base/sha256.h"
-#include "dicom/messages.h"
 #include "dicom/presentation/palette_tables.h"
 #include "dicom/presentation/presentation_state.h"
-#include "dicom/presentation/presentation_tags.h"
 #include "dicom/presentation/srgb_profile.h"
 #include "dicom/presentation/stand_in_uid.h"
 #include "dicom/read/dataset.h"
+#include "dicom/read/presentation_tags.h"
 #include "dicom/read/referenced_frames.h"
 #include "dicom/read/sop_class.h"
+#include "dicom/stack/messages.h"
 
 namespace macula::dicom {
 

@@ -5,8 +5,8 @@
 #include <new>
 #include <utility>
 
-#include "dicom/presentation/presentation_tags.h"
 #include "dicom/read/dataset.h"
+#include "dicom/read/presentation_tags.h"
 #include "dicom/read/sop_class.h"
 
 namespace macula::dicom {

@@ -1,7 +1,7 @@
 #include "dicom/presentation/stand_in_uid.h"
 
 #include "base/sha256.h"
-#include "dicom/uid.h"
+#include "dicom/write/uid.h"
 
 namespace macula::dicom {
 

@@ -14,16 +14,16 @@
 #include "base/atomic_file.h"
 #include "base/check.h"
 #include "base/parsing.h"
-#include "dicom/decimal_string.h"
-#include "dicom/object_owner.h"
 #include "dicom/presentation/presentation_state.h"
-#include "dicom/presentation/presentation_tags.h"
 #include "dicom/presentation/srgb_profile.h"
 #include "dicom/presentation/stand_in_uid.h"
-#include "dicom/read/examination.h"
+#include "dicom/read/presentation_tags.h"
 #include "dicom/read/quiet_toolkit.h"
 #include "dicom/read/sop_class.h"
-#include "dicom/uid.h"
+#include "dicom/stack/examination.h"
+#include "dicom/write/decimal_string.h"
+#include "dicom/write/object_owner.h"
+#include "dicom/write/uid.h"
 
 namespace macula::dicom {
 

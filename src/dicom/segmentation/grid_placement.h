@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "dicom/read/geometry.h"
+#include "dicom/stack/geometry.h"
 
 namespace macula::dicom {
 

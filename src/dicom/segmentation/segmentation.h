@@ -9,8 +9,8 @@
 #include "base/label_map.h"
 #include "base/progress.h"
 #include "base/result.h"
-#include "dicom/pixels/intensity.h"
-#include "dicom/read/geometry.h"
+#include "dicom/stack/geometry.h"
+#include "dicom/stack/intensity.h"
 
 namespace macula::dicom {
 

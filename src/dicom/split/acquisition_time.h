@@ -1,8 +1,8 @@
 // Slices of a volume that were acquired long before or after those beside them.
 #pragma once
 
-#include "dicom/split/split_rules.h"
-#include "dicom/split/stack.h"
+#include "dicom/stack/split_rules.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

@@ -1,8 +1,8 @@
 // What changes along the slices of a stack that stays whole.
 #pragma once
 
-#include "dicom/split/split_rules.h"
-#include "dicom/split/stack.h"
+#include "dicom/stack/split_rules.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

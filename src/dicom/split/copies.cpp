@@ -16,7 +16,7 @@
 #include "base/parallel.h"
 #include "base/sha256.h"
 #include "dicom/read/random_file.h"
-#include "dicom/split/split_rules.h"
+#include "dicom/stack/split_rules.h"
 
 namespace macula::dicom {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "dicom/read/instance.h"
+#include "dicom/stack/instance.h"
 
 namespace macula::dicom {
 

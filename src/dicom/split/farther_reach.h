@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "dicom/split/series.h"
+#include "dicom/stack/series.h"
 
 namespace macula::dicom {
 

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "dicom/split/split_rules.h"
-#include "dicom/split/stack.h"
+#include "dicom/stack/split_rules.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "dicom/read/examination.h"
+#include "dicom/stack/examination.h"
 
 namespace macula::dicom {
 

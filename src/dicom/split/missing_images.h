@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "dicom/split/series.h"
+#include "dicom/stack/series.h"
 
 namespace macula::dicom {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "dicom/read/instance.h"
-#include "dicom/split/split_rules.h"
+#include "dicom/stack/instance.h"
+#include "dicom/stack/split_rules.h"
 
 namespace macula::dicom {
 

@@ -6,9 +6,9 @@
 #include "dicom/split/acquisition_time.h"
 #include "dicom/split/changes_along_stack.h"
 #include "dicom/split/hard_split.h"
-#include "dicom/split/odd_images.h"
 #include "dicom/split/partition.h"
 #include "dicom/split/splitter.h"
+#include "dicom/stack/odd_images.h"
 
 namespace macula::dicom {
 

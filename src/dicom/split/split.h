@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/progress.h"
-#include "dicom/split/split_rules.h"
-#include "dicom/split/stack.h"
+#include "dicom/stack/split_rules.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

@@ -5,7 +5,7 @@
 
 #include "dicom/split/acquisitions.h"
 #include "dicom/split/frame_order.h"
-#include "dicom/split/odd_images.h"
+#include "dicom/stack/odd_images.h"
 
 namespace macula::dicom {
 

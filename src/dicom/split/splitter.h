@@ -8,8 +8,8 @@
 #include "base/progress.h"
 #include "dicom/split/partition.h"
 #include "dicom/split/phases.h"
-#include "dicom/split/stack.h"
 #include "dicom/split/trial.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

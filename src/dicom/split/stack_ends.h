@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "dicom/split/stack.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <set>
 
-#include "dicom/split/stack.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

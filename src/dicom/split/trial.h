@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dicom/split/partition.h"
-#include "dicom/split/stack.h"
+#include "dicom/stack/stack.h"
 
 namespace macula::dicom {
 

@@ -12,12 +12,13 @@
 #include <array>
 #include <cmath>
 
-#include "app/study/carried_view.h"
-#include "app/study/second_curve.h"
+#include "scene/second/second_curve.h"
+#include "scene/state/carried_view.h"
+#include "scene/transfer/same_transfer.h"
 #include "viewer/beside/beside_study.h"
-#include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
-#include "viewer/status_widgets.h"
+#include "viewer/language/harmless_text.h"
+#include "viewer/status/status_widgets.h"
 
 namespace macula::viewer {
 

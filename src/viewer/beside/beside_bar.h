@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/state/beside_state.h"
+#include "scene/second/beside_state.h"
 
 class QAction;
 class QCheckBox;

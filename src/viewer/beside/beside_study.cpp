@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "app/study/second_study.h"
+#include "scene/second/second_study.h"
+#include "study/open/same_place.h"
 
 namespace macula::viewer {
 

@@ -9,13 +9,13 @@
 #include <optional>
 #include <string>
 
-#include "app/model/part_digests.h"
-#include "app/state/beside_state.h"
+#include "live/model/part_digests.h"
 #include "registration/rigid_registration.h"
-#include "viewer/background_job.h"
+#include "scene/second/beside_state.h"
+#include "viewer/jobs/background_job.h"
 #include "viewer/session/viewer_session.h"
 #include "viewer/slices/second_series.h"
-#include "viewer/study_loader.h"
+#include "viewer/volume/study_loader.h"
 
 namespace macula::viewer {
 

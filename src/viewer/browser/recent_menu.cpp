@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "viewer/harmless_text.h"
+#include "viewer/language/harmless_text.h"
 
 namespace macula::viewer {
 

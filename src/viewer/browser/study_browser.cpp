@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/study/search_text.h"
+#include "study/list/search_text.h"
 #include "viewer/browser/study_row_delegate.h"
 
 namespace macula::viewer {

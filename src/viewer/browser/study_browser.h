@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-#include "app/study/series_thumbnail.h"
-#include "viewer/background_job.h"
+#include "study/list/series_thumbnail.h"
 #include "viewer/browser/study_tree_model.h"
+#include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
 

@@ -2,15 +2,15 @@
 
 #include <utility>
 
-#include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
+#include "viewer/language/harmless_text.h"
 
 namespace macula::viewer {
 
 namespace {
 
 constexpr int kLinesOfWhyNot = 3;
-const QString kBetween = QStringLiteral(" \u00b7 ");  // facts of a row: see app/study/study_tree.cpp
+const QString kBetween = QStringLiteral(" \u00b7 ");  // facts of a row: see study/list/study_tree.cpp
 
 QString shownText(const std::string& text) {
     return harmless(QString::fromStdString(text));

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "app/study/study_tree.h"
+#include "study/list/study_tree.h"
 
 namespace macula::viewer {
 

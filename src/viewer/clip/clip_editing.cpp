@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/clip/eye_cut.h"
-#include "app/clip/scissor_cut.h"
 #include "base/check.h"
+#include "scene/clip/eye_cut.h"
+#include "scene/clip/scissor_cut.h"
 
 namespace macula::viewer {
 

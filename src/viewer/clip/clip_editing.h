@@ -4,9 +4,9 @@
 #include <QObject>
 #include <QTimer>
 
-#include "app/clip/clip_handles.h"
 #include "base/camera.h"
 #include "base/result.h"
+#include "scene/clip/clip_handles.h"
 #include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/clip/clip_outline.h"
+#include "scene/clip/clip_outline.h"
 #include "viewer/slices/clip_on_slice.h"
 
 namespace macula::viewer {

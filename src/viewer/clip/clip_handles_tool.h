@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/camera/picture_rays.h"
-#include "app/clip/clip_handles.h"
+#include "scene/camera/picture_rays.h"
+#include "scene/clip/clip_handles.h"
 #include "viewer/clip/clip_editing.h"
-#include "viewer/picture_tool.h"
+#include "viewer/overlay/picture_tool.h"
 
 namespace macula::viewer {
 

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "viewer/language/core_words.h"
-#include "viewer/say.h"
-#include "viewer/status_texts.h"
+#include "viewer/status/say.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
 

@@ -10,7 +10,7 @@
 #include <functional>
 #include <vector>
 
-#include "app/clip/edited_clip.h"
+#include "scene/clip/edited_clip.h"
 #include "viewer/clip/face_row.h"
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/session/viewer_session.h"

@@ -7,10 +7,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/clip/eye_cut.h"
+#include "scene/clip/eye_cut.h"
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/language/core_words.h"
-#include "viewer/say.h"
+#include "viewer/status/say.h"
 
 namespace macula::viewer {
 

@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <QWidget>
 
-#include "app/clip/kept_box.h"
+#include "scene/clip/kept_box.h"
 #include "viewer/clip/patient_mm_box.h"
 
 namespace macula::viewer {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/clip/kept_box.h"
+#include "scene/clip/kept_box.h"
 
 namespace macula::viewer {
 

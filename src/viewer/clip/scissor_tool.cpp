@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "app/clip/scissor_cut.h"
+#include "scene/clip/scissor_cut.h"
 
 namespace macula::viewer {
 

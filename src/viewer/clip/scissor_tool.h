@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "app/clip/cuts.h"
 #include "base/result.h"
+#include "scene/clip/cuts.h"
 #include "viewer/clip/clip_editing.h"
-#include "viewer/picture_tool.h"
+#include "viewer/overlay/picture_tool.h"
 
 namespace macula::viewer {
 

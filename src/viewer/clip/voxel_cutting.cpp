@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/study/scissor_mask.h"
+#include "scene/clip/scissor_mask.h"
 #include "viewer/language/core_words.h"
 
 namespace macula::viewer {

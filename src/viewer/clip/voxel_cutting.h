@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "app/clip/cuts.h"
 #include "base/result.h"
 #include "base/volume.h"
 #include "pipeline/volume/clip.h"
-#include "viewer/background_job.h"
+#include "scene/clip/cuts.h"
+#include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
 

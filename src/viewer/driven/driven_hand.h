@@ -2,7 +2,7 @@
 // as those of a person do.
 #pragma once
 
-#include "viewer/main_window.h"  // before Qt, see vulkan_window.h
+#include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
 
 #include <QElapsedTimer>
 #include <QObject>

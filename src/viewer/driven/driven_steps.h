@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "viewer/ui_heartbeat.h"
+#include "viewer/driven/ui_heartbeat.h"
 
 namespace macula::viewer {
 

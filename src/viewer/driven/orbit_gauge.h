@@ -1,7 +1,7 @@
 // How well the picture follows while a hand turns the volume.
 #pragma once
 
-#include "viewer/main_window.h"  // before Qt, see vulkan_window.h
+#include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
 
 #include <QElapsedTimer>
 #include <QJsonObject>

@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <optional>
 
-#include "app/exit_codes.h"
+#include "base/exit_codes.h"
 #include "viewer/driven/session_script.h"
 
 namespace macula::viewer {

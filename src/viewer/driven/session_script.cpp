@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <variant>
 
-#include "app/exit_codes.h"
+#include "base/exit_codes.h"
 
 namespace macula::viewer {
 

@@ -2,7 +2,7 @@
 // how well the picture follows.
 #pragma once
 
-#include "viewer/main_window.h"  // before Qt, see vulkan_window.h
+#include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
 
 #include <QJsonObject>
 #include <QObject>
@@ -12,9 +12,9 @@
 #include "viewer/driven/cold_files.h"
 #include "viewer/driven/driven_hand.h"
 #include "viewer/driven/driven_steps.h"
+#include "viewer/driven/opening_times.h"
 #include "viewer/driven/orbit_gauge.h"
 #include "viewer/driven/session_steps.h"
-#include "viewer/opening_times.h"
 
 namespace macula::viewer {
 

@@ -15,8 +15,8 @@
 #include <numbers>
 #include <utility>
 
-#include "app/camera/picture_rays.h"
-#include "app/clip/kept_box.h"
+#include "scene/camera/picture_rays.h"
+#include "scene/clip/kept_box.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/slices/slice_view.h"

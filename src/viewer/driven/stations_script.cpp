@@ -14,8 +14,8 @@
 #include <cstdio>
 #include <utility>
 
-#include "app/exit_codes.h"
-#include "app/study/found_volumes.h"
+#include "base/exit_codes.h"
+#include "study/open/found_volumes.h"
 #include "viewer/beside/beside_study.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/driven/session_steps.h"

@@ -1,7 +1,7 @@
 // Takes a picture of the whole screen at each station of a day's work, to be looked at and for the guide.
 #pragma once
 
-#include "viewer/main_window.h"  // before Qt, see vulkan_window.h
+#include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
 
 #include <QJsonArray>
 #include <QObject>

@@ -11,9 +11,9 @@
 #include <optional>
 #include <utility>
 
+#include "viewer/jobs/newest_posted.h"
+#include "viewer/jobs/post.h"
 #include "viewer/language/core_words.h"
-#include "viewer/newest_posted.h"
-#include "viewer/post.h"
 
 namespace macula::viewer {
 

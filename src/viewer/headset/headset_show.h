@@ -8,11 +8,11 @@
 #include <memory>
 #include <vector>
 
-#include "app/frame/drawing.h"
 #include "base/progress.h"
 #include "base/result.h"
 #include "base/volume.h"
-#include "viewer/background_job.h"
+#include "scene/drawing/drawing.h"
+#include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
 

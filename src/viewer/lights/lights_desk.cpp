@@ -3,10 +3,10 @@
 #include <QScrollBar>
 #include <utility>
 
-#include "app/choice/lights_choice.h"
-#include "app/state/parameters.h"
 #include "base/atomic_file.h"
 #include "pipeline/trace/light_rig_json.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/state/parameters.h"
 #include "viewer/lights/lights_panel.h"
 
 namespace macula::viewer {

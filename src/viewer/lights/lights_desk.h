@@ -7,8 +7,8 @@
 #include <functional>
 #include <string>
 
-#include "app/picture/view_picture.h"
-#include "viewer/background_job.h"
+#include "pictures/view_picture.h"
+#include "viewer/jobs/background_job.h"
 #include "viewer/lights/lights_editing.h"
 #include "viewer/lights/lights_tool.h"
 

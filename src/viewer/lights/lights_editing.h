@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "app/lights/edited_rig.h"
+#include "scene/lights/edited_rig.h"
 #include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {

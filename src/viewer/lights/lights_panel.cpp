@@ -10,13 +10,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/state/parameters.h"
 #include "base/srgb.h"
 #include "pipeline/trace/light_rig_json.h"
+#include "scene/state/parameters.h"
 #include "viewer/clip/wheel_guard.h"
 #include "viewer/language/core_words.h"
-#include "viewer/say.h"
-#include "viewer/status_texts.h"
+#include "viewer/status/say.h"
+#include "viewer/status/status_texts.h"
 #include "viewer/transfer/encoded_colour.h"
 
 namespace macula::viewer {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "viewer/lights/lights_editing.h"
-#include "viewer/picture_tool.h"
+#include "viewer/overlay/picture_tool.h"
 
 namespace macula::viewer {
 

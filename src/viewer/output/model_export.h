@@ -5,9 +5,9 @@
 #include <QString>
 #include <filesystem>
 
-#include "app/frame/render_events.h"
-#include "app/model/taken_model.h"
-#include "viewer/background_job.h"
+#include "live/frame/render_events.h"
+#include "live/model/taken_model.h"
+#include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
 

@@ -6,8 +6,8 @@
 #include <QStringList>
 #include <string>
 
-#include "app/picture/view_sequence.h"
-#include "viewer/background_job.h"
+#include "pictures/view_sequence.h"
+#include "viewer/jobs/background_job.h"
 #include "viewer/output/video_encoder.h"
 
 namespace macula::viewer {

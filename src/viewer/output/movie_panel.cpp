@@ -8,9 +8,9 @@
 #include <cmath>
 #include <utility>
 
-#include "app/choice/quality_choice.h"
-#include "app/picture/view_sequence.h"
+#include "pictures/view_sequence.h"
 #include "pipeline/trace/settings.h"
+#include "scene/choice/quality_choice.h"
 #include "viewer/language/core_words.h"
 
 namespace macula::viewer {

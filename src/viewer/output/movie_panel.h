@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "app/camera/camera_path.h"
+#include "scene/camera/camera_path.h"
 
 namespace macula::viewer {
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "viewer/harmless_text.h"
+#include "viewer/language/harmless_text.h"
 
 namespace macula::viewer {
 

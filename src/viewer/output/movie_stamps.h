@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "app/camera/orbit_camera.h"
-#include "app/picture/stamp.h"
+#include "pictures/stamp.h"
+#include "scene/camera/orbit_camera.h"
 
 namespace macula::viewer {
 

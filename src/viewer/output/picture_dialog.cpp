@@ -4,8 +4,8 @@
 #include <QFormLayout>
 #include <QPushButton>
 
-#include "app/choice/quality_choice.h"
 #include "pipeline/trace/settings.h"
+#include "scene/choice/quality_choice.h"
 #include "viewer/language/core_words.h"
 
 namespace macula::viewer {

@@ -10,7 +10,7 @@
 #include <QSpinBox>
 #include <string>
 
-#include "app/picture/picture_effects.h"
+#include "pictures/picture_effects.h"
 
 namespace macula::viewer {
 

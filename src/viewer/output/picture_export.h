@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/picture/view_picture.h"
-#include "viewer/background_job.h"
+#include "pictures/view_picture.h"
+#include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
 

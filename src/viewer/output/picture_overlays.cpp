@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <cstring>
 
-#include "app/camera/orbit_camera.h"
 #include "base/frames.h"
-#include "viewer/marks/cube_and_scale.h"
+#include "scene/camera/orbit_camera.h"
 #include "viewer/output/movie_stamps.h"
+#include "viewer/overlay/cube_and_scale.h"
 
 namespace macula::viewer {
 

@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "app/picture/stamp.h"
 #include "base/camera.h"
+#include "pictures/stamp.h"
 
 namespace macula::viewer {
 

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "app/presentation/presentation_file.h"
-#include "app/presentation/softcopy_on_slices.h"
-#include "app/presentation/state_of_presentation.h"
-#include "viewer/background_job.h"
+#include "scene/presentation/presentation_file.h"
+#include "scene/presentation/softcopy_on_slices.h"
+#include "scene/presentation/state_of_presentation.h"
+#include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-#include "app/picture/view_sequence.h"
+#include "pictures/view_sequence.h"
 
 namespace macula::viewer {
 

@@ -6,7 +6,7 @@
 #include <array>
 #include <optional>
 
-#include "app/state/study_state.h"
+#include "scene/state/study_state.h"
 
 class QSplitter;
 

@@ -11,9 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/panes/drawn_icon.h"
-#include "viewer/panes/slice_tool_keys.h"
+#include "viewer/keys/slice_tool_keys.h"
 #include "viewer/session/viewer_session.h"
+#include "viewer/theme/drawn_icon.h"
 
 namespace macula::viewer {
 

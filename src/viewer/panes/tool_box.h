@@ -4,8 +4,8 @@
 #include <QToolBar>
 #include <array>
 
-#include "app/state/study_state.h"
-#include "viewer/slices/slice_tool.h"
+#include "scene/state/study_state.h"
+#include "viewer/keys/slice_tool.h"
 
 class QAction;
 class QActionGroup;

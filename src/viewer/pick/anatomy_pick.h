@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "app/study/first_matter.h"
-#include "viewer/background_job.h"
+#include "scene/drawing/first_matter.h"
+#include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
 

@@ -4,7 +4,8 @@
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 
-#include "viewer/status_texts.h"
+#include "scene/transfer/same_transfer.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
 

@@ -11,10 +11,10 @@
 #include <new>
 #include <utility>
 
-#include "viewer/background_job.h"
+#include "viewer/jobs/background_job.h"
+#include "viewer/jobs/post.h"
 #include "viewer/language/core_words.h"
-#include "viewer/post.h"
-#include "viewer/status_widgets.h"
+#include "viewer/status/status_widgets.h"
 
 namespace macula::viewer {
 

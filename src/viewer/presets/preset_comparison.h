@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "app/picture/view_picture.h"
+#include "pictures/view_picture.h"
 
 class QCheckBox;
 

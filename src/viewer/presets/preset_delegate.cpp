@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/picture/preset_thumbnail.h"
+#include "pictures/preset_thumbnail.h"
 #include "viewer/presets/preset_list_model.h"
 
 namespace macula::viewer {

@@ -11,12 +11,12 @@
 #include <new>
 #include <utility>
 
-#include "app/choice/preset_kinds.h"
-#include "app/study/search_text.h"
+#include "scene/choice/preset_kinds.h"
+#include "study/list/search_text.h"
 #include "viewer/language/core_words.h"
 #include "viewer/presets/preset_delegate.h"
 #include "viewer/presets/preset_name_dialog.h"
-#include "viewer/status_texts.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
 

@@ -14,9 +14,9 @@
 #include <set>
 #include <vector>
 
-#include "app/picture/preset_thumbnail.h"
-#include "app/state/study_state.h"
-#include "viewer/background_job.h"
+#include "pictures/preset_thumbnail.h"
+#include "scene/state/study_state.h"
+#include "viewer/jobs/background_job.h"
 #include "viewer/presets/preset_library.h"
 #include "viewer/presets/preset_list_model.h"
 #include "viewer/session/viewer_session.h"

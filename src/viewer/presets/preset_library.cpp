@@ -4,13 +4,14 @@
 #include <new>
 #include <utility>
 
-#include "app/choice/catalogue.h"
-#include "app/session/stored_presets.h"
 #include "base/atomic_file.h"
+#include "live/store/stored_presets.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/preset_file.h"
+#include "scene/choice/catalogue.h"
+#include "scene/transfer/same_transfer.h"
+#include "viewer/jobs/post.h"
 #include "viewer/language/core_words.h"
-#include "viewer/post.h"
 
 namespace macula::viewer {
 

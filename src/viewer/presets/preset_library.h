@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "app/choice/preset_kinds.h"
-#include "app/session/model_keeper.h"
-#include "app/session/preset_shelf.h"
+#include "live/store/model_keeper.h"
+#include "live/store/preset_shelf.h"
 #include "presets/imported_preset.h"
-#include "viewer/background_job.h"
+#include "scene/choice/preset_kinds.h"
+#include "viewer/jobs/background_job.h"
 #include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {

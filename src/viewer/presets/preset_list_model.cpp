@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "app/choice/preset_kinds.h"
-#include "viewer/status_texts.h"
+#include "scene/choice/preset_kinds.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
 

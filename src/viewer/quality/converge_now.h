@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "app/frame/frame_input.h"
-#include "app/frame/render_events.h"
+#include "live/frame/frame_input.h"
+#include "live/frame/render_events.h"
 
 namespace macula::viewer {
 

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "app/quality/quality_front.h"
+#include "live/quality/quality_front.h"
 
 namespace macula::viewer {
 

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "app/study/found_volumes.h"
+#include "study/open/found_volumes.h"
 #include "viewer/language/core_words.h"
 
 namespace macula::viewer {

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/segmentation/found_segmentation.h"
-#include "app/segmentation/loaded_segmentation.h"
-#include "app/segmentation/segment_mask.h"
+#include "scene/segments/segment_mask.h"
 #include "slices/segment_picture.h"
-#include "viewer/background_job.h"
+#include "study/segmentation/found_segmentation.h"
+#include "study/segmentation/loaded_segmentation.h"
+#include "viewer/jobs/background_job.h"
 #include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {

@@ -16,9 +16,9 @@
 #include <utility>
 
 #include "viewer/clip/wheel_guard.h"
-#include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
-#include "viewer/slices/slice_texts.h"
+#include "viewer/language/harmless_text.h"
+#include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {
 

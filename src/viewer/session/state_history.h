@@ -6,8 +6,8 @@
 #include <deque>
 #include <functional>
 
-#include "app/state/state_bytes.h"
-#include "app/state/study_state.h"
+#include "scene/state/state_bytes.h"
+#include "scene/state/study_state.h"
 
 namespace macula::viewer {
 

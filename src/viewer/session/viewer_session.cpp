@@ -2,7 +2,8 @@
 
 #include <utility>
 
-#include "app/study/carried_view.h"
+#include "scene/state/carried_view.h"
+#include "study/open/same_place.h"
 
 namespace macula::viewer {
 

@@ -9,9 +9,9 @@
 #include <memory>
 #include <span>
 
-#include "app/choice/catalogue.h"
-#include "app/state/study_state.h"
-#include "app/study/opened_study.h"
+#include "scene/choice/catalogue.h"
+#include "scene/state/study_state.h"
+#include "study/open/opened_study.h"
 #include "viewer/session/state_history.h"
 
 namespace macula::viewer {

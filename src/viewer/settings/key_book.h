@@ -1,4 +1,4 @@
-// Which keys a person has chosen instead of the usual ones of viewer/keys.h.
+// Which keys a person has chosen instead of the usual ones of viewer/keys/keys.h.
 #pragma once
 
 #include <QAction>

@@ -12,7 +12,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "app/choice/quality_choice.h"
+#include "scene/choice/quality_choice.h"
 #include "session/store.h"
 #include "viewer/language/core_words.h"
 #include "viewer/theme/theme.h"

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/clip/eye_cut.h"
-#include "viewer/slices/haloed_drawing.h"
+#include "scene/clip/eye_cut.h"
+#include "viewer/overlay/haloed_drawing.h"
 
 namespace macula::viewer {
 

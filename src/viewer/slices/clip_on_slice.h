@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/clip/clip_handles.h"
-#include "app/clip/removed_on_slice.h"
-#include "app/state/study_state.h"
+#include "scene/clip/clip_handles.h"
+#include "scene/clip/removed_on_slice.h"
+#include "scene/state/study_state.h"
 #include "slices/slice_plane.h"
 
 namespace macula::viewer {

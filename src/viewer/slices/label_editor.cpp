@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/state/slices_json.h"
 #include "base/utf8.h"
+#include "scene/state/slices_json.h"
 
 namespace macula::viewer {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "slices/measurement.h"
-#include "viewer/slices/slice_tool.h"
+#include "viewer/keys/slice_tool.h"
 
 namespace macula::viewer {
 

@@ -6,9 +6,9 @@
 #include <variant>
 
 #include "slices/interpolated.h"
-#include "viewer/harmless_text.h"
 #include "viewer/language/core_words.h"
-#include "viewer/slices/slice_texts.h"
+#include "viewer/language/harmless_text.h"
+#include "viewer/overlay/slice_texts.h"
 
 namespace macula::viewer {
 

@@ -4,8 +4,8 @@
 #include <exception>
 #include <utility>
 
-#include "app/session/machine_documents.h"
 #include "base/log.h"
+#include "live/store/machine_documents.h"
 
 namespace macula::viewer {
 

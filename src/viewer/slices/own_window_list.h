@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/slices/own_windows.h"
-#include "viewer/background_job.h"
+#include "scene/slices/own_windows.h"
+#include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
 

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "slices/slice_plane.h"
-#include "viewer/slices/slice_steps.h"
+#include "viewer/overlay/slice_steps.h"
 
 namespace macula::viewer {
 

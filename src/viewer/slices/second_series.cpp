@@ -7,11 +7,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/frame/projection_windows.h"
-#include "app/study/second_study.h"
 #include "pipeline/volume/window.h"
-#include "viewer/harmless_text.h"
+#include "scene/drawing/projection_windows.h"
+#include "scene/second/second_study.h"
 #include "viewer/language/core_words.h"
+#include "viewer/language/harmless_text.h"
 
 namespace macula::viewer {
 

@@ -5,9 +5,9 @@
 #include <QStringList>
 #include <string>
 
-#include "app/state/beside_state.h"
-#include "app/study/opened_study.h"
 #include "base/volume.h"
+#include "scene/second/beside_state.h"
+#include "study/open/opened_study.h"
 
 namespace macula::viewer {
 

@@ -4,12 +4,12 @@
 #include <QInputDialog>
 #include <QMessageBox>
 
-#include "app/frame/projection_windows.h"
-#include "app/slices/window_presets.h"
 #include "pipeline/volume/window.h"
-#include "viewer/harmless_text.h"
-#include "viewer/keys.h"
+#include "scene/drawing/projection_windows.h"
+#include "scene/slices/window_presets.h"
+#include "viewer/keys/keys.h"
 #include "viewer/language/core_words.h"
+#include "viewer/language/harmless_text.h"
 #include "viewer/settings/key_book.h"
 
 namespace macula::viewer {

@@ -11,8 +11,8 @@
 #include <optional>
 #include <thread>
 
-#include "app/frame/latest.h"
 #include "base/volume.h"
+#include "live/frame/latest.h"
 #include "slices/colour_table.h"
 #include "slices/sampled_slice.h"
 #include "slices/segment_picture.h"

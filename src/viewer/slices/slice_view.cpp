@@ -6,17 +6,17 @@
 #include <iterator>
 #include <utility>
 
-#include "app/frame/projection_windows.h"
-#include "app/slices/window_presets.h"
 #include "pipeline/volume/window.h"
+#include "scene/drawing/projection_windows.h"
+#include "scene/slices/window_presets.h"
 #include "slices/interpolated.h"
-#include "viewer/harmless_text.h"
+#include "viewer/jobs/post.h"
 #include "viewer/language/core_words.h"
-#include "viewer/post.h"
+#include "viewer/language/harmless_text.h"
+#include "viewer/overlay/slice_texts.h"
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/label_editor.h"
-#include "viewer/slices/slice_texts.h"
-#include "viewer/status_texts.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
 

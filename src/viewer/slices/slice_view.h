@@ -11,21 +11,21 @@
 #include <optional>
 #include <vector>
 
-#include "app/clip/clip_handles.h"
-#include "app/presentation/softcopy_on_slices.h"
+#include "scene/clip/clip_handles.h"
+#include "scene/presentation/softcopy_on_slices.h"
 #include "slices/slice_plane.h"
+#include "viewer/keys/slice_tool.h"
+#include "viewer/overlay/measurement_handles.h"
+#include "viewer/overlay/slice_overlay.h"
+#include "viewer/overlay/slice_steps.h"
 #include "viewer/session/viewer_session.h"
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/measurement_drawing.h"
-#include "viewer/slices/measurement_handles.h"
 #include "viewer/slices/measurement_texts.h"
 #include "viewer/slices/own_window_list.h"
 #include "viewer/slices/pane_view.h"
 #include "viewer/slices/second_series.h"
-#include "viewer/slices/slice_overlay.h"
 #include "viewer/slices/slice_sampler.h"
-#include "viewer/slices/slice_steps.h"
-#include "viewer/slices/slice_tool.h"
 
 namespace macula::viewer {
 

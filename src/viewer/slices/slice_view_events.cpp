@@ -9,9 +9,9 @@
 #include <limits>
 #include <utility>
 
-#include "app/frame/projection_windows.h"
 #include "base/camera.h"
-#include "viewer/keys.h"
+#include "scene/drawing/projection_windows.h"
+#include "viewer/keys/keys.h"
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/label_editor.h"
 #include "viewer/slices/slice_menu.h"

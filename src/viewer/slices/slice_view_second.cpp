@@ -3,10 +3,10 @@
 #include <cmath>
 #include <utility>
 
-#include "app/study/second_study.h"
 #include "pipeline/volume/window.h"
+#include "scene/second/second_study.h"
 #include "slices/interpolated.h"
-#include "viewer/slices/slice_texts.h"
+#include "viewer/overlay/slice_texts.h"
 #include "viewer/slices/slice_view.h"
 
 namespace macula::viewer {

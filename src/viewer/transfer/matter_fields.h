@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/state/parameters.h"
-#include "app/transfer/value_axis.h"
 #include "pipeline/volume/transfer_function.h"
+#include "scene/state/parameters.h"
+#include "scene/transfer/value_axis.h"
 
 namespace macula::viewer {
 

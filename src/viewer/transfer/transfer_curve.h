@@ -9,9 +9,9 @@
 #include <QWidget>
 #include <optional>
 
-#include "app/transfer/histogram.h"
-#include "app/transfer/value_axis.h"
 #include "pipeline/volume/transfer_function.h"
+#include "scene/transfer/histogram.h"
+#include "scene/transfer/value_axis.h"
 #include "viewer/transfer/point_id.h"
 
 namespace macula::viewer {

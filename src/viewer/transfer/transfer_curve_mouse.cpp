@@ -4,7 +4,7 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "app/transfer/edited_transfer.h"
+#include "scene/transfer/edited_transfer.h"
 #include "viewer/transfer/transfer_curve.h"
 
 namespace macula::viewer {

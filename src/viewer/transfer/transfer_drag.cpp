@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/transfer/edited_transfer.h"
+#include "scene/transfer/edited_transfer.h"
 
 namespace macula::viewer {
 

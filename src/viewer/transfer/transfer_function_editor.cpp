@@ -8,10 +8,11 @@
 #include <new>
 #include <utility>
 
-#include "app/choice/catalogue.h"
-#include "app/transfer/edited_transfer.h"
-#include "app/transfer/own_copy.h"
 #include "pipeline/volume/volume_fit.h"
+#include "scene/choice/catalogue.h"
+#include "scene/transfer/edited_transfer.h"
+#include "scene/transfer/own_copy.h"
+#include "scene/transfer/same_transfer.h"
 #include "viewer/language/core_words.h"
 
 namespace macula::viewer {

@@ -10,11 +10,11 @@
 #include <set>
 #include <string>
 
-#include "app/transfer/histogram.h"
-#include "app/transfer/value_axis.h"
 #include "base/volume.h"
 #include "pipeline/volume/transfer_function.h"
-#include "viewer/background_job.h"
+#include "scene/transfer/histogram.h"
+#include "scene/transfer/value_axis.h"
+#include "viewer/jobs/background_job.h"
 #include "viewer/session/viewer_session.h"
 #include "viewer/transfer/matter_fields.h"
 #include "viewer/transfer/point_fields.h"

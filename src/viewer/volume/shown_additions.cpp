@@ -3,8 +3,8 @@
 #include <new>
 #include <utility>
 
-#include "app/study/second_curve.h"
-#include "app/study/second_study.h"
+#include "scene/second/second_curve.h"
+#include "scene/second/second_study.h"
 #include "viewer/segmentation/segmentation_keeper.h"
 
 namespace macula::viewer {

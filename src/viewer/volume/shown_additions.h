@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
-#include "app/segmentation/segment_tints.h"
-#include "app/state/beside_state.h"
-#include "app/state/segmentation_choice.h"
 #include "pipeline/volume/additions.h"
-#include "viewer/background_job.h"
+#include "scene/second/beside_state.h"
+#include "scene/segments/segment_tints.h"
+#include "scene/segments/segmentation_choice.h"
+#include "viewer/jobs/background_job.h"
 #include "viewer/session/viewer_session.h"
 #include "viewer/slices/second_series.h"
 

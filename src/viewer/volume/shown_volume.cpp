@@ -2,12 +2,12 @@
 
 #include <utility>
 
-#include "app/state/drawing_of.h"
+#include "scene/drawing/drawing_of.h"
 #include "viewer/clip/voxel_cutting.h"
-#include "viewer/hidden_voxels.h"
 #include "viewer/segmentation/segmentation_keeper.h"
-#include "viewer/table_removal.h"
+#include "viewer/volume/hidden_voxels.h"
 #include "viewer/volume/shown_additions.h"
+#include "viewer/volume/table_removal.h"
 
 namespace macula::viewer {
 

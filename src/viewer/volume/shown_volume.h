@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "app/frame/drawing.h"
-#include "app/frame/projection_windows.h"
 #include "base/result.h"
+#include "scene/drawing/drawing.h"
+#include "scene/drawing/projection_windows.h"
 #include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {

@@ -4,12 +4,12 @@
 #include <utility>
 #include <variant>
 
-#include "app/frame/projection_windows.h"
+#include "scene/drawing/projection_windows.h"
 #include "viewer/clip/voxel_cutting.h"
-#include "viewer/hidden_voxels.h"
 #include "viewer/segmentation/segmentation_keeper.h"
-#include "viewer/status_texts.h"
-#include "viewer/table_removal.h"
+#include "viewer/status/status_texts.h"
+#include "viewer/volume/hidden_voxels.h"
+#include "viewer/volume/table_removal.h"
 
 namespace macula::viewer {
 

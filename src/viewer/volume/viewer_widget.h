@@ -1,7 +1,7 @@
 // The volume of a session in 3D, as a widget by itself: for windows of other programs too.
 #pragma once
 
-#include "viewer/viewport.h"  // before Qt, see vulkan_window.h
+#include "viewer/viewport/viewport.h"  // before Qt, see vulkan_window.h
 
 #include <QWidget>
 #include <memory>

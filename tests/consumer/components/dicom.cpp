@@ -3,7 +3,7 @@
 #include <dicom/best_volume.h>
 #include <dicom/loader.h>
 #include <dicom/scan.h>
-#include <dicom/series_writer.h>
+#include <dicom/write/series_writer.h>
 
 #include <filesystem>
 

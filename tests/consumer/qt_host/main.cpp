@@ -5,8 +5,8 @@
 #include <QSplitter>
 
 #include "viewer/slices/slice_view.h"
-#include "viewer/study_loader.h"
 #include "viewer/transfer/transfer_function_editor.h"
+#include "viewer/volume/study_loader.h"
 
 using namespace macula;
 

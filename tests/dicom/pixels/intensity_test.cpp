@@ -1,4 +1,4 @@
-#include "dicom/pixels/intensity.h"
+#include "dicom/stack/intensity.h"
 
 #include <gtest/gtest.h>
 

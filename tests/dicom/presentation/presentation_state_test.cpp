@@ -16,8 +16,8 @@
 #include "dicom/presentation/palette_tables.h"
 #include "dicom/presentation/srgb_profile.h"
 #include "dicom/scan.h"
-#include "dicom/series_writer.h"
-#include "dicom/uid.h"
+#include "dicom/write/series_writer.h"
+#include "dicom/write/uid.h"
 #include "opens_in_dcmtk.h"
 #include "support.h"
 

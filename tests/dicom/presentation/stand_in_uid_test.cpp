@@ -7,7 +7,7 @@
 
 #include "base/sha256.h"
 #include "dicom/presentation/presentation_state.h"
-#include "dicom/uid.h"
+#include "dicom/write/uid.h"
 
 namespace macula::dicom {
 namespace {

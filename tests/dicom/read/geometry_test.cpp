@@ -1,4 +1,4 @@
-#include "dicom/read/geometry.h"
+#include "dicom/stack/geometry.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "dicom/pixels/jpeg.h"
 #include "dicom/read/quiet_toolkit.h"
 #include "dicom/scan.h"
-#include "dicom/series_writer.h"
+#include "dicom/write/series_writer.h"
 #include "formats/volume_file.h"
 #include "support.h"
 

@@ -10,7 +10,7 @@
 #include "base/camera.h"
 #include "base/frames.h"
 #include "base/result.h"
-#include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/splat/draw/model_painter.h"
 #include "pipeline/trace/path_tracer.h"
 

@@ -3,7 +3,7 @@
 // and one that is traced, whose mean over many pixels is right.
 #pragma once
 
-#include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/light/traced_view.h"
 
 namespace macula::hybrid {
 

@@ -13,7 +13,7 @@
 #include "pipeline/gpu/reading.h"
 #include "pipeline/gpu/resources.h"
 #include "pipeline/hybrid/light/light_in_space.h"
-#include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/trace/path_tracer.h"
 #include "shared/light_params.h"
 

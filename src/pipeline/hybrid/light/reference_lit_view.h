@@ -5,7 +5,7 @@
 
 #include "base/result.h"
 #include "pipeline/hybrid/light/light_in_space.h"
-#include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "shared/pixel_layers.h"
 
 namespace macula::hybrid {

@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "base/time_budget.h"
 #include "pipeline/gpu/device.h"
-#include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/views/view_cache.h"
 #include "pipeline/hybrid/views/view_times.h"
 #include "pipeline/splat/train/trainer.h"

@@ -18,11 +18,11 @@
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/model/error_trend.h"
 #include "pipeline/hybrid/model/model_start.h"
 #include "pipeline/hybrid/model/peripheral_state.h"
 #include "pipeline/hybrid/views/candidate_poses.h"
-#include "pipeline/hybrid/views/traced_view.h"
 #include "pipeline/hybrid/views/training_views.h"
 #include "pipeline/splat/train/trainer.h"
 

@@ -7,7 +7,7 @@
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
-#include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/views/view_cache.h"
 #include "pipeline/splat/train/trainer.h"
 #include "pipeline/trace/path_tracer.h"

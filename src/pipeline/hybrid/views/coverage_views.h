@@ -8,7 +8,7 @@
 
 #include "base/progress.h"
 #include "base/result.h"
-#include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::hybrid {

@@ -14,7 +14,7 @@
 #include "base/frames.h"
 #include "base/progress.h"
 #include "base/result.h"
-#include "pipeline/hybrid/views/traced_view.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/views/view_times.h"
 #include "pipeline/hybrid/views/view_tracing.h"
 #include "pipeline/trace/path_tracer.h"

@@ -6,8 +6,8 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/views/pose_sampling.h"
-#include "pipeline/hybrid/views/traced_view.h"
 #include "pipeline/hybrid/views/view_tracing.h"
 #include "pipeline/splat/train/trainer.h"
 #include "pipeline/trace/path_tracer.h"

@@ -8,9 +8,9 @@
 
 #include "base/progress.h"
 #include "base/result.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/views/picture_cache.h"
 #include "pipeline/hybrid/views/traced_scene.h"
-#include "pipeline/hybrid/views/traced_view.h"
 #include "pipeline/trace/path_tracer.h"
 
 namespace macula::hybrid {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/views/picture_cache.h"
 #include "pipeline/hybrid/views/traced_scene.h"
-#include "pipeline/hybrid/views/traced_view.h"
 #include "pipeline/trace/settings.h"
 
 namespace macula::hybrid {

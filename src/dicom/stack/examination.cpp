@@ -1,0 +1,147 @@
+#include "dicom/stack/examination.h"
+
+#include <algorithm>
+
+#include "dicom/read/archive.h"
+#include "dicom/read/presentation_tags.h"
+#include "dicom/read/sop_class.h"
+#include "dicom/read/transfer_syntax.h"
+
+namespace macula::dicom {
+
+namespace {
+
+// Frames after the end of the file are dropped. An image that loses all of them is truncated.
+void dropFramesCutOff(Examination& found, const HeaderFile& read) {
+    if (!read.pixels) return;
+    const PixelDataExtent& pixels = *read.pixels;
+    if (pixels.encapsulated) {
+        // Which frames are whole is seen when they are decoded; of a single one it is clear.
+        if (found.state == FileState::truncated && found.frames.size() > 1) found.state = FileState::complete;
+        return;
+    }
+    const Instance& instance = *found.frames.front().instance;
+    const std::uint64_t bits = bitsPerFrame(instance, *read.header);
+    if (bits == 0) return;
+    const std::uint64_t whole = 8 * pixels.bytesPresent / bits;
+    if (whole >= found.frames.size()) {
+        if (found.state == FileState::truncated)
+            found.state = FileState::complete;  // only padding is missing
+        return;
+    }
+    found.frames.erase(found.frames.begin() + static_cast<std::ptrdiff_t>(whole), found.frames.end());
+    found.state = found.frames.empty() ? FileState::truncated : FileState::complete;
+}
+
+// Whether NumberOfFrames is unusable; an empty one counts as absent.
+bool hasInvalidFrameCount(const Dataset& header) {
+    const auto count = header.text(tag::kNumberOfFrames);
+    if (!count || count->find_first_not_of(' ') == std::string::npos) return false;
+    return !header.integer(tag::kNumberOfFrames);
+}
+
+// The items of Referenced Series Sequence, and those of Studies Containing Other Referenced Instances.
+std::vector<Dataset> referencedSeriesOf(const Dataset& header) {
+    std::vector<Dataset> all = header.items(tag::kReferencedSeries);
+    for (const Dataset& study : header.items(presentation_tag::kStudiesContainingOtherInstances)) {
+        for (const Dataset& item : study.items(tag::kReferencedSeries)) all.push_back(item);
+    }
+    return all;
+}
+
+template <class T>
+void sortOut(std::vector<T>& values) {
+    std::sort(values.begin(), values.end());
+    values.erase(std::unique(values.begin(), values.end()), values.end());
+}
+
+PresentationHeading headingOf(const Dataset& header, const std::vector<Dataset>& referencedSeries) {
+    namespace tags = presentation_tag;
+    PresentationHeading heading{.label = header.shortText(tags::kContentLabel),
+                                .description = header.shortText(tags::kContentDescription),
+                                .date = header.shortText(tags::kCreationDate),
+                                .time = header.shortText(tags::kCreationTime),
+                                .creator = header.text(tags::kContentCreatorName).value_or(""),
+                                .images = {}};
+    std::vector<ReferencedFrames> images;
+    for (const Dataset& series : referencedSeries) {
+        // Those of slices name them so, those of volumes as instances (PS3.3 C.11.11 and C.12.2).
+        for (const Tag named : {tags::kReferencedImages, tags::kReferencedInstances}) {
+            for (ReferencedFrames& image : referencedFrames(series.items(named)))
+                images.push_back(std::move(image));
+        }
+    }
+    heading.images = byImage(std::move(images));
+    return heading;
+}
+
+OtherObject readObject(const std::filesystem::path& file, const Dataset& header,
+                       const std::string& sopClass) {
+    OtherObject object{.file = file, .sopClassUid = sopClass, .kind = describeSopClass(sopClass)};
+    const bool isPresentation = isPresentationState(sopClass);
+    const std::vector<Dataset> series =
+        isPresentation ? referencedSeriesOf(header) : header.items(tag::kReferencedSeries);
+    for (const Dataset& item : series) {
+        if (auto uid = item.text(tag::kSeriesInstanceUid))
+            object.referencedSeriesUids.push_back(std::move(*uid));
+    }
+    sortOut(object.referencedSeriesUids);
+    if (isPresentation) {
+        object.presentation = headingOf(header, series);
+        const PresentationHeading& heading = *object.presentation;
+        object.label = heading.description.empty() ? heading.label : heading.description;
+    }
+    return object;
+}
+
+}  // namespace
+
+Examination examine(const std::filesystem::path& file, const CancelToken& cancel) {
+    Examination found;
+    const HeaderFile read = readHeader(file, cancel);
+    found.state = read.state;
+    if (read.state == FileState::notDicom) found.archive = archiveKind(file);
+    if (!read.header) return found;
+    const Dataset& header = *read.header;
+    const auto text = [&](Tag tag) { return header.text(tag).value_or(""); };
+    const std::string sopClass = text(tag::kSopClassUid);
+    if (sopClass == sop_class::kMediaDirectory || header.has(tag::kDirectoryRecords)) {
+        found.kind = Examination::Kind::directory;
+        return found;
+    }
+    found.studyInstanceUid = text(tag::kStudyInstanceUid);
+    found.studyDate = text(tag::kStudyDate);
+    found.studyDescription = text(tag::kStudyDescription);
+    found.patientName = text(tag::kPatientName);
+    found.patient = patientIdentity(header);
+    found.sopInstanceUid = text(tag::kSopInstanceUid);
+    found.seriesInstanceUid = text(tag::kSeriesInstanceUid);
+    found.modality = text(tag::kModality);
+    found.seriesDescription = text(tag::kSeriesDescription);
+    found.patientPosition = text(tag::kPatientPosition);
+    found.seriesNumber = header.integer(tag::kSeriesNumber);
+
+    const bool hasImage = header.has(tag::kRows) && header.has(tag::kColumns) && !isSegmentation(sopClass) &&
+                          sopClass != sop_class::kMrSpectroscopy;
+    if (!hasImage && isImage(sopClass)) {
+        found.state = FileState::damaged;  // cut off before them, at the border of two elements
+    } else if (!hasImage) {
+        found.kind = Examination::Kind::other;
+        found.object = readObject(file, header, sopClass);
+    } else if (!read.pixels) {
+        found.kind = Examination::Kind::imageWithoutPixels;
+    } else if (hasInvalidFrameCount(header)) {
+        found.kind = Examination::Kind::image;
+        found.invalidFrameCount = true;
+    } else {
+        found.kind = Examination::Kind::image;
+        found.frames = readFrames(file, read);
+        const auto claimed = static_cast<std::size_t>(found.frames.front().instance->framesClaimed);
+        dropFramesCutOff(found, read);
+        found.framesMissing = claimed - found.frames.size();
+    }
+    found.charsetFallback = header.charsetFallback();
+    return found;
+}
+
+}  // namespace macula::dicom

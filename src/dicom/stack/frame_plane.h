@@ -1,0 +1,19 @@
+// Where a frame lies in the patient, as its data set says (PS3.3 C.7.6.2, C.7.6.16.2.3, C.7.6.16.2.4).
+#pragma once
+
+#include "dicom/stack/instance.h"
+
+namespace macula::dicom {
+
+// The distance of each frame along the normal, for objects that keep one position for all frames: those of
+// dose and of nuclear medicine, which say how they go on, and those that only say how far apart slices are.
+struct FrameOffsets {
+    std::vector<double> mm;  // of each frame that it is known of; empty for other objects
+    bool isByOrder = false;  // nothing but their order says where frames after the first lie
+};
+FrameOffsets frameOffsets(const Dataset& header);
+
+// Fills in position, orientation and spacing. `header` is the file's top level, `dataset` the frame's.
+void readPlane(const Dataset& header, const Dataset& dataset, double offsetMm, Frame& frame);
+
+}  // namespace macula::dicom

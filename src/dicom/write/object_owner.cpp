@@ -1,0 +1,140 @@
+#include "dicom/write/object_owner.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <ctime>
+#include <utility>
+
+#include "dicom/read/patient.h"
+#include "dicom/write/pseudonyms.h"
+#include "dicom/write/uid.h"
+
+namespace macula::dicom {
+
+namespace {
+
+// Of the Patient and the General Study module (PS3.3 C.7.1.1, C.7.2.1), those that archives file by. Those of
+// type 2 are written empty where the source has none.
+struct Taken {
+    DcmTagKey tag;
+    bool isWrittenEmpty;
+};
+const std::array kTaken{Taken{DCM_SpecificCharacterSet, false},
+                        Taken{DCM_PatientName, true},
+                        Taken{DCM_PatientID, true},
+                        Taken{DCM_IssuerOfPatientID, false},
+                        Taken{DCM_PatientBirthDate, true},
+                        Taken{DCM_PatientSex, true},
+                        Taken{DCM_StudyInstanceUID, false},
+                        Taken{DCM_StudyDate, true},
+                        Taken{DCM_StudyTime, true},
+                        Taken{DCM_ReferringPhysicianName, true},
+                        Taken{DCM_StudyID, true},
+                        Taken{DCM_AccessionNumber, true},
+                        Taken{DCM_StudyDescription, false},
+                        Taken{DCM_PatientAge, false}};
+
+bool copy(DcmDataset& to, DcmDataset& from, const Taken& taken) {
+    if (from.tagExists(taken.tag)) return from.findAndInsertCopyOfElement(taken.tag, &to).good();
+    return !taken.isWrittenEmpty || to.insertEmptyElement(taken.tag).good();
+}
+
+std::string textOf(DcmDataset& from, const DcmTagKey& tag) {
+    OFString value;
+    return from.findAndGetOFString(tag, value).good() ? value.c_str() : "";
+}
+
+// Whether it is there, is that instance, and says which study it is of.
+bool isRead(DcmFileFormat& format, const SecondaryCapture::Source& source) {
+    const bool isThere = format
+                             .loadFileUntilTag(source.file.c_str(), EXS_Unknown, EGL_noChange,
+                                               DCM_MaxReadLength, ERM_autoDetect, DCM_PixelData)
+                             .good();
+    if (!isThere) return false;
+    DcmDataset& from = *format.getDataset();
+    return !textOf(from, DCM_StudyInstanceUID).empty() &&
+           textOf(from, DCM_SOPInstanceUID) == source.sopInstanceUid;
+}
+
+Origin kindOf(DcmDataset& from) {
+    Origin origin;
+    if (std::string modality = textOf(from, DCM_Modality); !modality.empty())
+        origin.modality = std::move(modality);
+    origin.bodyPart = textOf(from, DCM_BodyPartExamined);
+    return origin;
+}
+
+bool writeWithoutPatient(DcmDataset& to, const char* name, const Pseudonym& pseudonym) {
+    bool ok = true;
+    const auto text = [&](const DcmTagKey& tag, const std::string& value) {
+        ok = ok && to.putAndInsertString(tag, value.c_str()).good();
+    };
+    text(DCM_SpecificCharacterSet, "ISO_IR 192");
+    text(DCM_PatientName, name);
+    text(DCM_PatientID, pseudonym.patientId);
+    for (const DcmTagKey& tag : {DCM_PatientBirthDate, DCM_PatientSex, DCM_StudyDate, DCM_StudyTime,
+                                 DCM_ReferringPhysicianName, DCM_StudyID, DCM_AccessionNumber})
+        text(tag, "");
+    text(DCM_StudyInstanceUID, pseudonym.studyInstanceUid);
+    return ok;
+}
+
+}  // namespace
+
+Now::Now() {
+    const std::time_t seconds = std::time(nullptr);
+    std::tm local{};
+    if (localtime_r(&seconds, &local) == nullptr) return;
+    date = fmt::format("{:04}{:02}{:02}", local.tm_year + 1900, local.tm_mon + 1, local.tm_mday);
+    time = fmt::format("{:02}{:02}{:02}", local.tm_hour, local.tm_min, local.tm_sec);
+}
+
+Result<Origin> copyOwner(DcmDataset& to, const SecondaryCapture::Source& source) {
+    const Error unreadable{ErrorCode::inputNotUsable, "The study that it belongs to cannot be read any more.",
+                           source.file.string(), "Open the study again, or write it without the patient."};
+    DcmFileFormat format;
+    if (!isRead(format, source)) return unreadable;
+    DcmDataset& from = *format.getDataset();
+    for (const Taken& taken : kTaken) {
+        if (!copy(to, from, taken))
+            return Error{
+                ErrorCode::outputNotWritable, "The DICOM file could not be made.", {}, "Check memory."};
+    }
+    Origin origin = kindOf(from);
+    origin.sopClassUid = textOf(from, DCM_SOPClassUID);
+    origin.sopInstanceUid = source.sopInstanceUid;
+    return origin;
+}
+
+bool writeNobody(DcmDataset& to) {
+    return writeWithoutPatient(to, "PHANTOM^MACULA",
+                               {.patientId = "MACULA-PHANTOM", .studyInstanceUid = newUid()});
+}
+
+std::optional<Origin> writePseudonym(DcmDataset& to, const std::optional<SecondaryCapture::Source>& source) {
+    Origin origin;
+    Pseudonym pseudonym;
+    DcmFileFormat format;
+    if (source && isRead(format, *source)) {
+        DcmDataset& from = *format.getDataset();
+        origin.bodyPart = textOf(from, DCM_BodyPartExamined);
+        const PatientIdentity patient{.id = textOf(from, DCM_PatientID),
+                                      .name = normalisedName(textOf(from, DCM_PatientName)),
+                                      .birthDate = textOf(from, DCM_PatientBirthDate),
+                                      .sex = textOf(from, DCM_PatientSex)};
+        pseudonym = pseudonymOf(patient, textOf(from, DCM_StudyInstanceUID));
+    } else {
+        pseudonym = newPseudonym();
+    }
+    if (!writeWithoutPatient(to, "ANONYMOUS", pseudonym) ||
+        to.putAndInsertString(DCM_PatientIdentityRemoved, "YES").bad() ||
+        to.putAndInsertString(DCM_DeidentificationMethod, "Macula: patient, study and all UIDs replaced")
+            .bad())
+        return std::nullopt;
+    return origin;
+}
+
+}  // namespace macula::dicom

@@ -1,0 +1,36 @@
+#include "live/device/open_device.h"
+
+#include <pwd.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <utility>
+
+namespace macula::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+}  // namespace
+
+fs::path usualKernelsFolder() {
+    if (const char* chosen = std::getenv("MACULA_KERNELS"); chosen != nullptr) return chosen;
+    const fs::path below = fs::path("macula") / "kernels";
+    // The specification says that a relative path there does not count.
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && fs::path(cache).is_absolute())
+        return cache / below;
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || *home == '\0') {
+        const passwd* user = getpwuid(geteuid());
+        home = user != nullptr ? user->pw_dir : nullptr;
+    }
+    return home != nullptr && fs::path(home).is_absolute() ? home / (".cache" / below) : fs::path();
+}
+
+Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::LastingDevice::Tell tell) {
+    MACULA_TRY(gpu::Instance instance, gpu::Instance::create());
+    return gpu::LastingDevice::open(std::move(instance), deviceOptions(preferred), std::move(tell));
+}
+
+}  // namespace macula::app

@@ -1,0 +1,20 @@
+// The device of a program that draws.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "base/result.h"
+#include "live/device/device_options.h"
+#include "pipeline/gpu/recovery.h"
+
+namespace macula::app {
+
+// $MACULA_KERNELS, which may be empty, else $XDG_CACHE_HOME/macula/kernels, else ~/.cache/macula/kernels.
+// Empty: nowhere.
+std::filesystem::path usualKernelsFolder();
+
+// `preferred` as in gpu::chooseDevice. `tell` hears of each device that is lost and replaced.
+Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::LastingDevice::Tell tell);
+
+}  // namespace macula::app

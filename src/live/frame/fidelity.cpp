@@ -1,0 +1,47 @@
+#include "live/frame/fidelity.h"
+
+#include <fmt/format.h>
+
+namespace macula::app {
+
+namespace {
+
+void addModel(const FrameShown& frame, std::vector<std::string>& because) {
+    if (!frame.foveaAgeMs) {
+        because.emplace_back("preview only");
+    } else {
+        because.emplace_back("preview around the sharp centre");
+        because.push_back(fmt::format("sharp centre traced {:.1f} s ago with {} samples",
+                                      *frame.foveaAgeMs / 1000.0, frame.foveaSamples));
+    }
+    if (frame.picture == OnScreen::estimate) because.emplace_back("estimated from the values");
+    if (frame.greyFacesAreCoarse) because.emplace_back("values on cut faces only coarsely");
+}
+
+bool isNotFit(const hybrid::ModelNews& model) {
+    using hybrid::ModelStage;
+    const bool isBegun = model.stage == ModelStage::resuming || model.stage == ModelStage::learning ||
+                         model.stage == ModelStage::resting;
+    return isBegun && !hybrid::isFitToBeShown(model);
+}
+
+}  // namespace
+
+Fidelity fidelityOf(const FrameShown& frame) {
+    Fidelity fidelity{.isFinal = frame.picture == OnScreen::traced && frame.stage == Stage::converged};
+    std::vector<std::string>& because = fidelity.because;
+    if (isOfSplats(frame.picture)) addModel(frame, because);
+    if (frame.picture == OnScreen::preview && isNotFit(frame.model))
+        because.push_back(fmt::format("the preview is not sharp enough after {} steps", frame.model.steps));
+    if (frame.picture == OnScreen::fading) because.emplace_back("preview fades out");
+    if (frame.mixesModel) because.emplace_back("preview where it is less noisy");
+    if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
+    if (!isOfSplats(frame.picture) && frame.stage != Stage::converged)
+        because.push_back(fmt::format("{} of {} samples", frame.samplesPerPixel, frame.sampleLimit));
+    if (!frame.messages.empty()) because.emplace_back("less than the full resolution");
+    if (frame.denoised) because.emplace_back("denoised");
+    if (frame.samplesLeftOut > 0) because.push_back(fmt::format("{} samples left out", frame.samplesLeftOut));
+    return fidelity;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,403 @@
+#include "live/hosted/hosted_loop.h"
+
+#include <algorithm>
+#include <exception>
+#include <future>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "live/frame/traced_pictures.h"
+#include "live/model/model_output.h"
+#include "live/model/taken_model.h"
+#include "live/store/scene_key.h"
+#include "scene/camera/orbit_camera.h"
+#include "scene/camera/usual_view.h"
+#include "scene/choice/lights_choice.h"
+#include "scene/state/study_state.h"
+#include "scene/transfer/same_transfer.h"
+
+namespace macula::app {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLeastMs = 15.0;  // a frame gets on a little, however little time there is
+constexpr double kUsualFovDeg = 30.0;
+constexpr int kTrainingSidePx = 256;  // of the picture that is shown to nobody
+constexpr std::size_t kTrainingTicks = 1000;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+Error stopped(const char* sentence) {
+    return {ErrorCode::cancelled, sentence, {}, {}};
+}
+
+// Whether nothing more will come of the model.
+bool hasEnded(hybrid::ModelStage stage) {
+    using hybrid::ModelStage;
+    return stage == ModelStage::resting || stage == ModelStage::nothingToSee || stage == ModelStage::noRoom ||
+           stage == ModelStage::failed;
+}
+
+// That there can be a model of the drawing.
+Result<void> checkHasModel(const Drawing& drawing) {
+    if (!trace::isPathTraced(drawing.settings.look))
+        return Error{ErrorCode::usage,
+                     "Only what is path-traced has a peripheral model.",
+                     {},
+                     "Choose the look cinematic or clear."};
+    return checkPatientLights(trace::Environment::fromRig(*drawing.lights), {});
+}
+
+// The renderer knows parts of a scene by their address: what is the same stays on the device, and so does its
+// model.
+void keepWhatIsSame(Drawing& drawing, const Drawing& before) {
+    const auto isSameClip = [](const std::shared_ptr<const Clip>& a, const std::shared_ptr<const Clip>& b) {
+        return a && b ? *a == *b : a == b;
+    };
+    if (isSame(*drawing.transferFunction, *before.transferFunction))
+        drawing.transferFunction = before.transferFunction;
+    if (*drawing.lights == *before.lights) drawing.lights = before.lights;
+    if (isSameClip(drawing.clip, before.clip)) drawing.clip = before.clip;
+}
+
+std::int64_t nowMs() {
+    return std::chrono::duration_cast<std::chrono::milliseconds>(
+               std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+Result<void> whatBecameOf(const hybrid::ModelNews& news) {
+    using hybrid::ModelStage;
+    switch (news.stage) {
+        case ModelStage::nothingToSee:
+            return Error{ErrorCode::inputNotUsable,
+                         "There is nothing to be seen that a model could learn.",
+                         {},
+                         "Choose another preset or clip."};
+        case ModelStage::noRoom:
+            return Error{ErrorCode::outOfMemory,
+                         "The graphics device has no memory for a model.",
+                         {},
+                         "Close other programs, or show less of the volume."};
+        case ModelStage::failed:
+            return Error{ErrorCode::deviceNotUsable,
+                         "The model could not be made on this graphics device.",
+                         {},
+                         "Try another device."};
+        default:
+            return {};
+    }
+}
+
+}  // namespace
+
+// Told on the keeper's thread.
+class HostedLoop::Troubles {
+  public:
+    void add(const Error& error) {
+        const std::lock_guard lock(mutex_);
+        errors_.push_back(error);
+    }
+    std::vector<Error> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(errors_, {});
+    }
+
+  private:
+    mutable std::mutex mutex_;
+    std::vector<Error> errors_;
+};
+
+Result<std::unique_ptr<HostedLoop>> HostedLoop::create(HostedOptions options) {
+    MACULA_TRY(gpu::Instance instance, gpu::Instance::create(options.way.instance));
+    return std::unique_ptr<HostedLoop>(new HostedLoop(std::move(options), std::move(instance)));
+}
+
+HostedLoop::HostedLoop(HostedOptions options, gpu::Instance instance)
+    : options_(std::move(options)), troubles_(std::make_shared<Troubles>()) {
+    if (options_.store && options_.usesModel) {
+        session::StoreOptions store;
+        if (!options_.store->empty()) store.folder = *options_.store;
+        if (options_.storeBytes > 0) store.modelCapBytes = options_.storeBytes;
+        keeper_ = std::make_shared<ModelKeeper>(
+            std::move(store), [troubles = troubles_](const Error& error) { troubles->add(error); });
+    }
+    renderer_ = std::make_unique<FrameRenderer>(std::move(instance), options_.way.device, keeper_,
+                                                [this](RenderEvent event) { hear(std::move(event)); });
+    input_.place = placeOf(picture_);
+    input_.visible = true;
+    input_.usesModel = options_.usesModel;
+}
+
+HostedLoop::~HostedLoop() {
+    renderer_.reset();  // it tells, and keeps, to the last
+}
+
+void HostedLoop::hear(RenderEvent event) {
+    if (auto* ready = std::get_if<DeviceReady>(&event)) device_ = ready->description;
+    if (auto* outline = std::get_if<OutlineFound>(&event)) outlineMm_ = outline->pointsMm;
+    if (auto* shown = std::get_if<FrameShown>(&event)) {
+        shown_ = std::move(*shown);
+        knowsModel_ = true;
+    }
+    if (std::holds_alternative<PictureRemoved>(event)) shown_.reset();
+    if (auto* taken = std::get_if<ModelTaken>(&event)) taken_ = std::move(*taken);
+    if (auto* failure = std::get_if<RenderFailure>(&event)) failure_ = failure->error;
+    if (std::holds_alternative<DeviceRestarting>(event))
+        notes_.emplace_back("The graphics device stopped responding and was started again.");
+    if (auto* preparing = std::get_if<Preparing>(&event); preparing && progress_)
+        progress_->beginStage(preparing->what, 1);
+}
+
+void HostedLoop::publish(const FrameInput& input) {
+    if (!isSamePicture(input_, input)) {
+        shown_.reset();
+        failure_.reset();
+    }
+    input_ = input;
+    ++input_.sequence;
+    input_.published = Clock::now();
+    renderer_->accept(input_);
+}
+
+Result<void> HostedLoop::goOn(const std::function<bool()>& isDone, const std::function<bool()>& isTimeUp,
+                              Progress& progress) {
+    // The renderer tells what it prepares while it works for this caller only.
+    struct Told {
+        Told(Progress*& place, Progress& told) : place_(place) { place_ = &told; }
+        Told(const Told&) = delete;
+        Told& operator=(const Told&) = delete;
+        ~Told() { place_ = nullptr; }
+        Progress*& place_;
+    } const told(progress_, progress);
+    const Interrupts interrupts{.newInput = isTimeUp, .stopping = [&] { return progress.cancelled(); }};
+    while (true) {
+        if (failure_) return *failure_;
+        if (progress.cancelled()) return stopped("Stopped.");
+        if (isDone() || !renderer_->hasWork()) return {};
+        renderer_->step(interrupts);
+    }
+}
+
+Result<void> HostedLoop::waitForStore(Progress& progress, const char* stage) {
+    if (!keeper_) return {};
+    progress.beginStage(stage, 1);
+    while (!keeper_->isIdle()) {
+        if (progress.cancelled()) return stopped("Stopped while stored sessions were waited for.");
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    progress.advance();
+    return {};
+}
+
+Result<void> HostedLoop::show(HostedScene scene, Progress& progress) {
+    MACULA_CHECK(scene.volume && scene.drawing.transferFunction && scene.drawing.lights);
+    HostedScene before{.volume = input_.volume, .drawing = input_.drawing};
+    change(std::move(scene));
+    Result<void> waited = waitForStore(progress, "Looking for a stored model");
+    if (!waited && before.volume) change(std::move(before));
+    return waited;
+}
+
+void HostedLoop::change(HostedScene scene) {
+    FrameInput input = input_;
+    const bool isOther = scene.volume != input.volume;
+    if (isOther) ++input.study;
+    if (!isOther) keepWhatIsSame(scene.drawing, input.drawing);
+    // Of whatever else the renderer tells the outline anew.
+    if (isOther || scene.drawing.transferFunction != input.drawing.transferFunction ||
+        scene.drawing.clip != input.drawing.clip)
+        outlineMm_.reset();
+    if (isOther || scene.drawing != input.drawing) knowsModel_ = false;
+    input.volume = std::move(scene.volume);
+    input.drawing = std::move(scene.drawing);
+    input.background = backgroundInWindow(input.drawing);
+    publish(input);
+}
+
+Result<Camera> HostedLoop::fittingCamera(FrameInput input, std::optional<ViewDirection> asked,
+                                         Progress& progress) {
+    const ViewDirection from = firstDirection(asked, *input.volume);
+    const auto corners = cornersOf(input.volume->worldBox());
+    const double aspect = double(input.width) / double(input.height);
+    if (!outlineMm_) {
+        input.camera = toCamera(framed(corners, from, kUsualFovDeg, aspect));
+        publish(input);
+        // The outline is told of each scene that is brought to the device, once.
+        MACULA_TRY_VOID(goOn([this] { return outlineMm_ != nullptr; }, [] { return false; }, progress));
+    }
+    const bool fitsAll =
+        !outlineMm_ || outlineMm_->empty() || trace::isProjection(input.drawing.settings.look);
+    return toCamera(fitsAll ? framed(corners, from, kUsualFovDeg, aspect)
+                            : framed(*outlineMm_, from, kUsualFovDeg, aspect));
+}
+
+Result<HostedFrame> HostedLoop::frame(const HostedWish& wish, Progress& progress) {
+    MACULA_CHECK(input_.volume && wish.sizePx.x > 0 && wish.sizePx.y > 0);
+    const Clock::time_point start = Clock::now();
+    const std::uint64_t before = picture_->count();
+    FrameInput input = input_;
+    input.width = wish.sizePx.x;
+    input.height = wish.sizePx.y;
+    input.gaze = wish.gaze;
+    input.interacting = wish.isMoving;
+    input.sampleLimit = FrameInput().sampleLimit;
+    if (wish.camera) {
+        input.camera = *wish.camera;
+    } else {
+        MACULA_TRY(input.camera, fittingCamera(input, wish.from, progress));
+    }
+    MACULA_TRY_VOID(basis(input.camera));
+    publish(input);
+    const double mostMs = std::max(wish.forAboutMs, kLeastMs);
+    const auto isTimeUp = [&] { return millisecondsSince(start) >= mostMs; };
+    MACULA_TRY_VOID(goOn([&] { return hasPicture() && isTimeUp(); }, isTimeUp, progress));
+    if (!hasPicture())
+        return Error{ErrorCode::deviceNotUsable,
+                     "There is no picture of this.",
+                     {},
+                     "Draw it again; if that does not help, open another device."};
+    return HostedFrame{.shown = *shown_, .isNew = picture_->count() != before};
+}
+
+Result<void> HostedLoop::train(const TrainingWish& wish, Progress& progress) {
+    MACULA_CHECK(input_.volume != nullptr);
+    if (!options_.usesModel)
+        return Error{ErrorCode::usage, "This was opened without a model.", {}, "Open it with one."};
+    MACULA_TRY_VOID(checkHasModel(input_.drawing));
+    const Clock::time_point start = Clock::now();
+    FrameInput input = input_;
+    input.width = input.height = kTrainingSidePx;
+    input.interacting = false;
+    // All time is for the model, once there is something on screen.
+    input.sampleLimit = 1;
+    MACULA_TRY(input.camera, fittingCamera(input, ViewDirection::anterior, progress));
+    publish(input);
+
+    progress.beginStage("Training", kTrainingTicks);
+    std::size_t ticks = 0;
+    const auto advanceTo = [&](double share) {
+        const auto wanted = std::size_t(std::clamp(share, 0.0, 1.0) * double(kTrainingTicks));
+        if (wanted > ticks) progress.advance(wanted - std::exchange(ticks, std::max(ticks, wanted)));
+    };
+    std::optional<std::uint64_t> firstStep;
+    const auto isSpent = [&] {
+        return wish.seconds > 0.0 && millisecondsSince(start) >= 1000.0 * wish.seconds;
+    };
+    const auto isDone = [&] {
+        if (!knowsModel_) return isSpent();
+        const hybrid::ModelNews news = model();
+        const bool learns = news.stage == hybrid::ModelStage::learning || hasEnded(news.stage);
+        const bool isResumed =
+            news.origin == hybrid::ModelOrigin::stored || news.origin == hybrid::ModelOrigin::shelf;
+        if (!firstStep && learns) firstStep = isResumed ? news.steps : 0;
+        const std::uint64_t made = news.steps - std::min(news.steps, firstStep.value_or(news.steps));
+        double share = wish.seconds > 0.0 ? millisecondsSince(start) / (1000.0 * wish.seconds) : 0.0;
+        if (wish.steps > 0) share = std::max(share, double(made) / double(wish.steps));
+        advanceTo(share);
+        return hasEnded(news.stage) || isSpent() || (wish.steps > 0 && made >= wish.steps);
+    };
+    // A model that learns already has its steps behind it.
+    if (knowsModel_ && model().stage == hybrid::ModelStage::learning) firstStep = model().steps;
+    MACULA_TRY_VOID(goOn(isDone, isSpent, progress));
+    advanceTo(1.0);
+    return whatBecameOf(model());
+}
+
+Result<ModelTaken> HostedLoop::takeModel(bool withTraining) {
+    FrameInput input = input_;
+    if (isParallel(input.camera)) input.camera = inPerspective(input.camera);  // of which models are drawn
+    ++input.modelWishes;
+    input.wishesTraining = withTraining;
+    taken_.reset();
+    publish(input);
+    if (!taken_ || (!taken_->error && !taken_->splats))
+        return Error{
+            ErrorCode::inputNotUsable, "There is no model of what is shown yet.", {}, "Train it first."};
+    ModelTaken taken = *std::exchange(taken_, std::nullopt);
+    if (taken.error) return *taken.error;
+    return taken;
+}
+
+Result<void> HostedLoop::save(Progress& progress) {
+    if (!keeper_)
+        return Error{ErrorCode::usage, "No folder was given to keep models in.", {}, "Open it with one."};
+    MACULA_TRY(const ModelTaken taken, takeModel(true));
+    if (!taken.state)
+        return Error{ErrorCode::inputNotUsable,
+                     "The model has learnt nothing yet that could be kept.",
+                     {},
+                     "Train it first."};
+    for (const Error& error : troubles_->take()) note(error);  // of before
+    const std::int64_t begunMs = nowMs();
+    keeper_->keep(taken.state);
+    MACULA_TRY_VOID(waitForStore(progress, "Saving the model"));
+    MACULA_TRY_VOID(checkIsStored(begunMs));
+    return {};
+}
+
+// The keeper tells each trouble once, and of a model that stays what it was nothing at all.
+Result<void> HostedLoop::checkIsStored(std::int64_t sinceMs) {
+    const std::vector<Error> troubles = troubles_->take();
+    if (!troubles.empty()) return troubles.front();
+    PartDigests& known = keeper_->digests();
+    const session::ModelKey key = sceneKey(known.of(input_.volume), *input_.volume, input_.drawing, known);
+    const auto asked = std::make_shared<std::promise<Result<void>>>();
+    std::future<Result<void>> answer = asked->get_future();
+    keeper_->withStore([asked, key, sinceMs](session::Store* store) {
+        const auto look = [&]() -> Result<void> {
+            if (store != nullptr) {
+                MACULA_TRY(const std::optional<session::ModelInfo> found, store->findModel(key));
+                if (found && found->savedMs >= sinceMs) return {};
+                if (found)
+                    return Error{ErrorCode::outputNotWritable,
+                                 "The stored model was not replaced: it has learnt more than this one, or "
+                                 "could not be written.",
+                                 {},
+                                 "Train this one for longer, or check free space and permissions."};
+            }
+            return Error{ErrorCode::outputNotWritable,
+                         "The model could not be kept.",
+                         {},
+                         "Check free space and permissions of the folder that was given for models."};
+        };
+        try {
+            asked->set_value(look());
+        } catch (...) {
+            asked->set_exception(std::current_exception());  // of whoever waits
+        }
+    });
+    return answer.get();
+}
+
+Result<void> HostedLoop::writeModel(const std::filesystem::path& path, Progress& progress) {
+    MACULA_TRY_VOID(checkModelName(path));
+    MACULA_TRY(ModelTaken taken, takeModel(holdsTraining(path)));
+    const TakenModel model{.splats = std::move(taken.splats),
+                           .gain = taken.gain,
+                           .state = std::move(taken.state),
+                           .volume = input_.volume,
+                           .drawing = input_.drawing};
+    MACULA_TRY([[maybe_unused]] const std::size_t limited, writeTakenModel(path, model, false, progress));
+    return {};
+}
+
+void HostedLoop::note(const Error& error) {
+    notes_.push_back(error.hint.empty() ? error.message : error.message + " " + error.hint);
+}
+
+std::vector<std::string> HostedLoop::notes() {
+    for (const Error& error : troubles_->take()) note(error);
+    std::vector<std::string> notes = std::exchange(notes_, {});
+    if (!shown_) return notes;
+    for (const Message& message : shown_->messages)
+        notes.push_back(message.action.empty() ? message.sentence : message.sentence + " " + message.action);
+    return notes;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,35 @@
+// What a model was trained on, and how far that came.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "live/model/model_training.h"
+#include "pipeline/hybrid/model/first_model.h"
+
+namespace macula::app {
+
+// Holds no patient data: the series is a digest, and files of the user are named by their kind only.
+struct TrainingRecord {
+    std::string seriesDigest;
+    std::string preset;
+    std::string lights;
+    std::string clip;
+    bool tableRemoved = false;
+    // The options of a training that began here; a saved one does not say all that it began with.
+    std::optional<hybrid::FirstModelOptions> begun;
+    double budgetSeconds = 0.0;     // 0: none
+    std::uint64_t stepsBefore = 0;  // of the training that it went on with
+};
+
+nlohmann::ordered_json toJson(const TrainingRecord& record, const Trained& trained);
+
+// Sentences on where the time of a training with a budget went, and how many of `views` were traced.
+std::string howTimeWasSpent(const Trained& trained, std::size_t views);
+// Sentences on a training that stopped before all of its `steps`, and was written to `path`.
+std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const std::filesystem::path& path);
+
+}  // namespace macula::app

@@ -1,0 +1,36 @@
+// Reports on stored sessions, for people: whole lines, sizes in MB and GB, times of this place. What a person
+// may read of a study is in them where the store keeps it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "live/store/purge_plan.h"
+#include "live/store/stored_sessions.h"
+#include "live/store/tidied_sessions.h"
+#include "live/store/verified_sessions.h"
+#include "session/store.h"
+
+namespace macula::app {
+
+std::string textOf(const StoredSessions& stored);
+std::string textOf(const StoredStudy& study);
+std::string textOf(const VerifiedSessions& verified);
+std::string textOf(const Tidied& tidied);
+std::string textOf(const session::SnapshotReport& copied);
+std::string textOf(const PurgePlan& plan);
+std::string textOf(const session::PurgeReport& purged);
+std::string textOf(const session::Listing<session::AuditEntry>& trail);
+
+std::string nothingStoredText(const std::filesystem::path& folder);
+
+// Sentences, without an end of line.
+std::string questionOf(const PurgePlan& plan);
+std::vector<std::string> warningsOf(const session::OpeningNotes& notes);
+// What is still there after a purge that was to delete more.
+std::vector<std::string> warningsOf(const session::PurgeReport& purged);
+// What to do where not all is sound; one sentence or more.
+std::string whatToDo(const VerifiedSessions& verified);
+
+}  // namespace macula::app

@@ -1,0 +1,43 @@
+#include "pictures/picture_file.h"
+
+#include <algorithm>
+#include <span>
+
+namespace macula::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string loweredExtension(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+    return extension;
+}
+
+}  // namespace
+
+Result<void> checkPictureName(const fs::path& path) {
+    if (isExr(path) || loweredExtension(path) == ".png") return {};
+    return Error{ErrorCode::usage, "The picture must be a .png or .exr file.", path.string(),
+                 "Give -o a name with one of these endings."};
+}
+
+bool isExr(const fs::path& path) {
+    return loweredExtension(path) == ".exr";
+}
+
+bool isDicom(const fs::path& path) {
+    return loweredExtension(path) == ".dcm";
+}
+
+Result<void> writePicture(const fs::path& path, const DrawnPicture& picture, const glm::ivec2& sizePx,
+                          const image::Metadata& metadata) {
+    if (!picture.traced) return image::writePng(path, sizePx.x, sizePx.y, picture.rgba, metadata);
+    const trace::TracedImage& traced = *picture.traced;
+    const std::span<const float> rgba(&traced.radiance.front().x, traced.radiance.size() * 4);
+    return image::writeExr(path, sizePx.x, sizePx.y, rgba, traced.depthMm, metadata);
+}
+
+}  // namespace macula::app

@@ -1,0 +1,22 @@
+// Pictures as files: .png for the eye, .exr for linear light and depth.
+#pragma once
+
+#include <filesystem>
+
+#include "base/result.h"
+#include "image/image_file.h"
+#include "pictures/drawn_picture.h"
+
+namespace macula::app {
+
+// usage for an extension that is neither .png nor .exr, in any case of letters.
+Result<void> checkPictureName(const std::filesystem::path& path);
+bool isExr(const std::filesystem::path& path);
+bool isDicom(const std::filesystem::path& path);  // .dcm
+
+// Writes the file whole or not at all: a linear picture as EXR with depth as channel Z, else PNG; the name
+// does not matter.
+Result<void> writePicture(const std::filesystem::path& path, const DrawnPicture& picture,
+                          const glm::ivec2& sizePx, const image::Metadata& metadata);
+
+}  // namespace macula::app

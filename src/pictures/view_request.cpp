@@ -1,0 +1,57 @@
+#include "pictures/view_request.h"
+
+#include <fmt/format.h>
+
+#include "scene/choice/lights_choice.h"
+#include "scene/choice/preset_choice.h"
+#include "scene/drawing/drawing_of.h"
+#include "scene/drawing/shown_clip.h"
+
+namespace macula::app {
+
+Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear) {
+    const glm::ivec2 size = picture.sizePx;
+    if (size.x < 1 || size.y < 1 || size.x > trace::kMaxPictureSide || size.y > trace::kMaxPictureSide)
+        return Error{ErrorCode::usage, "The picture cannot have that size.",
+                     fmt::format("{} x {}", size.x, size.y),
+                     fmt::format("Take 1 to {} pixels for each side.", trace::kMaxPictureSide)};
+    MACULA_TRY_VOID(check(picture.effects));
+    MACULA_TRY(Effort effort, effortOf(picture.effort, picture.drawing.settings));
+    const Drawing& drawing = picture.drawing;
+    return PictureRequest{.scene = {.volume = in16Bits(picture.volume),
+                                    .function = *drawing.transferFunction,
+                                    .clip = drawing.clip ? *drawing.clip : Clip{},
+                                    .environment = trace::Environment::fromRig(*drawing.lights),
+                                    .additions = drawing.additions ? *drawing.additions : Additions{}},
+                          .camera = picture.camera,
+                          .sizePx = size,
+                          .settings = effort.settings,
+                          .samplesPerPixel = effort.samplesPerPixel,
+                          .isLinear = isLinear,
+                          .background = drawing.background.value_or(kBlackBackground),
+                          .effects = picture.effects};
+}
+
+RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request, const DrawnPicture& drawn) {
+    RenderRecord record;
+    record.seriesDigest = picture.seriesDigest;
+    record.preset = publicPresetName(request.scene.function);
+    record.lights = publicLightsName(*picture.drawing.lights);
+    record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
+    if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark;
+    record.additions = remarkOf(request.scene.additions, request.settings.look);
+    record.tableRemoved = record.masked.find(kTableLeftOut) != std::string::npos;
+    record.presetFitted = request.scene.function.fitToVolume.has_value();
+    record.window = request.settings.window;
+    record.add(request, drawn);
+    return record;
+}
+
+std::vector<std::string> sentencesOf(const DrawnPicture& drawn, const PictureRequest& request) {
+    std::vector<std::string> sentences;
+    for (const PictureNote& note : notesOf(drawn, request))
+        sentences.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
+    return sentences;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,31 @@
+#include "scene/choice/clip_choice.h"
+
+#include <algorithm>
+
+#include "scene/choice/built_in_choice.h"
+
+namespace macula::app {
+
+Result<std::vector<ClipPreset>> builtInClips() {
+    return parseAll<ClipPreset>(presets::clipFiles(), clipPresetFromJson);
+}
+
+Result<ClipPreset> chooseClip(const std::string& nameOrFile) {
+    if (nameOrFile.empty()) return ClipPreset{};
+    MACULA_TRY(const ChosenText chosen, chooseText(presets::clipFiles(), "clip", nameOrFile));
+    return clipPresetFromJson(chosen.text, chosen.where);
+}
+
+std::string publicClipName(const std::string& nameOrFile) {
+    return nameOrFile.empty() ? "none" : publicName(presets::clipFiles(), nameOrFile);
+}
+
+std::string publicClipName(const ClipPreset& clip) {
+    if (clip == ClipPreset{}) return publicClipName(std::string());
+    const Result<std::vector<ClipPreset>> all = builtInClips();
+    // The last bits of a box may have changed when it was written, and only then.
+    const auto isIt = [text = toJson(clip)](const ClipPreset& known) { return toJson(known) == text; };
+    return all && std::ranges::any_of(*all, isIt) ? clip.name : "custom";
+}
+
+}  // namespace macula::app

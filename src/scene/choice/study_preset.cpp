@@ -1,0 +1,79 @@
+#include "scene/choice/study_preset.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "pipeline/volume/volume_fit.h"
+#include "presets/catalogue.h"
+#include "presets/default_preset.h"
+#include "scene/choice/preset_choice.h"
+#include "scene/choice/preset_kinds.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr const char* kOtherUnits = "The preset is made for other units than those of the series.";
+
+// What the volume is shown with when nobody chose, and some of the others that are made for it.
+std::vector<std::string> namesFor(const Volume& volume) {
+    constexpr std::size_t kMostNames = 6;
+    std::vector<std::string> names{presets::defaultTransfer(volume)};
+    const auto presets = presets::builtInPresets();
+    if (!presets) return names;
+    const FitsVolume fits(volume);
+    for (const TransferFunction& preset : *presets) {
+        if (names.size() == kMostNames) break;
+        if (preset.name != names.front() && fits(preset)) names.push_back(preset.name);
+    }
+    return names;
+}
+
+}  // namespace
+
+Result<presets::ImportedPreset> presetToDraw(const std::string& typed, bool fit) {
+    MACULA_TRY(presets::ImportedPreset preset, choosePreset(typed));
+    MACULA_TRY_VOID(validate(preset.function));
+    if (fit) {
+        MACULA_TRY(preset.function, withFit(std::move(preset.function)));
+    }
+    return preset;
+}
+
+std::vector<std::string> notesOf(const presets::ImportedPreset& preset, const Volume& volume) {
+    std::vector<std::string> notes = preset.notes;
+    if (const std::optional<VolumeFit> fit = fitOf(preset.function, volume))
+        notes.push_back(fitMessage(*fit).sentence);
+    if (!suits(preset.function, volume.unit())) notes.emplace_back(kOtherUnits);
+    return notes;
+}
+
+PresetNotes notesToDraw(const presets::ImportedPreset& preset, const Volume& volume) {
+    PresetNotes told{.notes = notesOf(preset, volume), .warnings = {}};
+    for (std::string& note : told.notes) {
+        if (note != kOtherUnits) continue;
+        const std::vector<std::string> names = namesFor(volume);
+        if (preset.function.name == names.front()) continue;  // there is no better one
+        note += fmt::format(" Presets for it: {}.", fmt::join(names, ", "));
+        told.warnings.push_back(note);
+    }
+    return told;
+}
+
+void tellOf(const presets::ImportedPreset& preset, StudyInput& study) {
+    PresetNotes told = notesToDraw(preset, *study.volume);
+    std::ranges::move(told.notes, std::back_inserter(study.notes));
+    std::ranges::move(told.warnings, std::back_inserter(study.warnings));
+}
+
+Result<StudyPreset> choosePresetFor(StudyInput& study, const std::string& typed, bool fit) {
+    const std::string name = typed.empty() ? presets::defaultTransfer(*study.volume) : typed;
+    MACULA_TRY(presets::ImportedPreset preset, presetToDraw(name, fit));
+    tellOf(preset, study);
+    return StudyPreset{.publicName = publicPresetName(name), .function = std::move(preset.function)};
+}
+
+}  // namespace macula::app

@@ -1,0 +1,65 @@
+#include "scene/clip/clip_of_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "scene/clip/edited_clip.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr double kTurned = 1e-9;
+
+Error notKept() {
+    return {
+        ErrorCode::usage, "This clip cannot be kept with the study.", {}, "Reset the clips, and cut again."};
+}
+
+bool isAlongPatient(const OrientedBox& box) {
+    for (int axis = 0; axis < 3; ++axis)
+        for (int row = 0; row < 3; ++row)
+            if (std::abs(box.axes[axis][row] - (axis == row ? 1.0 : 0.0)) > kTurned) return false;
+    return true;
+}
+
+}  // namespace
+
+Result<ClipChoice> clipOfShape(const Clip& shapeMm, const ClipChoice& before, const Volume& volume) {
+    MACULA_TRY_VOID(validate(shapeMm));
+    const Box all = volume.worldBox();
+    const glm::dvec3 size = all.high - all.low;
+    const auto fraction = [&](const glm::dvec3& mm) { return (mm - all.low) / size; };
+    ClipPreset next = before.value_or(ClipPreset{});
+    const Clip kept = next.clip;
+    next.clip = shapeMm;
+    next.clip.mask.reset();
+    next.clip.greyFaces = next.greyFacesOfSeries ? kept.greyFaces : shapeMm.greyFaces;
+    next.planesAt.clear();
+    if (next.clip.box) {
+        if (!isAlongPatient(*next.clip.box)) return notKept();
+        next.clip.box->axes = glm::dmat3(1.0);
+        next.clip.box->centreMm = fraction(next.clip.box->centreMm);
+        next.clip.box->halfSizeMm /= size;
+    }
+    for (HalfSpace& plane : next.clip.planes) {
+        const double fromMiddleMm = plane.offsetMm - glm::dot(plane.normal, all.centre());
+        next.planesAt.push_back(fractionOnPlane(plane.normal, fromMiddleMm, volume));
+        plane.offsetMm = 0.0;
+    }
+    if (next.clip.cut) next.clip.cut->pointMm = fraction(next.clip.cut->pointMm);
+    if (next.clip.ball) {
+        next.clip.ball->centreMm = fraction(next.clip.ball->centreMm);
+        next.clip.ball->radiusMm /= std::min({size.x, size.y, size.z});
+    }
+    if (!next.clip.hasShape()) return ClipChoice{};
+    next.name = kOwnClipName;
+    next.title = "Own clip";
+    // What cannot be read again would be lost with all else of the study.
+    const Result<ClipPreset> read = clipPresetFromJson(toJson(next), {});
+    if (!read) return notKept();
+    return ClipChoice(*read);
+}
+
+}  // namespace macula::app

@@ -1,0 +1,61 @@
+// What is cut away of a volume besides its clip, from where somebody looked; and clips under a name. World
+// frame: patient LPS, mm.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/camera.h"
+#include "pipeline/volume/clip.h"
+#include "scene/clip/kept_box.h"
+#include "scene/clip/shared_outline.h"
+
+namespace macula::app {
+
+// A plane across the line of sight: what lies before it is removed. The plane is what counts; the rest says
+// how it goes on.
+struct EyeCut {
+    HalfSpace plane;
+    // As it was asked for: from the middle of the volume's box along the normal; negative: to the eye. The
+    // plane is nearer where the box ends before that.
+    double fromMiddleMm = 0.0;
+    bool followsCamera = true;  // else it stays where it is in the patient
+
+    bool operator==(const EyeCut&) const = default;
+};
+
+// An outline that was drawn over a picture: what lies behind it, along the rays of that camera, is removed;
+// or all else.
+struct ScissorCut {
+    Camera camera;
+    SharedOutline outline;  // in half heights from the middle of the picture, right and up positive
+    bool removesOutside = false;
+
+    bool operator==(const ScissorCut&) const = default;
+};
+
+inline constexpr std::size_t kMostScissorCuts = 50;
+inline constexpr std::size_t kMostOutlinePoints = 500;
+
+struct Cuts {
+    std::optional<EyeCut> eye = {};
+    std::vector<ScissorCut> scissors = {};  // at most kMostScissorCuts, in the order in which they were made
+
+    bool isNothing() const { return !eye && scissors.empty(); }
+    bool operator==(const Cuts&) const = default;
+};
+
+inline constexpr std::size_t kMostNamedClips = 100;
+inline constexpr std::size_t kLongestClipNameBytes = 200;  // in UTF-8
+
+struct NamedClip {
+    std::string name;  // of a person's own: it may name anybody
+    ClipChoice clip = {};
+    Cuts cuts = {};
+
+    bool operator==(const NamedClip&) const = default;
+};
+
+}  // namespace macula::app

@@ -1,0 +1,284 @@
+#include "scene/clip/removed_on_slice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "scene/camera/picture_rays.h"
+#include "scene/clip/clip_outline.h"
+#include "scene/clip/eye_cut.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr double kEdgeOn = 1e-6;  // how far a slice must be from being seen from its edge
+
+// The signed distance of a half-space as a linear function of the pixel: it is positive where the half-space
+// keeps.
+class SideInPicture {
+  public:
+    SideInPicture(const HalfSpace& side, const slices::SliceFrame& frame)
+        : atOrigin_(glm::dot(side.normal, frame.worldFromPicture({0.0, 0.0})) - side.offsetMm),
+          perPixel_(
+              glm::dvec2(glm::dot(side.normal, frame.plane.right), glm::dot(side.normal, frame.plane.down)) *
+              frame.mmPerPixel) {}
+
+    double operator()(const glm::dvec2& px) const { return atOrigin_ + glm::dot(perPixel_, px); }
+
+  private:
+    double atOrigin_;
+    glm::dvec2 perPixel_;
+};
+
+// One step of Sutherland and Hodgman: where `inside` is not below 0.
+template <class Point, class Inside>
+std::vector<Point> within(const std::vector<Point>& polygon, const Inside& inside) {
+    std::vector<Point> kept;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Point& a = polygon[i];
+        const Point& b = polygon[(i + 1) % polygon.size()];
+        const double atA = inside(a);
+        const double atB = inside(b);
+        if (atA >= 0.0) kept.push_back(a);
+        if ((atA >= 0.0) != (atB >= 0.0)) kept.push_back(a + (atA / (atA - atB)) * (b - a));
+    }
+    return kept;
+}
+
+Contour pictureOf(const slices::SliceFrame& frame) {
+    const glm::dvec2 size(frame.sizePx);
+    return {{0.0, 0.0}, {size.x, 0.0}, {size.x, size.y}, {0.0, size.y}};
+}
+
+template <class Sides>
+Contour withinAll(Contour polygon, const Sides& sides, const slices::SliceFrame& frame) {
+    for (const HalfSpace& side : sides) polygon = within(polygon, SideInPicture(side, frame));
+    return polygon;
+}
+
+void addBeyond(std::vector<Contour>& contours, const HalfSpace& side, const slices::SliceFrame& frame) {
+    const SideInPicture keeps(side, frame);
+    Contour beyond = within(pictureOf(frame), [&](const glm::dvec2& px) { return -keeps(px); });
+    if (beyond.size() > 2) contours.push_back(std::move(beyond));
+}
+
+// Nothing where they do not meet.
+std::optional<Contour> circleOf(const Ball& ball, const slices::SliceFrame& frame) {
+    const double offMm = frame.distanceMm(ball.centreMm);
+    const double radius2 = ball.radiusMm * ball.radiusMm - offMm * offMm;
+    if (!(radius2 > 0.0)) return std::nullopt;
+    const double radiusPx = std::sqrt(radius2) / frame.mmPerPixel;
+    const glm::dvec2 centre = frame.pictureFromWorld(ball.centreMm);
+    Contour circle;
+    for (int side = 0; side < kBallSides; ++side) {
+        const double turn = 2.0 * std::numbers::pi * side / kBallSides;
+        circle.push_back(centre + radiusPx * glm::dvec2(std::cos(turn), std::sin(turn)));
+    }
+    return circle;
+}
+
+void addBall(std::vector<Contour>& contours, const Clip& clip, const slices::SliceFrame& frame) {
+    auto circle = circleOf(*clip.ball, frame);
+    if (clip.ofBall == Keep::inside) {
+        contours.push_back(pictureOf(frame));
+        // The other way round: in it, the picture and the circle make nothing.
+        if (circle) std::ranges::reverse(*circle);
+    }
+    if (circle) contours.push_back(std::move(*circle));
+}
+
+Contour inPicture(const std::vector<glm::dvec3>& outlineMm, const slices::SliceFrame& frame) {
+    Contour line;
+    for (const glm::dvec3& mm : outlineMm) line.push_back(frame.pictureFromWorld(mm));
+    if (!line.empty()) line.push_back(line.front());
+    return line;
+}
+
+void addClosed(std::vector<Contour>& lines, Contour polygon) {
+    if (polygon.size() < 3) return;
+    polygon.push_back(polygon.front());
+    lines.push_back(std::move(polygon));
+}
+
+// Where a plane crosses the outline of the volume.
+void addCrossing(std::vector<Contour>& lines, const HalfSpace& plane, const Contour& outline,
+                 const slices::SliceFrame& frame) {
+    const SideInPicture side(plane, frame);
+    Contour ends;
+    for (std::size_t i = 1; i < outline.size(); ++i) {
+        const double a = side(outline[i - 1]);
+        const double b = side(outline[i]);
+        if ((a >= 0.0) != (b >= 0.0))
+            ends.push_back(outline[i - 1] + (a / (a - b)) * (outline[i] - outline[i - 1]));
+    }
+    if (ends.size() == 2) lines.push_back(std::move(ends));
+}
+
+// What is drawn of an outline that has no end: the picture, and as much around it on each side.
+Contour aroundPicture(double size) {
+    return {{-size, -size}, {2.0 * size, -size}, {2.0 * size, 2.0 * size}, {-size, 2.0 * size}};
+}
+
+double sizeOf(const slices::SliceFrame& frame) {
+    return double(std::max({frame.sizePx.x, frame.sizePx.y, 1}));
+}
+
+// A line of the picture of a camera, and a place on it.
+struct SeenLine {
+    glm::dvec2 normal;
+    double offset = 0.0;
+
+    double side(const glm::dvec2& p) const { return glm::dot(normal, p) + offset; }
+    glm::dvec2 along() const { return {-normal.y, normal.x}; }
+};
+
+// What a slice that is seen from its edge is seen as. Nothing where that is not before the eye.
+std::optional<SeenLine> lineSeenOf(const glm::dmat3& seenFromPicture) {
+    glm::dvec3 across(0.0);
+    double most = 0.0;
+    for (int a = 0; a < 3; ++a) {
+        const glm::dvec3& p = seenFromPicture[a];
+        const glm::dvec3& q = seenFromPicture[(a + 1) % 3];
+        const double sine = glm::length(glm::cross(p, q)) / (glm::length(p) * glm::length(q));
+        if (!(sine > most)) continue;  // nor where one of them is nothing
+        most = sine;
+        across = glm::cross(p, q);
+    }
+    const double length = glm::length(glm::dvec2(across));
+    if (!(length > kEdgeOn * glm::length(across))) return std::nullopt;
+    return SeenLine{.normal = glm::dvec2(across) / length, .offset = across.z / length};
+}
+
+// Of a slice seen from its edge: strips along the rays through those parts of its line that the outline winds
+// around.
+std::vector<Contour> stripsBehind(const std::vector<glm::dvec2>& outline, const glm::dmat3& seenFromPicture,
+                                  const slices::SliceFrame& frame) {
+    const auto line = lineSeenOf(seenFromPicture);
+    if (!line) return {};
+    struct Crossing {
+        double at;
+        int turn;
+    };
+    std::vector<Crossing> crossings;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const glm::dvec2& a = outline[i];
+        const glm::dvec2& b = outline[(i + 1) % outline.size()];
+        const double atA = line->side(a);
+        const double atB = line->side(b);
+        if ((atA >= 0.0) == (atB >= 0.0)) continue;
+        crossings.push_back({glm::dot(line->along(), a + (atA / (atA - atB)) * (b - a)), atA < 0.0 ? 1 : -1});
+    }
+    std::ranges::sort(crossings, {}, &Crossing::at);
+    std::vector<Contour> strips;
+    int winding = 0;
+    double from = 0.0;
+    for (const Crossing& crossing : crossings) {
+        if (winding == 0) from = crossing.at;
+        winding += crossing.turn;
+        if (winding != 0 || !(crossing.at > from)) continue;
+        // Both together ask for z above 0: before the eye.
+        const auto placeAt = [&](const glm::dvec2& px) {
+            const glm::dvec3 p = seenFromPicture * glm::dvec3(px, 1.0);
+            return glm::dvec2(glm::dot(line->along(), glm::dvec2(p)), p.z);
+        };
+        Contour strip = within(aroundPicture(sizeOf(frame)), [&](const glm::dvec2& px) {
+            const glm::dvec2 p = placeAt(px);
+            return p.x - from * p.y;
+        });
+        strip = within(strip, [&](const glm::dvec2& px) {
+            const glm::dvec2 p = placeAt(px);
+            return crossing.at * p.y - p.x;
+        });
+        if (strip.size() > 2) strips.push_back(std::move(strip));
+    }
+    return strips;
+}
+
+}  // namespace
+
+std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame& frame) {
+    std::vector<Contour> contours;
+    if (!frame.isUsable()) return contours;
+    for (const HalfSpace& plane : clip.planes) addBeyond(contours, plane, frame);
+    if (clip.box) {
+        const auto sides = sidesOf(*clip.box);
+        if (clip.ofBox == Keep::inside) {
+            for (const HalfSpace& side : sides) addBeyond(contours, side, frame);
+        } else if (Contour removed = withinAll(pictureOf(frame), sides, frame); removed.size() > 2) {
+            contours.push_back(std::move(removed));
+        }
+    }
+    if (clip.cut) {
+        Contour removed = withinAll(pictureOf(frame), sidesOf(*clip.cut), frame);
+        if (removed.size() > 2) contours.push_back(std::move(removed));
+    }
+    if (clip.ball) addBall(contours, clip, frame);
+    return contours;
+}
+
+std::vector<Contour> clipLines(const ClipChoice& clip, const Cuts& cuts, const Volume& volume,
+                               const slices::SliceFrame& frame) {
+    std::vector<Contour> lines;
+    if (!frame.isUsable()) return lines;
+    if (Contour kept = inPicture(keptOutlineMm(clip, volume, frame.plane), frame); !kept.empty())
+        lines.push_back(std::move(kept));
+    const Clip inMm = clipFor(clip, cuts, volume);
+    const Contour ofVolume = inPicture(outlineMm(volume.worldBox(), frame.plane), frame);
+    Contour inVolume = ofVolume;
+    if (!inVolume.empty()) inVolume.pop_back();
+    for (const HalfSpace& plane : inMm.planes) {
+        if (!isAlongAxis(plane)) addCrossing(lines, plane, ofVolume, frame);
+    }
+    if (inMm.box && !keepsBox(inMm)) addClosed(lines, withinAll(inVolume, sidesOf(*inMm.box), frame));
+    if (inMm.cut) addClosed(lines, withinAll(inVolume, sidesOf(*inMm.cut), frame));
+    if (inMm.ball) {
+        if (auto circle = circleOf(*inMm.ball, frame)) addClosed(lines, std::move(*circle));
+    }
+    return lines;
+}
+
+std::vector<Contour> behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame) {
+    const auto rays = PictureRays::of(cut.camera, 1.0);
+    if (!rays || !frame.isUsable()) return {};
+    // From pixels to half heights, both homogeneous: lines stay lines.
+    const glm::dmat3 seenFromPicture(rays->homogeneousStep(frame.plane.right * frame.mmPerPixel),
+                                     rays->homogeneousStep(frame.plane.down * frame.mmPerPixel),
+                                     rays->homogeneous(frame.worldFromPicture({0.0, 0.0})));
+    const double scale =
+        glm::length(seenFromPicture[0]) * glm::length(seenFromPicture[1]) * glm::length(seenFromPicture[2]);
+    const double determinant = glm::determinant(seenFromPicture);
+    if (!(std::abs(determinant) > kEdgeOn * scale)) return stripsBehind(cut.outline, seenFromPicture, frame);
+    const glm::dmat3 pictureFromSeen = glm::inverse(seenFromPicture);
+    std::vector<glm::dvec3> seen;
+    for (const glm::dvec2& p : cut.outline) seen.push_back(pictureFromSeen * glm::dvec3(p, 1.0));
+    // Where the slice goes past the eye, or behind it, an outline has no end: it is cut off around the
+    // picture. Before the eye z is above 0, which these sides together ask for.
+    const double size = sizeOf(frame);
+    for (int axis = 0; axis < 2; ++axis) {
+        seen = within(seen, [&](const glm::dvec3& p) { return p[axis] + size * p.z; });
+        seen = within(seen, [&](const glm::dvec3& p) { return 2.0 * size * p.z - p[axis]; });
+    }
+    std::erase_if(seen, [](const glm::dvec3& p) { return !(p.z > 0.0); });
+    Contour contour;
+    for (const glm::dvec3& p : seen) contour.emplace_back(p.x / p.z, p.y / p.z);
+    if (contour.size() < 3) return {};
+    return {std::move(contour)};
+}
+
+bool windAround(std::span<const Contour> contours, const glm::dvec2& px) {
+    int winding = 0;
+    for (const Contour& contour : contours) {
+        for (std::size_t i = 0; i < contour.size(); ++i) {
+            const glm::dvec2& a = contour[i];
+            const glm::dvec2& b = contour[(i + 1) % contour.size()];
+            const double left = (b.x - a.x) * (px.y - a.y) - (px.x - a.x) * (b.y - a.y);
+            if (a.y <= px.y && px.y < b.y && left > 0.0) ++winding;
+            if (b.y <= px.y && px.y < a.y && left < 0.0) --winding;
+        }
+    }
+    return winding != 0;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,93 @@
+#include "scene/drawing/drawing_of.h"
+
+#include <fmt/ranges.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/clip/eye_cut.h"
+#include "scene/transfer/own_copy.h"
+
+namespace macula::app {
+
+namespace {
+
+template <class Of>
+std::string numberText(const ParameterOf<Of>& p, const Of& of) {
+    return fmt::format("{} {:g}{}{}", p.label, p.get(of), p.unit.empty() ? "" : " ", p.unit);
+}
+
+// What an edited preset's matter is like that it is not in the preset which it was copied from. Of one that
+// somebody brings along nothing is to be said: its numbers are its own.
+void addMatter(std::vector<std::string>& remarks, const TransferFunction& preset,
+               const Catalogue& catalogue) {
+    const std::string from = copiedFrom(preset);
+    if (from.empty()) return;
+    const Result<std::shared_ptr<const TransferFunction>> original = findPreset(catalogue, from);
+    if (!original) return;
+    for (const MatterParameter& p : matterParameters()) {
+        if (p.unit == "per mm") continue;  // a hand that widens the curves changes it too
+        if (p.get(preset) != p.get(**original)) remarks.push_back(numberText(p, preset));
+    }
+}
+
+}  // namespace
+
+trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesWindows,
+                           const Volume* volume) {
+    trace::Settings settings = state.settings;
+    const bool isShaded = settings.look == trace::Look::dvr && state.preset && state.preset->lighting.shade &&
+                          settings.shading == trace::Shading::headlight;
+    settings.shading = isShaded ? trace::Shading::headlight : trace::Shading::none;
+    if (trace::isProjection(settings.look) && volume != nullptr) {
+        const auto& set = state.windows.at(std::size_t(settings.look));
+        settings.window = set ? *set : seriesWindows.of(settings.look, *volume);
+    }
+    return settings;
+}
+
+Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const SeriesWindows& seriesWindows,
+                  const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Clip> clip) {
+    const trace::Look look = state.settings.look;
+    Drawing drawing{.transferFunction = state.preset,
+                    .lights = state.lights ? state.lights : defaultLights(catalogue, look),
+                    .clip = std::move(clip),
+                    .settings = settingsOf(state, seriesWindows, volume.get()),
+                    .background = state.background};
+    std::vector<std::string> remarks;
+    if (drawing.settings.shading == trace::Shading::headlight) remarks.emplace_back("shaded");
+    if (trace::isProjection(look) && volume)
+        remarks.push_back(windowText(*drawing.settings.window, volume->unitName()));
+    for (const Parameter& p : parameters()) {
+        if (p.get(state.settings) != p.fallback()) remarks.push_back(numberText(p, state.settings));
+    }
+    if (state.settings.toneMap == trace::ToneMap::hue && !trace::isProjection(look))
+        remarks.emplace_back("hues kept");
+    if (state.preset && trace::isPathTraced(look)) addMatter(remarks, *state.preset, catalogue);
+    if (drawing.clip && drawing.clip->mask)
+        remarks.push_back(drawing.clip->mask->remark.empty() ? "masked" : drawing.clip->mask->remark);
+    if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back("clipped");
+    drawing.remarks = fmt::format("{}", fmt::join(remarks, ", "));
+    return drawing;
+}
+
+std::string remarkOf(const Additions& additions, trace::Look look) {
+    return trace::isProjection(look) ? std::string() : additions.remark;
+}
+
+void setAdditions(Drawing& drawing, std::shared_ptr<const Additions> additions) {
+    drawing.additions = std::move(additions);
+    if (!drawing.additions) return;
+    const std::string remark = remarkOf(*drawing.additions, drawing.settings.look);
+    if (!remark.empty() && !drawing.remarks.empty()) drawing.remarks += ", ";
+    drawing.remarks += remark;
+}
+
+std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume, std::optional<Mask> mask) {
+    Clip clip = clipFor(state.clip, state.cuts, volume);
+    clip.mask = std::move(mask);
+    return clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(clip));
+}
+
+}  // namespace macula::app

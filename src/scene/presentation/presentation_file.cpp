@@ -1,0 +1,68 @@
+#include "scene/presentation/presentation_file.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "dicom/presentation/presentation_state.h"
+#include "scene/presentation/presentation_of_state.h"
+
+namespace macula::app {
+
+Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom::Stack& stack) {
+    PresentedImages images;
+    images.series.seriesInstanceUid = series.seriesInstanceUid;
+    std::map<std::string, std::vector<int>> framesOf;
+    std::set<std::string> wholeFiles;
+    for (const dicom::Frame& frame : stack.frames) {
+        if (images.series.frameOfReferenceUid.empty())
+            images.series.frameOfReferenceUid = frame.frameOfReferenceUid;
+        const dicom::Instance& image = *frame.instance;
+        std::vector<int>& frames = framesOf[image.sopInstanceUid];
+        if (frames.empty()) images.series.images.push_back({image.sopClassUid, image.sopInstanceUid});
+        frames.push_back(frame.number + 1);
+        // What is of all of a file names no frames of it.
+        if (int(frames.size()) == image.frames) wholeFiles.insert(image.sopInstanceUid);
+    }
+    for (dicom::ReferencedImage& image : images.series.images) {
+        if (wholeFiles.contains(image.sopInstanceUid)) continue;
+        image.frames = std::move(framesOf[image.sopInstanceUid]);
+        std::ranges::sort(image.frames);
+    }
+    const bool isNamed = std::ranges::all_of(images.series.images, [](const dicom::ReferencedImage& image) {
+        return !image.sopClassUid.empty() && !image.sopInstanceUid.empty();
+    });
+    if (stack.frames.empty() || !isNamed || series.seriesInstanceUid.empty() ||
+        images.series.frameOfReferenceUid.empty())
+        return Error{ErrorCode::usage,
+                     "A presentation state refers to DICOM images with identifiers and a frame of reference, "
+                     "and this series has none.",
+                     {},
+                     "Save it as a view."};
+    const dicom::Instance& middle = *stack.frames[stack.frames.size() / 2].instance;
+    images.middleFile = middle.file;
+    images.middleSopInstanceUid = middle.sopInstanceUid;
+    images.suvFactor = stack.suvFactor;
+    return images;
+}
+
+Result<std::vector<std::string>> writePresentation(const std::filesystem::path& path,
+                                                   const PresentationWish& wish) {
+    const std::shared_ptr<const Volume> volume = in16Bits(wish.volume);
+    MACULA_TRY(SaidState said,
+               presentationOf(wish.state, *volume, wish.aspectWidthOverHeight, wish.isDeidentified));
+    if (volume->unit() == Unit::suvBodyWeight && wish.images.suvFactor) {
+        ValueRange& values = said.presentation.palette.values;
+        values = {values.low / *wish.images.suvFactor, values.high / *wish.images.suvFactor};
+    }
+    said.presentation.series = wish.images.series;
+    const dicom::PresentationOwner owner{
+        .image = dicom::SecondaryCapture::Source{wish.images.middleFile, wish.images.middleSopInstanceUid},
+        .isDeidentified = wish.isDeidentified,
+        .softwareVersion = MACULA_VERSION};
+    MACULA_TRY_VOID(dicom::writePresentationState(path, said.presentation, owner));
+    return std::move(said.leftOut);
+}
+
+}  // namespace macula::app

@@ -1,0 +1,24 @@
+#include "scene/presentation/voxel_axes.h"
+
+#include <algorithm>
+
+namespace macula::app {
+
+bool isAlongPatient(const Volume& volume) {
+    constexpr double kStraight = 1e-6;
+    for (int column = 0; column < 3; ++column) {
+        const glm::dvec3 axis = glm::abs(glm::normalize(glm::dvec3(volume.worldFromVoxel()[column])));
+        if (std::max({axis.x, axis.y, axis.z}) < 1.0 - kStraight * kStraight) return false;
+    }
+    return true;
+}
+
+ValueRange valuesSeen(const DisplayWindow& window) {
+    const bool isLinear = window.function.empty() || window.function == "LINEAR";
+    // LINEAR counts whole values; of less than two there is only the exact one.
+    const double shift = isLinear && window.width > 1.0 ? 0.5 : 0.0;
+    const double width = window.width - 2.0 * shift;
+    return {window.center - shift - 0.5 * width, window.center - shift + 0.5 * width};
+}
+
+}  // namespace macula::app

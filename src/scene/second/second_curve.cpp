@@ -1,0 +1,83 @@
+#include "scene/second/second_curve.h"
+
+#include <algorithm>
+#include <cctype>
+#include <memory>
+#include <utility>
+
+#include "pipeline/volume/volume_fit.h"
+#include "pipeline/volume/window.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr int kColours = 16;           // pieces of a colour table
+constexpr double kClearPart = 0.25;    // of the window, as over slices
+constexpr double kMostOpacity = 0.95;  // of a millimetre
+
+}  // namespace
+
+TransferFunction secondCurve(const Volume& second, const DisplayWindow& window, slices::ColourTable colours,
+                             double opacity) {
+    const double low = window.center - 0.5 * window.width;
+    TransferFunction function;
+    function.name = "second";
+    function.title = "Window and colours";
+    function.unit = second.unit();
+    function.opacity = {
+        {.value = low + kClearPart * window.width, .opacity = 0.0},
+        {.value = low + window.width, .opacity = kMostOpacity * std::clamp(opacity, 0.0, 1.0)}};
+    for (int i = 0; i <= kColours; ++i) {
+        const auto grey = static_cast<std::uint8_t>(255 * i / kColours);
+        const slices::Rgb rgb = slices::colourOf(colours, grey);
+        function.colour.push_back({.value = low + window.width * i / kColours,
+                                   .colour = glm::dvec3(rgb.red, rgb.green, rgb.blue) / 255.0});
+    }
+    return function;
+}
+
+bool isIn3d(const BesideState& state) {
+    return state.in3d && state.isLinked() && state.view != BesideView::hidden;
+}
+
+BesideState partIn3d(BesideState state) {
+    const BesideState usual;
+    state.view = usual.view;
+    state.boundMm = usual.boundMm;
+    state.rivalMm = usual.rivalMm;
+    if (!state.preset) return state;
+    state.window = usual.window;
+    state.opacity = usual.opacity;
+    state.colours = usual.colours;
+    return state;
+}
+
+bool mayBeIn3d(const Identity& study, const Identity& second) {
+    return samePatient(study, second) != SamePatient::no;
+}
+
+SecondVolume secondIn3d(const BesideState& state, std::shared_ptr<const Volume> second) {
+    TransferFunction function = state.preset
+                                    ? fitted(*state.preset, *second)
+                                    : secondCurve(*second, state.window.value_or(seriesWindow(*second)),
+                                                  state.colours, state.opacity);
+    SecondVolume made;
+    made.function = std::make_shared<const TransferFunction>(std::move(function));
+    made.secondFromVolumeMm = state.secondFromStudy;
+    made.volume = std::move(second);
+    return made;
+}
+
+std::string secondRemark(const Volume& second, const BesideState& state, SamePatient patient) {
+    const std::string& modality = second.modality();
+    const bool isCode = !modality.empty() && modality.size() <= 16 &&
+                        std::ranges::all_of(modality, [](unsigned char c) { return std::isalnum(c) != 0; });
+    std::string remark = "with " + (isCode ? modality : std::string("a second volume"));
+    if (state.link == BesideLink::registered && state.isDoubtful) remark += ", registration doubtful";
+    if (patient == SamePatient::no) remark += ", of ANOTHER PATIENT";
+    if (patient == SamePatient::unknown) remark += ", perhaps of another patient";
+    return remark;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,173 @@
+#include "scene/second/second_input.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/fingerprint.h"
+#include "base/sha256.h"
+#include "registration/rigid_registration.h"
+#include "scene/choice/study_preset.h"
+#include "scene/second/second_curve.h"
+
+namespace macula::app {
+
+namespace {
+
+void warn(SecondToDraw& drawn, std::string sentence) {
+    drawn.notes.push_back(sentence);
+    drawn.warnings.push_back(std::move(sentence));
+}
+
+// By the positions alone, which are comparable in one frame of reference (PS3.3 C.7.4.1).
+void placeByPositions(const StudyInput& study, const StudyInput& second, BesideState& state,
+                      SecondToDraw& drawn) {
+    const std::string& frame = study.frameOfReferenceUid;
+    if (frame.empty() || second.frameOfReferenceUid.empty()) {
+        warn(drawn,
+             "Nothing says that the positions of the second volume are the study's: not both have a frame "
+             "of reference. Register both by --registration search.");
+    } else if (frame != second.frameOfReferenceUid) {
+        warn(drawn,
+             "The second volume has another frame of reference than the study: its positions are not the "
+             "study's. Register both by --registration search.");
+    } else {
+        state.link = BesideLink::sameFrame;
+        drawn.notes.emplace_back(
+            "Second volume: Same frame of reference, not registered: the patient may have moved.");
+    }
+}
+
+Result<void> place(const SecondWish& wish, const StudyInput& studyInput, const StudyInput& secondInput,
+                   bool isPlaced, BesideState& state, SecondToDraw& drawn, Progress& progress) {
+    const Volume& study = *studyInput.volume;
+    const Volume& second = *secondInput.volume;
+    if (wish.link == SecondLink::search) {
+        MACULA_TRY(const registration::RigidRegistration found,
+                   registration::registerRigid(study, second, progress));
+        state.link = BesideLink::registered;
+        state.secondFromStudy = found.movingFromFixed;
+        state.boundMm = found.boundMm;
+        state.isDoubtful = found.isDoubtful();
+        if (found.hasRival()) state.rivalMm = found.rivalMm;
+        drawn.notes.push_back(fmt::format("The second volume was registered, to {:.1f} mm.", found.boundMm));
+        if (found.hasRival())
+            warn(drawn,
+                 fmt::format("The second volume fits the study nearly as well {:.0f} mm from where it was "
+                             "registered, as a spine does one vertebra off.",
+                             found.rivalMm));
+        if (found.isDoubtful())
+            warn(drawn,
+                 "The registration of the second volume is doubtful: look at both on slices before you rely "
+                 "on the picture.");
+    } else if (!isPlaced) {
+        placeByPositions(studyInput, secondInput, state, drawn);
+    }
+    if (registration::boxOverlap(study, second, state.secondFromStudy) > 0.0) return {};
+    return Error{ErrorCode::inputNotUsable,
+                 "Nothing of the second volume lies in the study.",
+                 {},
+                 "Choose another series by --second-series, or register both by --registration search."};
+}
+
+// What was registered of one phase says nothing of another.
+bool names(const BesideState& beside, const StudyInput& second) {
+    const bool isOtherVolume =
+        !beside.volumeKey.empty() && !second.volumeKey.empty() && beside.volumeKey != second.volumeKey;
+    return beside.isLinked() && beside.seriesDigest == second.seriesDigest && !isOtherVolume;
+}
+
+// What the view says of the second volume; its place only where that is of these voxels and positions.
+// Nothing where it is of another volume.
+struct Known {
+    std::optional<BesideState> state;
+    bool isPlaced = false;
+};
+Known known(const BesideState* beside, const StudyInput& study, const StudyInput& second,
+            SecondToDraw& drawn) {
+    if (beside == nullptr) return {};
+    if (!names(*beside, second)) {
+        if (isIn3d(*beside))
+            drawn.notes.emplace_back(
+                "The view was saved with another second volume: its place and look are not those of this "
+                "one.");
+        return {};
+    }
+    if (beside->pair == pairDigest(fingerprint(*study.volume), fingerprint(*second.volume)))
+        return {.state = *beside, .isPlaced = true};
+    warn(drawn,
+         "The view was saved when the images of the study or of the second volume had other values or "
+         "positions, or by an older Macula: where it lies there is not believed.");
+    return {.state = withLookOf({}, *beside)};
+}
+
+// Files tell by their place alone (see additionChoice), and the phantom may stand in for a second one.
+bool isTheStudy(const StudyInput& study, const StudyInput& second) {
+    static const std::string kOfNoUid = sha256Hex("");
+    return !second.volumeKey.empty() && study.volumeKey == second.volumeKey &&
+           study.seriesDigest == second.seriesDigest && second.seriesDigest != kOfNoUid &&
+           fingerprint(*study.volume) == fingerprint(*second.volume);  // and was not exported anew
+}
+
+Result<SamePatient> patientOf(const StudyInput& study, const StudyInput& second, SecondToDraw& drawn) {
+    const SamePatient same = samePatient(study.identity, second.identity);
+    if (same == SamePatient::no)
+        return Error{ErrorCode::inputNotUsable,
+                     "The second volume is of another patient than the study.",
+                     {},
+                     "Choose a series of the same patient by --second and --second-series."};
+    if (same == SamePatient::unknown)
+        drawn.notes.emplace_back("The images do not tell whether both volumes are of one patient.");
+    return same;
+}
+
+}  // namespace
+
+Error secondIsTheStudy() {
+    return {ErrorCode::inputNotUsable,
+            "The second volume is the study itself.",
+            {},
+            "Choose another series by --second-series, of those that macula info lists, or another file by "
+            "--second."};
+}
+
+Result<void> check(const SecondWish& wish, bool linkIsGiven) {
+    if (wish.isGiven() || (wish.series.empty() && wish.preset.empty() && !linkIsGiven)) return {};
+    return Error{ErrorCode::usage,
+                 "There is no second volume.",
+                 {},
+                 "Give its folder or file by --second, or leave out what else is said of it."};
+}
+
+Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& study, const BesideState* beside,
+                                  Progress& progress) {
+    MACULA_TRY(StudyInput input, loadStudy(wish.path, wish.series, progress, 0, wish.how));
+    SecondToDraw drawn;
+    MACULA_TRY(const SamePatient patient, patientOf(study, input, drawn));
+    bringTo16Bits(input);
+    if (isTheStudy(study, input)) return secondIsTheStudy();
+    for (const std::string& note : input.notes) drawn.notes.push_back("Second volume: " + note);
+    for (const std::string& warning : input.warnings) drawn.warnings.push_back("Second volume: " + warning);
+    const Known view = known(beside, study, input, drawn);
+    BesideState state = view.state.value_or(BesideState());
+    MACULA_TRY_VOID(place(wish, study, input, view.isPlaced, state, drawn, progress));
+    if (!wish.preset.empty()) {
+        MACULA_TRY(presets::ImportedPreset preset, presetToDraw(wish.preset, false));
+        const PresetNotes told = notesToDraw(preset, *input.volume);
+        for (const std::string& note : told.notes) drawn.notes.push_back("Second volume: " + note);
+        for (const std::string& warning : told.warnings)
+            drawn.warnings.push_back("Second volume: " + warning);
+        state.preset = std::make_shared<const TransferFunction>(std::move(preset.function));
+    }
+    if (state.preset && usesGradientOpacity(*state.preset))
+        drawn.notes.emplace_back("The gradient opacity of the second volume's preset is not drawn.");
+    if (state.preset && usesSteepCurves(*state.preset))
+        drawn.notes.emplace_back("The second volume's preset is drawn without its curves of steep matter.");
+    drawn.remark = secondRemark(*input.volume, state, patient);
+    drawn.second = secondIn3d(state, input.volume);
+    return drawn;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,108 @@
+#include "scene/second/second_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "base/sha256.h"
+#include "study/open/same_place.h"
+
+namespace macula::app {
+
+namespace {
+
+// Empty where no folder was read.
+std::string keyOf(const OpenedStudy& study) {
+    const bool isFound = study.found && study.volumeIndex < study.found->volumes().size();
+    return isFound ? study.found->key(study.volumeIndex) : std::string();
+}
+
+}  // namespace
+
+PlaceInSeries placeInSeries(const OpenedStudy& study) {
+    PlaceInSeries at;
+    if (!study.found || study.volumeIndex >= study.found->volumes().size()) return at;
+    const std::vector<FoundVolume>& volumes = study.found->volumes();
+    at.count = 0;
+    for (std::size_t n = 0; n < volumes.size(); ++n) {
+        if (volumes[n].series != volumes[study.volumeIndex].series) continue;
+        if (n == study.volumeIndex) at.place = at.count;
+        ++at.count;
+    }
+    return at;
+}
+
+std::string plainTag(const OpenedStudy& study) {
+    if (study.identity.isOfNobody) return "phantom";
+    std::string tag = study.volume->modality().empty() ? "images" : study.volume->modality();
+    const std::string day = studyDay(study.identity);
+    tag += ", " + (day.empty() ? std::string("no study date") : dateForPeople(day));
+    if (!study.found || study.volumeIndex >= study.found->volumes().size()) return tag;
+    if (const auto& number = study.found->volumes()[study.volumeIndex].series->number)
+        tag += fmt::format(", series {}", *number);
+    if (const PlaceInSeries at = placeInSeries(study); at.count > 1)
+        tag += fmt::format(", volume {} of {}", at.place + 1, at.count);
+    return tag;
+}
+
+BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second, const std::string& pair) {
+    BesideState state;
+    state.pair = pair;
+    state.seriesDigest = second.seriesDigest;
+    if (const PlaceInSeries at = placeInSeries(second); at.count > 1) state.volume = at.place;
+    state.volumeKey = keyOf(second);
+    state.linksWindow = arePhases(study, second);
+    if (shareFrameOfReference(study, second)) {
+        state.link = BesideLink::sameFrame;
+        return state;
+    }
+    const glm::dvec3 shift = second.volume->worldBox().centre() - study.volume->worldBox().centre();
+    state.secondFromStudy[3] = glm::dvec4(shift, 1.0);
+    return state;
+}
+
+std::string pairDigest(const std::string& studyFingerprint, const std::string& secondFingerprint) {
+    return sha256Hex(studyFingerprint + " " + secondFingerprint);
+}
+
+BesideState withLookOf(BesideState place, const BesideState& before) {
+    const bool mayLieOver = place.isLinked() || before.view != BesideView::over;
+    place.view = mayLieOver ? before.view : BesideView::beside;
+    place.window = before.window;
+    place.linksWindow = before.linksWindow;
+    place.opacity = before.opacity;
+    place.colours = before.colours;
+    place.in3d = before.in3d;
+    place.preset = before.preset;
+    return place;
+}
+
+bool isOf(const BesideState& state, const OpenedStudy& second, const std::string& pair) {
+    return !pair.empty() && state.pair == pair && names(state, second);
+}
+
+bool names(const BesideState& state, const OpenedStudy& second) {
+    if (state.seriesDigest != second.seriesDigest) return false;
+    if (!state.volumeKey.empty() && second.found) return keyOf(second) == state.volumeKey;
+    const PlaceInSeries at = placeInSeries(second);
+    return state.volume ? *state.volume == at.place : at.count == 1;
+}
+
+std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState& state) {
+    std::vector<std::size_t> ofSeries;
+    for (std::size_t n = 0; n < found.volumes().size(); ++n)
+        if (sha256Hex(found.volumes()[n].series->seriesInstanceUid) == state.seriesDigest)
+            ofSeries.push_back(n);
+    if (!state.volumeKey.empty()) {
+        const auto same =
+            std::ranges::find_if(ofSeries, [&](std::size_t n) { return found.key(n) == state.volumeKey; });
+        // Another one is not meant, not even the only one that is left: isOf says the same.
+        return same != ofSeries.end() ? std::optional(*same) : std::nullopt;
+    }
+    if (!state.volume && ofSeries.size() != 1) return std::nullopt;
+    const std::size_t place = state.volume.value_or(0);
+    return place < ofSeries.size() ? std::optional(ofSeries[place]) : std::nullopt;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,97 @@
+#include "scene/segments/segments_to_draw.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "scene/segments/segment_mask.h"
+#include "study/segmentation/loaded_segmentation.h"
+
+namespace macula::app {
+
+namespace {
+
+bool isSameLabel(const std::string& a, const std::string& b) {
+    return std::ranges::equal(
+        a, b, [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+
+// Whether there was a segment to choose.
+bool chooseByLabel(const std::vector<FoundSegmentation>& found, const SegmentWish& wish,
+                   std::vector<SegmentationChoice>& choices) {
+    bool isThere = false;
+    for (const FoundSegmentation& each : found) {
+        if (!each.canBeShown()) continue;
+        for (const Segment& segment : each.header.segments) {
+            if (!isSameLabel(segment.label, wish.label)) continue;
+            SegmentationChoice whole = choiceOf(choices, each.digest);
+            whole.isShown = true;
+            choose(choices, whole);
+            SegmentChoice one = choiceOf(whole, segment.number);
+            if (wish.isColoured) {
+                one.isColouredIn3d = true;
+            } else {
+                one.in3d = wish.in3d;
+            }
+            choose(choices, each.digest, one);
+            isThere = true;
+        }
+    }
+    return isThere;
+}
+
+}  // namespace
+
+Result<SegmentWish> segmentWishFrom(const std::string& typed) {
+    const std::size_t colon = typed.find(':');
+    const std::string what = typed.substr(0, colon);
+    SegmentWish wish;
+    if (colon != std::string::npos) wish.label = typed.substr(colon + 1);
+    if (what == "hide") wish.in3d = In3d::hidden;
+    wish.isColoured = what == "colour";
+    if ((what != "keep" && what != "hide" && !wish.isColoured) || wish.label.empty())
+        return Error{ErrorCode::usage, "That does not say what to do with which segment.", typed,
+                     "Write keep:LABEL, hide:LABEL or colour:LABEL; macula info lists the labels."};
+    return wish;
+}
+
+Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolume& volume,
+                                      std::vector<SegmentationChoice> choices,
+                                      std::span<const SegmentWish> wishes, const Volume& voxels,
+                                      Progress& progress) {
+    MACULA_TRY(const std::vector<FoundSegmentation> all, findSegmentations(found, volume, progress));
+    for (const SegmentWish& wish : wishes) {
+        if (!chooseByLabel(all, wish, choices))
+            return Error{ErrorCode::usage, "No segmentation of this volume has a segment of that label.",
+                         wish.label, "macula info lists the labels."};
+    }
+    SegmentsToDraw drawn;
+    LoadedSegmentations loaded;
+    const std::vector<In3dOf> hidden = in3dOf(choices);
+    std::vector<std::string> wanted;  // digests
+    for (const In3dOf& one : hidden) wanted.push_back(std::get<0>(one));
+    for (const ColouredIn3d& one : colouredIn3dOf(choices)) wanted.push_back(std::get<0>(one));
+    const auto isWanted = [&](const std::string& digest) {
+        return std::ranges::find(wanted, digest) != wanted.end();
+    };
+    for (const FoundSegmentation& each : all) {
+        if (!each.canBeShown() || !isWanted(each.digest)) continue;
+        MACULA_TRY(auto segments, loadSegments(each, voxels, *volume.stack, progress));
+        for (const std::string& note : segments->notes) drawn.notes.push_back("Segmentation: " + note);
+        loaded.push_back(std::move(segments));
+    }
+    const bool isMissing = std::ranges::any_of(wanted, [&](const std::string& digest) {
+        return std::ranges::none_of(loaded, [&](const auto& l) { return l->digest == digest; });
+    });
+    if (isMissing)
+        drawn.notes.emplace_back(
+            "A segmentation of the view is not in the folder, and nothing of it is kept, hidden or "
+            "coloured.");
+    MACULA_TRY(drawn.mask, segmentMask(choices, loaded, voxels, progress));
+    MACULA_TRY(drawn.tints, segmentTints(choices, loaded, voxels, progress));
+    if (!hidden.empty() && !drawn.mask)
+        drawn.notes.emplace_back("No voxel of these segments lies in the volume; all of it is shown.");
+    return drawn;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,185 @@
+#include "scene/slices/measurements_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "pipeline/volume/json_writer.h"
+#include "scene/state/slices_json.h"
+
+namespace macula::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using slices::Measurement;
+
+// What a measurement says, beside its points.
+struct Said {
+    std::optional<double> lengthMm, angleDeg, areaMm2;
+    std::optional<slices::EllipseValues> values;
+    std::optional<int> slice;  // from 0
+    std::optional<int> imageNumber;
+};
+
+Said saidBy(const Measurement& measurement, const Measured& of) {
+    Said said;
+    said.slice = slices::sliceOf(measurement, of.volume);
+    if (said.slice && std::size_t(*said.slice) < of.imageNumbers.size()) {
+        const int number = of.imageNumbers[std::size_t(*said.slice)];
+        if (number > 0) said.imageNumber = number;
+    }
+    if (const auto* distance = std::get_if<slices::Distance>(&measurement.shape))
+        said.lengthMm = slices::lengthMm(*distance);
+    if (const auto* angle = std::get_if<slices::Angle>(&measurement.shape))
+        said.angleDeg = slices::angleDeg(*angle);
+    if (const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape)) {
+        said.areaMm2 = slices::areaMm2(*ellipse);
+        said.values = slices::valuesIn(*ellipse, of.volume);
+    }
+    return said;
+}
+
+constexpr std::array kColumns{"kind",      "label",     "length_mm",
+                              "angle_deg", "area_mm2",  "voxels",
+                              "mean",      "deviation", "low",
+                              "high",      "unit",      "x1_mm",
+                              "y1_mm",     "z1_mm",     "x2_mm",
+                              "y2_mm",     "z2_mm",     "x3_mm",
+                              "y3_mm",     "z3_mm",     "normal_x",
+                              "normal_y",  "normal_z",  "calibrated",
+                              "slice",     "image",     "interpolated_voxels"};
+constexpr std::size_t kMostPoints = 3;
+
+std::string field(std::string_view text) {
+    if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"') quoted += c;
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+// Spreadsheets take a text for a formula by how it begins, some after blanks, and also within quotes.
+std::string harmless(std::string_view text) {
+    const std::size_t first = text.find_first_not_of(' ');
+    const bool isFormula =
+        first != std::string_view::npos && std::string_view("=+-@\t\r\n").find(text[first]) != text.npos;
+    return (isFormula ? "'" : "") + std::string(text);
+}
+
+// Values may be small: those of a diffusion map in mm²/s are.
+std::string valueText(double value) {
+    return std::isfinite(value) ? fmt::format("{:.9g}", value) : std::string();
+}
+
+std::string number(std::optional<double> value) {
+    if (!value || !std::isfinite(*value)) return {};
+    const std::string text = fmt::format("{:.3f}", *value);
+    return text == "-0.000" ? "0.000" : text;
+}
+
+std::string line(std::span<const std::string> fields) {
+    return fmt::format("{}\r\n", fmt::join(fields, ","));
+}
+
+std::string lineOf(const Measurement& measurement, const Measured& of) {
+    const Volume& volume = of.volume;
+    const Said said = saidBy(measurement, of);
+    std::vector<std::string> fields{std::string(slices::kindOf(measurement)),
+                                    field(harmless(measurement.label)), number(said.lengthMm),
+                                    number(said.angleDeg), number(said.areaMm2)};
+    if (const auto& values = said.values) {
+        fields.push_back(std::to_string(values->voxels));
+        for (const double value : {values->mean, values->deviation, values->low, values->high})
+            fields.push_back(valueText(value));
+        fields.push_back(field(harmless(volume.unitName())));
+    } else {
+        fields.resize(fields.size() + 6);
+    }
+    const std::vector<glm::dvec3> points = slices::pointsOf(measurement);
+    for (std::size_t i = 0; i < kMostPoints; ++i) {
+        for (int axis = 0; axis < 3; ++axis)
+            fields.push_back(i < points.size() ? number(points[i][axis]) : std::string());
+    }
+    for (int axis = 0; axis < 3; ++axis) fields.push_back(number(measurement.normal[axis]));
+    fields.emplace_back(volume.provenance().isCalibrated ? "yes" : "no");
+    fields.push_back(said.slice ? std::to_string(*said.slice + 1) : std::string());
+    fields.push_back(said.imageNumber ? std::to_string(*said.imageNumber) : std::string());
+    fields.push_back(said.values ? std::to_string(said.values->interpolated) : std::string());
+    MACULA_CHECK_EQ(fields.size(), kColumns.size());
+    return line(fields);
+}
+
+// JSON has no word for what is no finite number.
+void nullWhatIsNotFinite(Json& json) {
+    if (json.is_number_float() && !std::isfinite(json.get<double>())) json = nullptr;
+    if (json.is_structured())
+        for (Json& part : json) nullWhatIsNotFinite(part);
+}
+
+Json jsonOf(const Measurement& measurement, const Measured& of) {
+    const Volume& volume = of.volume;
+    const Said said = saidBy(measurement, of);
+    Json json = toJson(measurement);
+    if (said.lengthMm) json["lengthMm"] = *said.lengthMm;
+    if (said.angleDeg) json["angleDeg"] = *said.angleDeg;
+    if (said.areaMm2) json["areaMm2"] = *said.areaMm2;
+    if (const auto& values = said.values) {
+        json["voxels"] = values->voxels;
+        json["mean"] = values->mean;
+        json["deviation"] = values->deviation;
+        json["low"] = values->low;
+        json["high"] = values->high;
+        json["unit"] = volume.unitName();
+        json["interpolatedVoxels"] = values->interpolated;
+    }
+    if (said.slice) json["slice"] = *said.slice + 1;
+    if (said.imageNumber) json["image"] = *said.imageNumber;
+    nullWhatIsNotFinite(json);
+    return json;
+}
+
+std::string loweredExtension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return extension;
+}
+
+}  // namespace
+
+std::string measurementsCsv(std::span<const Measurement> measurements, const Measured& of) {
+    std::string text = line(std::vector<std::string>(kColumns.begin(), kColumns.end()));
+    for (const Measurement& measurement : measurements) text += lineOf(measurement, of);
+    return text;
+}
+
+std::string measurementsJsonText(std::span<const Measurement> measurements, const Measured& of) {
+    Json all = Json::array();
+    for (const Measurement& measurement : measurements) all.push_back(jsonOf(measurement, of));
+    return prettyJson({{"version", 1},
+                       {"frame", "patient LPS, mm"},
+                       {"calibrated", of.volume.provenance().isCalibrated},
+                       {"measurements", std::move(all)}});
+}
+
+Result<void> writeMeasurements(const std::filesystem::path& path, std::span<const Measurement> measurements,
+                               const Measured& of) {
+    const std::string extension = loweredExtension(path);
+    if (extension == ".csv") return writeTextAtomically(path, measurementsCsv(measurements, of));
+    if (extension == ".json") return writeTextAtomically(path, measurementsJsonText(measurements, of));
+    return Error{ErrorCode::usage, "Measurements are written to a .csv or .json file.", path.string(),
+                 "Choose a name with one of these endings."};
+}
+
+}  // namespace macula::app

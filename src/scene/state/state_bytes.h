@@ -1,0 +1,31 @@
+// How much memory states take that share what is large in them.
+#pragma once
+
+#include <cstddef>
+#include <unordered_map>
+
+#include "scene/state/study_state.h"
+
+namespace macula::app {
+
+class StateBytes {
+  public:
+    void add(const StudyState& state);
+    void remove(const StudyState& state);  // that was added
+    // Of all states together; what several of them share counts once.
+    std::size_t total() const { return own_ + shared_; }
+
+  private:
+    struct Shared {
+        std::size_t bytes = 0;
+        std::size_t users = 0;
+    };
+    void use(const void* what, std::size_t bytes);
+    void leave(const void* what);
+
+    std::unordered_map<const void*, Shared> known_;
+    std::size_t own_ = 0;
+    std::size_t shared_ = 0;
+};
+
+}  // namespace macula::app

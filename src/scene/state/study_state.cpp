@@ -1,0 +1,107 @@
+#include "scene/state/study_state.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "scene/second/second_curve.h"
+#include "scene/transfer/same_transfer.h"
+
+namespace macula::app {
+
+namespace {
+
+// Whether two pointers, either of which may be null, point to the same value.
+template <class T, class Same>
+bool sameValue(const std::shared_ptr<const T>& a, const std::shared_ptr<const T>& b, const Same& same) {
+    return a == b || (a && b && same(*a, *b));
+}
+bool samePreset(const StudyState& a, const StudyState& b) {
+    return sameValue(a.preset, b.preset,
+                     [](const TransferFunction& x, const TransferFunction& y) { return isSame(x, y); });
+}
+bool sameLights(const StudyState& a, const StudyState& b) {
+    return sameValue(a.lights, b.lights, std::equal_to<trace::LightRig>());
+}
+
+// What of a second volume changes the picture in 3D: nothing where it is not in it.
+std::optional<BesideState> secondIn3dOf(const StudyState& state) {
+    if (!state.beside || !isIn3d(*state.beside)) return std::nullopt;
+    return partIn3d(*state.beside);
+}
+
+// Settings without what the table of parameters has, and without what is no part of a state.
+trace::Settings withoutParameters(trace::Settings settings) {
+    const trace::Settings usual;
+    for (const Parameter& p : parameters()) p.set(settings, p.fallback());
+    settings.seed = usual.seed;
+    settings.errorThreshold = usual.errorThreshold;
+    settings.window = usual.window;
+    settings.denoising = usual.denoising;
+    settings.toneMap = usual.toneMap;
+    return settings;
+}
+
+Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
+    Stale stale = Stale::nothing;
+    for (const Parameter& p : parameters()) {
+        if (p.get(before) != p.get(after)) stale = std::max(stale, p.stale);
+    }
+    if (before.denoising != after.denoising || before.toneMap != after.toneMap)
+        stale = std::max(stale, Stale::display);
+    if (!(withoutParameters(before) == withoutParameters(after))) stale = std::max(stale, Stale::light);
+    return stale;
+}
+
+}  // namespace
+
+bool BesideState::operator==(const BesideState& b) const {
+    return seriesDigest == b.seriesDigest && volume == b.volume && volumeKey == b.volumeKey &&
+           pair == b.pair && link == b.link && secondFromStudy == b.secondFromStudy && boundMm == b.boundMm &&
+           isDoubtful == b.isDoubtful && rivalMm == b.rivalMm && view == b.view && window == b.window &&
+           linksWindow == b.linksWindow && opacity == b.opacity && colours == b.colours && in3d == b.in3d &&
+           sameValue(preset, b.preset,
+                     [](const TransferFunction& x, const TransferFunction& y) { return isSame(x, y); });
+}
+
+bool StudyState::operator==(const StudyState& b) const {
+    return seriesDigest == b.seriesDigest && grid == b.grid && samePreset(*this, b) && clip == b.clip &&
+           leavesTableOut == b.leavesTableOut && sameLights(*this, b) && settings == b.settings &&
+           windows == b.windows && camera == b.camera && showsMarks == b.showsMarks &&
+           background == b.background && layout == b.layout && slices == b.slices &&
+           measurements == b.measurements && cuts == b.cuts && namedClips == b.namedClips &&
+           segmentations == b.segmentations && beside == b.beside && otherKeys == b.otherKeys;
+}
+
+Stale staleAfter(const StudyState& before, const StudyState& after) {
+    if (before.seriesDigest != after.seriesDigest) return Stale::volume;
+    if (!samePreset(before, after) || before.clip != after.clip || before.cuts != after.cuts ||
+        before.leavesTableOut != after.leavesTableOut ||
+        in3dOf(before.segmentations) != in3dOf(after.segmentations) ||
+        colouredIn3dOf(before.segmentations) != colouredIn3dOf(after.segmentations) ||
+        secondIn3dOf(before) != secondIn3dOf(after))
+        return Stale::matter;
+    Stale stale = staleAfter(before.settings, after.settings);
+    if (!sameLights(before, after)) stale = std::max(stale, Stale::light);
+    if (before.camera != after.camera) stale = std::max(stale, Stale::camera);
+    if (before.windows != after.windows || before.background != after.background)
+        stale = std::max(stale, Stale::display);
+    return stale;
+}
+
+Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const Volume& volume,
+                         const std::string& where) {
+    if (state.seriesDigest.empty()) return {};
+    if (state.seriesDigest != seriesDigest)
+        return Error{ErrorCode::inputNotUsable, "The view was saved of another series.", where,
+                     "Open that series, or choose another view."};
+    if (state.grid && !liesAt(volume, *state.grid))
+        return Error{
+            ErrorCode::inputNotUsable,
+            "The view was saved when the images lay in other places, or of another volume of the series.",
+            where,
+            "Make it anew; or choose the volume that it is of. Without \"grid\" in the file it is taken as "
+            "it is."};
+    return {};
+}
+
+}  // namespace macula::app

@@ -1,0 +1,72 @@
+#include "scene/transfer/value_axis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace macula::app {
+
+namespace {
+
+constexpr double kFarthest = 2e9;     // farther than any value that a preset may have
+constexpr double kNarrowest = 1e-6;   // of a range, in units,
+constexpr double kResolution = 1e-9;  // and as a part of its larger end
+constexpr double kRoom = 0.03;        // at either end, as a part of the range
+constexpr std::size_t kMostTicks = 1000;
+
+// The same middle, with a width that doubles can tell apart.
+ValueRange usable(const ValueRange& range) {
+    const double middle = std::clamp(range.low + 0.5 * (range.high - range.low), -kFarthest, kFarthest);
+    const double least = std::max(kNarrowest, kResolution * std::abs(middle));
+    const double half = 0.5 * std::clamp(range.high - range.low, least, 2.0 * kFarthest);
+    return {middle - half, middle + half};
+}
+
+}  // namespace
+
+ValueMap ValueMap::of(const std::optional<VolumeFit>& fit) {
+    if (!fit) return {};
+    return {.scale = fit->scale(), .offset = fit->volume.low - fit->preset.low * fit->scale()};
+}
+
+ValueAxis ValueAxis::over(const ValueRange& range, double lengthPx) {
+    const double room = kRoom * (range.high - range.low);
+    const double length = std::max(1.0, lengthPx);
+    // One value has no range to take a part of.
+    if (!(range.low < range.high))
+        return {.shown = usable({range.low - 0.5, range.low + 0.5}), .lengthPx = length};
+    return {.shown = usable({range.low - room, range.high + room}), .lengthPx = length};
+}
+
+ValueAxis ValueAxis::zoomed(double factor, double about) const {
+    if (!std::isfinite(factor) || !(factor > 0.0) || !std::isfinite(about)) return *this;
+    const double wide = shown.high - shown.low;
+    const double least = std::max(kNarrowest, kResolution * std::abs(about));
+    // Held before the ends are found: else a zoom that is refused would move them.
+    factor = std::clamp(factor, std::min(1.0, least / wide), std::max(1.0, 2.0 * kFarthest / wide));
+    return {.shown = usable({about + factor * (shown.low - about), about + factor * (shown.high - about)}),
+            .lengthPx = lengthPx};
+}
+
+ValueAxis ValueAxis::panned(double byUnits) const {
+    if (!std::isfinite(byUnits)) return *this;
+    return {.shown = usable({shown.low + byUnits, shown.high + byUnits}), .lengthPx = lengthPx};
+}
+
+double ValueAxis::tickStep(double leastPx) const {
+    const double least = std::max(1.0, leastPx) * unitsPerPx();
+    const double power = std::pow(10.0, std::floor(std::log10(least)));
+    for (const double times : {1.0, 2.0, 5.0}) {
+        if (times * power >= least) return times * power;
+    }
+    return 10.0 * power;
+}
+
+std::vector<double> ValueAxis::ticks(double leastPx) const {
+    std::vector<double> values;
+    const double step = tickStep(leastPx);
+    for (double i = std::ceil(shown.low / step); i * step <= shown.high && values.size() < kMostTicks; ++i)
+        values.push_back(i * step);
+    return values;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,93 @@
+#include "study/export/volume_export.h"
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/elapsed.h"
+#include "base/sha256.h"
+#include "study/export/grid_json.h"
+
+namespace macula::app {
+
+void noteWhatOthersMisread(StudyInput& study) {
+    if (!isSheared(study.volume->worldFromVoxel())) return;
+    study.notes.emplace_back(
+        "The slices are tilted against their axis, and the file says so; some programs do not understand "
+        "that, and show the patient askew.");
+    study.warnings.push_back(study.notes.back());
+}
+
+Result<ExportedVolume> exportVolume(const StudyInput& study, const std::filesystem::path& file,
+                                    Progress& progress) {
+    const Volume& volume = *study.volume;
+    ExportedVolume exported{.seriesDigest = study.seriesDigest,
+                            .unit = volume.unitName(),
+                            .valueRange = volume.valueRange(),
+                            .worldFromVoxel = volume.worldFromVoxel(),
+                            .notes = study.notes};
+    const auto start = std::chrono::steady_clock::now();
+    MACULA_TRY_VOID(formats::writeVolumeFile(volume, file, progress));
+    exported.writeSeconds = secondsSince(start);
+    MACULA_TRY(exported.file, formats::readVolumeFileInfo(file));
+    return exported;
+}
+
+nlohmann::ordered_json toJson(const ExportedVolume& exported, double loadSeconds) {
+    nlohmann::ordered_json json = {{"version", MACULA_VERSION},
+                                   {"series", exported.seriesDigest},
+                                   {"format", exported.file.format},
+                                   {"values", exported.file.values},
+                                   {"unit", exported.unit}};
+    json.update(gridToJson(exported.file.size, exported.worldFromVoxel));
+    json["sheared"] = isSheared(exported.worldFromVoxel);
+    if (const auto& range = exported.valueRange) json["valueRange"] = {range->low, range->high};
+    json["loadSeconds"] = loadSeconds;
+    json["writeSeconds"] = exported.writeSeconds;
+    json["notes"] = exported.notes;
+    return json;
+}
+
+std::vector<std::string> notesOf(const SegmentationInput& input) {
+    std::vector<std::string> notes;
+    if (!input.onItsSeries) {
+        notes.emplace_back(
+            input.hasImages ? "It does not lie on the voxels of the images it was drawn on: it is on a grid "
+                              "of its own."
+                            : "The images it was drawn on are not there: it is on a grid of its own.");
+    }
+    for (const Message& message : input.map.messages()) notes.push_back(message.sentence);
+    return notes;
+}
+
+Result<ExportedSegmentation> exportSegmentation(const SegmentationInput& input, const std::string& seriesUid,
+                                                const std::filesystem::path& file, Progress& progress) {
+    const LabelMap& map = input.map;
+    ExportedSegmentation exported{.seriesDigest = sha256Hex(seriesUid),
+                                  .size = map.size(),
+                                  .worldFromVoxel = map.worldFromVoxel(),
+                                  .segments = {},
+                                  .notes = notesOf(input)};
+    MACULA_TRY_VOID(formats::writeVolumeFile(map, file, progress));
+    for (const Segment& segment : map.segments())
+        exported.segments.push_back(
+            {.number = segment.number,
+             .label = segment.label,
+             .voxels = std::count(map.labels().begin(), map.labels().end(), segment.number)});
+    return exported;
+}
+
+nlohmann::ordered_json toJson(const ExportedSegmentation& exported) {
+    nlohmann::ordered_json segments = nlohmann::ordered_json::array();
+    for (const ExportedSegment& segment : exported.segments)
+        segments.push_back(
+            {{"number", segment.number}, {"label", segment.label}, {"voxels", segment.voxels}});
+    nlohmann::ordered_json json = {
+        {"version", MACULA_VERSION}, {"series", exported.seriesDigest}, {"segments", std::move(segments)}};
+    json.update(gridToJson(exported.size, exported.worldFromVoxel));
+    json["notes"] = exported.notes;
+    return json;
+}
+
+}  // namespace macula::app

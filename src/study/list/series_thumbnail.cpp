@@ -1,0 +1,129 @@
+#include "study/list/series_thumbnail.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <new>
+
+#include "dicom/frame_loader.h"
+#include "slices/grey.h"
+
+namespace macula::app {
+
+namespace {
+
+std::size_t middleOf(const dicom::Stack& stack) {
+    if (stack.slices.empty()) return stack.frames.size() / 2;
+    const dicom::SliceSource& middle = stack.slices[stack.slices.size() / 2];
+    return middle.weight < 0.5 ? middle.below : middle.above;
+}
+
+DisplayWindow windowOf(const dicom::Frame& frame, const std::vector<float>& values) {
+    // The window of a file is for rescaled values, not for those of a real world value mapping.
+    if (!frame.windows.empty() && !frame.realWorld) return frame.windows.front();
+    std::vector<float> known;
+    known.reserve(values.size());
+    std::copy_if(values.begin(), values.end(), std::back_inserter(known),
+                 [](float value) { return std::isfinite(value); });
+    if (known.empty()) return {};
+    const auto valueAt = [&](std::size_t hundredth) {
+        const std::size_t place = hundredth * (known.size() - 1) / 100;
+        const auto at = known.begin() + static_cast<std::ptrdiff_t>(place);
+        std::nth_element(known.begin(), at, known.end());
+        return double{*at};
+    };
+    const double low = valueAt(1);
+    const double high = valueAt(99);
+    return {.center = 0.5 * (low + high),
+            .width = high > low ? high - low : 1.0,
+            .explanation = {},
+            .function = "LINEAR_EXACT"};
+}
+
+// How much of each old cell a new cell covers, along one axis.
+struct Cover {
+    std::size_t first = 0;
+    std::vector<double> shares;  // their sum is 1
+};
+
+std::vector<Cover> coversOf(int from, int to) {
+    std::vector<Cover> covers;
+    for (int n = 0; n < to; ++n) {
+        const double begin = double(n) * from / to;
+        const double end = double(n + 1) * from / to;
+        const int first = std::min(static_cast<int>(begin), from - 1);
+        const int last = std::clamp(static_cast<int>(std::ceil(end)) - 1, first, from - 1);
+        Cover cover{.first = static_cast<std::size_t>(first), .shares = {}};
+        for (int cell = first; cell <= last; ++cell) {
+            const double share = std::min(end, cell + 1.0) - std::max(begin, double(cell));
+            cover.shares.push_back(std::max(share, 0.0) / (end - begin));
+        }
+        covers.push_back(std::move(cover));
+    }
+    return covers;
+}
+
+Result<Thumbnail> make(const dicom::Stack& stack, const CancelToken& cancel) {
+    if (stack.frames.empty())
+        return Error{ErrorCode::inputNotUsable, "There is no image.", {}, "Choose another series."};
+    const std::size_t middle = middleOf(stack);
+    const dicom::Frame& frame = stack.frames[middle];
+    MACULA_TRY(const dicom::LoadedFrame image, dicom::loadFrame(stack, middle, cancel));
+    const bool inverted = frame.instance->photometricInterpretation == "MONOCHROME1";
+    const std::vector<std::uint8_t> grey =
+        slices::toGrey(image.values, windowOf(frame, image.values), inverted);
+    return shrunk(grey, image.columns, image.rows, frame.plane ? frame.plane->columnSpacingMm : 1.0,
+                  frame.plane ? frame.plane->rowSpacingMm : 1.0);
+}
+
+}  // namespace
+
+Thumbnail shrunk(std::span<const std::uint8_t> grey, int columns, int rows, double columnSpacingMm,
+                 double rowSpacingMm) {
+    MACULA_CHECK(columns > 0 && rows > 0);
+    MACULA_CHECK(grey.size() == static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+    const auto isLength = [](double mm) { return std::isfinite(mm) && mm > 0.0; };
+    if (!isLength(columnSpacingMm) || !isLength(rowSpacingMm)) columnSpacingMm = rowSpacingMm = 1.0;
+    // In units of the finer spacing; longer than this is one pixel high or wide in any case.
+    constexpr double kLongest = 1e12;
+    const double finest = std::min(columnSpacingMm, rowSpacingMm);
+    const double width = std::min(columns * (columnSpacingMm / finest), kLongest);
+    const double height = std::min(rows * (rowSpacingMm / finest), kLongest);
+    const double scale = std::min(1.0, kThumbnailPx / std::max(width, height));
+    const auto pixels = [&](double length) {
+        return static_cast<int>(std::clamp(std::round(length * scale), 1.0, double(kThumbnailPx)));
+    };
+    Thumbnail small{.widthPx = pixels(width), .heightPx = pixels(height), .grey = {}};
+
+    const std::vector<Cover> across = coversOf(columns, small.widthPx);
+    const std::vector<Cover> down = coversOf(rows, small.heightPx);
+    small.grey.reserve(across.size() * down.size());
+    std::vector<double> line(static_cast<std::size_t>(columns));
+    for (const Cover& ofRows : down) {
+        std::fill(line.begin(), line.end(), 0.0);
+        for (std::size_t r = 0; r < ofRows.shares.size(); ++r) {
+            const auto row = grey.subspan((ofRows.first + r) * line.size(), line.size());
+            for (std::size_t i = 0; i < line.size(); ++i) line[i] += ofRows.shares[r] * row[i];
+        }
+        for (const Cover& ofColumns : across) {
+            double sum = 0.0;
+            for (std::size_t c = 0; c < ofColumns.shares.size(); ++c)
+                sum += ofColumns.shares[c] * line[ofColumns.first + c];
+            small.grey.push_back(static_cast<std::uint8_t>(std::clamp(std::lround(sum), 0L, 255L)));
+        }
+    }
+    return small;
+}
+
+Result<Thumbnail> thumbnailOf(const dicom::Stack& stack, const CancelToken& cancel) {
+    try {
+        return make(stack, cancel);
+    } catch (const std::bad_alloc&) {
+        return Error{ErrorCode::outOfMemory,
+                     "There is not enough memory for a picture of the series.",
+                     {},
+                     "Close other programs."};
+    }
+}
+
+}  // namespace macula::app

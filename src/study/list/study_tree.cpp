@@ -1,0 +1,370 @@
+#include "study/list/study_tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "base/parsing.h"
+#include "dicom/read/sop_class.h"
+#include "study/list/search_text.h"
+#include "study/open/presented_volume.h"
+#include "study/open/stack_label_text.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr const char* kBetween = " \u00b7 ";
+constexpr const char* kTimes = " \u00d7 ";
+
+std::string counted(std::size_t count, std::string_view one, std::string_view many) {
+    return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
+    std::string text;
+    for (const std::string& part : parts) {
+        if (part.empty()) continue;
+        if (!text.empty()) text += separator;
+        text += part;
+    }
+    return text;
+}
+
+std::string toldWithAction(const Message& message) {
+    return message.action.empty() ? message.sentence : message.sentence + " " + message.action;
+}
+
+void addMessages(const std::vector<Message>& messages, StudyRow& row) {
+    for (const Message& message : messages) {
+        std::string text = toldWithAction(message);
+        if (std::find(row.messages.begin(), row.messages.end(), text) == row.messages.end())
+            row.messages.push_back(std::move(text));
+    }
+}
+
+std::string whyNoVolume(const dicom::Stack& stack) {
+    if (stack.canBeVolume()) return {};
+    const Message* reason = stack.whyNoVolume();
+    return reason != nullptr ? reason->sentence : "The images are no volume.";
+}
+
+// Of a series without one.
+std::string whyNoVolume(const dicom::Series& series) {
+    for (const Message& message : series.messages) {
+        if (message.severity >= Severity::blocksVolume) return message.sentence;
+    }
+    const auto largest = std::max_element(
+        series.stacks.begin(), series.stacks.end(),
+        [](const dicom::Stack& a, const dicom::Stack& b) { return a.frames.size() < b.frames.size(); });
+    if (largest != series.stacks.end()) return whyNoVolume(*largest);
+    for (const Message& message : series.messages) {
+        if (message.key == dicom::key::kUnsupportedSopClass || message.key == dicom::key::kPresentationState)
+            return message.sentence;
+    }
+    return "There are no images in this series.";
+}
+
+std::string sizeText(const dicom::Stack& stack) {
+    std::string text = fmt::format("{}{}{}", stack.columns, kTimes, stack.rows);
+    if (stack.canBeVolume()) text += fmt::format("{}{}", kTimes, stack.slices.size());
+    return text;
+}
+
+std::string voxelText(const dicom::Stack& stack) {
+    if (!stack.canBeVolume() || !stack.spacingMm) return {};
+    std::string text = fmt::format("{:.3g}{}{:.3g}{}{:.3g} mm", stack.spacingMm->x, kTimes,
+                                   stack.spacingMm->y, kTimes, stack.spacingMm->z);
+    if (!stack.isCalibrated) text += fmt::format("{}not calibrated", kBetween);
+    return text;
+}
+
+// What stands for a series: the volume with most images, else the stack with most.
+const dicom::Stack* pictureOf(const dicom::Series& series) {
+    const auto best = std::max_element(
+        series.stacks.begin(), series.stacks.end(), [](const dicom::Stack& a, const dicom::Stack& b) {
+            return std::pair(a.canBeVolume(), a.frames.size()) < std::pair(b.canBeVolume(), b.frames.size());
+        });
+    return best == series.stacks.end() ? nullptr : &*best;
+}
+
+// Digits and what is between those of a date; all else may be anything.
+bool isDate(std::string_view text) {
+    return text.find_first_not_of("0123456789.-/") == std::string_view::npos;
+}
+
+class Builder {
+  public:
+    Builder(const FoundVolumes& found, Names names) : found_(found), hides_(names == Names::hidden) {
+        for (std::size_t i = 0; i < found.volumes().size(); ++i)
+            volumes_.emplace(found.volumes()[i].stack, i);
+    }
+
+    StudyTree build() {
+        const std::vector<dicom::Study>& studies = found_.scan().studies;
+        std::map<int, std::vector<const dicom::Study*>> byPatient;
+        for (auto study = studies.rbegin(); study != studies.rend(); ++study) {
+            if (std::any_of(study->series.begin(), study->series.end(), isListed))
+                byPatient[study->patient].push_back(&*study);
+        }
+        for (const auto& [patient, ofPatient] : byPatient) addPatient(patient, ofPatient);
+        addScattered();
+        addLeftOut();
+        return std::move(tree_);
+    }
+
+  private:
+    static bool isListed(const dicom::Series& series) {
+        return !series.scattered || std::any_of(series.stacks.begin(), series.stacks.end(),
+                                                [](const dicom::Stack& s) { return s.canBeVolume(); });
+    }
+
+    // `searched` is what the row is found by besides its title.
+    std::size_t add(StudyRow row, const std::vector<std::string>& searched) {
+        const std::size_t index = tree_.rows.size();
+        row.searched = foldedForSearch(row.title + "\n" + joined(searched, "\n"));
+        if (row.parent == kNoRow) {
+            tree_.top.push_back(index);
+        } else {
+            row.searched += "\n" + tree_.rows[row.parent].searched;
+            tree_.rows[row.parent].children.push_back(index);
+        }
+        tree_.rows.push_back(std::move(row));
+        return index;
+    }
+
+    void addPatient(int patient, const std::vector<const dicom::Study*>& studies) {
+        StudyRow row{.kind = StudyRow::Kind::patient};
+        std::vector<std::string> searched;
+        if (hides_) {
+            row.title = fmt::format("Patient {}", patient + 1);
+        } else {
+            const Identity identity = identityOf(*studies.front());
+            const std::vector<std::string> lines = linesOf(identity);
+            row.title = lines[0];
+            if (!trimmed(identity.patientName).empty()) row.titleOfFile = row.title;
+            row.details = {lines[1]};
+            if (!trimmed(identity.patientId).empty()) row.detailOfFile = 0;
+            searched = {lines[1], identity.birthDate};
+        }
+        const std::size_t index = add(std::move(row), searched);
+        for (const dicom::Study* study : studies) addStudy(*study, index);
+    }
+
+    void addStudy(const dicom::Study& study, std::size_t parent) {
+        Identity identity = identityOf(study);
+        if (hides_) identity.studyDescription.clear();
+        if (hides_ && !isDate(trimmed(identity.studyDate))) identity.studyDate.clear();
+        StudyRow row{.kind = StudyRow::Kind::study, .parent = parent};
+        row.title = linesOf(identity)[2];
+        if (trimmed(identity.studyDate).empty()) {
+            Identity undescribed = identity;
+            undescribed.studyDescription.clear();
+            row.titleOfFile = row.title.substr(linesOf(undescribed)[2].size());
+        } else {
+            row.titleOfFile = row.title;
+        }
+        std::vector<std::string> modalities;
+        std::size_t listed = 0;
+        for (const dicom::Series& series : study.series) {
+            if (!isListed(series)) continue;
+            ++listed;
+            if (std::find(modalities.begin(), modalities.end(), series.modality) == modalities.end())
+                modalities.push_back(series.modality);
+        }
+        row.details = {joined({joined(modalities, ", "), counted(listed, "series", "series")}, kBetween)};
+        // Not the modalities: all series of the study would be found by that of one.
+        const std::size_t index = add(std::move(row), {identity.studyDate});
+        for (const dicom::Series& series : study.series) {
+            if (isListed(series)) addSeries(series, study.patient, index);
+        }
+    }
+
+    void addSeries(const dicom::Series& series, int patient, std::size_t parent) {
+        StudyRow row{.kind = StudyRow::Kind::series, .parent = parent};
+        row.title =
+            series.number ? fmt::format("Series {}", *series.number) : std::string("Series without a number");
+        if (!hides_ && !trimmed(series.description).empty())
+            row.titleOfFile = ": " + std::string(trimmed(series.description));
+        row.title += row.titleOfFile;
+        std::vector<const dicom::Stack*> volumes;
+        std::size_t images = 0;
+        for (const dicom::Stack& stack : series.stacks) {
+            images += stack.frames.size();
+            if (stack.canBeVolume()) volumes.push_back(&stack);
+        }
+        if (!found_.isWhole()) images = series.instances;
+        std::vector<std::string> facts{series.modality, "no images"};
+        if (images > 0) facts.back() = counted(images, "image", "images");
+        if (!found_.isWhole()) facts.back() += " so far";
+        if (!series.objects.empty()) facts.push_back(counted(series.objects.size(), "object", "objects"));
+        if (series.stacks.size() > 1) facts.push_back(counted(volumes.size(), "volume", "volumes"));
+        row.details = {joined(facts, kBetween)};
+        const bool isOne = series.stacks.size() == 1;
+        if (volumes.size() == 1) row.volume = volumes_.at(volumes.front());
+        if (isOne || volumes.size() == 1) {
+            const dicom::Stack& stack = isOne ? series.stacks.front() : *volumes.front();
+            // Each in a line: the list is narrow, and the distance of slices comes last.
+            row.details.push_back(sizeText(stack));
+            if (std::string voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
+        }
+        const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
+        // Where presentation states are all that there is, they are what is opened.
+        const bool isOfPresentations = !presentations.empty() && series.stacks.empty();
+        if (volumes.empty() && found_.isWhole() && !isOfPresentations) row.whyNot = whyNoVolume(series);
+        addMessages(series.messages, row);
+        if (isOne) addMessages(series.stacks.front().messages, row);
+        row.picture = pictureOf(series);
+        const std::size_t index = add(std::move(row), {series.modality});
+        for (const dicom::OtherObject* object : presentations) addPresentation(*object, patient, index);
+        if (isOne) return;
+        for (std::size_t i = 0; i < series.stacks.size(); ++i) addStack(series.stacks[i], i, index);
+    }
+
+    // The newest first.
+    static std::vector<const dicom::OtherObject*> presentationsOf(const dicom::Series& series) {
+        std::vector<const dicom::OtherObject*> all;
+        for (const dicom::OtherObject& object : series.objects) {
+            if (object.presentation) all.push_back(&object);
+        }
+        std::ranges::stable_sort(all, std::ranges::greater(), [](const dicom::OtherObject* object) {
+            return std::pair(object->presentation->date, object->presentation->time);
+        });
+        return all;
+    }
+
+    void addPresentation(const dicom::OtherObject& object, int patient, std::size_t parent) {
+        const dicom::PresentationHeading& heading = *object.presentation;
+        const bool isOfSlices = object.sopClassUid == dicom::sop_class::kSoftcopyPresentationState;
+        const bool isOf3d = object.sopClassUid == dicom::sop_class::kVolumePresentationState;
+        StudyRow row{.kind = StudyRow::Kind::presentation, .parent = parent};
+        row.title = isOf3d ? "3D view" : isOfSlices ? "View of slices" : object.kind;
+        const std::string date(trimmed(heading.date));
+        std::vector<std::string> words;
+        if (!hides_) {
+            if (const auto label = trimmed(heading.label); !label.empty())
+                row.titleOfFile = ": " + std::string(label);
+            words = {std::string(trimmed(heading.description)), dateForPeople(date),
+                     nameForPeople(heading.creator)};
+            row.detailOfFile = 0;
+        } else if (isDate(date)) {
+            words = {dateForPeople(date)};
+        }
+        row.title += row.titleOfFile;
+        if (std::string line = joined(words, kBetween); !line.empty()) {
+            row.details = {std::move(line)};
+        } else {
+            row.detailOfFile = kNoRow;
+        }
+        PresentedVolume shown = presentedVolume(object, patient, found_);
+        if (shown.index) {
+            row.presentation = StudyRow::Presentation{object.file, *shown.index, isOfSlices};
+        } else {
+            row.whyNot = std::move(shown.whyNot);
+        }
+        add(std::move(row), words);
+    }
+
+    void addStack(const dicom::Stack& stack, std::size_t place, std::size_t parent) {
+        StudyRow row{.kind = StudyRow::Kind::stack, .parent = parent};
+        std::vector<std::string> labels;
+        if (hides_) {
+            labels.push_back(fmt::format("Stack {}", place + 1));
+        } else {
+            for (const dicom::StackLabel& label : stack.splitBy) labels.push_back(textOf(label));
+        }
+        if (stack.phases > 1) labels.push_back(fmt::format("phase {} of {}", stack.phase + 1, stack.phases));
+        if (labels.empty()) labels.push_back(fmt::format("Stack {}", place + 1));
+        row.title = joined(labels, ", ");
+        if (!hides_ && !stack.splitBy.empty()) row.titleOfFile = row.title;
+        row.details = {joined({counted(stack.frames.size(), "image", "images"), sizeText(stack)}, kBetween)};
+        if (std::string voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
+        row.whyNot = whyNoVolume(stack);
+        addMessages(stack.messages, row);
+        if (stack.canBeVolume()) row.volume = volumes_.at(&stack);
+        row.picture = &stack;
+        add(std::move(row), {stack.modality});
+    }
+
+    // Their message asks whether they are one series: hundreds of rows of one image each would hide that.
+    void addScattered() {
+        for (const Message& message : found_.scan().messages) {
+            if (message.key != dicom::key::kUidPerSlice) continue;
+            StudyRow row{.kind = StudyRow::Kind::leftOut};
+            row.title = message.sentence;
+            row.messages = {toldWithAction(message)};
+            add(std::move(row), {});
+        }
+    }
+
+    void addLeftOut() {
+        const std::vector<dicom::SkippedFile>& skipped = found_.scan().skipped;
+        std::vector<std::pair<Message, std::size_t>> reasons;  // in the order of the scan
+        std::vector<Message> otherFolders;                     // that permissions do not open
+        std::size_t folders = 0;
+        for (const dicom::SkippedFile& file : skipped) {
+            if (file.isFolder && file.message.key != dicom::key::kUnreadableFolder)
+                otherFolders.push_back(file.message);
+            if (file.isFolder) {
+                ++folders;
+                continue;
+            }
+            const auto same = std::find_if(reasons.begin(), reasons.end(), [&](const auto& reason) {
+                return reason.first.sentence == file.message.sentence;
+            });
+            if (same != reasons.end()) {
+                ++same->second;
+            } else {
+                reasons.emplace_back(file.message, 1);
+            }
+        }
+        if (const std::size_t files = skipped.size() - folders; files > 0) {
+            StudyRow row{.kind = StudyRow::Kind::leftOut};
+            row.title = counted(files, "file", "files") + " left out";
+            const std::size_t parent = add(std::move(row), {});
+            for (const auto& [reason, count] : reasons) addReason(reason, count, parent);
+        }
+        if (const std::size_t closed = folders - otherFolders.size(); closed > 0) {
+            addReason(
+                dicom::message(dicom::key::kUnreadableFolder, {{"count", static_cast<std::int64_t>(closed)}}),
+                1, kNoRow);
+        }
+        for (const Message& message : otherFolders) addReason(message, 1, kNoRow);
+    }
+
+    void addReason(const Message& reason, std::size_t count, std::size_t parent) {
+        StudyRow row{.kind = StudyRow::Kind::leftOut, .parent = parent};
+        row.title = count == 1 ? reason.sentence : fmt::format("{}{}{}", count, kTimes, reason.sentence);
+        if (!reason.action.empty()) row.details = {reason.action};
+        row.messages = {toldWithAction(reason)};
+        add(std::move(row), {});
+    }
+
+    const FoundVolumes& found_;
+    const bool hides_;
+    std::map<const dicom::Stack*, std::size_t> volumes_;
+    StudyTree tree_;
+};
+
+}  // namespace
+
+StudyTree studyTree(const FoundVolumes& found, Names names) {
+    return Builder(found, names).build();
+}
+
+std::vector<bool> rowsThatMatch(const StudyTree& tree, std::string_view typed) {
+    const std::vector<std::string> words = searchWords(typed);
+    std::vector<bool> shown(tree.rows.size());
+    for (std::size_t i = tree.rows.size(); i-- > 0;) {
+        const StudyRow& row = tree.rows[i];
+        if (!shown[i] && !holdsAll(row.searched, words)) continue;
+        shown[i] = true;
+        if (row.parent != kNoRow) shown[row.parent] = true;
+    }
+    return shown;
+}
+
+}  // namespace macula::app

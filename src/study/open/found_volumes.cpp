@@ -1,0 +1,184 @@
+#include "study/open/found_volumes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "dicom/best_volume.h"
+#include "study/open/stack_label_text.h"
+#include "study/open/study_input.h"
+#include "study/open/volume_key.h"
+
+namespace macula::app {
+
+namespace {
+
+Error notUsable(std::string sentence, const std::filesystem::path& where) {
+    return {ErrorCode::inputNotUsable, std::move(sentence), where.string(),
+            "Choose a folder with a CT or MR series of several parallel slices."};
+}
+
+bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
+    if (a.filename() != b.filename()) return false;  // the scan was of the file's own folder
+    std::error_code notThere;
+    return a == b || std::filesystem::equivalent(a, b, notThere);
+}
+
+// "CT, series 3: Thorax, kernel B30f, phase 2 of 20"
+std::string seriesLine(const dicom::Series& series, const dicom::Stack& stack) {
+    const std::string& modality = stack.modality.empty() ? series.modality : stack.modality;
+    std::string line = modality.empty() ? "Modality unknown" : modality;
+    line += series.number ? fmt::format(", series {}", *series.number) : ", series without a number";
+    line += series.description.empty() ? ", no description" : ": " + series.description;
+    for (const dicom::StackLabel& label : stack.splitBy) line += ", " + textOf(label);
+    if (stack.phases > 1) line += fmt::format(", phase {} of {}", stack.phase + 1, stack.phases);
+    return line;
+}
+
+}  // namespace
+
+FoundVolumes::FoundVolumes(dicom::Scan scan, Extent extent)
+    : scan_(std::move(scan)), extent_(extent), volumes_(volumesOf(scan_)), keys_(volumeKeys(volumes_)) {}
+
+std::vector<FoundVolume> volumesOf(const dicom::Scan& scan) {
+    std::vector<FoundVolume> volumes;
+    for (const dicom::Study& study : scan.studies) {
+        for (const dicom::Series& series : study.series) {
+            for (const dicom::Stack& stack : series.stacks) {
+                if (stack.canBeVolume()) volumes.push_back({&study, &series, &stack});
+            }
+        }
+    }
+    return volumes;
+}
+
+std::vector<std::string> FoundVolumes::titles() const {
+    std::vector<std::string> titles;
+    for (const FoundVolume& volume : volumes_) {
+        const Identity identity = identityOf(volume);
+        std::string title;
+        if (scan_.patients > 1) {
+            const std::vector<std::string> lines = linesOf(identity);
+            title += lines[0] + ", " + lines[1] + ", ";
+        }
+        if (scan_.studies.size() > 1) {
+            title += identity.studyDate.empty() ? "no study date" : dateForPeople(identity.studyDate);
+            title += ", ";
+        }
+        titles.push_back(title + fmt::format("{}, {} \u00d7 {} \u00d7 {}", identity.series,
+                                             volume.stack->columns, volume.stack->rows,
+                                             volume.stack->slices.size()));
+    }
+    return titles;
+}
+
+Result<FoundVolumes::Choice> FoundVolumes::best(const std::filesystem::path& folder) const {
+    const dicom::Choice choice = dicom::bestVolume(scan_);
+    const auto index = indexOf(choice.stack);
+    if (!index) return notUsable(choice.why, folder);
+    return Choice{*index, choice.why};
+}
+
+std::optional<std::size_t> FoundVolumes::bestWithout(const std::vector<std::size_t>& failed) const {
+    std::vector<const dicom::Stack*> without;
+    for (const std::size_t index : failed) without.push_back(volumes_.at(index).stack);
+    std::vector<const dicom::Stack*> orOfOthers = without;
+    for (std::size_t index = 0; index < volumes_.size(); ++index) {
+        if (!areOfOnePatient(index, failed.front())) orOfOthers.push_back(volumes_[index].stack);
+    }
+    if (const auto own = indexOf(dicom::bestVolume(scan_, orOfOthers).stack)) return own;
+    return indexOf(dicom::bestVolume(scan_, without).stack);
+}
+
+// As the scan told them apart.
+bool FoundVolumes::areOfOnePatient(std::size_t a, std::size_t b) const {
+    return volumes_.at(a).study->patient == volumes_.at(b).study->patient;
+}
+
+Result<FoundVolumes::Choice> FoundVolumes::ofSeries(const std::string& wanted,
+                                                    const std::filesystem::path& folder) const {
+    const auto all = dicom::findAllSeries(scan_, wanted);
+    const bool isNumber = wanted.find('.') == std::string::npos;  // a UID has points
+    const dicom::Series* series = all.size() == 1 ? all.front()
+                                  : isNumber      ? seriesMeant(scan_, wanted)
+                                                  : nullptr;
+    if (series == nullptr)
+        return Error{ErrorCode::inputNotUsable,
+                     all.empty() ? "The series that was asked for is not in this folder."
+                                 : "Several studies of this folder have the series that was asked for.",
+                     folder.string(), "Check its Series Instance UID or number, or choose another folder."};
+    const dicom::Choice choice = dicom::bestVolume(*series);
+    const auto index = indexOf(choice.stack);
+    if (!index) return notUsable(choice.why, folder);
+    return Choice{*index, choice.why};
+}
+
+Result<FoundVolumes::Choice> FoundVolumes::holding(const std::filesystem::path& file) const {
+    for (const dicom::Study& study : scan_.studies) {
+        for (const dicom::Series& series : study.series) {
+            for (const dicom::Stack& stack : series.stacks) {
+                const bool holds =
+                    std::any_of(stack.frames.begin(), stack.frames.end(),
+                                [&](const dicom::Frame& f) { return sameFile(f.instance->file, file); });
+                if (!holds) continue;
+                const auto index = indexOf(&stack);
+                if (index) return Choice{*index, "The images of the file that was opened."};
+                const Message* reason = stack.whyNoVolume();
+                return notUsable(reason != nullptr ? reason->sentence : "The images are no volume.", file);
+            }
+            for (const dicom::OtherObject& object : series.objects) {
+                if (sameFile(object.file, file)) return notUsable(object.kind + ": this is no image.", file);
+            }
+        }
+    }
+    for (const dicom::SkippedFile& skipped : scan_.skipped) {
+        if (sameFile(skipped.file, file)) return notUsable(skipped.message.sentence, file);
+    }
+    return notUsable("The file is not a DICOM image.", file);
+}
+
+std::optional<std::size_t> FoundVolumes::indexOf(const dicom::Stack* stack) const {
+    const auto found = std::find_if(volumes_.begin(), volumes_.end(),
+                                    [&](const FoundVolume& volume) { return volume.stack == stack; });
+    if (found == volumes_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - volumes_.begin());
+}
+
+std::vector<dicom::ReferencedFrames> imagesOf(const dicom::Stack& stack) {
+    std::vector<dicom::ReferencedFrames> images;
+    for (const dicom::Frame& frame : stack.frames) {
+        if (frame.instance->sopInstanceUid.empty()) return {};
+        dicom::ReferencedFrames& image = images.emplace_back();
+        image.sopInstanceUid = frame.instance->sopInstanceUid;
+        if (frame.instance->frames > 1) image.numbers.push_back(frame.number + 1);
+    }
+    return dicom::byImage(std::move(images));
+}
+
+std::string frameOfReferenceOf(const dicom::Stack& stack) {
+    if (stack.frames.empty()) return {};
+    const std::string& first = stack.frames.front().frameOfReferenceUid;
+    const bool isOne = std::ranges::all_of(
+        stack.frames, [&](const dicom::Frame& frame) { return frame.frameOfReferenceUid == first; });
+    return isOne ? first : std::string();
+}
+
+Identity identityOf(const FoundVolume& volume) {
+    Identity identity = identityOf(*volume.study);
+    identity.series = seriesLine(*volume.series, *volume.stack);
+    return identity;
+}
+
+Identity identityOf(const dicom::Study& study) {
+    return {.patientName = study.patientName,
+            .patientId = study.patientId,
+            .birthDate = study.patientBirthDate,
+            .sex = study.patientSex,
+            .studyDate = study.date,
+            .studyDescription = study.description,
+            .series = {},
+            .studyInstanceUid = study.studyInstanceUid};
+}
+
+}  // namespace macula::app

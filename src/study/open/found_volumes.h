@@ -1,0 +1,79 @@
+// The volumes that a folder holds, to choose from.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/result.h"
+#include "dicom/read/referenced_frames.h"
+#include "dicom/scan.h"
+#include "study/open/identity.h"
+
+namespace macula::app {
+
+struct FoundVolume {
+    const dicom::Study* study = nullptr;
+    const dicom::Series* series = nullptr;
+    const dicom::Stack* stack = nullptr;
+};
+
+// Never changed after it was made. What it tells may name a patient.
+class FoundVolumes {
+  public:
+    enum class Extent {
+        whole,
+        soFar,  // a glimpse of a scan that goes on: series without stacks, and no volumes
+    };
+    explicit FoundVolumes(dicom::Scan scan, Extent extent = Extent::whole);
+    FoundVolumes(const FoundVolumes&) = delete;
+    FoundVolumes& operator=(const FoundVolumes&) = delete;
+
+    bool isWhole() const { return extent_ == Extent::whole; }
+    const dicom::Scan& scan() const { return scan_; }
+    const std::vector<FoundVolume>& volumes() const { return volumes_; }         // in the order of the scan
+    const std::string& key(std::size_t index) const { return keys_.at(index); }  // volumeKeys
+    // One line each, which tells apart patients and studies where there are several.
+    std::vector<std::string> titles() const;
+
+    struct Choice {
+        std::size_t index = 0;
+        std::string why;  // a sentence, without patient data
+    };
+    // The best volume. inputNotUsable when there is none; the error's place is `folder`.
+    Result<Choice> best(const std::filesystem::path& folder) const;
+    // The best volume but for those that failed, of the patient of the first of them where there is one;
+    // nothing where none is left.
+    std::optional<std::size_t> bestWithout(const std::vector<std::size_t>& failed) const;
+    bool areOfOnePatient(std::size_t a, std::size_t b) const;  // indices
+    // The best volume of the series with that UID, or of that number in the list of `macula info`;
+    // inputNotUsable when there is none, or when several studies have one.
+    Result<Choice> ofSeries(const std::string& wanted, const std::filesystem::path& folder) const;
+    // The volume that `file` belongs to, and no other: beside it may lie those of another patient.
+    Result<Choice> holding(const std::filesystem::path& file) const;
+
+  private:
+    std::optional<std::size_t> indexOf(const dicom::Stack* stack) const;
+
+    dicom::Scan scan_;
+    Extent extent_;
+    std::vector<FoundVolume> volumes_;
+    std::vector<std::string> keys_;
+};
+
+// Those of a scan, which must outlive them: stacks that can be volumes, in its order.
+std::vector<FoundVolume> volumesOf(const dicom::Scan& scan);
+
+// Its images, by UID, each once; of a file of many frames those that are in it. None where an image has no
+// UID.
+std::vector<dicom::ReferencedFrames> imagesOf(const dicom::Stack& stack);
+
+// The UID that all of its images name; empty where they do not all name the same one.
+std::string frameOfReferenceOf(const dicom::Stack& stack);
+
+Identity identityOf(const FoundVolume& volume);
+// Without a series.
+Identity identityOf(const dicom::Study& study);
+
+}  // namespace macula::app

@@ -1,0 +1,209 @@
+#include "study/open/opened_study.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "base/exceptions.h"
+#include "base/fingerprint.h"
+#include "base/phantom.h"
+#include "base/quantised.h"
+#include "base/sha256.h"
+#include "dicom/loader.h"
+#include "dicom/read/media_directory.h"
+#include "dicom/stack/messages.h"
+#include "formats/volume_file.h"
+#include "study/open/found_volumes.h"
+#include "study/open/image_numbers.h"
+#include "study/open/patient_choice.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr std::string_view kPet = "PT";
+
+Result<OpenedStudy> openPhantom(Progress& progress) {
+    progress.beginStage("Making the phantom", 1);
+    auto volume = std::make_shared<const Volume>(phantom::make());
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+    progress.advance();
+    return OpenedStudy{.volume = std::move(volume),
+                       .seriesDigest = "phantom",
+                       .identity = {.series = "Built-in phantom", .isOfNobody = true},
+                       .description = "Built-in phantom"};
+}
+
+// Opens NIfTI and its kin, which hold one volume and no name.
+Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& progress) {
+    MACULA_TRY(std::shared_ptr<const Volume> volume, formats::readVolumeFile(path, progress));
+    const std::string name = path.filename().string();
+    std::string digest = fingerprint(*volume);
+    Quantised drawn = quantised(volume);
+    return OpenedStudy{.volume = std::move(drawn.volume),
+                       .inFloats = drawn.isExact ? nullptr : std::move(volume),
+                       .seriesDigest = std::move(digest),
+                       .identity = {.series = "File " + name},
+                       .description = name};
+}
+
+bool isMediaDirectory(const std::filesystem::path& file) {
+    return dicom::readMediaDirectory(file).ok();
+}
+
+// Returns the question whether images are one series (dicom::key::kUidPerSlice), when the folder holds no
+// volume without an answer; else nothing.
+std::string joinQuestionOf(const FoundVolumes& found) {
+    const auto& messages = found.scan().messages;
+    const auto asked = std::ranges::find(messages, dicom::key::kUidPerSlice, &Message::key);
+    return found.volumes().empty() && asked != messages.end() ? asked->sentence : std::string();
+}
+
+Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::size_t index,
+                              Progress& progress) {
+    const FoundVolume& chosen = found->volumes().at(index);
+    MACULA_TRY(std::shared_ptr<const Volume> volume,
+               dicom::loadVolume(*chosen.series, *chosen.stack, progress, {.onCoarse = {}, .inSuv = true}));
+    Quantised drawn = quantised(volume);
+    OpenedStudy study{.volume = std::move(drawn.volume),
+                      .inFloats = drawn.isExact ? nullptr : std::move(volume),
+                      .seriesDigest = sha256Hex(chosen.series->seriesInstanceUid),
+                      .identity = identityOf(chosen),
+                      .description = chosen.series->description,
+                      .whyThisSeries = "The volume that was chosen.",
+                      .volumeTitles = found->titles(),
+                      .volumeIndex = index};
+    study.isLowBright =
+        study.volume->modality() == kPet || std::ranges::any_of(chosen.stack->messages, [](const Message& m) {
+            return m.key == dicom::key::kInvertedDisplay;
+        });
+    study.frameOfReferenceUid = frameOfReferenceOf(*chosen.stack);
+    study.imageNumbers = imageNumbersOf(*chosen.stack, study.volume->size().z);
+    // Nothing twice: what is said of a series may be said of its volume too.
+    const auto tell = [&](const std::vector<Message>& messages) {
+        for (const Message& message : messages) {
+            if (message.severity != Severity::info &&
+                std::ranges::find(study.messages, message.sentence) == study.messages.end())
+                study.messages.push_back(message.sentence);
+        }
+    };
+    const dicom::Scan& scan = found->scan();
+    tell(scan.messages);
+    tell(chosen.series->messages);
+    tell(chosen.stack->messages);
+    tell(study.volume->provenance().messages);
+    if (!scan.skipped.empty()) {
+        study.messages.push_back(std::to_string(scan.skipped.size()) +
+                                 (scan.skipped.size() == 1 ? " file was" : " files were") +
+                                 " left out; the list of studies and `macula info` on the folder say why.");
+    }
+    study.found = std::move(found);
+    return study;
+}
+
+// Names nobody: descriptions of series may.
+std::string notOpened(const FoundVolume& volume, const std::string& why) {
+    const std::size_t images = volume.stack->frames.size();
+    if (const auto number = volume.series->number)
+        return fmt::format("Series {} ({} images) could not be opened: {}", *number, images, why);
+    return fmt::format("A series without a number ({} images) could not be opened: {}", images, why);
+}
+
+// The best volume that can be decoded. What comes before it, and cannot, is told; where nothing can, the
+// error is that of the first.
+Result<OpenedStudy> loadBest(const std::shared_ptr<const FoundVolumes>& found,
+                             const FoundVolumes::Choice& best, Progress& progress) {
+    Result<OpenedStudy> first = loadFound(found, best.index, progress);
+    if (first) first->whyThisSeries = best.why;
+    if (first || first.error().code == ErrorCode::cancelled) return first;
+    std::vector<std::size_t> failed{best.index};
+    std::vector<std::string> told{notOpened(found->volumes().at(best.index), first.error().message)};
+    while (const auto index = found->bestWithout(failed)) {
+        Result<OpenedStudy> study = loadFound(found, *index, progress);
+        if (!study && study.error().code == ErrorCode::cancelled) return study;
+        if (study) {
+            study->whyThisSeries = "The best volume that can be opened.";
+            told.emplace_back(
+                found->areOfOnePatient(*index, best.index)
+                    ? "The best of the other volumes is shown instead."
+                    : "The best of the other volumes is shown instead, which is of another patient.");
+            study->messages.insert(study->messages.begin(), told.begin(), told.end());
+            return study;
+        }
+        told.push_back(notOpened(found->volumes().at(*index), study.error().message));
+        failed.push_back(*index);
+    }
+    return first;
+}
+
+// Only images of DICOM have one.
+Error hasNoSeries(const std::filesystem::path& path) {
+    return {ErrorCode::usage, "A series was asked for of what is no folder of DICOM images.", path.string(),
+            "Ask for none, or give a folder."};
+}
+
+Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, const OpenOptions& how) {
+    // The path is made absolute, because a name without a folder has no parent.
+    const std::filesystem::path path = std::filesystem::absolute(given).lexically_normal();
+    std::error_code notThere;
+    const bool isFile = std::filesystem::is_regular_file(path, notThere);
+    if (isFile && formats::isVolumeFileName(path)) {
+        if (!how.series.empty()) return hasNoSeries(path);
+        return openVolumeFile(path, progress);
+    }
+    const bool isOneImage = isFile && !isMediaDirectory(path);
+    dicom::ScanOptions scanning{.join = how.join};
+    if (how.foundSoFar)
+        scanning.glimpsed = [&](dicom::Scan seen) {
+            how.foundSoFar(
+                std::make_shared<const FoundVolumes>(std::move(seen), FoundVolumes::Extent::soFar));
+        };
+    MACULA_TRY(dicom::Scan scan, dicom::scanFolder(isFile ? path.parent_path() : path, progress, scanning));
+    const auto found = std::make_shared<const FoundVolumes>(std::move(scan));
+    if (auto question = joinQuestionOf(*found); !question.empty())
+        return OpenedStudy{.volume = nullptr, .joinQuestion = std::move(question)};
+    if (how.foundSoFar) how.foundSoFar(found);
+    if (how.asksWhichPatient && how.series.empty() && !isOneImage) {
+        if (auto question = whichPatient(*found, path)) return *std::move(question);
+    }
+    const bool isAsked = !how.series.empty() || isOneImage;  // that one, and no other in its place
+    MACULA_TRY(const FoundVolumes::Choice choice, !how.series.empty() ? found->ofSeries(how.series, path)
+                                                  : isOneImage        ? found->holding(path)
+                                                                      : found->best(path));
+    if (!isAsked) return loadBest(found, choice, progress);
+    MACULA_TRY(OpenedStudy study, loadFound(found, choice.index, progress));
+    study.whyThisSeries = choice.why;
+    return study;
+}
+
+// Turns anything thrown into an error that this study cannot be shown; the window must live on.
+template <class Load>
+Result<OpenedStudy> withoutExceptions(const StudySource& source, Load load) {
+    try {
+        return load();
+    } catch (const std::exception& thrown) {
+        return errorOf(thrown, "open this study", source ? source->string() : std::string());
+    }
+}
+
+}  // namespace
+
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenOptions& how) {
+    return withoutExceptions(source, [&]() -> Result<OpenedStudy> {
+        if (source) return openPath(*source, progress, how);
+        if (!how.series.empty()) return hasNoSeries({});
+        return openPhantom(progress);
+    });
+}
+
+Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
+                                    Progress& progress) {
+    return withoutExceptions({}, [&] { return loadFound(std::move(found), index, progress); });
+}
+
+}  // namespace macula::app

@@ -1,0 +1,105 @@
+#include "study/open/presented_volume.h"
+
+#include <algorithm>
+
+#include "dicom/presentation/stand_in_uid.h"
+#include "dicom/read/sop_class.h"
+
+namespace macula::app {
+
+namespace {
+
+enum class Referred { no, byName, byStandIn };  // with UIDs as they are, or without a patient
+
+bool holds(const std::vector<std::string>& sorted, const std::string& uid) {
+    return std::ranges::binary_search(sorted, uid);
+}
+
+Referred refersTo(const dicom::OtherObject& object, const dicom::Series& series,
+                  const dicom::StandInUids& standIns) {
+    const std::string& uid = series.seriesInstanceUid;
+    if (uid.empty()) return Referred::no;
+    if (holds(object.referencedSeriesUids, uid)) return Referred::byName;
+    // Few have such UIDs, and a hash of each series for each of thousands of objects takes its time.
+    const bool mayBeStandIn = std::ranges::any_of(
+        object.referencedSeriesUids, [](const std::string& each) { return each.starts_with("2.25."); });
+    if (!mayBeStandIn) return Referred::no;
+    const bool isOne = std::ranges::any_of(standIns.of(uid), [&](const std::string& standIn) {
+        return holds(object.referencedSeriesUids, standIn);
+    });
+    return isOne ? Referred::byStandIn : Referred::no;
+}
+
+using Wanted = std::vector<dicom::ReferencedFrames>;  // by UID
+
+Wanted::const_iterator find(const Wanted& wanted, const std::string& uid) {
+    const auto found = std::ranges::lower_bound(wanted, uid, {}, &dicom::ReferencedFrames::sopInstanceUid);
+    return found != wanted.end() && found->sopInstanceUid == uid ? found : wanted.end();
+}
+
+Wanted::const_iterator find(const Wanted& wanted, const dicom::Instance& image, Referred referred,
+                            const dicom::StandInUids& standIns) {
+    if (referred != Referred::byStandIn) return find(wanted, image.sopInstanceUid);
+    for (const std::string& uid : standIns.of(image.sopInstanceUid))
+        if (const auto found = find(wanted, uid); found != wanted.end()) return found;
+    return wanted.end();
+}
+
+// Frames of one file stand in several volumes where it has several phases: each frame counts.
+std::size_t imagesIn(const dicom::OtherObject& object, const dicom::Stack& stack, Referred referred,
+                     const dicom::StandInUids& standIns) {
+    const Wanted& wanted = object.presentation->images;
+    const dicom::Instance* instance = nullptr;  // of `image`: frames of one file follow each other
+    auto image = wanted.end();
+    return std::size_t(std::ranges::count_if(stack.frames, [&](const dicom::Frame& frame) {
+        if (frame.instance.get() != instance) {
+            instance = frame.instance.get();
+            image = find(wanted, *instance, referred, standIns);
+        }
+        return image != wanted.end() && image->holds(frame.number);
+    }));
+}
+
+// Where there is no volume: whether the series is there at all, and whose it is.
+std::string whyNone(const dicom::OtherObject& object, int patient, const FoundVolumes& found,
+                    const dicom::StandInUids& standIns) {
+    bool isOfAnother = false;
+    for (const dicom::Study& study : found.scan().studies) {
+        for (const dicom::Series& series : study.series) {
+            const Referred referred = refersTo(object, series, standIns);
+            if (referred == Referred::no) continue;
+            if (referred == Referred::byStandIn ||
+                dicom::mayBeOnePatient(found.scan(), study.patient, patient))
+                return "The images that it is of are no volume.";
+            isOfAnother = true;
+        }
+    }
+    return isOfAnother ? "The series that it is of belongs to another patient."
+                       : "The series that it is of is not in this folder.";
+}
+
+}  // namespace
+
+PresentedVolume presentedVolume(const dicom::OtherObject& object, int patient, const FoundVolumes& found) {
+    const bool isKnown = object.sopClassUid == dicom::sop_class::kVolumePresentationState ||
+                         object.sopClassUid == dicom::sop_class::kSoftcopyPresentationState;
+    if (!object.presentation || !isKnown)
+        return {.whyNot = "Macula does not show presentation states of this kind."};
+    const dicom::StandInUids standIns;
+    std::vector<std::pair<std::size_t, Referred>> candidates;
+    for (std::size_t i = 0; i < found.volumes().size(); ++i) {
+        const FoundVolume& volume = found.volumes()[i];
+        const Referred referred = refersTo(object, *volume.series, standIns);
+        const bool isOfOne = dicom::mayBeOnePatient(found.scan(), volume.study->patient, patient);
+        if (referred == Referred::byStandIn || (referred == Referred::byName && isOfOne))
+            candidates.emplace_back(i, referred);
+    }
+    if (candidates.empty()) return {.whyNot = whyNone(object, patient, found, standIns)};
+    if (candidates.size() == 1) return {.index = candidates.front().first};
+    const auto most = std::ranges::max_element(candidates, {}, [&](const auto& candidate) {
+        return imagesIn(object, *found.volumes()[candidate.first].stack, candidate.second, standIns);
+    });
+    return {.index = most->first};
+}
+
+}  // namespace macula::app

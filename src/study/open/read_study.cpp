@@ -1,0 +1,42 @@
+#include "study/open/read_study.h"
+
+#include <utility>
+
+#include "dicom/presentation/presentation_state.h"
+#include "formats/volume_file.h"
+
+namespace macula::app {
+
+namespace {
+
+// The series that was asked for, or else the one that the presentation state is of; empty where neither says
+// which.
+Result<std::string> seriesWished(const StudyPlace& place, const dicom::Scan& scan) {
+    if (!place.series.empty() || place.presentation.empty()) return place.series;
+    MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(place.presentation));
+    const std::string& uid = read.presentation.series.seriesInstanceUid;
+    // One that is not there under its own name may still be meant by a deidentified one.
+    return dicom::findAllSeries(scan, uid).empty() ? std::string() : uid;
+}
+
+}  // namespace
+
+bool mayHoldSegmentations(const std::filesystem::path& path) {
+    return !path.empty() && path != "phantom:" && !formats::isVolumeFileName(path);
+}
+
+Result<ReadStudy> readStudy(const StudyPlace& place, bool needsSegmentations, Progress& progress) {
+    ReadStudy study;
+    study.how = place.how;
+    if (!mayHoldSegmentations(place.path)) {
+        MACULA_TRY(study.input, loadStudy(place.path, place.series, progress, 0, place.how));
+        return study;
+    }
+    MACULA_TRY(dicom::Scan scan, dicom::scanFolder(place.path, progress, place.how));
+    MACULA_TRY(study.series, seriesWished(place, scan));
+    MACULA_TRY(study.input, loadStudy(scan, place.path, study.series, progress));
+    if (needsSegmentations) study.found = std::make_shared<const FoundVolumes>(std::move(scan));
+    return study;
+}
+
+}  // namespace macula::app

@@ -1,0 +1,167 @@
+#include "study/open/stack_label_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/parsing.h"
+#include "dicom/read/date_time.h"
+
+namespace macula::app {
+
+namespace {
+
+// {} is the value.
+struct Words {
+    std::string_view attribute;
+    std::string_view text;
+};
+constexpr std::array kWords{
+    Words{"Modality", "{}"},
+    Words{"StackID", "stack {}"},
+    Words{"Repetition", "repetition {}"},
+    Words{"Copy", "copy {}"},
+    Words{"AcquisitionNumber", "acquisition {}"},
+    Words{"ContrastBolusAgent", "contrast agent {}"},
+    Words{"SeriesNumber", "series {}"},
+    Words{"SeriesDescription", "{}"},
+    Words{"Manufacturer", "made by {}"},
+    Words{"BodyPartExamined", "{}"},
+    Words{"ConvolutionKernel", "kernel {}"},
+    Words{"KVP", "{} kV"},
+    Words{"GantryDetectorTilt", "gantry tilted by {}°"},
+    Words{"ReconstructionDiameter", "field of view {} mm"},
+    Words{"SliceThickness", "slices {} mm thick"},
+    Words{"EchoTime", "TE {} ms"},
+    Words{"EchoNumbers", "echo {}"},
+    Words{"RepetitionTime", "TR {} ms"},
+    Words{"InversionTime", "TI {} ms"},
+    Words{"FlipAngle", "flip angle {}°"},
+    Words{"DiffusionBValue", "b {} s/mm²"},
+    Words{"SequenceName", "sequence {}"},
+    Words{"TriggerTime", "trigger time {} ms"},
+    Words{"TemporalPositionIndex", "time point {}"},
+    Words{"TemporalPositionIdentifier", "time point {}"},
+    Words{"NominalPercentageOfCardiacPhase", "{} % of the heartbeat"},
+    Words{"NominalPercentageOfRespiratoryPhase", "{} % of the breath"},
+    Words{"FrameReferenceTime", "frame at {} ms"},
+};
+
+std::vector<std::string> valuesOf(std::string_view text) {
+    std::vector<std::string> values;
+    while (true) {
+        const std::size_t end = text.find('\\');
+        values.emplace_back(trimmed(text.substr(0, end)));
+        if (end == std::string_view::npos) return values;
+        text.remove_prefix(end + 1);
+    }
+}
+
+std::optional<std::vector<double>> numbersOf(std::string_view text) {
+    std::vector<double> numbers;
+    for (const std::string& value : valuesOf(text)) {
+        const auto number = finiteNumber(value);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+// "19910520100530.25" and "100530": "10:05:30", with as much of a second as tells phases apart.
+std::optional<std::string> clockText(std::string_view value) {
+    constexpr std::size_t kDateDigits = 8;
+    const std::size_t digits = std::min(value.find_first_not_of("0123456789"), value.size());
+    std::string_view time = value;
+    if (digits > kDateDigits) time.remove_prefix(kDateDigits);
+    time = time.substr(0, time.find_first_of("+-"));
+    const auto seconds = dicom::secondsOfTime(time);
+    if (!seconds || digits == kDateDigits) return std::nullopt;
+    const long hundredths = std::lround(*seconds * 100.0);
+    std::string text =
+        fmt::format("{:02}:{:02}:{:02}", hundredths / 360000, hundredths / 6000 % 60, hundredths / 100 % 60);
+    if (hundredths % 100 != 0) text += fmt::format(".{:02}", hundredths % 100);
+    return text;
+}
+
+// Of the plane across the normal that is nearest; "oblique" from a degree on.
+std::optional<std::string> planeText(std::string_view value) {
+    constexpr std::array<std::string_view, 3> kNames{"sagittal", "coronal", "axial"};
+    constexpr double kStraight = 0.99985;  // the cosine of a degree
+    const auto numbers = numbersOf(value);
+    if (!numbers || numbers->size() != 6) return std::nullopt;
+    const auto& n = *numbers;
+    const glm::dvec3 normal = glm::cross(glm::dvec3(n[0], n[1], n[2]), glm::dvec3(n[3], n[4], n[5]));
+    const double length = glm::length(normal);
+    if (!(length > 0.5)) return std::nullopt;
+    int axis = 0;
+    for (const int other : {1, 2})
+        if (std::abs(normal[other]) > std::abs(normal[axis])) axis = other;
+    const bool isStraight = std::abs(normal[axis]) / length >= kStraight;
+    return fmt::format("{}{}", isStraight ? "" : "oblique ", kNames.at(std::size_t(axis)));
+}
+
+std::optional<std::string> spacingText(std::string_view value) {
+    const auto numbers = numbersOf(value);
+    if (!numbers || numbers->size() != 2) return std::nullopt;
+    return fmt::format("pixels {:.4g} × {:.4g} mm", numbers->at(0), numbers->at(1));
+}
+
+// "ContrastBolusAgent": "contrast bolus agent".
+std::string takenApart(std::string_view keyword) {
+    std::string words;
+    for (std::size_t i = 0; i < keyword.size(); ++i) {
+        const bool isCapital = std::isupper(static_cast<unsigned char>(keyword[i])) != 0;
+        const bool endsWord =
+            i > 0 && isCapital &&
+            (std::islower(static_cast<unsigned char>(keyword[i - 1])) != 0 ||
+             (i + 1 < keyword.size() && std::islower(static_cast<unsigned char>(keyword[i + 1])) != 0));
+        if (endsWord) words += ' ';
+        const bool isOfAbbreviation =
+            isCapital &&
+            ((i + 1 < keyword.size() && std::isupper(static_cast<unsigned char>(keyword[i + 1])) != 0) ||
+             (i > 0 && !endsWord && std::isupper(static_cast<unsigned char>(keyword[i - 1])) != 0));
+        words += isOfAbbreviation ? keyword[i]
+                                  : static_cast<char>(std::tolower(static_cast<unsigned char>(keyword[i])));
+    }
+    return words;
+}
+
+// The last numbers of a UID are those that count up.
+std::string endOfUid(const std::string& uid) {
+    constexpr std::size_t kMost = 16;
+    return uid.size() <= kMost ? uid : "…" + uid.substr(uid.size() - kMost);
+}
+
+std::optional<std::string> ownTextOf(const dicom::StackLabel& label) {
+    if (label.attribute == "AcquisitionTime" || label.attribute == "ContentTime") {
+        const auto clock = clockText(label.value);
+        return clock ? std::optional("at " + *clock) : std::nullopt;
+    }
+    if (label.attribute == "ImageOrientationPatient") return planeText(label.value);
+    if (label.attribute == "PixelSpacing") return spacingText(label.value);
+    if (label.attribute == "Localizer") return label.value.empty() ? "no localizer" : "localizer";
+    if (label.attribute.ends_with("UID") && !label.value.empty())
+        return takenApart(label.attribute) + " " + endOfUid(label.value);
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::string textOf(const dicom::StackLabel& label) {
+    if (auto own = ownTextOf(label)) return *std::move(own);
+    const std::string value = fmt::format("{}", fmt::join(valuesOf(label.value), ", "));
+    if (value.empty()) return "no " + takenApart(label.attribute);
+    const auto words = std::ranges::find(kWords, label.attribute, &Words::attribute);
+    if (words == kWords.end()) return takenApart(label.attribute) + " " + value;
+    std::string text(words->text);
+    return text.replace(text.find("{}"), 2, value);
+}
+
+}  // namespace macula::app

@@ -1,0 +1,107 @@
+#include "study/segmentation/found_segmentation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+#include <utility>
+
+#include "base/exceptions.h"
+#include "base/sha256.h"
+#include "dicom/read/sop_class.h"
+
+namespace macula::app {
+
+namespace {
+
+struct Candidate {
+    const dicom::Study* study;
+    const dicom::Series* series;
+    const dicom::OtherObject* object;
+};
+
+std::vector<Candidate> candidatesOf(const dicom::Scan& scan) {
+    std::vector<Candidate> all;
+    for (const dicom::Study& study : scan.studies) {
+        for (const dicom::Series& series : study.series) {
+            for (const dicom::OtherObject& object : series.objects) {
+                if (dicom::isSegmentation(object.sopClassUid)) all.push_back({&study, &series, &object});
+            }
+        }
+    }
+    return all;
+}
+
+// Empty where its images name none, or several: then nobody knows that they share one.
+std::string frameOfReferenceOf(const dicom::Stack& stack) {
+    std::set<std::string> uids;
+    for (const dicom::Frame& frame : stack.frames) uids.insert(frame.frameOfReferenceUid);
+    return uids.size() == 1 ? *uids.begin() : std::string();
+}
+
+bool isDrawnOn(const dicom::Segmentation& header, const dicom::Series& series) {
+    return std::ranges::find(header.referencedSeriesUids, series.seriesInstanceUid) !=
+           header.referencedSeriesUids.end();
+}
+
+// Empty: it can be.
+std::string whyNotOn(const dicom::Segmentation& header, const dicom::Scan& scan, const dicom::Study& study,
+                     const FoundVolume& volume) {
+    if (!dicom::mayBeOnePatient(scan, study.patient, volume.study->patient))
+        return "It is of another patient.";
+    if (header.frames.empty()) return "It has no frames.";
+    const std::string frameOfReference = frameOfReferenceOf(*volume.stack);
+    if (!frameOfReference.empty() && !header.frameOfReferenceUid.empty()) {
+        if (frameOfReference == header.frameOfReferenceUid) return {};
+        return "It lies in another coordinate system (frame of reference) than this volume.";
+    }
+    if (isDrawnOn(header, *volume.series)) return {};
+    return "Nothing says that it lies in the coordinate system of this volume.";
+}
+
+FoundSegmentation read(const dicom::Scan& scan, const Candidate& candidate, const FoundVolume& volume) {
+    FoundSegmentation found;
+    found.title = candidate.series->description;
+    auto header = dicom::readSegmentation(candidate.object->file);
+    if (!header) {
+        found.digest = sha256Hex(candidate.object->file.string());
+        found.whyNot = header.error().message + " " + header.error().hint;
+    } else {
+        found.header = *std::move(header);
+        const std::string& uid = found.header.sopInstanceUid;
+        found.digest = sha256Hex(uid.empty() ? candidate.object->file.string() : uid);
+        const std::string& label = found.header.contentLabel;
+        if (!label.empty() && label != found.title)
+            found.title += found.title.empty() ? label : " (" + label + ")";
+        found.whyNot = whyNotOn(found.header, scan, *candidate.study, volume);
+        if (found.canBeShown() && !isDrawnOn(found.header, *volume.series))
+            found.note = "It was drawn on another series of this coordinate system.";
+    }
+    if (found.title.empty()) found.title = "Segmentation";
+    return found;
+}
+
+}  // namespace
+
+Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& found, const FoundVolume& volume,
+                                                         Progress& progress) try {
+    const std::vector<Candidate> candidates = candidatesOf(found.scan());
+    std::vector<FoundSegmentation> all;
+    if (!candidates.empty())
+        progress.beginStage(fmt::format("Reading {} segmentations", candidates.size()), candidates.size());
+    std::set<std::string> digests;
+    for (const Candidate& candidate : candidates) {
+        if (progress.cancelled())
+            return Error{ErrorCode::cancelled, "Reading segmentations was cancelled.", {}, {}};
+        FoundSegmentation each = read(found.scan(), candidate, volume);
+        if (digests.insert(each.digest).second) all.push_back(std::move(each));  // copies are one
+        progress.advance();
+    }
+    std::stable_partition(all.begin(), all.end(), std::mem_fn(&FoundSegmentation::canBeShown));
+    return all;
+} catch (const std::exception& thrown) {
+    return errorOf(thrown, "read the segmentations");
+}
+
+}  // namespace macula::app

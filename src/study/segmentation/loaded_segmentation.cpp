@@ -1,0 +1,84 @@
+#include "study/segmentation/loaded_segmentation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "dicom/segmentation/segment_voxels.h"
+#include "dicom/stack/messages.h"
+
+namespace macula::app {
+
+namespace {
+
+constexpr double kMm3PerMl = 1000.0;
+
+// Of Okabe and Ito, for eyes of all kinds; without black.
+constexpr std::array<std::array<std::uint8_t, 3>, 7> kColours{{{230, 159, 0},
+                                                               {86, 180, 233},
+                                                               {0, 158, 115},
+                                                               {240, 228, 66},
+                                                               {0, 114, 178},
+                                                               {213, 94, 0},
+                                                               {204, 121, 167}}};
+
+std::vector<std::string> notesOf(const FoundSegmentation& found, const dicom::SegmentVoxelSets& sets) {
+    std::vector<std::string> notes;
+    if (!found.note.empty()) notes.push_back(found.note);
+    if (sets.isResampled)
+        notes.emplace_back(
+            "It was drawn on other voxels than those of this volume; the nearest voxel is shown.");
+    if (found.header.type == dicom::SegmentationType::fractional)
+        notes.emplace_back("It has fractions; what is half or more is shown as the segment.");
+    for (const std::uint16_t number : found.header.paddedSegments)
+        notes.push_back(
+            dicom::message(dicom::key::kSegmentIsPadding, {{"number", std::int64_t(number)}}).sentence);
+    if (sets.outside > 0)
+        notes.push_back(
+            fmt::format("{} of its voxels lie outside of this volume, and are not counted.", sets.outside));
+    const bool isSeen = std::ranges::any_of(
+        sets.segments, [](const dicom::SegmentVoxels& each) { return !each.voxels.isEmpty(); });
+    if (!isSeen) notes.emplace_back("No voxel of it lies in this volume.");
+    return notes;
+}
+
+}  // namespace
+
+const LoadedSegment* LoadedSegmentation::segment(std::uint16_t number) const {
+    const auto found =
+        std::ranges::find_if(segments, [&](const LoadedSegment& s) { return s.segment.number == number; });
+    return found == segments.end() ? nullptr : &*found;
+}
+
+Result<std::shared_ptr<const LoadedSegmentation>> loadSegments(const FoundSegmentation& found,
+                                                               const Volume& volume,
+                                                               const dicom::Stack& stack,
+                                                               Progress& progress) {
+    const std::vector<glm::dvec3> positionsMm =
+        stack.worldFromVoxel ? dicom::slicePositionsMm(stack) : std::vector<glm::dvec3>();
+    MACULA_TRY(dicom::SegmentVoxelSets sets, dicom::loadSegmentVoxels(found.header, volume.worldFromVoxel(),
+                                                                      volume.size(), progress, positionsMm));
+    auto loaded = std::make_shared<LoadedSegmentation>();
+    loaded->digest = found.digest;
+    loaded->notes = notesOf(found, sets);
+    loaded->isResampled = sets.isResampled;
+    loaded->hasFractions = found.header.type == dicom::SegmentationType::fractional;
+    for (dicom::SegmentVoxels& each : sets.segments) {
+        LoadedSegment segment;
+        segment.segment = std::move(each.segment);
+        segment.voxels = std::make_shared<const VoxelSet>(std::move(each.voxels));
+        if (each.volumeMm3) segment.volumeMl = *each.volumeMm3 / kMm3PerMl;
+        segment.centroidMm = each.centroidMm;
+        loaded->segments.push_back(std::move(segment));
+    }
+    return std::shared_ptr<const LoadedSegmentation>(std::move(loaded));
+}
+
+std::array<std::uint8_t, 3> usualRgb(const Segment& segment) {
+    if (segment.recommendedRgb) return *segment.recommendedRgb;
+    return kColours.at((std::size_t(segment.number) + kColours.size() - 1) % kColours.size());
+}
+
+}  // namespace macula::app

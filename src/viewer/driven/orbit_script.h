@@ -1,0 +1,98 @@
+// A hand made of code: orbits, takes screenshots, and measures how well the picture followed.
+#pragma once
+
+#include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <QTimer>
+#include <optional>
+#include <vector>
+
+#include "viewer/driven/opening_times.h"
+#include "viewer/driven/ui_heartbeat.h"
+
+namespace macula::viewer {
+
+struct OrbitScriptOptions {
+    QString screenshotFolder;    // empty: none are taken
+    double waitSeconds = 0.0;    // before it: the model learns
+    double turnSeconds = 8.0;    // once around the patient
+    double seconds = 8.0;        // of orbiting; longer where the picture has hardly followed by then
+    double restSeconds = 300.0;  // after it, at most
+    double timeoutSeconds = 300.0;
+};
+
+// Begins some time after the first full picture of the study is there, ends when the picture has converged or
+// the time for that is over. The drag goes through the event system into the native window, as that of a
+// mouse does. At the end a JSON object goes to standard output: how soon the study was there, what followed
+// the hand, each picture in motion (what it was, its size, when it was on screen and how long after the
+// input), and how soon it was sharp again (-1: not before the rest was over). `finished` carries the exit
+// code: 0; 3 when the study could not be opened; 4 when the device could not be used; 1 when no picture came
+// in time or a screenshot could not be written.
+class OrbitScript : public QObject {
+    Q_OBJECT
+
+  public:
+    OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject* parent = nullptr);
+
+    void start();  // before the window is shown, so that showing it is measured too
+
+  signals:
+    void finished(int exitCode);
+
+  private:
+    enum class Phase { waiting, learning, orbiting, resting, reporting, done };
+
+    void onFrame(const app::FrameShown& frame);
+    void onFrameInMotion(const app::FrameShown& frame);
+    void onFrameAtRest(const app::FrameShown& frame);
+    void beginOrbit();
+    void moveHand();
+    void endOrbit();
+    void endRest();
+    void takeScreenshot(const QString& name);
+    void report();
+    void fail(const Error& error);
+    void finish(int exitCode);
+    void sendMouse(QEvent::Type type, QPointF position, Qt::MouseButton button, Qt::MouseButtons held);
+
+    MainWindow& window_;
+    OrbitScriptOptions options_;
+    UiHeartbeat heartbeat_;
+    OpeningTimes opening_;
+    QTimer hand_;
+    QTimer deadline_;
+    Phase phase_ = Phase::waiting;
+    QElapsedTimer orbiting_;
+    QPointF grip_;
+    double orbitedSeconds_ = 0.0;
+
+    struct Followed {
+        double atMs = 0.0;  // since the orbit began
+        double latencyMs = 0.0;
+        app::OnScreen picture = app::OnScreen::nothing;
+        int width = 0;
+        int height = 0;
+        int scale = 1;
+        bool denoised = false;
+        std::optional<double> foveaAgeMs;
+    };
+    std::vector<Followed> followed_;
+    QElapsedTimer resting_;
+    app::OnScreen atRest_ = app::OnScreen::nothing;  // on screen since
+    double atRestSinceMs_ = 0.0;
+    double longestPreviewMs_ = 0.0;  // a small picture, after the hand stopped
+    double firstTracedMs_ = -1.0;    // after that, until a denoised one with all pixels began to show
+    bool hasConverged_ = false;
+    hybrid::ModelNews modelInMotion_{};
+    std::uint64_t lastSequence_ = 0;
+    std::uint64_t samplesAtEnd_ = 0;
+    QString device_;
+    QStringList screenshots_;
+    std::size_t nextMotionShot_ = 0;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,56 @@
+// The tools of slices and their keys, in one table: tool bar, slices and help are made from it.
+#pragma once
+
+#include <QCoreApplication>
+#include <QKeySequence>
+#include <array>
+
+#include "viewer/keys/slice_tool.h"
+#include "viewer/theme/drawn_icon.h"
+
+namespace macula::viewer {
+
+struct SliceToolRow {
+    SliceTool tool;
+    Glyph glyph;
+    const char* name;  // of the action: "slice-tool-" and this
+    const char* title;
+    const char* key;  // a letter that viewer/keys/keys.h does not have
+    const char* does;
+};
+
+// Titles and what they do are translated in the context of this name.
+inline constexpr const char* kSliceToolContext = "SliceTool";
+
+inline constexpr std::array kSliceTools{
+    SliceToolRow{SliceTool::crosshair, Glyph::crosshair, "crosshair",
+                 QT_TRANSLATE_NOOP("SliceTool", "Cross-hair"), "C",
+                 QT_TRANSLATE_NOOP("SliceTool", "All panes go to the point that is clicked or dragged to")},
+    SliceToolRow{SliceTool::window, Glyph::window, "window", QT_TRANSLATE_NOOP("SliceTool", "Window"), "W",
+                 QT_TRANSLATE_NOOP("SliceTool", "Drag: wider to the right, brighter up")},
+    SliceToolRow{SliceTool::zoom, Glyph::zoom, "zoom", QT_TRANSLATE_NOOP("SliceTool", "Zoom"), "Z",
+                 QT_TRANSLATE_NOOP("SliceTool", "Drag: closer up, farther down")},
+    SliceToolRow{SliceTool::pan, Glyph::pan, "pan", QT_TRANSLATE_NOOP("SliceTool", "Move"), "M",
+                 QT_TRANSLATE_NOOP("SliceTool", "Drag the picture sideways")},
+    SliceToolRow{SliceTool::distance, Glyph::distance, "distance", QT_TRANSLATE_NOOP("SliceTool", "Distance"),
+                 "D", QT_TRANSLATE_NOOP("SliceTool", "Measure from point to point, in mm")},
+    SliceToolRow{SliceTool::angle, Glyph::angle, "angle", QT_TRANSLATE_NOOP("SliceTool", "Angle"), "G",
+                 QT_TRANSLATE_NOOP("SliceTool", "Measure between two legs, in degrees")},
+    SliceToolRow{SliceTool::ellipse, Glyph::ellipse, "ellipse", QT_TRANSLATE_NOOP("SliceTool", "Ellipse"),
+                 "E", QT_TRANSLATE_NOOP("SliceTool", "Measure area, in mm², and values within it")},
+    SliceToolRow{
+        SliceTool::probe, Glyph::probe, "probe", QT_TRANSLATE_NOOP("SliceTool", "Probe"), "V",
+        QT_TRANSLATE_NOOP("SliceTool", "Read the value of the voxel that is pointed at, in its unit")},
+};
+
+inline QString titleOf(const SliceToolRow& row) {
+    return QCoreApplication::translate(kSliceToolContext, row.title);
+}
+inline QString whatItDoes(const SliceToolRow& row) {
+    return QCoreApplication::translate(kSliceToolContext, row.does);
+}
+inline QKeySequence keyOf(const SliceToolRow& row) {
+    return QKeySequence(QString::fromLatin1(row.key), QKeySequence::PortableText);
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,85 @@
+#include "viewer/overlay/painted_text.h"
+
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QImage>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/language/harmless_text.h"
+#include "viewer/overlay/haloed_drawing.h"
+#include "viewer/overlay/mark_atlas.h"
+#include "viewer/overlay/overlay_layout.h"
+#include "viewer/theme/theme.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kMarginPx = 8.0;  // logical, as all below
+constexpr double kLeastRoomPx = 20.0;
+constexpr double kHaloPx = 3.0;
+constexpr int kClosePx = 3;
+const QColor kInk(235, 235, 235);
+const QColor kNoteInk(255, 190, 90);
+
+QStringList harmlessOf(const std::vector<std::string>& lines) {
+    QStringList shown;
+    for (const std::string& line : lines)
+        if (const QString text = harmless(QString::fromStdString(line)); !text.isEmpty()) shown << text;
+    return shown;
+}
+
+// From the upper left corner on; below the letter in the middle where a line in its height would reach it.
+std::vector<PlacedText> place(const LinesOver& lines, const QSize& size) {
+    const QFont font = overlayFont(QGuiApplication::font(), size, fontScaleOverPictures());
+    const QFontMetricsF metrics(font);
+    const double roomPx = size.width() - 2.0 * kMarginPx;
+    if (roomPx < kLeastRoomPx) return {};
+    // As wide as letters get: three of them.
+    const auto letter = placeSides({.left = "R", .right = "L", .top = "SAR", .bottom = "I"}, size, font,
+                                   fontScaleOverPictures())
+                            .top;
+    double top = kMarginPx;
+    std::vector<PlacedText> placed;
+    const auto put = [&](const QString& text, const QColor& ink) {
+        const bool meets = letter && letter->box().bottom() > top &&
+                           kMarginPx + metrics.horizontalAdvance(text) > letter->box().left();
+        if (meets) top = letter->box().bottom();
+        placed.push_back({.at = {kMarginPx, top + metrics.ascent()}, .text = text, .ink = ink, .font = font});
+        top += metrics.height();
+    };
+    const QStringList names = harmlessOf(lines.names);
+    for (const QString& name : names.first(namesIn(size, font, names.size())))
+        put(metrics.elidedText(name, Qt::ElideMiddle, roomPx), kInk);
+    for (const QString& note : wrapped(harmlessOf(lines.notes), font, roomPx)) put(note, kNoteInk);
+    return placed;
+}
+
+}  // namespace
+
+std::shared_ptr<const app::PictureText> paintText(const LinesOver& lines, QSize pixels, double pixelRatio) {
+    if (pixels.isEmpty() || !(pixelRatio > 0.0) || !std::isfinite(pixelRatio)) return nullptr;
+    const std::vector<PlacedText> placed = place(lines, (QSizeF(pixels) / pixelRatio).toSize());
+    if (placed.empty()) return nullptr;
+    QRectF all;
+    for (const PlacedText& text : placed) all |= text.box();
+    const QSize needed = (QSizeF(all.right() + kHaloPx, all.bottom() + kHaloPx) * pixelRatio).toSize();
+    QImage image(needed.boundedTo(pixels), QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(pixelRatio);
+    image.fill(Qt::transparent);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (const PlacedText& text : placed) {
+        painter.setFont(text.font);
+        drawHaloedText(painter, text.at, text.text, text.ink);
+    }
+    painter.end();
+    MarkAtlas atlas(nullptr, QSize(0, 0));  // over pictures of any size
+    atlas.placeShape(image, {0, 0}, kClosePx);
+    auto text = atlas.take();
+    return text->boxes.empty() ? nullptr : text;
+}
+
+}  // namespace macula::viewer

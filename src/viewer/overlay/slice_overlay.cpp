@@ -1,0 +1,196 @@
+#include "viewer/overlay/slice_overlay.h"
+
+#include <QFontMetricsF>
+#include <QRegion>
+#include <algorithm>
+#include <cmath>
+
+#include "viewer/overlay/haloed_drawing.h"
+#include "viewer/overlay/measurement_handles.h"
+#include "viewer/overlay/overlay_layout.h"
+#include "viewer/overlay/slice_texts.h"
+#include "viewer/theme/theme.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kMarginPx = 8.0;         // logical, as all below
+constexpr double kCrosshairGapPx = 14.0;  // to each side: what lies under the cross is seen
+constexpr double kHandlePx = 3.5;
+const QColor kInk(235, 235, 235);
+const QColor kMeasureInk(120, 210, 255);
+const QColor kSelectedInk(255, 225, 90);
+
+QColor inkOf(const ShownMeasurement& shown) {
+    return shown.isSelected ? kSelectedInk : kMeasureInk;
+}
+
+// Paints one overlay. Texts are placed first and painted last: the cross-hair leaves them free, so that an I
+// on it is not taken for a part of it.
+class OverlayPainter {
+  public:
+    OverlayPainter(QPainter& painter, const QSize& size, const SliceOverlay& overlay)
+        : painter_(painter),
+          size_(size),
+          overlay_(overlay),
+          font_(overlayFont(painter.font(), size, fontScaleOverPictures())),
+          layout_(layOut(overlay, size, painter.font(), fontScaleOverPictures())) {
+        placeMeasurementTexts();
+    }
+
+    void interpolatedEdges() const;
+    void crosshair() const;
+    void measurements() const;
+    void texts() const;
+    void scale() const;
+
+  private:
+    void placeMeasurementTexts();
+    QPointF placeOf(const glm::dvec3& mm) const {
+        const glm::dvec2 px = overlay_.frame.pictureFromWorld(mm) / overlay_.pixelRatio;
+        return {px.x, px.y};
+    }
+    void line(const QPointF& from, const QPointF& to, const QColor& ink) const;
+    QPainterPath pathOf(const ShownMeasurement& shown) const;
+
+    QPainter& painter_;
+    QSize size_;
+    const SliceOverlay& overlay_;
+    QFont font_;
+    OverlayLayout layout_;
+    std::vector<PlacedText> measured_;
+};
+
+void OverlayPainter::line(const QPointF& from, const QPointF& to, const QColor& ink) const {
+    QPainterPath path(from);
+    path.lineTo(to);
+    drawHaloed(painter_, path, ink, 1.0);
+}
+
+void OverlayPainter::crosshair() const {
+    if (!overlay_.crosshairMm) return;
+    QRegion free(QRect(QPoint(0, 0), size_));
+    for (const auto* texts : {&layout_.texts, &measured_})
+        for (const PlacedText& each : *texts) free -= each.box().toAlignedRect();
+    painter_.save();
+    painter_.setClipRegion(free, Qt::IntersectClip);
+    const QPointF at = placeOf(*overlay_.crosshairMm);
+    const double width = size_.width();
+    const double height = size_.height();
+    const QColor vertical = colourOf(verticalOf(overlay_.orientation));
+    const QColor horizontal = colourOf(horizontalOf(overlay_.orientation));
+    if (at.x() >= 0.0 && at.x() <= width) {
+        if (at.y() > kCrosshairGapPx)
+            line({at.x(), 0.0}, {at.x(), std::min(at.y() - kCrosshairGapPx, height)}, vertical);
+        if (at.y() < height - kCrosshairGapPx)
+            line({at.x(), std::max(at.y() + kCrosshairGapPx, 0.0)}, {at.x(), height}, vertical);
+    }
+    if (at.y() >= 0.0 && at.y() <= height) {
+        if (at.x() > kCrosshairGapPx)
+            line({0.0, at.y()}, {std::min(at.x() - kCrosshairGapPx, width), at.y()}, horizontal);
+        if (at.x() < width - kCrosshairGapPx)
+            line({std::max(at.x() + kCrosshairGapPx, 0.0), at.y()}, {width, at.y()}, horizontal);
+    }
+    painter_.restore();
+}
+
+// Dashed, so that nobody takes them for the cross-hair.
+void OverlayPainter::interpolatedEdges() const {
+    painter_.save();
+    painter_.setRenderHint(QPainter::Antialiasing, false);  // most lie along rows
+    painter_.setPen(QPen(kNoteInk, 1.0, Qt::DashLine));
+    for (const slices::PictureLine& edge : overlay_.interpolatedEdges) {
+        const glm::dvec2 from = edge.from / overlay_.pixelRatio;
+        const glm::dvec2 to = edge.to / overlay_.pixelRatio;
+        painter_.drawLine(QPointF(from.x, from.y), QPointF(to.x, to.y));
+    }
+    painter_.restore();
+}
+
+QPainterPath OverlayPainter::pathOf(const ShownMeasurement& shown) const {
+    QPainterPath path;
+    for (const glm::dvec3& mm : outlineOf(shown.measurement)) {
+        const QPointF at = placeOf(mm);
+        if (path.elementCount() == 0) {
+            path.moveTo(at);
+        } else {
+            path.lineTo(at);
+        }
+    }
+    return path;
+}
+
+void OverlayPainter::measurements() const {
+    for (const ShownMeasurement& shown : overlay_.measurements) {
+        drawHaloed(painter_, pathOf(shown), inkOf(shown), 1.5);
+        for (const glm::dvec3& mm : handlesOf(shown.measurement)) {
+            QPainterPath handle;
+            handle.addEllipse(placeOf(mm), kHandlePx, kHandlePx);
+            drawHaloed(painter_, handle, inkOf(shown), 1.0);
+        }
+    }
+}
+
+// Beside each where there is room, never outside of the pane, nor over another text where it can be helped.
+void OverlayPainter::placeMeasurementTexts() {
+    const QFontMetricsF metrics(font_);
+    const double lineHeight = metrics.height();
+    std::vector<PlacedText> others = layout_.texts;
+    for (const ShownMeasurement& shown : overlay_.measurements) {
+        const QRectF around = pathOf(shown).boundingRect();
+        const QStringList lines =
+            wrapped({shown.text}, font_, std::max(size_.width() - 2.0 * kMarginPx, 0.0));
+        QRectF block(0.0, 0.0, 0.0, double(lines.size()) * lineHeight);
+        for (const QString& text : lines)
+            block.setWidth(std::max(block.width(), metrics.horizontalAdvance(text)));
+        const double rightmost = std::max(size_.width() - kMarginPx - block.width(), kMarginPx);
+        const double lowest = std::max(size_.height() - kMarginPx - block.height(), 0.0);
+        block.moveTo(std::clamp(around.right() + kMarginPx, kMarginPx, rightmost),
+                     std::clamp(around.bottom(), 0.0, lowest));
+        QPointF at = freePlace(block, size_, lineHeight, others);
+        for (const QString& text : lines) {
+            measured_.push_back({.at = {at.x(), at.y() + metrics.ascent()},
+                                 .text = text,
+                                 .ink = inkOf(shown),
+                                 .font = font_});
+            others.push_back(measured_.back());
+            at.ry() += lineHeight;
+        }
+    }
+}
+
+void OverlayPainter::scale() const {
+    if (!layout_.scaleBar) return;
+    const QRectF& bar = *layout_.scaleBar;
+    QPainterPath path(bar.topLeft());
+    path.lineTo(bar.bottomLeft());
+    path.lineTo(bar.bottomRight());
+    path.lineTo(bar.topRight());
+    drawHaloed(painter_, path, kInk, 1.5);
+}
+
+void OverlayPainter::texts() const {
+    for (const auto* texts : {&measured_, &layout_.texts}) {
+        for (const PlacedText& each : *texts) {
+            painter_.setFont(each.font);
+            drawHaloedText(painter_, each.at, each.text, each.ink);
+        }
+    }
+}
+
+}  // namespace
+
+void paintOverlay(QPainter& painter, const QSize& size, const SliceOverlay& overlay) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const OverlayPainter paint(painter, size, overlay);
+    paint.interpolatedEdges();
+    paint.crosshair();
+    paint.measurements();
+    paint.scale();
+    paint.texts();
+    painter.restore();
+}
+
+}  // namespace macula::viewer

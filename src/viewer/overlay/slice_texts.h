@@ -1,0 +1,53 @@
+// What is written over a slice.
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <optional>
+
+#include "scene/camera/orbit_camera.h"
+#include "slices/sampled_slice.h"
+#include "slices/slice_plane.h"
+#include "study/open/opened_study.h"
+#include "viewer/overlay/slice_steps.h"
+
+namespace macula::viewer {
+
+QString nameOf(slices::Orientation orientation);  // "Axial"
+// Of the lines that mark its plane in other panes, as is custom: axial red, sagittal yellow, coronal green.
+QColor colourOf(slices::Orientation orientation);
+// Whose planes the vertical and the horizontal line of a cross-hair mark.
+slices::Orientation verticalOf(slices::Orientation orientation);
+slices::Orientation horizontalOf(slices::Orientation orientation);
+
+// Sides of the patient at the sides of the picture.
+app::EdgeLetters edgeLetters(const slices::SlicePlane& plane);
+
+// "Axial S 123.4 mm, slice 45 of 95": how far the plane is from the patient's origin, and in which direction;
+// the number where images were taken in such planes. "Axial, oblique" where it is no plane of the patient.
+// With the number of an image: "…, slice 45 of 95, image 51".
+QString positionText(slices::Orientation orientation, const SliceSteps& steps, int slice,
+                     std::optional<int> imageNumber = {});
+// The same without numbers.
+QString planeText(slices::Orientation orientation, const SliceSteps& steps, int slice);
+// `text` with the numbers behind it.
+QString withNumbers(const QString& text, int slice, int count, std::optional<int> imageNumber);
+QString slabText(const slices::Slab& slab);  // "MIP 10 mm"; empty for the plane alone
+// By which a report names the slice, and which is often counted from the other end; nothing where no image
+// was taken, or the numbers are those of the slices.
+std::optional<int> imageNumber(const app::OpenedStudy& study, int slice);
+std::optional<int> imageNumber(const app::OpenedStudy& study, const SliceSteps& steps, int slice);
+QString pointText(const glm::dvec3& mm);  // "L 12.3 P 45.6 S 78.9 mm"
+// "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, what is interpolated, and what lies outside,
+// in words.
+QString probeText(const Volume& volume, const glm::dvec3& mm);
+
+// "12.3 mm, not calibrated": behind a size that is an estimate.
+QString notCalibrated(const QString& text);
+// "5 cm"; of what is not calibrated "≈ 5 cm, not calibrated".
+QString sizeText(const QString& size, bool isCalibrated);
+
+// Whether no image was taken where the slice is.
+bool isInterpolated(const Volume& volume, const SliceSteps& steps, int slice);
+
+}  // namespace macula::viewer

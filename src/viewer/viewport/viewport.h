@@ -1,0 +1,189 @@
+// A widget that shows a volume, path traced, and lets a hand walk around it.
+#pragma once
+
+#include "live/frame/render_thread.h"  // before Qt, see vulkan_window.h
+#include "viewer/viewport/vulkan_window.h"
+
+#include <QTimer>
+#include <QVulkanInstance>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/camera/orbit_camera.h"
+#include "viewer/overlay/cube_and_scale.h"
+#include "viewer/overlay/painted_text.h"
+#include "viewer/overlay/picture_tool.h"
+#include "viewer/overlay/tool_marks.h"
+#include "viewer/quality/converge_now.h"
+
+namespace macula::viewer {
+
+// The Vulkan instance with what the window system of this application needs. deviceNotUsable where it cannot
+// show Vulkan pictures. Needs a QGuiApplication.
+Result<gpu::Instance> createInstanceForWindows();
+
+// Owns the render thread and the state that its inputs are made from. Each setter publishes a new input and
+// returns at once; what comes of it arrives as signals. Lives on the UI thread.
+class Viewport : public QWidget {
+    Q_OBJECT
+
+  public:
+    // `preferredDevice` as in gpu::chooseDevice.
+    // `keeper` keeps models between runs; null: nobody does.
+    Viewport(gpu::Instance instance, std::string preferredDevice,
+             std::shared_ptr<app::SceneKeeper> keeper = nullptr, QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    // Shows a new study, with a camera that looks from `from` and fits what is visible. Volume, drawing and
+    // names change at once, so that no volume is ever drawn under another's name. The old picture and its
+    // orientation letters leave the screen before the first picture of the new study comes. A null volume
+    // shows nothing. After an error that left a picture on screen the window is hidden until the next change
+    // of study, drawing or camera. `names` are lines that say whose it is: they stand over each of its
+    // pictures, unless they are hidden. A drag ends.
+    void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, app::Drawing drawing,
+                  std::optional<ViewDirection> from);
+    void showNames(bool shown);
+    bool namesShown() const { return namesShown_; }
+    void setDrawing(app::Drawing drawing);
+    void setSampleLimit(std::uint32_t samplesPerPixel);
+    // What counts as converged at rest, and whether the model waits for it: see app::FrameInput.
+    void setRestGoal(const RestGoal& goal);
+    void setLiveQuality(const app::LiveQuality& quality);  // of frames in motion
+    // Asks for the model that is drawn now: it comes as app::ModelTaken with the number that is returned.
+    std::uint64_t askForModel(bool withTraining);
+    // Whether the peripheral model, splats, is shown while a hand moves; if not, small traced pictures are.
+    void setUsesModel(bool uses);
+    // Whether the fovea lies where somebody points, or in the middle of the picture.
+    void setGazeFollowsPointer(bool follows);
+    void setPictureSizeHint(QSize pixels);
+    // Asked in this order before the camera moves; null is none of them. They outlive this or are taken away.
+    void setTools(std::vector<PictureTool*> tools);
+    void updateToolMarks();  // what they show has changed
+    PictureGeometry geometry() const;
+    // Cube and scale over each picture: of the camera that it was seen by, whatever is asked for meanwhile.
+    void showMarks(bool shown);
+    // Whether rays are parallel; as much is shown of what the camera turns around.
+    void setParallel(bool isParallel);
+
+    void showFrom(ViewDirection from);
+    void showFrom(const Camera& camera);  // as near as a turntable comes to it: see app::orbitCameraOf
+    void centreOn(const glm::dvec3& mm);  // turns around that from now on
+    void fit();                           // what is visible, from the side where the camera is
+    // Arrows, +, -, [, ], F, N (names), B (marks), O and the letters of the standard views. False for any
+    // other key.
+    bool handleKey(const QKeyEvent& event);
+
+    const app::OrbitCamera& camera() const { return camera_; }
+    // The side from which what is visible fits the picture; nothing once somebody has moved the camera, or
+    // has chosen parallel rays.
+    std::optional<ViewDirection> framedFrom() const {
+        return untouched_ && !camera_.isParallel ? std::optional(framedFrom_) : std::nullopt;
+    }
+    // The side from which this study was shown first.
+    ViewDirection firstFrom() const { return firstFrom_; }
+    std::uint64_t study() const { return input_.study; }  // as in FrameShown
+    // Those on screen, which are painted into each picture; empty without one.
+    const app::EdgeLetters& letters() const { return letters_; }
+    VulkanWindow& window() { return *window_; }
+    QSize pictureSize() const { return window_->pixels(); }
+    // What was told of the picture on screen, of this study; null without one.
+    const app::FrameShown* frameOnScreen() const { return shown_ ? &*shown_ : nullptr; }
+    // The picture on screen and its camera, as its marks were painted for; nothing without a picture.
+    std::optional<MarkedPicture> pictureOnScreen() const;
+    // That which is asked for: the picture is not of one before. Pictures are drawn from before the volume.
+    bool isCameraOnScreen() const {
+        const auto picture = input_.volume ? pictureOnScreen() : std::nullopt;
+        return picture && picture->camera == standingBefore(toCamera(camera_), input_.volume->worldBox());
+    }
+    double aspect() const;  // width over height
+
+  signals:
+    void rendered(const macula::app::RenderEvent& event);
+    void otherPictureWanted();  // of another study, drawn otherwise, or from elsewhere
+    void resized();             // the picture
+    void namesToggled(bool shown);
+    void marksAsked(bool shown);  // by key: who owns the state shows them
+    void parallelChanged(bool isParallel);
+    // What is shown there is meant: -1 to 1, right and up are positive.
+    void doubleClicked(QPointF place);
+    void cameraRested();                      // where a hand, a key or a view has put it
+    void windowDragged(QPointF byHeights);    // with the right button, in projections: see app::dragged
+    void transferDragged(QPointF byHeights);  // since the last time: to the right, and down
+    void dropped(const macula::viewer::Dropped& what);
+    void keyNotHandled(QKeyEvent* event);
+
+  private:
+    void connectWindow();
+    void setCamera(const app::OrbitCamera& camera);
+    void publishChange();  // of what is to be seen
+    void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
+    PicturePlace placeAt(QPointF place, bool withShift) const;
+    bool grab(QPointF place, bool withShift);
+    bool moveFocus(const QKeyEvent& event);  // whether it was Tab
+    void onPointed(QPointF place);
+    void endHold();  // of a tool
+    void onWheel(double notches, bool withShift);
+    std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if that is there
+    void turnToSide(QPointF place);
+    void fly(double notches);
+    bool handleRoll(const QKeyEvent& event);
+    void nudge();               // an interaction without an end: a key, a notch of the wheel
+    std::uint64_t publish();    // its number
+    bool isCalibrated() const;  // the volume; also without one
+    double sceneDiagonalMm() const;
+    std::vector<glm::dvec3> outlineMm() const;  // of what is to fit
+    void onOutline(const app::OutlineFound& found);
+    void onRendered(const app::RenderEvent& event);
+    void setLetters(const app::EdgeLetters& letters);
+    void updateText();
+    void updateMarks();
+    void layOut();
+
+    QVulkanInstance vulkan_;  // outlives the window
+    VulkanWindow* window_;    // owned by container_
+    QWidget* container_ = nullptr;
+    app::EdgeLetters letters_;  // of the picture on screen
+    QTimer nudgeEnds_;
+
+    std::vector<std::string> names_;  // of the study
+    bool namesShown_ = true;
+    std::vector<PictureTool*> tools_;
+    PictureTool* holder_ = nullptr;  // of them, that which holds something
+    // What input_.text was made of.
+    LinesOver textLines_;
+    QSize textPx_;
+    double textPixelRatio_ = 0.0;
+    double textFontScale_ = 0.0;
+    bool marksShown_ = true;
+    struct Marked {
+        MarkedPicture picture;
+        bool hasCube = true;
+        double fontScale = 1.0;
+        std::vector<ToolMark> ofTools = {};
+
+        bool operator==(const Marked&) const = default;
+    };
+    std::shared_ptr<const app::PictureText> paintStanding(const Marked& marked) const;
+    std::optional<Marked> marked_;                      // what input_.marks was made of
+    std::shared_ptr<const app::PictureText> standing_;  // letters, cube and scale: a part of it
+    std::optional<app::FrameShown> shown_;              // the picture on screen
+
+    app::OrbitCamera camera_;
+    app::FrameInput input_;
+    std::uint64_t lastChange_ = 0;  // its number
+    bool dragging_ = false;
+    glm::dvec2 pointedAt_{0.0};  // as FrameInput::gaze
+    bool gazeFollowsPointer_ = true;
+    ViewDirection firstFrom_ = ViewDirection::anterior;
+    ViewDirection framedFrom_ = ViewDirection::anterior;
+    bool untouched_ = true;  // nobody moved the camera since it was framed
+    std::shared_ptr<const std::vector<glm::dvec3>>
+        outline_;  // of the study as it was last drawn; null before
+
+    std::unique_ptr<app::RenderThread> renderThread_;
+};
+
+}  // namespace macula::viewer

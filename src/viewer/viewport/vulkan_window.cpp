@@ -1,0 +1,191 @@
+#include "viewer/viewport/vulkan_window.h"
+
+#include <QDropEvent>
+#include <QExposeEvent>
+#include <QMouseEvent>
+#include <QPlatformSurfaceEvent>
+#include <QVulkanInstance>
+#include <QWheelEvent>
+#include <algorithm>
+#include <utility>
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kEighthsOfDegreePerNotch = 120.0;
+constexpr double kClickPx = 3.0;  // a hand that clicks moves by as much
+constexpr Qt::Key kTransferKey = Qt::Key_T;
+
+}  // namespace
+
+VulkanWindow::VulkanWindow(QVulkanInstance* instance) {
+    setSurfaceType(QSurface::VulkanSurface);
+    setVulkanInstance(instance);
+}
+
+VulkanWindow::~VulkanWindow() {
+    loseSurface();
+}
+
+QSize VulkanWindow::pixels() const {
+    return size() * devicePixelRatio();
+}
+
+void VulkanWindow::createSurface() {
+    if (surface_ != VK_NULL_HANDLE) return;
+    surface_ = QVulkanInstance::surfaceForWindow(this);  // Qt owns it and destroys it with the window
+    if (surface_ == VK_NULL_HANDLE) {
+        emit surfaceFailed();
+    } else {
+        emit surfaceReady();
+    }
+}
+
+void VulkanWindow::loseSurface() {
+    if (surface_ == VK_NULL_HANDLE) return;
+    surface_ = VK_NULL_HANDLE;
+    emit surfaceGoing();
+}
+
+bool VulkanWindow::event(QEvent* event) {
+    switch (event->type()) {
+        case QEvent::PlatformSurface: {
+            const auto* surfaceEvent = static_cast<QPlatformSurfaceEvent*>(event);
+            if (surfaceEvent->surfaceEventType() == QPlatformSurfaceEvent::SurfaceAboutToBeDestroyed) {
+                loseSurface();
+            }
+            break;
+        }
+        case QEvent::DragEnter:
+        case QEvent::DragMove:
+            acceptDrop(*static_cast<QDropEvent*>(event));
+            return true;
+        case QEvent::Drop: {
+            auto* drop = static_cast<QDropEvent*>(event);
+            if (acceptDrop(*drop)) emit dropped(droppedBy(drop->mimeData()));
+            return true;
+        }
+        default:
+            break;
+    }
+    return QWindow::event(event);
+}
+
+void VulkanWindow::exposeEvent(QExposeEvent*) {
+    if (!isExposed()) {
+        emit hidden();
+        return;
+    }
+    createSurface();
+    emit exposed();
+}
+
+void VulkanWindow::resizeEvent(QResizeEvent*) {
+    emit resized();
+}
+
+void VulkanWindow::mousePressEvent(QMouseEvent* event) {
+    requestActivate();  // keys go to the picture that was clicked
+    if (dragging_) return;
+    const std::optional<Drag> drag = dragOf(*event);
+    if (!drag) return;
+    drag_ = *drag;
+    last_ = pressedAt_ = event->position();
+    // With Ctrl, Alt or the key for it the left button is for the camera or for what is seen.
+    const bool isForTools = event->button() == Qt::LeftButton && (drag_ == Drag::orbit || drag_ == Drag::pan);
+    if (isForTools && grab_ && grab_(placeOf(last_), event->modifiers().testFlag(Qt::ShiftModifier)))
+        drag_ = Drag::tool;
+    dragging_ = true;
+    hasMoved_ = false;
+    dragButton_ = event->button();
+    emit pointed(placeOf(last_));
+    if (drag_ != Drag::tool) emit dragBegan();
+}
+
+std::optional<VulkanWindow::Drag> VulkanWindow::dragOf(const QMouseEvent& event) const {
+    const bool alt = event.modifiers().testFlag(Qt::AltModifier);
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    const bool control = event.modifiers().testFlag(Qt::ControlModifier);
+    switch (event.button()) {
+        case Qt::LeftButton:
+            return holdsTransfer_ ? Drag::transfer
+                   : alt          ? Drag::roll
+                   : shift        ? Drag::pan
+                   : control      ? Drag::zoom
+                                  : Drag::orbit;
+        case Qt::MiddleButton:
+            return Drag::pan;
+        case Qt::RightButton:
+            return holdsTransfer_ || alt ? Drag::transfer : Drag::windowOrZoom;
+        default:
+            return std::nullopt;
+    }
+}
+
+void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
+    if (!dragging_) {
+        emit pointed(placeOf(event->position()));
+        return;
+    }
+    // The button went up where this window was not told, as over a dialog.
+    if (!event->buttons().testFlag(dragButton_)) return endDrag();
+    if (drag_ == Drag::tool) {
+        emit toolMoved(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
+        return;
+    }
+    const QPointF moved = event->position() - last_;
+    last_ = event->position();
+    hasMoved_ = hasMoved_ || (last_ - pressedAt_).manhattanLength() > kClickPx;
+    emit dragged(drag_, moved);
+}
+
+QPointF VulkanWindow::placeOf(QPointF position) const {
+    return {2.0 * position.x() / std::max(width(), 1) - 1.0,
+            1.0 - 2.0 * position.y() / std::max(height(), 1)};
+}
+
+void VulkanWindow::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != dragButton_) return;
+    const bool isClick = dragging_ && !hasMoved_ && drag_ == Drag::orbit;
+    if (dragging_ && drag_ == Drag::tool)
+        emit toolReleased(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
+    endDrag();
+    if (isClick) emit clicked(placeOf(event->position()));
+}
+
+void VulkanWindow::focusOutEvent(QFocusEvent*) {
+    holdsTransfer_ = false;  // nobody is told of keys that go up elsewhere
+    endDrag();
+}
+
+void VulkanWindow::endDrag() {
+    if (!std::exchange(dragging_, false)) return;
+    emit dragEnded();
+}
+
+void VulkanWindow::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) emit doubleClicked(placeOf(event->position()));
+}
+
+void VulkanWindow::wheelEvent(QWheelEvent* event) {
+    // With some modifiers a wheel turns sideways: with Alt on most platforms, with Shift on some.
+    const QPoint angle = event->angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / kEighthsOfDegreePerNotch;
+    if (event->modifiers().testFlag(Qt::AltModifier)) {
+        emit flyTurned(notches);
+    } else {
+        emit wheelTurned(notches, event->modifiers().testFlag(Qt::ShiftModifier));
+    }
+}
+
+void VulkanWindow::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == kTransferKey && event->modifiers() == Qt::NoModifier) holdsTransfer_ = true;
+    emit keyPressed(event);
+}
+
+void VulkanWindow::keyReleaseEvent(QKeyEvent* event) {
+    if (event->key() == kTransferKey && !event->isAutoRepeat()) holdsTransfer_ = false;
+}
+
+}  // namespace macula::viewer

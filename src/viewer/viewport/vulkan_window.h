@@ -1,0 +1,96 @@
+// The native window that pictures are shown in, and the hand on the mouse.
+#pragma once
+
+// Before Qt: its own Vulkan header hides the functions that ours in pipeline/gpu need.
+#include <vulkan/vulkan_core.h>
+
+#include <QPointF>
+#include <QWindow>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include "viewer/viewport/dropped.h"
+
+namespace macula::viewer {
+
+// Has a Vulkan surface from the first time it is on screen until its platform window goes. Knows nothing of
+// cameras: it turns mouse and wheel into drags, and hands keys on. Lives on the UI thread.
+class VulkanWindow : public QWindow {
+    Q_OBJECT
+
+  public:
+    // Of windowOrZoom the picture decides. `transfer` shifts and widens what is seen; `tool` is what a grab
+    // has taken.
+    enum class Drag { orbit, pan, zoom, windowOrZoom, roll, transfer, tool };
+    // Asked when the left button goes down, where. Whether what follows is for it and for no camera.
+    using Grab = std::function<bool(QPointF place, bool withShift)>;
+
+    // `instance` must outlive the window.
+    explicit VulkanWindow(QVulkanInstance* instance);
+    ~VulkanWindow() override;
+
+    QSize pixels() const;                              // device pixels
+    VkSurfaceKHR surface() const { return surface_; }  // null before surfaceReady and from surfaceGoing on
+
+    void setGrab(Grab grab) { grab_ = std::move(grab); }
+
+    // Of a drag whose button goes up elsewhere nobody is told. Nothing without a drag.
+    void endDrag();
+
+  signals:
+    void surfaceReady();
+    // Connect directly: when this returns, the surface is destroyed.
+    void surfaceGoing();
+    void surfaceFailed();
+    void exposed();  // the window system wants it painted
+    void hidden();
+    void resized();
+
+    // Where somebody points who drags nothing, or begins to: -1 to 1, right and up are positive.
+    void pointed(QPointF place);
+    void doubleClicked(QPointF place);  // with the left button; likewise
+    void clicked(QPointF place);        // with the left button, which did not move; likewise
+    void dragBegan();
+    void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
+    void dragEnded();
+    // Of a drag that was grabbed, in the place of dragBegan and dragged; dragEnded follows. Where it ends in
+    // another way than by its button, toolReleased does not come.
+    void toolMoved(QPointF place, bool withShift);
+    void toolReleased(QPointF place, bool withShift);
+    void wheelTurned(double notches, bool withShift);  // positive: away from the user
+    void flyTurned(double notches);                    // the same with Alt
+    void keyPressed(QKeyEvent* event);                 // not accepted: it is offered to the main window
+    void dropped(const macula::viewer::Dropped& what);
+
+  protected:
+    bool event(QEvent* event) override;
+    void exposeEvent(QExposeEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+  private:
+    QPointF placeOf(QPointF position) const;
+    std::optional<Drag> dragOf(const QMouseEvent& event) const;
+    void createSurface();
+    void loseSurface();
+
+    Grab grab_;
+    VkSurfaceKHR surface_ = VK_NULL_HANDLE;
+    bool dragging_ = false;
+    Drag drag_ = Drag::orbit;
+    Qt::MouseButton dragButton_ = Qt::NoButton;
+    QPointF last_;
+    QPointF pressedAt_;
+    bool hasMoved_ = false;       // farther than a click
+    bool holdsTransfer_ = false;  // the key for it is down
+};
+
+}  // namespace macula::viewer

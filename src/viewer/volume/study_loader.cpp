@@ -1,0 +1,79 @@
+#include "viewer/volume/study_loader.h"
+
+#include <chrono>
+#include <utility>
+
+#include "study/open/found_volumes.h"
+#include "viewer/jobs/newest_posted.h"
+#include "viewer/language/core_words.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{2000};  // a slow disk keeps nobody from their images
+
+Result<app::OpenedStudy> completed(Result<app::OpenedStudy> study,
+                                   const std::shared_ptr<app::ModelKeeper>& keeper,
+                                   const StudyLoader::Prepare& prepare) {
+    if (!study || !study->volume) return study;
+    if (keeper) study->stateAsLeft = keeper->stateOf(study->volume, kPatience).value_or("");
+    if (prepare) prepare(*study);
+    return study;
+}
+
+}  // namespace
+
+StudyLoader::StudyLoader(QObject* parent)
+    : QObject(parent),
+      job_(this, {.progressed =
+                      [this](const ProgressUpdate& update) {
+                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
+                      },
+                  .ended = [this](const Result<app::OpenedStudy>& outcome) { tellOutcome(outcome); }}) {}
+
+void StudyLoader::open(app::StudySource source, bool join) {
+    source_ = source;
+    job_.start([source = std::move(source), join, keeper = keeper_, prepare = prepare_,
+                tells = tellsOf(++opening_)](Progress& progress) {
+        return completed(app::openStudy(source, progress, {.join = join, .foundSoFar = tells}), keeper,
+                         prepare);
+    });
+    emit began();
+}
+
+// Called on other threads; the job's end, which is told by the same queue, comes after all of it.
+app::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
+    using Found = std::shared_ptr<const app::FoundVolumes>;
+    return NewestPosted<Found>(this, [this, opening](const Found& volumes) {
+        if (opening == opening_ && loading()) emit found(volumes);
+    });
+}
+
+void StudyLoader::open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index) {
+    ++opening_;
+    source_.reset();
+    job_.start([found = std::move(found), index, keeper = keeper_, prepare = prepare_](Progress& progress) {
+        return completed(app::openFoundVolume(found, index, progress), keeper, prepare);
+    });
+    emit began();
+}
+
+void StudyLoader::cancel() {
+    if (job_.cancel()) emit cancelled();
+}
+
+void StudyLoader::tellOutcome(const Result<app::OpenedStudy>& outcome) {
+    if (outcome && !outcome->volume) {
+        emit askedToJoin(QString::fromStdString(source_.value_or("").string()),
+                         inWindowsLanguage(outcome->joinQuestion));
+    } else if (outcome) {
+        emit loaded(*outcome);
+    } else if (outcome.error().code == ErrorCode::cancelled) {
+        emit cancelled();
+    } else {
+        emit failed(outcome.error());
+    }
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,14 @@
+// What the phantom is shown with when nobody chose.
+#include <scene/choice/catalogue.h>
+#include <study/open/opened_study.h>
+
+#include "ends.h"
+
+int main() {
+    const auto catalogue = macula::app::builtInCatalogue();
+    if (!catalogue) return fail(catalogue.error());
+    macula::Progress progress;
+    const auto study = macula::app::openStudy(std::nullopt, progress);
+    if (!study) return fail(study.error());
+    return expect(macula::app::presetFor(*catalogue, *study->volume) != nullptr, "a preset for the phantom");
+}
