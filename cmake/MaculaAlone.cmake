@@ -3,35 +3,7 @@
 set(MACULA_ALONE
     src/base/quantised.cpp
     src/c/live.cpp
-    src/cli/bench_cast_command.cpp
-    src/cli/bench_foveal_command.cpp
-    src/cli/bench_load_command.cpp
-    src/cli/bench_session_command.cpp
-    src/cli/bench_tradeoff_command.cpp
-    src/cli/bench_train_command.cpp
-    src/cli/bench_xr_command.cpp
-    src/cli/devices_command.cpp
-    src/cli/evaluate_command.cpp
-    src/cli/evaluate_edits_command.cpp
-    src/cli/evaluate_live_picture_command.cpp
-    src/cli/evaluate_motion_command.cpp
-    src/cli/evaluate_quality_command.cpp
-    src/cli/evaluate_specks_command.cpp
-    src/cli/evaluate_tradeoff_command.cpp
-    src/cli/export_command.cpp
-    src/cli/hybrid_command.cpp
-    src/cli/info_command.cpp
     src/cli/main.cpp
-    src/cli/presets_command.cpp
-    src/cli/sessions_care_command.cpp
-    src/cli/sessions_command.cpp
-    src/cli/sessions_copy_command.cpp
-    src/cli/sessions_purge_command.cpp
-    src/cli/sheet_command.cpp
-    src/cli/splat_export_command.cpp
-    src/cli/splat_render_command.cpp
-    src/cli/train_command.cpp
-    src/cli/xr_command.cpp
     src/dicom/frame_loader.cpp
     src/dicom/loader.cpp
     src/dicom/pixels/image_checks.cpp

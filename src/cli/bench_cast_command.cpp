@@ -21,7 +21,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct BenchCastOptions {
     evaluate::BenchStudyOptions study;
     std::filesystem::path pictures;  // a folder; none when empty
     int turns = 5;
@@ -38,7 +38,7 @@ void print(const evaluate::CastBenchmark& result) {
     std::fflush(stdout);
 }
 
-Result<void> benchCast(const Options& options) {
+Result<void> benchCast(const BenchCastOptions& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const evaluate::BenchStudy study, evaluate::openBenchStudy(options.study, progress));
     printNotes(study.notes, study.warnings);
@@ -65,7 +65,7 @@ Result<void> benchCast(const Options& options) {
 }  // namespace
 
 void addBenchCast(CLI::App& bench, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchCastOptions>();
     auto* command =
         bench.add_subcommand("cast", "Ray-cast looks, one sample a pixel, beside VTK's CPU mapper");
     addBenchStudyOptions(*command, options->study, 512);

@@ -20,13 +20,13 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct BenchOptions {
     evaluate::BenchStudyOptions study;
     std::filesystem::path baseline;
     evaluate::TraceBenchmarkOptions benchmark;
 };
 
-Result<void> benchTrace(Options options) {
+Result<void> benchTrace(BenchOptions options) {
     std::optional<evaluate::Baseline> baseline;
     if (!options.baseline.empty()) {
         MACULA_TRY(baseline, evaluate::Baseline::read(options.baseline, "trace"));
@@ -44,7 +44,7 @@ Result<void> benchTrace(Options options) {
 }  // namespace
 
 void addBench(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchOptions>();
     auto* bench = app.add_subcommand("bench", "Measure speed");
     bench->require_subcommand(1);
     auto* command =

@@ -15,7 +15,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct BenchFovealOptions {
     evaluate::BenchStudyOptions study;
     evaluate::FovealOptions foveal;
 };
@@ -23,7 +23,7 @@ struct Options {
 }  // namespace
 
 void addBenchFoveal(CLI::App& bench, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchFovealOptions>();
     evaluate::FovealOptions& o = options->foveal;
     auto* command = bench.add_subcommand(
         "foveal",

@@ -22,7 +22,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct BenchLoadOptions {
     std::filesystem::path path;
     std::string series;
     std::filesystem::path baseline;
@@ -52,7 +52,7 @@ void print(const evaluate::HeaderBenchmark& headers, const evaluate::LoadBenchma
     }
 }
 
-Result<void> benchLoad(const Options& options) {
+Result<void> benchLoad(const BenchLoadOptions& options) {
     std::optional<evaluate::Baseline> baseline;
     if (!options.baseline.empty()) {
         MACULA_TRY(baseline, evaluate::Baseline::read(options.baseline, "load"));
@@ -82,7 +82,7 @@ Result<void> benchLoad(const Options& options) {
 }  // namespace
 
 void addBenchLoad(CLI::App& bench, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchLoadOptions>();
     auto* command =
         bench.add_subcommand("load", "Reading headers and loading a series, beside DCMTK and ITK");
     command->add_option("PATH", options->path, "Folder with DICOM files")->required();

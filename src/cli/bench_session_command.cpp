@@ -13,7 +13,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct BenchSessionOptions {
     evaluate::BenchStudyOptions study;
     evaluate::SessionBenchmarkOptions session;
 };
@@ -21,7 +21,7 @@ struct Options {
 }  // namespace
 
 void addBenchSession(CLI::App& bench, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<BenchSessionOptions>();
     evaluate::SessionBenchmarkOptions& o = options->session;
     auto* command =
         bench.add_subcommand("session",

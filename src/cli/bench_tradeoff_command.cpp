@@ -21,7 +21,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct BenchTradeoffOptions {
     evaluate::BenchStudyOptions study;
     std::filesystem::path plot;
     bool json = false;
@@ -29,7 +29,7 @@ struct Options {
     evaluate::TradeoffOptions tradeoff;
 };
 
-Result<void> benchTradeoff(Options options) {
+Result<void> benchTradeoff(BenchTradeoffOptions options) {
     app::OutputFiles files(options.overwrite);
     files.read(options.study.path);
     MACULA_TRY_VOID(files.write(options.plot));
@@ -61,8 +61,8 @@ Result<void> benchTradeoff(Options options) {
 }  // namespace
 
 void addBenchTradeoff(CLI::App& bench, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<BenchTradeoffOptions>();
+    BenchTradeoffOptions& o = *options;
     auto* command = bench.add_subcommand(
         "trace-tradeoff",
         "Error against a converged picture, and time, over samples, bounces, denoising and "

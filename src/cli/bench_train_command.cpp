@@ -21,7 +21,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct BenchTrainOptions {
     evaluate::BenchStudyOptions study;
     evaluate::StudyTrainingOptions training;
     std::filesystem::path baseline;
@@ -52,8 +52,8 @@ void print(const evaluate::BeginningBenchmark& beginning) {
         beginning.tracedViewMs);
 }
 
-Result<evaluate::StudyTrainingReport> measure(const evaluate::BenchStudy& study, const Options& options,
-                                              Progress& progress) {
+Result<evaluate::StudyTrainingReport> measure(const evaluate::BenchStudy& study,
+                                              const BenchTrainOptions& options, Progress& progress) {
     const bool isTold = !options.json && options.baseline.empty();
     MACULA_TRY(auto bench, evaluate::StudyTrainingBench::create(study, options.training, progress));
     evaluate::StudyTrainingReport report{.splats = bench.splats()};
@@ -71,7 +71,7 @@ Result<evaluate::StudyTrainingReport> measure(const evaluate::BenchStudy& study,
     return report;
 }
 
-Result<void> benchTrain(const Options& options) {
+Result<void> benchTrain(const BenchTrainOptions& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     std::optional<evaluate::Baseline> baseline;
     if (!options.baseline.empty()) {
@@ -95,8 +95,8 @@ Result<void> benchTrain(const Options& options) {
 }  // namespace
 
 void addBenchTrain(CLI::App& bench, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<BenchTrainOptions>();
+    BenchTrainOptions& o = *options;
     auto* command = bench.add_subcommand(
         "train",
         "The stages of training a peripheral model, in full and half size, beside the C++ reference in "

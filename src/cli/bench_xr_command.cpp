@@ -22,7 +22,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct BenchXrOptions {
     xr::HeadsetWish wish;
     int frames = 900;
     int warmUpFrames = 90;
@@ -65,7 +65,7 @@ nlohmann::ordered_json jsonOf(const xr::HeadsetFigures& figures) {
               {"sessions", figures.sessions}}}};
 }
 
-Result<void> benchXr(Options options) {
+Result<void> benchXr(BenchXrOptions options) {
     if (!options.size.empty()) {
         MACULA_TRY(options.wish.show.eyePx, app::parseSize(options.size));
     }
@@ -90,8 +90,8 @@ Result<void> benchXr(Options options) {
 }  // namespace
 
 void addBenchXr(CLI::App& bench, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<BenchXrOptions>();
+    BenchXrOptions& o = *options;
     auto* command = bench.add_subcommand(
         "xr",
         "Frames in a headset (OpenXR), while the model learns: how many are in time, and what they take");

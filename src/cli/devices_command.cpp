@@ -12,11 +12,11 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct DevicesOptions {
     bool json = false;
 };
 
-Result<void> listAll(const Options& options) {
+Result<void> listAll(const DevicesOptions& options) {
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
     const std::vector<gpu::DeviceInfo> devices = gpu::listDevices(instance);
     // Nothing is preferred here: the environment decides as it does in every other command.
@@ -47,7 +47,7 @@ Result<void> listAll(const Options& options) {
 }  // namespace
 
 void addDevices(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<DevicesOptions>();
     auto* command =
         app.add_subcommand("devices", "List the devices Macula can draw with; * marks the default");
     command->add_flag("--json", options->json, "Print JSON");

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 // More pixels are none of lavapipe's storage buffers, which would be found out after the training.
 constexpr int kMostTruthSizePx = 2800;
 
-struct Options {
+struct EvaluateOptions {
     evaluate::StudyEvaluationOptions studies{.lights = app::kDefaultLights};
     std::string device;
     int truthSizePx = 0;  // 0: as the views
@@ -43,11 +43,11 @@ struct Options {
 };
 
 // Numbered, because a name may say whose it is.
-fs::path pictureOf(const Options& options, std::size_t scene, std::size_t view) {
+fs::path pictureOf(const EvaluateOptions& options, std::size_t scene, std::size_t view) {
     return options.pictures / fmt::format("scene{:02}-view{:02}.png", scene, view);
 }
 
-Result<void> checkFiles(const Options& options) {
+Result<void> checkFiles(const EvaluateOptions& options) {
     const evaluate::StudyEvaluationOptions& studies = options.studies;
     app::OutputFiles files(options.overwrite);
     for (const fs::path& path : studies.paths) files.read(path);
@@ -64,7 +64,7 @@ Result<void> checkFiles(const Options& options) {
 }
 
 // All that can be wrong on the command line, before anything takes time.
-Result<void> check(const Options& options) {
+Result<void> check(const EvaluateOptions& options) {
     MACULA_TRY_VOID(checkModelOptions(options.studies.evaluation.model));
     MACULA_TRY_VOID(check(options.studies));
     std::error_code error;
@@ -74,7 +74,7 @@ Result<void> check(const Options& options) {
     return checkFiles(options);
 }
 
-Result<void> writePictures(const Options& options, std::size_t scene,
+Result<void> writePictures(const EvaluateOptions& options, std::size_t scene,
                            const evaluate::SceneEvaluation& evaluation) {
     if (options.pictures.empty()) return {};
     const glm::ivec2 size = options.studies.evaluation.truth.sizePx;
@@ -90,7 +90,7 @@ Result<void> tell(const evaluate::EvaluationReport& report, const fs::path& json
     return json.empty() ? Result<void>() : printOrWrite(json, jsonText(toJson(report)));
 }
 
-Result<void> evaluateAll(Options options) {
+Result<void> evaluateAll(EvaluateOptions options) {
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY_VOID(check(options));
     evaluate::StudyEvaluationOptions& studies = options.studies;
@@ -121,7 +121,7 @@ Result<void> evaluateAll(Options options) {
     return ended;
 }
 
-void addProtocolOptions(CLI::App& command, Options& o) {
+void addProtocolOptions(CLI::App& command, EvaluateOptions& o) {
     evaluate::EvaluationOptions& e = o.studies.evaluation;
     addModelOptions(command, e.model);
     command
@@ -169,8 +169,8 @@ void addRefinementOptions(CLI::App& command, evaluate::RefinementPlan& plan) {
 
 // What the verbs have in common.
 CLI::App* addVerb(CLI::App& evaluateApp, const std::string& name, const std::string& help,
-                  const std::shared_ptr<Options>& options, Action& action) {
-    Options& o = *options;
+                  const std::shared_ptr<EvaluateOptions>& options, Action& action) {
+    EvaluateOptions& o = *options;
     auto* command = evaluateApp.add_subcommand(name, help);
     command->add_option("PATH", o.studies.paths,
                         "Folders with DICOM files, volume files, or phantom: (default), each a scene");
@@ -201,15 +201,15 @@ void addEvaluate(CLI::App& app, Action& action) {
     evaluateApp->require_subcommand(1);
     addVerb(*evaluateApp, "init",
             "First models: made of a few views, compared with traced pictures from elsewhere",
-            std::make_shared<Options>(), action);
-    auto refined = std::make_shared<Options>();
+            std::make_shared<EvaluateOptions>(), action);
+    auto refined = std::make_shared<EvaluateOptions>();
     evaluate::RefinementPlan& plan = refined->studies.evaluation.refinement.emplace();
     auto* refine =
         addVerb(*evaluateApp, "refine",
                 "Models that go on: a first one, then more views and more splats, compared on the way",
                 refined, action);
     addRefinementOptions(*refine, plan);
-    auto taught = std::make_shared<Options>();
+    auto taught = std::make_shared<EvaluateOptions>();
     evaluate::LivePlan& live = taught->studies.evaluation.live.emplace();
     auto* byItself =
         addVerb(*evaluateApp, "live", "Models as the window makes them by itself, compared on the way",

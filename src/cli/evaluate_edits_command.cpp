@@ -14,7 +14,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct EvaluateEditsOptions {
     evaluate::BenchStudyOptions study;
     evaluate::EditsOptions edits;
     std::string folder;
@@ -23,7 +23,7 @@ struct Options {
 }  // namespace
 
 void addEvaluateEdits(CLI::App& evaluateApp, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvaluateEditsOptions>();
     evaluate::EditsOptions& o = options->edits;
     auto* command = evaluateApp.add_subcommand(
         "edits",

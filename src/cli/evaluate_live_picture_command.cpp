@@ -12,7 +12,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct EvaluateLivePictureOptions {
     evaluate::BenchStudyOptions study;
     evaluate::LivePictureOptions live;
 };
@@ -20,7 +20,7 @@ struct Options {
 }  // namespace
 
 void addEvaluateLivePicture(CLI::App& evaluateApp, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvaluateLivePictureOptions>();
     evaluate::LivePictureOptions& o = options->live;
     auto* command = evaluateApp.add_subcommand(
         "live-picture", "The live picture in motion, at rest and after a change, over time; as JSON");

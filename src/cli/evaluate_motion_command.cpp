@@ -13,7 +13,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct EvaluateMotionOptions {
     evaluate::BenchStudyOptions study;
     evaluate::MotionOptions motion;
     std::string folder;
@@ -22,7 +22,7 @@ struct Options {
 }  // namespace
 
 void addEvaluateMotion(CLI::App& evaluateApp, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvaluateMotionOptions>();
     evaluate::MotionOptions& o = options->motion;
     auto* command = evaluateApp.add_subcommand(
         "motion", "Frames after the eye has moved: reprojected, not reprojected, and splats alone; as JSON");

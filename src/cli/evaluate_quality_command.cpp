@@ -12,7 +12,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct EvaluateQualityOptions {
     evaluate::BenchStudyOptions study;
     evaluate::QualityOptions quality;
 };
@@ -20,7 +20,7 @@ struct Options {
 }  // namespace
 
 void addEvaluateQuality(CLI::App& evaluateApp, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvaluateQualityOptions>();
     evaluate::QualityOptions& o = options->quality;
     auto* command = evaluateApp.add_subcommand(
         "quality", "Frames traced, of splats, and of both, compared with traced pictures; as JSON");

@@ -14,7 +14,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct EvaluateSpecksOptions {
     evaluate::BenchStudyOptions study;
     evaluate::SpecksOptions specks;
 };
@@ -22,7 +22,7 @@ struct Options {
 }  // namespace
 
 void addEvaluateSpecks(CLI::App& evaluateApp, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvaluateSpecksOptions>();
     evaluate::SpecksOptions& o = options->specks;
     auto* command = evaluateApp.add_subcommand(
         "specks",

@@ -16,14 +16,14 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct EvaluateTradeoffOptions {
     evaluate::BenchStudyOptions study;
     evaluate::FrameTradeoffOptions tradeoff;
     std::filesystem::path plot;
     bool overwrite = false;
 };
 
-Result<void> evaluateTradeoff(const Options& options) {
+Result<void> evaluateTradeoff(const EvaluateTradeoffOptions& options) {
     app::OutputFiles files(options.overwrite);
     files.read(options.study.path);
     files.read(options.study.preset);
@@ -39,7 +39,7 @@ Result<void> evaluateTradeoff(const Options& options) {
 }  // namespace
 
 void addEvaluateTradeoff(CLI::App& evaluateApp, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<EvaluateTradeoffOptions>();
     evaluate::FrameTradeoffOptions& o = options->tradeoff;
     auto* command = evaluateApp.add_subcommand(
         "tradeoff", "Error of frames against time, over all that can be traded, and what is best; as JSON");

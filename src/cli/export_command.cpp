@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct ExportOptions {
     fs::path path;
     fs::path output;
     PresentationOptions presentation;
@@ -40,7 +40,7 @@ struct Options {
 };
 
 // Fails now, not after the series was loaded.
-Result<void> checkExport(const Options& options) {
+Result<void> checkExport(const ExportOptions& options) {
     MACULA_TRY(const auto files, formats::filesOfVolumeFile(options.output));
     app::OutputFiles outputs(options.overwrite);
     outputs.read(options.path);
@@ -48,8 +48,8 @@ Result<void> checkExport(const Options& options) {
     return {};
 }
 
-Result<void> exportSegmentation(const Options& options, const dicom::Scan& scan, const dicom::Series& series,
-                                Progress& progress) {
+Result<void> exportSegmentation(const ExportOptions& options, const dicom::Scan& scan,
+                                const dicom::Series& series, Progress& progress) {
     MACULA_TRY(const app::SegmentationInput input,
                app::loadSegmentation(scan, series, options.volume, progress));
     printNotes(notesOf(input));
@@ -65,7 +65,7 @@ Result<void> exportSegmentation(const Options& options, const dicom::Scan& scan,
     return {};
 }
 
-Result<void> exportVolume(const Options& options, app::StudyInput study, double loadSeconds,
+Result<void> exportVolume(const ExportOptions& options, app::StudyInput study, double loadSeconds,
                           Progress& progress) {
     noteWhatOthersMisread(study);
     printNotes(study.notes, study.warnings);
@@ -80,7 +80,7 @@ Result<void> exportVolume(const Options& options, app::StudyInput study, double 
     return {};
 }
 
-Result<void> exportSeries(const Options& options) {
+Result<void> exportSeries(const ExportOptions& options) {
     if (!options.presentation.output.empty())
         return exportPresentation(options.presentation, {.path = options.path,
                                                          .series = options.series,
@@ -119,8 +119,8 @@ Result<void> exportSeries(const Options& options) {
 }  // namespace
 
 void addExport(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<ExportOptions>();
+    ExportOptions& o = *options;
     auto* command = app.add_subcommand(
         "export", "Write a series, of images or of segmentations, to a NIfTI, NRRD or MetaImage file");
     command->add_option("PATH", o.path, "Folder with DICOM files, or a volume file to convert")->required();

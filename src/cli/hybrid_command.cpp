@@ -18,12 +18,12 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct HybridOptions {
     app::RecordingWish wish;
     bool tellsTimes = false;
 };
 
-Result<void> record(const Options& options) {
+Result<void> record(const HybridOptions& options) {
     const app::RecordingWish& wish = options.wish;
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const app::LiveRecording recording, app::recordStudy(wish, printNote, printWarning, progress));
@@ -37,7 +37,7 @@ Result<void> record(const Options& options) {
 }  // namespace
 
 void addHybrid(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<HybridOptions>();
     app::RecordingWish& o = options->wish;
     app::RecordingOptions& r = o.recording;
     auto* command = app.add_subcommand("hybrid", "Record the live picture while a camera moves");

@@ -29,7 +29,7 @@ namespace {
 constexpr std::size_t kMostStacksShown = 40;
 constexpr std::size_t kStacksOfMany = 8;  // shown of more than these
 
-struct Options {
+struct InfoOptions {
     std::filesystem::path path;
     bool json = false;
     bool patient = false;
@@ -130,7 +130,7 @@ void print(const dicom::Series& series, std::size_t place, const dicom::Choice& 
     }
 }
 
-void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options& options) {
+void printText(const dicom::Scan& scan, const dicom::Choice& best, const InfoOptions& options) {
     std::size_t place = 0;
     for (std::size_t i = 0; i < scan.studies.size(); ++i) {
         const dicom::Study& study = scan.studies[i];
@@ -164,14 +164,14 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const Options
 }
 
 // Programs that asked for a document get one also where nothing could be read.
-void printAsJson(const Error& error, const Options& options) {
+void printAsJson(const Error& error, const InfoOptions& options) {
     auto json = toJson(dicom::Scan{}, dicom::Choice{}, app::PatientData::leaveOut);
     json["error"] = {{"sentence", error.message}, {"action", error.hint}};
     if (options.patient && !error.where.empty()) json["error"]["where"] = error.where;
     fmt::print("{}\n", json.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-Result<void> showWhatIsThere(const Options& options) {
+Result<void> showWhatIsThere(const InfoOptions& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     if (formats::isVolumeFileName(options.path)) return showVolumeFile(options.path, options.json, progress);
     if (options.path == "phantom:") {
@@ -190,7 +190,7 @@ Result<void> showWhatIsThere(const Options& options) {
     return {};
 }
 
-Result<void> showInfo(const Options& options) {
+Result<void> showInfo(const InfoOptions& options) {
     Result<void> shown = showWhatIsThere(options);
     if (!shown && options.json && shown.error().code == ErrorCode::inputNotUsable)
         printAsJson(shown.error(), options);
@@ -200,7 +200,7 @@ Result<void> showInfo(const Options& options) {
 }  // namespace
 
 void addInfo(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<InfoOptions>();
     auto* command =
         app.add_subcommand("info", "List the studies and series in a folder; * marks what is shown first");
     command

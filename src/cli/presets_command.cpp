@@ -22,7 +22,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct PresetsOptions {
     bool json = false;
     std::string preset;            // show, export
     std::filesystem::path input;   // import
@@ -30,7 +30,7 @@ struct Options {
     bool overwrite = false;        // likewise
 };
 
-Result<void> listAll(const Options& options) {
+Result<void> listAll(const PresetsOptions& options) {
     MACULA_TRY(const app::BuiltIns all, app::builtIns());
     if (options.json) {
         fmt::print("{}\n", jsonText(toJson(all)));
@@ -71,7 +71,7 @@ void printColour(const std::string& title, const std::vector<ColourPoint>& point
     }
 }
 
-Result<void> show(const Options& options) {
+Result<void> show(const PresetsOptions& options) {
     MACULA_TRY(const presets::ImportedPreset chosen, app::choosePreset(options.preset));
     const TransferFunction& preset = chosen.function;
     for (const std::string& note : chosen.notes) printNote(note);
@@ -105,7 +105,7 @@ Result<void> show(const Options& options) {
     return {};
 }
 
-Result<void> importFile(const Options& options) {
+Result<void> importFile(const PresetsOptions& options) {
     MACULA_TRY(const presets::ImportedPresets all, presets::readPresetFile(options.input));
     std::error_code error;
     const bool toFolder = std::filesystem::is_directory(options.output, error);
@@ -130,7 +130,7 @@ Result<void> importFile(const Options& options) {
     return {};
 }
 
-Result<void> exportPreset(const Options& options) {
+Result<void> exportPreset(const PresetsOptions& options) {
     MACULA_TRY(const presets::ImportedPreset chosen, app::choosePreset(options.preset));
     for (const std::string& note : chosen.notes) printNote(note);
     app::OutputFiles files(options.overwrite);
@@ -142,8 +142,8 @@ Result<void> exportPreset(const Options& options) {
 }  // namespace
 
 void addPresets(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<PresetsOptions>();
+    PresetsOptions& o = *options;
     auto* command = app.add_subcommand("presets", "List, show and convert presets; list lights");
     command->add_flag("--json", o.json, "Print JSON");
     command->require_subcommand(0, 1);

@@ -15,11 +15,11 @@ namespace macula::cli {
 
 namespace {
 
-struct Options : SessionsOptions {
+struct SessionsCareOptions : SessionsOptions {
     std::uint64_t capBytes = session::StoreOptions{}.modelCapBytes;  // gc
 };
 
-Result<void> verify(const Options& options) {
+Result<void> verify(const SessionsCareOptions& options) {
     if (app::isNothingStored(options.folder)) {
         printNothing(options, app::VerifiedSessions{.report = {.isDatabaseSound = true}});
         return {};
@@ -34,7 +34,7 @@ Result<void> verify(const Options& options) {
                  app::whatToDo(verified)};
 }
 
-Result<void> collect(const Options& options) {
+Result<void> collect(const SessionsCareOptions& options) {
     if (app::isNothingStored(options.folder)) {
         printNothing(options, app::Tidied{});
         return {};
@@ -61,13 +61,13 @@ CLI::Validator asByteSize() {
 }  // namespace
 
 void addSessionsVerify(CLI::App& sessions, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SessionsCareOptions>();
     addSessionsVerb(sessions, "verify", "Read everything; exit code 3 where not all is sound", *options)
         ->callback([options, &action] { action = [options] { return verify(*options); }; });
 }
 
 void addSessionsGc(CLI::App& sessions, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SessionsCareOptions>();
     auto* command =
         addSessionsVerb(sessions, "gc", "Remove left-overs, and the least recently used models", *options);
     command

@@ -11,12 +11,12 @@ namespace macula::cli {
 
 namespace {
 
-struct Options : SessionsOptions {
+struct SessionsListOptions : SessionsOptions {
     std::string study;  // show
     int last = 20;      // audit
 };
 
-Result<void> listStudies(const Options& options) {
+Result<void> listStudies(const SessionsListOptions& options) {
     if (app::isNothingStored(options.folder)) {
         printNothing(options, app::StoredSessions{.folder = options.folder});
         return {};
@@ -27,7 +27,7 @@ Result<void> listStudies(const Options& options) {
     return {};
 }
 
-Result<void> showStudy(const Options& options) {
+Result<void> showStudy(const SessionsListOptions& options) {
     if (app::isNothingStored(options.folder)) return app::nothingStored(options.folder);
     MACULA_TRY(session::Store store, openSessions(options));
     MACULA_TRY(const auto studies, store.listStudies());
@@ -37,7 +37,7 @@ Result<void> showStudy(const Options& options) {
     return {};
 }
 
-Result<void> showAudit(const Options& options) {
+Result<void> showAudit(const SessionsListOptions& options) {
     if (app::isNothingStored(options.folder)) {
         printNothing(options, session::Listing<session::AuditEntry>{});
         return {};
@@ -54,8 +54,8 @@ void addSessions(CLI::App& app, Action& action) {
     auto* sessions =
         app.add_subcommand("sessions", "What is kept of studies that were opened: list, copy, delete");
     sessions->require_subcommand(1);
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<SessionsListOptions>();
+    SessionsListOptions& o = *options;
     addSessionsVerb(*sessions, "list", "Studies, the latest opened first", o)->callback([options, &action] {
         action = [options] { return listStudies(*options); };
     });

@@ -16,16 +16,16 @@ namespace macula::cli {
 
 namespace {
 
-struct Options : SessionsOptions {
+struct SessionsCopyOptions : SessionsOptions {
     std::filesystem::path other;
 };
 
-void printCopied(const Options& options, const session::SnapshotReport& report) {
+void printCopied(const SessionsCopyOptions& options, const session::SnapshotReport& report) {
     print(options, report);
     if (report.damaged > 0) printWarning(fmt::format("Damaged entries were left out: {}.", report.damaged));
 }
 
-Result<void> exportAll(const Options& options) {
+Result<void> exportAll(const SessionsCopyOptions& options) {
     if (app::isNothingStored(options.folder)) return app::nothingStored(options.folder);
     const auto start = std::chrono::steady_clock::now();
     Progress progress(terminalProgressBar(), interruptToken());
@@ -36,7 +36,7 @@ Result<void> exportAll(const Options& options) {
     return {};
 }
 
-Result<void> importAll(const Options& options) {
+Result<void> importAll(const SessionsCopyOptions& options) {
     MACULA_TRY_VOID(app::checkImport(options.other, options.folder));
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(session::Store store, openSessions(options));
@@ -48,7 +48,7 @@ Result<void> importAll(const Options& options) {
 }  // namespace
 
 void addSessionsExport(CLI::App& sessions, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SessionsCopyOptions>();
     auto* command =
         addSessionsVerb(sessions, "export", "Copy everything to a new folder, whole or not at all", *options);
     command->add_option("NEW_FOLDER", options->other, "Folder to write; must not exist")->required();
@@ -56,7 +56,7 @@ void addSessionsExport(CLI::App& sessions, Action& action) {
 }
 
 void addSessionsImport(CLI::App& sessions, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<SessionsCopyOptions>();
     auto* command = addSessionsVerb(sessions, "import",
                                     "Add what an export holds; of what both have, the newer stays", *options);
     command->add_option("FOLDER", options->other, "Folder that macula sessions export wrote")->required();

@@ -15,7 +15,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options : SessionsOptions {
+struct SessionsPurgeOptions : SessionsOptions {
     app::PurgeWish wish;
     int unusedDays = 0;  // 0: not given
     bool damagedToo = false;
@@ -30,7 +30,7 @@ std::int64_t nowMs() {
 }
 
 // What can be wrong with the words alone.
-Result<void> check(const Options& options) {
+Result<void> check(const SessionsPurgeOptions& options) {
     if (options.wish.study.empty() && !options.wish.all && options.unusedDays == 0)
         return Error{ErrorCode::usage,
                      "It was not said what to delete.",
@@ -44,7 +44,7 @@ Result<void> check(const Options& options) {
     return {};
 }
 
-Result<void> purge(Options& options) {
+Result<void> purge(SessionsPurgeOptions& options) {
     MACULA_TRY_VOID(check(options));
     if (options.unusedDays > 0) options.wish.unusedDays = options.unusedDays;
     if (options.trustClock) options.wish.clock = session::Store::Clock::trusted;
@@ -73,8 +73,8 @@ Result<void> purge(Options& options) {
 }  // namespace
 
 void addSessionsPurge(CLI::App& sessions, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<SessionsPurgeOptions>();
+    SessionsPurgeOptions& o = *options;
     auto* command = addSessionsVerb(sessions, "purge",
                                     "Delete studies with all that is kept of them; asks before it does", o);
     auto* study = command->add_option("STUDY", o.wish.study, "First digits of its identity, at least 4");

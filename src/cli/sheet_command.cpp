@@ -26,7 +26,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct SheetOptions {
     std::filesystem::path path;
     std::filesystem::path output;
     std::string series;
@@ -36,7 +36,7 @@ struct Options {
     bool overwrite = false;
 };
 
-Result<void> makeSheet(const Options& options) {
+Result<void> makeSheet(const SheetOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY_VOID(app::checkPictureName(options.output));
     if (app::isExr(options.output))
@@ -77,8 +77,8 @@ Result<void> makeSheet(const Options& options) {
 }  // namespace
 
 void addSheet(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<SheetOptions>();
+    SheetOptions& o = *options;
     auto* command = app.add_subcommand("sheet", "Draw every preset in every look on one sheet");
     addStudyAsOfRender(*command, o.path, o.series, o.how);
     command->add_option("-o,--output", o.output, "Picture to write: OUT.png")->required();

@@ -16,14 +16,14 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct SplatExportOptions {
     std::filesystem::path model;
     std::filesystem::path output;
     bool displayColours = false;
     bool overwrite = false;
 };
 
-Result<void> exportModel(const Options& options) {
+Result<void> exportModel(const SplatExportOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY_VOID(app::checkSplatsName(options.output));
     app::OutputFiles files(options.overwrite);
@@ -44,8 +44,8 @@ Result<void> exportModel(const Options& options) {
 }  // namespace
 
 void addSplatExport(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<SplatExportOptions>();
+    SplatExportOptions& o = *options;
     auto* command = app.add_subcommand("splat-export", "Write a model of Gaussians in another format");
     command->add_option("MODEL", o.model, "A " + splat::modelExtensions(true) + " file")->required();
     command

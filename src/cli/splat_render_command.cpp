@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct SplatRenderOptions {
     fs::path model;
     std::vector<std::string> camera;
     fs::path cameras;
@@ -58,13 +58,14 @@ struct Shot {
     fs::path exr;  // empty: not wanted
 };
 
-Result<std::optional<glm::ivec2>> sizeOf(const Options& options) {
+Result<std::optional<glm::ivec2>> sizeOf(const SplatRenderOptions& options) {
     if (options.size.empty()) return std::optional<glm::ivec2>();
     MACULA_TRY(const glm::ivec2 size, app::parseSize(options.size));
     return std::optional(size);
 }
 
-Result<std::vector<Shot>> shotsOf(const std::vector<app::SplatCamera>& cameras, const Options& options) {
+Result<std::vector<Shot>> shotsOf(const std::vector<app::SplatCamera>& cameras,
+                                  const SplatRenderOptions& options) {
     std::vector<std::string> wishes;
     for (const app::SplatCamera& camera : cameras) wishes.push_back(camera.name);
     const std::vector<std::string> names = app::pictureNames(wishes);
@@ -96,7 +97,8 @@ Error aboutShot(Error error, const Shot& shot) {
 }
 
 // Around the model, for which no camera was given.
-Result<std::vector<app::SplatCamera>> camerasAround(const splat::Splats& splats, const Options& options,
+Result<std::vector<app::SplatCamera>> camerasAround(const splat::Splats& splats,
+                                                    const SplatRenderOptions& options,
                                                     const std::optional<glm::ivec2>& size) {
     MACULA_TRY(std::vector<app::SplatCamera> cameras,
                app::framedCameras(splats, options.from, size.value_or(app::kDefaultCameraSize)));
@@ -121,7 +123,7 @@ void printShots(const std::vector<Shot>& shots, const fs::path& folder,
     }
 }
 
-Result<void> splatRender(const Options& options) {
+Result<void> splatRender(const SplatRenderOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     MACULA_TRY(const glm::vec3 background, app::parseBackground(options.background));
     MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
@@ -188,8 +190,8 @@ Result<void> splatRender(const Options& options) {
 }  // namespace
 
 void addSplatRender(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<SplatRenderOptions>();
+    SplatRenderOptions& o = *options;
     auto* command = app.add_subcommand("splat-render", "Draw a model of 3D Gaussians, Macula's or another's");
     command->add_option("MODEL", o.model, "Model: .ply (in the manner of 3DGS), .spz, .glb or .macula")
         ->required();

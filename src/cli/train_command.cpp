@@ -39,7 +39,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct TrainOptions {
     fs::path path;
     std::string series;
     dicom::ScanOptions how;
@@ -60,7 +60,7 @@ struct Options {
     hybrid::FirstModelOptions model;
 };
 
-Result<void> checkFiles(const Options& options) {
+Result<void> checkFiles(const TrainOptions& options) {
     app::OutputFiles files(options.overwrite);
     for (const fs::path& input : {options.path, fs::path(options.preset), fs::path(options.clip),
                                   fs::path(options.lights), options.resume})
@@ -72,7 +72,7 @@ Result<void> checkFiles(const Options& options) {
 }
 
 // All that can be wrong on the command line, before anything takes time.
-Result<trace::Environment> check(const Options& options) {
+Result<trace::Environment> check(const TrainOptions& options) {
     MACULA_TRY_VOID(app::checkModelName(options.output));
     MACULA_TRY_VOID(checkModelOptions(options.model));
     if (options.displayColours && app::holdsTraining(options.output))
@@ -87,19 +87,19 @@ Result<trace::Environment> check(const Options& options) {
 }
 
 // The training to go on with, if any.
-Result<std::optional<splat::TrainingState>> savedTraining(const Options& options) {
+Result<std::optional<splat::TrainingState>> savedTraining(const TrainOptions& options) {
     if (options.resume.empty()) return std::optional<splat::TrainingState>();
     MACULA_TRY(splat::TrainingState state, app::readTrainingToGoOn(options.resume, !options.iterationsGiven));
     return std::optional(std::move(state));
 }
 
 // A training that goes on takes the place of what it was, however far it came.
-fs::path placeFor(const Options& options, bool cutShort) {
+fs::path placeFor(const TrainOptions& options, bool cutShort) {
     if (!cutShort || app::isSameFile(options.output, options.resume)) return options.output;
     return app::placeOfUnfinished(options.output);
 }
 
-Result<void> train(const Options& options) {
+Result<void> train(const TrainOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY(const trace::Environment lights, check(options));
     MACULA_TRY(const std::optional<splat::TrainingState> saved, savedTraining(options));
@@ -156,7 +156,7 @@ Result<void> train(const Options& options) {
 }
 
 // Returns what tells whether --iterations was given.
-CLI::Option* addTrainingOptions(CLI::App& command, Options& o) {
+CLI::Option* addTrainingOptions(CLI::App& command, TrainOptions& o) {
     const ModelOptionsAdded model = addModelOptions(command, o.model);
     auto* splats = command
                        .add_option("--splats", o.model.capacity,
@@ -186,8 +186,8 @@ CLI::Option* addTrainingOptions(CLI::App& command, Options& o) {
 }  // namespace
 
 void addTrain(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
-    Options& o = *options;
+    auto options = std::make_shared<TrainOptions>();
+    TrainOptions& o = *options;
     auto* command =
         app.add_subcommand("train", "Make a peripheral model, a set of 3D Gaussians, of a series");
     command->add_option("PATH", o.path, "Folder with DICOM files, volume file, or phantom: (default)");

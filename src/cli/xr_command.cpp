@@ -18,7 +18,7 @@ namespace macula::cli {
 
 namespace {
 
-struct Options {
+struct XrOptions {
     bool onlyCheck = false;
     xr::HeadsetWish wish;
 };
@@ -47,7 +47,7 @@ Result<void> check() {
     return *found.missing;
 }
 
-Result<void> show(const Options& options) {
+Result<void> show(const XrOptions& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const xr::HeadsetFigures figures,
                xr::showStudy(
@@ -59,7 +59,7 @@ Result<void> show(const Options& options) {
 }  // namespace
 
 void addXr(CLI::App& app, Action& action) {
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<XrOptions>();
     xr::HeadsetWish& o = options->wish;
     auto* command =
         app.add_subcommand("xr", "Show a study in a headset (OpenXR), or tell what is missing for it");
