@@ -11,6 +11,8 @@ if(MACULA_UNITY AND NOT CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT MACULA_COVER
     set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
     # Of a class in a source, whose members have types of its unnamed namespace: there, it has been included.
     list(APPEND MACULA_WARNINGS $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    # Clang finds that a local constant hides one of another source of the unit.
+    list(APPEND MACULA_WARNINGS $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>)
     include(MaculaAlone)
 endif()
 

@@ -1,4 +1,4 @@
-// Work on a thread beside this one, which meanwhile does something else: waits for a graphics card, say.
+// Runs work on a second thread while this one does something else, such as wait for the graphics card.
 #pragma once
 
 #include <exception>
@@ -7,20 +7,20 @@
 
 namespace macula {
 
-// One piece of work at a time, in the order in which they are begun. Used by one thread.
+// Runs one piece of work at a time, in the order of the calls. Used by one thread.
 class Aside {
   public:
     Aside() = default;
     Aside(const Aside&) = delete;
     Aside& operator=(const Aside&) = delete;
-    ~Aside();  // waits; what the work threw is lost, as whoever leaves without waiting fails anyway
+    ~Aside();  // waits, and drops an exception of the work: the caller is failing already
 
-    // Waits for the work before it, and throws what that threw. `work` may use all cores (parallel.h). Where
-    // the process has no thread left it is done here and now.
+    // Waits for the previous work, and rethrows its exception. `work` may use all cores (parallel.h). If the
+    // process cannot start a thread, this call does the work itself.
     void begin(std::function<void()> work);
-    // Throws what the work threw. Afterwards all that it wrote is seen.
+    // Waits for the work, and rethrows its exception. The caller then sees all that it wrote.
     void wait();
-    // Of all work that was waited for.
+    // The run time of all work that has been waited for.
     double seconds() const { return seconds_; }
 
   private:

@@ -9,9 +9,9 @@
 
 namespace macula {
 
-// Calls write(temporaryPath) and puts what it wrote, a file that is there already, in place of `path` when it
-// succeeds (see draft.h); removes it when it does not, and `path` is as it was. The temporary lies in the
-// same folder and has the same extension.
+// Calls write(temporaryPath). If it succeeds, puts the temporary file, which exists before the call, in place
+// of `path` (see draft.h); otherwise removes it and leaves `path` as it was. The temporary lies in the same
+// folder and has the same extension.
 Result<void> writeAtomically(const std::filesystem::path& path,
                              const std::function<Result<void>(const std::filesystem::path&)>& write);
 

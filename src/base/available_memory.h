@@ -8,7 +8,7 @@
 
 namespace macula {
 
-// What this process can still get without swapping: base/process_limits.h.
+// The bytes that this process can still get without swapping: see base/process_limits.h.
 std::optional<std::uint64_t> availableMemory();
 
 // Names both amounts, so that a person can tell a series that is too large from a header that is broken.

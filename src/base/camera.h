@@ -14,9 +14,9 @@ struct Camera {
     glm::dvec3 targetMm{0.0};
     glm::dvec3 up{0.0, 0.0, 1.0};  // need not be perpendicular to the view direction, only not parallel
     double verticalFovDeg = 30.0;
-    // Above 0: rays are parallel, and the picture is so high, whatever its depth. They begin in the plane
-    // through the position, across the view; the field of view says how far away an eye would stand that sees
-    // as much.
+    // Above 0: the rays are parallel, and this is the height of the picture at every depth. They start in the
+    // plane through the position, perpendicular to the view. The field of view then only gives the distance
+    // of an eye that would see as much.
     double parallelHeightMm = 0.0;
 
     bool operator==(const Camera&) const = default;
@@ -26,17 +26,17 @@ inline bool isParallel(const Camera& camera) {
     return camera.parallelHeightMm > 0.0;
 }
 
-// How high the picture is in mm at the depth of the target; of a parallel camera at every depth.
+// The height of the picture in mm at the depth of the target; of a parallel camera, at every depth.
 double heightAtTargetMm(const Camera& camera);
 
-// The parallel camera that shows as much of the plane of the target as `camera` does, and the reverse: an eye
-// as far from the target as shows that much.
+// inParallel gives the parallel camera that shows as much of the target's plane as `camera` does;
+// inPerspective gives the camera whose eye sees as much of that plane.
 Camera inParallel(Camera camera);
 Camera inPerspective(Camera camera);
 
-// A parallel camera is moved back until its rays begin before all of `box`: it has no eye that something
-// could lie behind. Its picture shows the same, and distances are from where it stands then. One with an eye
-// stays.
+// Moves a parallel camera, which has no eye that something could lie behind, back until its rays start in
+// front of all of `box`. The picture stays the same, and distances count from the new position. A camera with
+// an eye is returned unchanged.
 Camera standingBefore(Camera camera, const Box& box);
 
 // Orthonormal: right = forward x up, as seen in the picture.
@@ -61,10 +61,9 @@ Camera frameBox(const Box& box, ViewDirection from, double verticalFovDeg, doubl
 // The axes of the picture of frameBox.
 CameraBasis standardBasis(ViewDirection from);
 
-// Looks along `axes` at `points`, at least one, from as near as their outline leaves a margin: it fills
-// `kFittedPart` of the width or of the height of the picture, and is in the middle of it. The target is
-// beside the middle of the box around them, so that a camera that walks around the target keeps them in the
-// middle about as well.
+// Looks along `axes` at the points (at least one) from where their outline fills `kFittedPart` of the width
+// or of the height of the picture, in its middle. The target is on the view axis, at the depth of the middle
+// of the box around the points, so that a camera that orbits the target keeps them about in the middle.
 inline constexpr double kFittedPart = 0.9;
 Camera framePoints(std::span<const glm::dvec3> pointsMm, const CameraBasis& axes, double verticalFovDeg,
                    double aspectWidthOverHeight);

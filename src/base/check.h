@@ -1,6 +1,6 @@
-// Programmer errors and clinical invariants: on in release too. A failed check says where, prints both
-// values, and aborts: to go on with a wrong image would be worse. Within a CheckBoundary it is thrown
-// instead.
+// Checks for programmer errors and clinical invariants, active in release builds too. A failed check prints
+// its place and both values and aborts, because a wrong image would be worse. Within a CheckBoundary it
+// throws instead.
 #pragma once
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@ namespace macula {
 
 [[noreturn]] void checkFailed(const char* file, int line, const char* what, const std::string& values);
 
-// A failed check, on its way to the boundary. No std::exception: who stops those of libraries lets it pass.
+// The exception of a failed check. No std::exception, so that handlers for those of libraries let it pass.
 class CheckFailure {
   public:
     explicit CheckFailure(std::string text) : text_(std::move(text)) {}
@@ -22,9 +22,9 @@ class CheckFailure {
     std::string text_;
 };
 
-// While one lives, checks that fail in this thread throw CheckFailure, so that the program of somebody else
-// goes on: src/c. Who draws the boundary catches it, and lets nobody use what was in use. Threads that work
-// for this one draw their own (parallel.cpp). In a destructor a check still aborts.
+// While one lives, checks that fail in this thread throw CheckFailure, so that a host program survives
+// (src/c). The code that draws the boundary catches it, and bars further use of the objects that were in use.
+// Threads that work for this one draw their own (parallel.cpp). In a destructor a check still aborts.
 class CheckBoundary {
   public:
     CheckBoundary() noexcept;

@@ -1,11 +1,11 @@
-// Memory of a program that ended, in a file: it holds images, and names of patients.
+// Core dumps: files with the memory of a crashed program, which holds images and names of patients.
 #pragma once
 
 namespace macula {
 
-// From here on neither this process nor those that it starts leave any: the limit of their size is 0, and
-// where a service of the system takes them whatever the limit is (core(5)), no memory is in them.
-// MACULA_CORE_DUMPS=1 in the environment leaves all as the system has it, for who looks for a fault.
+// Stops core dumps of this process and of those that it starts: sets the limit of their size to 0, and leaves
+// all memory out of those that a system service takes regardless of the limit (core(5)). MACULA_CORE_DUMPS=1
+// in the environment keeps the system's settings, for debugging.
 void switchCoreDumpsOff();
 
 }  // namespace macula

@@ -1,4 +1,4 @@
-// A draft: what is being written, under a hidden name beside its target, until it is whole.
+// A draft: an unfinished file or folder under a hidden name beside its target.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,9 @@
 
 namespace macula {
 
-// A file or folder under a hidden name that nobody can guess and nobody else has: ".NAME.<16 hex>.part.EXT",
-// the extension of the target kept, because writers choose the format by it. It is locked while it is being
-// made, so that what a killed program left can be told from what another one is writing.
+// A file or folder under a hidden, unique name that nobody can guess: ".NAME.<16 hex>.part.EXT". It keeps the
+// target's extension, because writers choose the format by it. It is locked while it is being made; an
+// unlocked draft was left by a killed program.
 class Draft {
   public:
     enum class Kind { file, folder };
@@ -30,9 +30,8 @@ class Draft {
     int descriptor_ = -1;
 };
 
-// Moves a written file to where it belongs, in place of the one that stands there, whose permissions it gets.
-// What it holds is on the disk before it has the name: a full or broken disk is told here, and leaves what
-// was there. Only a regular file is replaced.
+// Moves a written file to its target. It replaces only a regular file, and takes over its permissions. The
+// data are on the disk before the rename: when the disk is full or broken, this fails and the old file stays.
 Result<void> putInPlace(const std::filesystem::path& written, const std::filesystem::path& target);
 
 // Removes the drafts in that folder whose makers were killed.

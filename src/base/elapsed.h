@@ -1,4 +1,4 @@
-// How long something has taken.
+// Measures elapsed time.
 #pragma once
 
 #include <chrono>

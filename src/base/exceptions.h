@@ -9,9 +9,9 @@
 
 namespace macula {
 
-// The error for what was thrown while the program did its `task`: "read this folder". Lack of memory or of
-// threads is outOfMemory; whatever else happened is inputNotUsable, and never called lack of memory. What the
-// exception says of itself may name a patient, and is neither shown nor logged; its type is logged.
+// The error for an exception thrown during `task`, such as "read this folder". Lack of memory or of threads
+// is outOfMemory; every other exception is inputNotUsable. The exception's own text may name a patient and is
+// neither shown nor logged; its type is logged.
 Error errorOf(const std::exception& thrown, std::string_view task, std::string where = {});
 
 }  // namespace macula

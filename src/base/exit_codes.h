@@ -1,4 +1,4 @@
-// What a program tells who started it.
+// The exit codes of the programs.
 #pragma once
 
 #include "base/result.h"
@@ -6,8 +6,8 @@
 namespace macula::app {
 
 inline constexpr int kExitDone = 0;
-inline constexpr int kExitFault = 1;        // of the program itself: please report it
-inline constexpr int kExitUsage = 2;        // or a place that cannot be written to
+inline constexpr int kExitFault = 1;        // a fault of the program: please report it
+inline constexpr int kExitUsage = 2;        // wrong usage, or an output that cannot be written
 inline constexpr int kExitInput = 3;        // not usable
 inline constexpr int kExitDevice = 4;       // not usable, or out of memory
 inline constexpr int kExitCancelled = 130;  // 128 + SIGINT, as shells expect

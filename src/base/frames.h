@@ -35,10 +35,10 @@ bool isInvertibleAffine(const glm::dmat4& transform);
 // The letters of a direction in LPS, strongest first, for components above 0.0001: "L", "PS", "RAI".
 std::string orientationLetters(const glm::dvec3& directionLps);
 
-// How a person is looked at. `anterior` stands in front of the patient; the patient's left is then on the
-// right side of the picture, as in every radiological display. The last three stand there too, but somewhat
-// towards the patient's left and above (obliquenessOf): `oblique` shows what a thin stack of slices holds,
-// `threeQuarter` a head as a portrait does, `turned` a body so that what lies in it has depth.
+// The direction from which a patient is seen. `anterior` looks from in front of the patient: the patient's
+// left is then on the right side of the picture, as in every radiological display. The last three look from
+// there too, but somewhat from the patient's left and above (obliquenessOf): `oblique` suits a thin stack of
+// slices, `threeQuarter` a head, as in a portrait, and `turned` a body, whose contents then have depth.
 enum class ViewDirection {
     anterior,
     posterior,
@@ -55,7 +55,7 @@ struct Obliqueness {
     double azimuthDeg = 0.0;    // towards the patient's left
     double elevationDeg = 0.0;  // above
 };
-// Of the views that are none from a side of the patient; zero of all others.
+// The angles of the views that are not from one side of the patient; zero for all others.
 constexpr Obliqueness obliquenessOf(ViewDirection from) {
     if (from == ViewDirection::oblique) return {25.0, 35.0};
     if (from == ViewDirection::threeQuarter) return {35.0, 15.0};

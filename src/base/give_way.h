@@ -1,18 +1,18 @@
-// Which threads go first where all want the processor at once.
+// Thread priorities, for when all threads want the processor at once.
 #pragma once
 
 namespace macula {
 
-// How far work steps back behind the thread of the user interface, which does not.
+// How far a thread lowers its priority below that of the user interface's thread.
 enum class GiveWay {
-    toTheHand,   // what follows a hand on the host: slices
+    toTheHand,   // work on the host that follows the user's hand, such as slices
     toTheFrame,  // the picture, and what it waits for. Where the device is the CPU, tracing takes every core.
-    toAll,       // nobody waits for it
+    toAll,       // work that nobody waits for
 };
 
-// The calling thread, and those that it starts from now on (so the threads of a driver, which are started by
-// the thread that makes the device). On Linux; elsewhere nothing happens. A refusal is no error: all works,
-// only less smoothly.
+// Lowers the priority (nice value) of the calling thread and of those that it starts from now on, such as a
+// driver's when it makes the device. Does nothing on systems other than Linux. A refusal is no error:
+// everything works, only less smoothly.
 void giveWay(GiveWay to);
 
 }  // namespace macula

@@ -1,6 +1,6 @@
-// The words of GLSL in C++, in one precision: what shaders/lib needs to compile as members of a class derived
-// from this. Members instead of a namespace, because the shader functions read their tables and parameters as
-// globals: in C++ those are the members of the class that includes them.
+// The types and functions of GLSL in C++, in one precision, that shaders/lib needs to compile as members of a
+// class derived from this. Members instead of a namespace, because the shader functions read their tables and
+// parameters as globals: in C++ those are the members of the class that includes them.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The secret of this installation. Identifiers can be guessed, so a digest of one that leaves the machine is
-// keyed with it: whoever lacks the key can neither read it nor try identifiers out.
+// keyed with it: without the key nobody can read it or try identifiers out.
 #pragma once
 
 #include <array>
@@ -16,11 +16,11 @@ namespace macula {
 
 class InstallationKey {
   public:
-    // That of the user, in the file installation.key (mode 0600) of that folder; made by chance where there
-    // is none. Fails with outputNotWritable where it cannot be kept, and with inputNotUsable where what is
-    // there is no key.
+    // Reads the user's key from the file installation.key (mode 0600) in `folder`, or makes a random one when
+    // there is none. Fails with outputNotWritable when it cannot store the key, and with inputNotUsable when
+    // the file holds no key.
     static Result<InstallationKey> ofUser(const std::filesystem::path& folder = userDataFolder());
-    // For who looks for what was written with it before: nothing where there is none, and none is made.
+    // The key if there is one, to find objects that were written with it earlier. Never makes one.
     static std::optional<InstallationKey> find(const std::filesystem::path& folder = userDataFolder());
 
     // HMAC-SHA256 of the text, 64 lower-case hexadecimal digits.

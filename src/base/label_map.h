@@ -1,4 +1,4 @@
-// Which voxels belong to what: organs, lesions. Made by a person or a program beside the images.
+// Label maps: which voxels belong to which organ or lesion, as drawn by a person or a program.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 namespace macula {
 
 struct Segment {
-    std::uint16_t number = 0;  // what its voxels hold; of a label map from 1
+    std::uint16_t number = 0;  // the value of its voxels; from 1 in a label map
     std::string label;         // UTF-8, as all text here
     std::string description;
     std::string algorithm;                                      // MANUAL, SEMIAUTOMATIC or AUTOMATIC
@@ -25,7 +25,7 @@ struct Segment {
     bool operator==(const Segment&) const = default;
 };
 
-// Immutable grid of segment numbers, i fastest, then j, then k; 0 is none of the segments.
+// Immutable grid of segment numbers, i fastest, then j, then k; 0 means no segment.
 class LabelMap {
   public:
     // Takes the labels over, without copying. Fails with inputNotUsable when a size is below 1, the number of

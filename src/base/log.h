@@ -17,18 +17,18 @@ enum class Level { debug, info, warning, error, off };
 // or to the sink. Thread-safe.
 void setLevel(Level level);
 void write(Level level, std::string_view line);
-// Whichever level is set: what a person who reads a result must know of it. On stderr a line without a time;
-// for the sink it is of level info.
+// Writes, whatever the level, what the reader of a result must know. stderr gets a line without a time, the
+// sink one of level info.
 void announce(std::string_view line);
 
-// Who has the log instead of stderr: the host of a library, whose stderr is not ours. Called by any thread,
-// never by two at once; it must not log, and throws nothing. Empty: stderr.
+// Receives the log instead of stderr, for the host of a library, whose stderr is not ours. Any thread may
+// call it, never two at once; it must not log or throw. Empty: the log goes to stderr.
 using Sink = std::function<void(Level level, std::string_view line)>;
 void setSink(Sink sink);
 bool hasSink();
 
-// What may name a patient: a path, a description, a UID. Formats as "<8 hex digits>", the same for the same
-// text in one run of the program; the key is fresh in each run, so the digest cannot be looked up afterwards.
+// May name a patient: a path, a description, a UID. Formats as "<8 hex digits>", the same for the same text
+// in one run of the program; the key is fresh in each run, so the digest cannot be looked up afterwards.
 struct Sensitive {
     std::string_view text;
 };

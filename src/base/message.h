@@ -1,5 +1,5 @@
-// What is worth telling about a series, a volume or a file: a sentence for a person, and a stable key with
-// typed arguments for programs and tests.
+// A message about a series, a volume or a file: a sentence for a person, and a stable key with typed
+// arguments for programs and tests.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@ namespace macula {
 std::size_t coreCount();
 
 // Calls body(i) once for each i in [0, count), in no stated order, on all cores, and returns when all are
-// done. Once the token is cancelled or a call throws, none starts; the first exception goes to the caller.
+// done. Once the token is cancelled or a call throws, no other starts; the caller gets the first exception.
 void parallelFor(std::size_t count, const std::function<void(std::size_t)>& body,
                  const CancelToken& token = {});
 

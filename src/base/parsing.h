@@ -1,4 +1,4 @@
-// Numbers in text that others wrote: with a point, whatever the locale.
+// Parses numbers in text from files, with a decimal point whatever the locale.
 #pragma once
 
 #include <charconv>
@@ -16,7 +16,7 @@ constexpr std::string_view trimmed(std::string_view text) {
     return text.substr(begin, text.find_last_not_of(kPadding) - begin + 1);
 }
 
-// The number that the whole of `text` is, without padding.
+// Parses the whole of `text` as a number; nothing when it has padding or other characters.
 template <class T>
 std::optional<T> parseNumber(std::string_view text) {
     T value{};
@@ -25,7 +25,7 @@ std::optional<T> parseNumber(std::string_view text) {
     return value;
 }
 
-// The number that `text` is, padding and a plus sign aside. Nothing for what is not finite.
+// Parses `text` as a number, after padding and a plus sign. Nothing for other text, infinity or NaN.
 inline std::optional<double> finiteNumber(std::string_view text) {
     text = trimmed(text);
     if (text.starts_with('+')) text.remove_prefix(1);

@@ -6,9 +6,9 @@
 
 namespace macula {
 
-// Text from elsewhere must not steer the terminal it is shown in: what could is '?' here. That is C0 and C1
-// controls, the latter also as the UTF-8 pairs C2 80 to C2 9F, and as lone bytes; and what unmixed does not
-// leave.
+// Replaces with '?' all that could control the terminal which shows the text: C0 controls and DEL, C1
+// controls, also as the UTF-8 pairs C2 80 to C2 9F and as lone bytes, and the characters that unmixed
+// replaces.
 std::string printable(const std::string& text);
 
 // The text with '?' for each character that turns the direction of what follows or ends its line (Unicode's

@@ -10,7 +10,7 @@
 
 namespace macula {
 
-// A flag shared by whoever may cancel and whoever must notice. Copies share it. Thread-safe.
+// A cancellation flag, shared by all copies of the token. Thread-safe.
 class CancelToken {
   public:
     void cancel() const { flag_->store(true, std::memory_order_relaxed); }

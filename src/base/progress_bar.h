@@ -1,4 +1,4 @@
-// Progress in the terminal, or in what stderr goes to.
+// Progress on stderr, for a terminal or a file.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace macula {
 
-// On a terminal one line redrawn in place, as wide as that is at most. Elsewhere, and on one that understands
-// no control characters (TERM=dumb), a line every ten seconds.
+// On a terminal the bar redraws one line, at most as wide as the terminal. Elsewhere, and on a terminal that
+// understands no control characters (TERM=dumb), it prints a line every ten seconds.
 Progress::Listener terminalProgressBar();
 
-// Makes room for a line in the place of a bar that has not come to its end.
+// Clears an unfinished bar, so that another line can take its place.
 void clearProgressBar();
 
-// What a bar shows in so many columns; `secondsLeft` below 0 is not known. The stage is shortened first.
+// The text of a bar of `columns` columns; `secondsLeft` below 0 is unknown. The stage is shortened first.
 std::string progressLine(const ProgressUpdate& update, double secondsLeft, int columns);
 
 }  // namespace macula

@@ -1,4 +1,4 @@
-// What floats become where only 16 bits can be drawn.
+// Quantises float volumes for drawing, which needs 16 bits.
 #pragma once
 
 #include <memory>
@@ -11,17 +11,17 @@ namespace macula {
 
 struct Quantised {
     std::shared_ptr<const Volume> volume;  // stored16
-    bool isExact = true;                   // no value is another than before
+    bool isExact = true;                   // no value changed
 };
 
-// The volume itself when it has 16 bits, else a copy, padding apart as stored 0. Its steps divide the range
-// of its values, or rangeToQuantise, to whose ends the values beyond it are brought. The copy's assumptions
-// say both the largest error within that range and how many values lie beyond it. May throw std::bad_alloc.
+// The volume itself when it has 16 bits, else a 16-bit copy, in which stored 0 is padding. The steps cover
+// rangeToQuantise; values beyond it are clamped to its ends. The copy's assumptions state the largest error
+// within that range, and its ends where values were clamped. May throw std::bad_alloc.
 Quantised quantised(std::shared_ptr<const Volume> volume);
 
-// The range of the values; where a few voxels, at most one of ten thousand at either end, stretch it more
-// than eightfold, that of the others, with as much again at that end. A metal or a division by almost zero
-// must not take the steps away that tissue needs.
+// The range of the values. Where at most one voxel of ten thousand at either end stretches it more than
+// eightfold, the range of the others, widened by its width at each end: metal or a division by almost zero
+// must not use up the steps that tissue needs.
 std::optional<ValueRange> rangeToQuantise(const Volume& volume);
 
 }  // namespace macula

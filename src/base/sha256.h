@@ -15,18 +15,18 @@ namespace macula {
 std::string sha256Hex(std::span<const std::byte> bytes);
 std::string sha256Hex(std::string_view text);
 
-// The same of bytes that come in parts.
+// SHA-256 of bytes that arrive in parts.
 class Sha256 {
   public:
     Sha256();
     void add(std::span<const std::byte> bytes);
-    std::string hex();  // of all of them; once, and last
+    std::string hex();  // of all bytes; called once, and last
 
   private:
     std::unique_ptr<evp_md_ctx_st, void (*)(evp_md_ctx_st*)> context_;
 };
 
-// HMAC (RFC 2104) with SHA-256: who does not have the key can neither make it nor try texts out.
+// HMAC (RFC 2104) with SHA-256: without the key nobody can compute it or try texts out.
 std::string hmacSha256Hex(std::span<const std::byte> key, std::string_view text);
 
 }  // namespace macula

@@ -6,7 +6,7 @@
 
 namespace macula {
 
-// Both go on above 1, and are linear through 0 below it. Whoever wants 0 to 1 clamps.
+// Both continue above 1, and linearly below 0. The caller clamps to 0 to 1 where it needs that.
 template <std::floating_point T>
 T decodedSrgb(T encoded) {
     return encoded <= T(0.04045) ? encoded / T(12.92) : std::pow((encoded + T(0.055)) / T(1.055), T(2.4));

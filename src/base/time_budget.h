@@ -8,7 +8,7 @@
 
 namespace macula {
 
-// Begins when it is made; copies go on together.
+// Time starts at construction; copies share that start.
 class TimeBudget {
   public:
     using Clock = std::function<double()>;  // seconds since some time; never goes back

@@ -1,4 +1,4 @@
-// Where the time of a thread goes: named stages, one within the other. Each instant belongs to the innermost
+// Measures where the time of a thread goes, in named, nested stages. Each instant belongs to the innermost
 // one, so that the times of all stages add up to the time that was watched.
 //
 //     Timeline timeline;
@@ -18,17 +18,17 @@
 
 namespace macula {
 
-// Milliseconds are of the stage itself, without those of the stages within it.
+// Milliseconds exclude the stages within this one.
 struct StageTimes {
     std::string_view name;  // a literal
     std::uint64_t times = 0;
     double ms = 0.0;
     double waitedMs = 0.0;   // the part of `ms` in which the thread waited
-    double longestMs = 0.0;  // of one time
+    double longestMs = 0.0;  // of a single run
 };
 
-// The stages of `now` less what they were at `before`, an earlier state of the same timeline; without those
-// that nothing was added to. `longestMs` is that since the beginning.
+// Subtracts `before`, an earlier state of the same timeline, from `now`, and drops the stages that did not
+// run in between. `longestMs` stays that since the beginning.
 std::vector<StageTimes> since(const std::vector<StageTimes>& before, std::vector<StageTimes> now);
 
 // Used by one thread at a time.
@@ -45,7 +45,7 @@ class Timeline {
         Timeline* outer_;
     };
 
-    // They stand in the order in which they ended for the first time.
+    // The stages are in the order in which they first ended.
     const std::vector<StageTimes>& stages() const { return stages_; }
 
   private:
@@ -75,7 +75,7 @@ class TimelineStage {
     double waitedMs_ = 0.0;
 };
 
-// The innermost stage waits as long as this lives.
+// Counts its lifetime as waiting time of the innermost stage.
 class TimelineWait {
   public:
     TimelineWait();

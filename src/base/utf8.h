@@ -6,7 +6,7 @@
 
 namespace macula {
 
-// Bytes of the first character; 0 where there is none: overlong, a surrogate, above U+10FFFF, or cut off.
+// Bytes of the first character; 0 for no text, or if it is overlong, a surrogate, above U+10FFFF, or cut off.
 constexpr std::size_t firstCharacterBytes(std::string_view text) {
     const auto byteAt = [&](std::size_t at) {
         return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u;

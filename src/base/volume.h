@@ -25,7 +25,7 @@ enum class Unit {
 // The symbol of a unit, for a person: "HU"; empty for raw and other.
 std::string_view unitSymbol(Unit unit);
 
-// What the voxels are kept as.
+// How the voxels are stored.
 enum class VoxelFormat {
     stored16,  // 16-bit stored values with a linear map to units
     float32,   // the values themselves
@@ -65,7 +65,7 @@ struct SliceRange {
     bool operator==(const SliceRange&) const = default;
 };
 
-// How the scanner would have its values shown: PS3.3 C.11.2.
+// A display window that the scanner proposes (PS3.3 C.11.2).
 struct DisplayWindow {
     double center = 0.0;  // in units
     double width = 1.0;
@@ -165,9 +165,9 @@ class Volume {
     std::optional<ValueRange> valueRange_;
 };
 
-// For what draws, and needs 16 bits: the volume itself when it has them, else a copy, quantised, in which a
-// few values may be brought to the ends of the range of the others; what that cost is among its assumptions
-// (base/quantised.h). Nobody measures on it. May throw std::bad_alloc.
+// The volume for drawing, which needs 16 bits: the volume itself when it has them, else a quantised copy that
+// may clamp a few values to the range of the others, and says so in its assumptions (base/quantised.h). Not
+// for measurements. May throw std::bad_alloc.
 std::shared_ptr<const Volume> in16Bits(std::shared_ptr<const Volume> volume);
 
 }  // namespace macula

@@ -12,7 +12,7 @@ namespace macula {
 class VoxelSet {
   public:
     VoxelSet() = default;  // of no voxel
-    // A box to add voxels in, both corners included; none is in it yet. May throw std::bad_alloc.
+    // An empty set within a box, both corners included. May throw std::bad_alloc.
     VoxelSet(const glm::ivec3& low, const glm::ivec3& high);
 
     // How many bytes a set takes in such a box, at least; may be more than there are.

@@ -1,4 +1,4 @@
-// What to show when nobody chose.
+// Chooses the volume to show when the user has not chosen one.
 #pragma once
 
 #include <span>
@@ -11,13 +11,13 @@ namespace macula::dicom {
 struct Choice {
     const Series* series = nullptr;
     const Stack* stack = nullptr;
-    std::string why;  // a sentence for the user, also when nothing can be shown; no patient data
+    std::string why;  // a sentence for the user, also when there is nothing to show; no patient data
 
     explicit operator bool() const { return stack != nullptr; }
 };
 
-// The volume that comes first by: an original axial one of 20 slices or more; then one without interpolated
-// slices; then the one with most voxels; then the first in the scan. Those of `without` are not chosen.
+// The first volume by these criteria: original with 20 images or more; of these, axial; without interpolated
+// slices; most voxels; first in the scan. Never one of `without`.
 Choice bestVolume(const Scan& scan, std::span<const Stack* const> without = {});
 // The same within one series.
 Choice bestVolume(const Series& series);

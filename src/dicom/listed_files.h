@@ -1,4 +1,4 @@
-// What the directories of media (DICOMDIR) list, beside what was found.
+// Compares the files that the directories of media (DICOMDIR) list with those found.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@
 namespace macula::dicom {
 
 struct ListedFiles {
-    std::size_t missing = 0;     // listed, and not there, whatever their name
-    std::size_t outside = 0;     // named outside of the folder of their DICOMDIR
+    std::size_t missing = 0;     // listed, but not found by name or UID
+    std::size_t outside = 0;     // listed, but outside of the folder of their DICOMDIR
     std::size_t unreadable = 0;  // directories that cannot be read
-    AbsentImages absent;         // of those that are missing, the ones whose series is known
+    AbsentImages absent;         // the missing files whose series is known
 };
 
-// A file is there when it has the name that is listed, or one of those `found` the UID (SOPInstanceUID),
-// whatever it is called: copies of media give files other names.
+// A listed file counts as present if a file has its name, or if one of `found` has its SOPInstanceUID, since
+// copies of media give files other names.
 ListedFiles compareWithDirectories(std::span<const std::filesystem::path> directories,
                                    std::span<const Examination> found);
 

@@ -1,4 +1,4 @@
-// From a stack to a Volume.
+// Loads a stack as a Volume.
 #pragma once
 
 #include <functional>
@@ -12,22 +12,22 @@
 namespace macula::dicom {
 
 struct LoadOptions {
-    // Called at most once, from a thread that decodes, with a volume of every fourth slice as soon as these
-    // are there; not for fewer than 16 slices. Must not throw, and must return soon: the other threads go on
-    // meanwhile.
+    // A decoding thread calls it at most once, with a volume of every fourth slice, as soon as these are
+    // decoded; never for fewer than 16 slices. Must not throw, and must return soon; the other threads
+    // continue meanwhile.
     std::function<void(std::shared_ptr<const Volume>)> onCoarse;
-    // PET in SUV by body weight, with its windows, where Stack::suvFactor is known; else as the images have
-    // it.
+    // Gives PET and its windows in SUV by body weight where Stack::suvFactor is known; else in the unit of
+    // the images.
     bool inSuv = false;
 };
 
 // Decodes all frames on all cores, every fourth slice first, straight into the volume's only copy of the
 // voxels. The volume is in 16 bits where these hold every value exactly, else in float. A frame that cannot
-// be decoded is dropped as if it had never been there: interpolated, or cut off at the ends;
-// provenance().messages say so. Slices between frames are interpolated, and listed in
-// provenance().interpolatedSlices. The unit is hounsfield for CT that says so: value_unit.h. Fails with
-// inputNotUsable when the stack is no volume (its own message says why), when fewer than two or than half of
-// the frames can be decoded, with outOfMemory, or, within 200 ms, cancelled.
+// be decoded is treated as missing: its slice is interpolated, or cut off at the ends; provenance().messages
+// report this. provenance().interpolatedSlices lists the interpolated slices. The unit is hounsfield for CT
+// that declares it: value_unit.h. Fails with inputNotUsable when the stack is no volume (its own message says
+// why), when fewer than two or than half of the frames can be decoded, with outOfMemory, or, within 200 ms,
+// cancelled.
 Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Stack& stack, Progress& progress,
                                                  const LoadOptions& options = {});
 

@@ -1,5 +1,5 @@
-// Reads a folder: which patients, studies, series and volumes are in it. Content decides what is DICOM, never
-// a file's name.
+// Reads a folder and finds its patients, studies, series and volumes. Content decides what is DICOM, never a
+// file's name.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 
 namespace macula::dicom {
 
-// For the clinical display only: all of it names a patient. Text is UTF-8.
+// For the clinical display only: every field may name a patient. Text is UTF-8.
 struct Study {
     std::string studyInstanceUid;
     std::string date;  // YYYYMMDD as in the file, or empty
@@ -25,11 +25,11 @@ struct Study {
     std::vector<Series> series;    // by number, then UID
     std::string patientBirthDate;  // YYYYMMDD as in the file, or empty
     std::string patientSex;        // M, F, O, or empty
-    int patient = 0;               // from 0; studies of one patient share it, as PatientNumbers has it
+    int patient = 0;               // from 0; shared by studies of one patient: see PatientNumbers
 };
 
-// A DICOM file that was left out, or a folder that could not be read.
-// `message.sentence` does not name the file; `file` may name a patient.
+// A DICOM file that was skipped, or a folder that could not be read. `message.sentence` does not name the
+// file; `file` may name a patient.
 struct SkippedFile {
     std::filesystem::path file;
     Message message;
@@ -46,40 +46,39 @@ struct Scan {
     std::size_t archives = 0;                 // of those: archives, which are not opened
     std::set<std::string_view> archiveKinds;  // of these, by archiveKind
     std::size_t mediaDirectories = 0;         // DICOMDIR
-    std::size_t listedFilesMissing = 0;       // by the media directories
+    std::size_t listedFilesMissing = 0;       // according to the media directories
     std::size_t unreadableFolders = 0;
-    int patients = 0;          // see patient.h for what tells them apart
-    int namelessPatients = 0;  // of those: studies that do not say whose they are
+    int patients = 0;          // as patient.h tells them apart
+    int namelessPatients = 0;  // of those: studies that name no patient
 
     std::size_t imageCount() const;   // files that hold images
     std::size_t objectCount() const;  // DICOM objects that are no images
 };
 
-// Told of a folder while it is still being read: its studies and series so far, with the number of images
-// that were met (Series::instances), and no stacks or messages. Copies and broken files are not told apart
-// yet.
+// Receives, while a folder is being read, its studies and series so far, with the number of images read
+// (Series::instances) and without stacks or messages. Copies and broken files are not separated yet.
 using GlimpseListener = std::function<void(Scan)>;
 
 struct ScanOptions {
-    // Images that agree in everything but identifiers that were made anew for each of them are one series:
-    // see join.h. Nobody but a person may say so; key::kUidPerSlice asks.
+    // Joins images into one series that differ only in identifiers made anew for each of them: see join.h.
+    // Only a person may decide this; key::kUidPerSlice asks.
     bool join = false;
-    GlimpseListener glimpsed = {};  // called on the threads that read; see scan_glimpse.h for how often
+    GlimpseListener glimpsed = {};  // called by reading threads; scan_glimpse.h says how often
 };
 
 // `path` is a folder, read with all its sub-folders (see folder.h for links), or one file. A DICOMDIR given
-// as the path stands for its folder. Headers are read on all cores; every DICOM file is in exactly one place
-// of the result. One bad file never stops the others. The result does not depend on the order in which the
-// file system lists files. Fails with inputNotUsable when the path does not exist, or holds nothing that is
-// DICOM and readable; with cancelled within 200 ms of a cancellation.
+// as the path stands for its folder. Reads headers on all cores; every DICOM file is in exactly one place of
+// the result. A bad file never stops the others. The result does not depend on the order in which the file
+// system lists files. Fails with inputNotUsable when the path does not exist, or holds nothing that is DICOM
+// and readable; with cancelled within 200 ms of a cancellation.
 Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress,
                         const ScanOptions& options = {});
 
-// "2 patients"; "up to 2 patients" where two studies do not say whose they are, and may be of one.
+// "2 patients"; "up to 2 patients" when two studies name no patient, and may be of one.
 std::string patientsText(const Scan& scan);
 
-// Whether what names one series by its UID may be of both patients (Study::patient): they are one, or both
-// are studies that do not say whose they are.
+// Whether the two patients (Study::patient) may be one, so that a series UID may be of both: they are the
+// same, or both are studies that name no patient.
 bool mayBeOnePatient(const Scan& scan, int patient, int other);
 
 // The series with that UID. Null when there is none, or more than one: findAllSeries tells which.

@@ -1,4 +1,4 @@
-// Why nothing of a folder can be shown.
+// The reason why nothing of a folder can be shown.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What is known of a folder while it is still being read.
+// Preliminary results of a folder while it is being read.
 #pragma once
 
 #include <chrono>
@@ -13,10 +13,9 @@
 
 namespace macula::dicom {
 
-// Collects what the headers that were read so far say, and tells the listener of it now and then: the first
-// time as soon as there is a series, then at most every kGlimpseEvery, and never so often that it takes more
-// than a tenth of the time. Thread-safe; calls of the listener never overlap, and come from whichever thread
-// adds.
+// Collects the studies and series of the headers read so far, and calls the listener now and then: first as
+// soon as there is a series, then at most every kGlimpseEvery, and never for more than a tenth of the time.
+// Thread-safe; calls of the listener never overlap, and come from the threads that call add.
 class ScanGlimpses {
   public:
     explicit ScanGlimpses(GlimpseListener listener) : listener_(std::move(listener)) {}

@@ -1,4 +1,4 @@
-// NRRD and MetaImage files are written by ITK; text_header.h reads them.
+// Writes NRRD and MetaImage files with ITK; text_header.h reads them.
 #pragma once
 
 #include <filesystem>
@@ -7,7 +7,7 @@
 
 namespace macula::formats {
 
-// .nrrd and .mha are one file; .nhdr and .mhd leave the values in NAME.raw beside them.
+// .nrrd and .mha are one file; .nhdr and .mhd put the values into NAME.raw beside them.
 Result<void> writeNrrd(const std::filesystem::path& path, const RawImage& image);
 Result<void> writeMetaImage(const std::filesystem::path& path, const RawImage& image);
 

@@ -1,8 +1,8 @@
-// NIfTI files: .nii and .nii.gz, and pairs of .hdr and .img; versions 1 and 2 are read, and 1 is written.
+// NIfTI files: .nii and .nii.gz, and pairs of .hdr and .img. Reads versions 1 and 2, writes version 1.
 //
-// Not by ITK: its NIfTI reader and writer (5.2.1) make every affine orthonormal in silence, so a series of a
-// tilted gantry would change its shape on the way. Header and quaternions are niftilib's; its readers, which
-// trust what the header says of sizes and open a second file that it names, are not used.
+// Does not use ITK: its NIfTI reader and writer (5.2.1) silently make every affine orthonormal, which would
+// distort a series with a tilted gantry. Uses niftilib for header and quaternions, but not its readers, which
+// trust the sizes in the header and open a second file that it names.
 #pragma once
 
 #include <filesystem>
@@ -12,17 +12,17 @@
 
 namespace macula::formats {
 
-// The affine goes into the sform, and into the qform too when that can hold it, which a shear it cannot. No
-// name, date or description is written.
+// Writes the affine as sform, and as qform if that can hold it: it cannot hold a shear. The only text written
+// is valueNote(): no name, date or description.
 Result<void> writeNifti(const std::filesystem::path& path, const RawImage& image, Progress& progress);
 
-// The file with the values, where `path` is the header of a pair; nothing for any other file.
+// The file with the values where `path` is the header of a pair; nothing for any other file.
 std::optional<std::filesystem::path> niftiValuesFile(const std::filesystem::path& path);
 
-// Of the header alone: its claims are checked against the size of the file.
+// Reads the header alone, and checks its claims against the size of the file.
 Result<RawImageLayout> readNiftiLayout(const std::filesystem::path& path);
-// The sform is taken, else the qform, else the spacing alone, and that is said.
-// Of several volumes, one for each point in time, the one of that number, from 1.
+// Uses the sform, else the qform, else only the spacing, which is then among the assumptions. `volume`, from
+// 1, chooses one of several volumes, one for each point in time.
 Result<RawImage> readNifti(const std::filesystem::path& path, Progress& progress, std::size_t volume = 1);
 
 }  // namespace macula::formats

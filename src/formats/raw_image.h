@@ -1,4 +1,4 @@
-// An image as a NIfTI, NRRD or MetaImage file holds it, and its way to and from a Volume.
+// An image as a NIfTI, NRRD or MetaImage file holds it, and its conversion to and from a Volume.
 #pragma once
 
 #include <cstddef>
@@ -20,15 +20,15 @@ enum class ScalarType { int8, uint8, int16, uint16, int32, uint32, int64, uint64
 std::size_t bytesOf(ScalarType type);
 std::string_view nameOf(ScalarType type);  // "int16"
 
-// What a header says of the image.
+// The header of the image.
 struct RawImageLayout {
     glm::ivec3 size{0};              // of one volume
-    std::size_t volumes = 1;         // in the file, one behind the other
+    std::size_t volumes = 1;         // in the file, one after another
     glm::dmat4 worldFromVoxel{1.0};  // patient LPS mm
     ScalarType type = ScalarType::int16;
     double slope = 1.0;  // value = slope * raw + intercept; the slope may be negative, not 0
     double intercept = 0.0;
-    // What valueNote() told of a file that Macula wrote: other programs name no unit, and none is guessed.
+    // From the valueNote() of a file by Macula: other programs name no unit, and Macula guesses none.
     Unit unit = Unit::raw;
     std::string modality;
     bool isCalibrated = true;              // as in Provenance
@@ -37,33 +37,32 @@ struct RawImageLayout {
     std::uint64_t bytes() const;  // of one volume
 };
 
-// Says which of several volumes it is, counted from 1, among the assumptions. Fails with usage where the file
-// has no such one.
+// Adds an assumption that states which of several volumes, from 1, is read. usage where the file lacks it.
 Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume);
 
-// What Macula writes into a file beside the values: "Macula|int16|HU|CT", and "|uncalibrated" behind it where
-// that is so, at most 79 characters; empty for calibrated ones without a unit.
+// The note in files by Macula: "Macula|int16|HU|CT", followed by "|uncalibrated" if the image is not
+// calibrated; at most 79 characters. Empty for a calibrated image without a unit.
 std::string valueNote(const RawImageLayout& layout);
-inline constexpr std::string_view kValueNoteField = "MaculaValues";  // where NRRD and MetaImage keep it
-// Fills in unit and modality, and that lengths are estimates. Takes no unit from a note whose type is not
-// that of the file: then another program has changed the values since.
+inline constexpr std::string_view kValueNoteField = "MaculaValues";  // its field in NRRD and MetaImage
+// Sets unit and modality, and whether lengths are estimates. Ignores the unit if type or scaling differ from
+// the note, because another program has then changed the values.
 void readValueNote(std::string_view note, RawImageLayout& layout);
 
 struct RawImage : RawImageLayout {
     std::vector<std::byte> data;  // i fastest, in the byte order of this machine
 };
 
-// Fails with inputNotUsable when the image is no volume (a side below 2), or its header claims more than
-// `bytesInFile` can hold (deflate packs at most 1 : 1032), and with outOfMemory when it does not fit.
+// inputNotUsable when the image is no volume (a side below 2), has a side above 65536, or needs more than
+// `bytesInFile` can hold (deflate packs at most 1 : 1032); outOfMemory when it does not fit.
 Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile, bool compressed);
 
-// Values in units: int16 when each is a whole number in its range, else uint16 when so, else float32. Padding
-// keeps its value.
+// Values in units: int16 when that holds all of them exactly, else uint16 when that does, else float32.
+// Padding keeps its value.
 Result<RawImage> rawImageOf(const Volume& volume, Progress& progress);
 Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress);
 
-// 16 bits when that is exact, else float32. Values that are no finite number are padding, and counted; whole
-// numbers beyond 2^53 are rounded, and that is among the assumptions.
+// 16 bits when raw values are whole numbers that span at most 65535, else float32. Values that are not finite
+// become padding; assumptions state how many, and that whole numbers beyond 2^53 were rounded.
 Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress);
 
 }  // namespace macula::formats

@@ -10,19 +10,19 @@ namespace macula::formats {
 struct ValuesInFile {
     std::filesystem::path file;
     std::uint64_t offset = 0;  // of the values, or of the compressed stream that holds them
-    std::uint64_t skip = 0;    // of what is in that stream
+    std::uint64_t skip = 0;    // of the values in the uncompressed stream
     bool compressed = false;   // zlib or gzip
     bool bigEndian = false;
 };
 
-// The same for the volume of that number, from 1, of several.
+// The place of one of several volumes, from 1.
 ValuesInFile valuesOfVolume(ValuesInFile values, const RawImageLayout& layout, std::size_t volume);
 
-// As checkLayout, for the size of that file.
+// checkLayout with the size of that file, from `offset` on.
 Result<void> checkExtent(const RawImageLayout& layout, const ValuesInFile& values);
 
-// Fails with inputNotUsable when the file is too short, or its compressed stream or the checksum of that is
-// wrong. Memory grows with what is read, not with what was announced.
+// inputNotUsable when the file is too short, or its compressed stream or the checksum of that is wrong.
+// Memory grows with the data read, not with the size in the header.
 Result<RawImage> readValues(RawImageLayout layout, const ValuesInFile& values, Progress& progress);
 
 }  // namespace macula::formats

@@ -1,4 +1,4 @@
-// What the text headers of NRRD and MetaImage have in common.
+// Shared parsing of the text headers of NRRD and MetaImage.
 #pragma once
 
 #include <filesystem>
@@ -14,24 +14,24 @@ namespace macula::formats {
 
 Error headerNotUsable(std::string message, std::string hint = "Convert it with the program it comes from.");
 Error headerDamaged();
-// What is assumed where a file does not say how it lies in the patient.
+// The assumption for a file without an orientation.
 std::string lpsAssumed();
 
 std::string lowerCase(std::string text);
 std::vector<std::string> words(const std::string& text);
 
-// Nothing when there are more or fewer, or one is no number.
+// Nothing unless the text is exactly `count` numbers.
 std::optional<std::vector<double>> parseNumbers(const std::string& text, std::size_t count);
 
 using Fields = std::map<std::string, std::string>;
 std::string valueOf(const Fields& fields, const std::string& key);  // empty when absent
 
-// The lines of a header, and where in the file the next one begins.
+// The lines of a header, and the position of the next one in the file.
 class HeaderLines {
   public:
     explicit HeaderLines(const std::filesystem::path& path);
 
-    // Without its line break. Nothing at the end, and for a line that is too long or no text.
+    // Without its line break. Nothing at the end, and for a line that is too long or has control characters.
     std::optional<std::string> next();
     bool atEnd() const { return at_ >= text_.size(); }
     std::uint64_t position() const { return at_; }
@@ -42,9 +42,9 @@ class HeaderLines {
 };
 
 Result<glm::ivec3> parseSize(const std::string& text);
-// Of a header that has as many axes as it says.
+// inputNotUsable unless `count` is 3.
 Result<void> checkThreeAxes(const std::string& count);
-// The file with the values: a plain name in the folder of the header, and no link out of it.
+// The file with the values: a plain name in the folder of the header, and no symbolic link.
 Result<std::filesystem::path> besideHeader(const std::filesystem::path& header, const std::string& name);
 
 }  // namespace macula::formats

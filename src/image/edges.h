@@ -1,5 +1,5 @@
-// What an eye notices along edges: lines and dots that are not there. Pictures are as in metrics.h, and so
-// are the errors; masks as in masked_metrics.h. Luminance is that of display-encoded values (Rec. 709).
+// Measures false lines and dots along edges, which an eye notices. Pictures are as in metrics.h, and so are
+// the errors; masks as in masked_metrics.h. Luminance is that of display-encoded values (Rec. 709).
 #pragma once
 
 #include <cstddef>
@@ -16,11 +16,11 @@ namespace macula::image {
 // `coverage` holds width * height values from 0 to 1, row 0 on top; NaN counts as 0.
 Mask silhouetteMask(std::span<const float> coverage, int width, int height);
 
-// The mask of pixels whose weight is neither kOuterWeight or less nor kInnerWeight or more
-// (frame_metrics.h): two pictures are mixed there.
+// The mask of pixels that mix two pictures: their weight is above kOuterWeight and below kInnerWeight
+// (frame_metrics.h).
 Mask mixedMask(std::span<const float> weights);
 
-// The step of luminance (0 to 1) from a pixel to the most different of its four neighbours, over a mask.
+// The largest luminance step (0 to 1) from a pixel to one of its four neighbours, over the pixels of a mask.
 struct LuminanceSteps {
     double mean = 0.0;
     double most = 0.0;  // the 99.9th percentile
@@ -29,17 +29,17 @@ struct EdgeVisibility {
     LuminanceSteps frame;
     LuminanceSteps reference;
 
-    // 1: edges are as steep as in the reference. Steps below one of an 8-bit display count as one.
+    // 1: as steep as in the reference. Values below one step of an 8-bit display count as one.
     double meanRatio() const;
     double mostRatio() const;
 };
-// Both numbers ignore where a step is: a line in the frame can hide behind a real edge elsewhere in the mask.
-// Nothing where the mask is empty. usage besides: a mask of another size.
+// Neither number says where a step is: a real edge elsewhere in the mask can hide a line in the frame.
+// Nothing when the mask is empty. Also fails with usage when the mask has another size.
 Result<std::optional<EdgeVisibility>> edgeVisibility(const Image& reference, const Image& frame,
                                                      const Mask& mask);
 
 // The count of pixels of the mask that are darker, by more than `margin` of luminance, than the darkest of
-// the 3 x 3 pixels around them in both sources: dots that come from mixing these. usage as edgeVisibility.
+// the 3 x 3 pixels around them in both sources: dots that come from mixing these. Errors as edgeVisibility.
 Result<std::size_t> darkerThanBoth(const Image& frame, const Image& a, const Image& b, const Mask& mask,
                                    double margin);
 

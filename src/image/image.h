@@ -20,8 +20,8 @@ struct Image {
     std::vector<float> pixels;  // width * height * channels
 };
 
-// Values that no light can have. A picture that has any is passed on as it is: who uses it decides, and says
-// so.
+// Counts the values that no light can have. Readers pass such a picture on unchanged: the caller decides what
+// to do, and reports it.
 struct Faults {
     std::size_t notFinite = 0;
     std::size_t negative = 0;

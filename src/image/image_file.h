@@ -13,14 +13,14 @@
 
 namespace macula::image {
 
-// What made a picture, stored in it: PNG text chunks, EXR attributes. Never patient data; the caller answers
-// for that.
+// How a picture was made, stored in PNG text chunks or EXR attributes. The caller ensures that it holds no
+// patient data.
 using Metadata = std::vector<std::pair<std::string, std::string>>;
 
 inline constexpr int kMaxEdge = 16384;
 inline constexpr std::uint64_t kMaxBytes = std::uint64_t{4} << 30;  // of decoded pixels
 
-// The content decides about the format, not the name. Fails with inputNotUsable when the file is missing,
+// The content determines the format, not the name. Fails with inputNotUsable when the file is missing,
 // damaged, truncated, of another format, or larger than kMaxEdge on a side. NaN, infinite and negative values
 // are kept: see countFaults.
 Result<Image> readImage(const std::filesystem::path& path);
@@ -35,7 +35,7 @@ Result<void> writePng(const std::filesystem::path& path, int width, int height,
 Result<void> writeExr(const std::filesystem::path& path, int width, int height, std::span<const float> rgba,
                       std::span<const float> depthMm = {}, const Metadata& metadata = {});
 
-// The metadata of a PNG or EXR that has one of the given keys, in file order; what others wrote is left out.
+// The metadata of a PNG or EXR whose keys are among `keys`, in file order.
 Result<Metadata> readMetadata(const std::filesystem::path& path, std::span<const std::string> keys);
 
 }  // namespace macula::image

@@ -1,6 +1,6 @@
-// How far a picture of something over black is from another, where there is something: as Kleinbeck et al.
-// (IEEE VR 2026) measure, so that a large black background makes no picture better. Pictures are as in
-// metrics.h, and so are the errors; a mask has a byte for each pixel, 0 where it does not count.
+// Compares pictures of an object over black only where the object is, as Kleinbeck et al. (IEEE VR 2026) do,
+// so that a large black background improves no result. Pictures are as in metrics.h, and so are the errors; a
+// mask has a byte for each pixel, 0 where it does not count.
 #pragma once
 
 #include <cstdint>
@@ -19,12 +19,12 @@ using Mask = std::vector<std::uint8_t>;
 Result<Mask> litMask(const Image& reference, const Image& test);
 
 // The mask of pixels whose coverage is above 0 once it is rounded to 8 bits: one stray sample of a thousand
-// is not there.
+// does not count.
 Mask coveredMask(std::span<const float> coverage);
 // The union of both masks, which have one size.
 Mask unionOf(const Mask& a, const Mask& b);
 
-// The answers of an empty mask are nothing: there is nothing to compare.
+// For an empty mask, the functions that return an optional return nothing.
 
 // The PSNR, as psnr, over masked pixels; +infinity where these are equal.
 Result<std::optional<double>> maskedPsnr(const Image& reference, const Image& test, const Mask& mask);
@@ -41,11 +41,11 @@ double lightOf(const Image& image, const Mask& mask);
 std::optional<double> coverageError(std::span<const float> reference, std::span<const float> test,
                                     const Mask& mask);
 
-// Mean of values over masked pixels. usage when there are not as many of both, or a value is no number.
+// Mean of values over masked pixels. Fails with usage when the sizes differ, or a value is not finite.
 Result<std::optional<double>> meanOf(std::span<const float> perPixel, const Mask& mask);
 
-// The value that `fraction` (0 to 1) of them are below, linear between neighbours in order as NumPy's default
-// is: (count - 1) * fraction is its place. At least one value, none of them NaN.
+// The quantile `fraction` (0 to 1), interpolated linearly as by NumPy's default: at place (count - 1) *
+// fraction in ascending order. Takes at least one value, none of them NaN.
 double percentile(std::vector<double> values, double fraction);
 
 }  // namespace macula::image

@@ -1,7 +1,7 @@
-// How far a picture is from another, as an eye or a number sees it. Pictures are display-encoded (sRGB), of
-// one size; the first one or three channels count, alpha does not. Values outside 0 to 1 are clamped. All
-// fail with usage when the pictures cannot be compared: other size, no pixel, linear light, a value that is
-// no number.
+// Measures the difference between two pictures, as an eye or a number sees it. Pictures are display-encoded
+// (sRGB), of one size; the first one or three channels count, alpha does not. Values outside 0 to 1 are
+// clamped. All fail with usage when the pictures cannot be compared: other size, no pixel, linear light, a
+// value that is no number.
 #pragma once
 
 #include <vector>
@@ -16,13 +16,13 @@ Result<double> psnr(const Image& reference, const Image& test);
 
 // Structural similarity (Wang et al. 2004, "Image quality assessment: from error visibility to structural
 // similarity"): Gaussian window of 11 x 11 with sigma 1.5, K1 0.01, K2 0.03; mean over pixels and channels.
-// Windows that reach over the edge are cut, and weighted anew. 1 when equal.
+// Windows that reach over the edge are cut, and their weights renormalised. 1 when equal.
 Result<double> ssim(const Image& reference, const Image& test);
 
 // SSIM at five scales (Wang et al. 2003, "Multiscale structural similarity for image quality assessment"),
 // with the window of ssim, but only where it is wholly inside: the numbers are those that others publish.
-// Means below 0, where structures are opposite, count as 0: their powers would be no numbers. Mean over
-// channels; 1 when equal. usage besides: a side below kMsSsimLeastPx, for the last scale halves four times
+// Means below 0, where structures are opposite, count as 0: their powers would be NaN. Mean over channels; 1
+// when equal. Also fails with usage when a side is below kMsSsimLeastPx: the last scale is halved four times
 // and must hold a window.
 inline constexpr int kMsSsimLeastPx = 11 * 16;
 Result<double> msSsim(const Image& reference, const Image& test);
@@ -37,7 +37,7 @@ struct Flip {
     std::vector<float> perPixel;  // row 0 on top
 };
 // FLIP for pictures of low dynamic range (Andersson et al. 2020, "FLIP: A difference evaluator for
-// alternating images"): the difference that is seen when the two are shown in turn at one place.
+// alternating images"): the visible difference when the two alternate in one place.
 Result<Flip> flip(const Image& reference, const Image& test, const FlipOptions& options = {});
 
 }  // namespace macula::image

@@ -1,11 +1,11 @@
-// How far a picture is from what a noisy reference converges to, when the reference was made twice, with
-// noise that is independent and alike: the halves of a long exposure. Errors and pictures as in metrics.h,
-// but not rounded to 8 bits, whose steps would count as error.
+// Measures the difference of a picture from what a noisy reference converges to. The reference is given
+// twice, as the halves of a long exposure, with independent noise of one distribution. Errors and pictures
+// are as in metrics.h, but not rounded to 8 bits, whose steps would count as error.
 //
-// What the noise of one half does to a difference has nothing to do with what that of the other does: the
-// mean of the product of both differences is the square of the difference without noise, exactly, however few
-// samples there were. A curve that is put on the halves before, as the display's is, moves their means: to
-// first order by as much again as it moves that of the whole, which is how it is taken out.
+// The noise of the halves is independent, so the expected product of their differences from the picture is
+// exactly the squared difference without noise, however few samples there were. A curve that was applied to
+// the halves, such as the display's, shifts their means: to first order twice as much as it shifts that of
+// the whole, and by this its effect is removed.
 #pragma once
 
 #include <optional>
@@ -20,12 +20,12 @@ namespace macula::image {
 struct NoisyReference {
     Image first;
     Image second;
-    Image whole;  // of the mean of both before the curve: not the mean of these two
+    Image whole;  // the mean of both before the curve, then the curve: not the mean of these two
 };
 
 struct SquareError {
-    // Mean square over masked pixels and channels. It is below 0 when the picture is so near that chance
-    // decides.
+    // Mean square over masked pixels and channels. Noise may bring it below 0 when the true difference is
+    // small.
     double mean = 0.0;
     // The standard error of `mean` by the noise of the reference. Pixels must be independent of each other.
     double standardError = 0.0;
@@ -39,10 +39,10 @@ std::optional<double> psnrOf(const SquareError& error);
 // The standard error of psnrOf in dB; nothing where psnrOf is nothing.
 std::optional<double> psnrErrorOf(const SquareError& error);
 
-// Light that leaves the screen of `test`, in parts of that of the reference: 1 when nothing is too dark or
-// too bright on the whole. Nothing when the reference is black. The curve moves sums of light in one
-// direction, so that the noise of a whole picture does not average out of them: in deep shadow the toe of a
-// tone map makes a noisy reference brighter than it is.
+// The ratio of the light that leaves the screen of `test` to that of the reference, without the bias by the
+// curve: 1 when `test` is as bright on the whole. Nothing when the reference is black. The curve shifts all
+// noise in one direction, so that it does not average out over a picture: in deep shadow the toe of a tone
+// map makes a noisy reference brighter than it is.
 Result<std::optional<double>> luminanceRatioLessNoise(const NoisyReference& reference, const Image& test,
                                                       const Mask& mask);
 

@@ -1,12 +1,12 @@
-// The functions of the plug-in that reads and writes picture files (base/plugin.h). It is one because
-// OpenImageIO brings some 230 libraries along, which take half a second to load.
+// The functions of the plug-in that reads and writes picture files (base/plugin.h). It is a plug-in because
+// OpenImageIO depends on some 230 libraries, which take half a second to load.
 #pragma once
 
 #include "image/image_file.h"
 
 namespace macula::image {
 
-// As the functions of image_file.h.
+// The functions of image_file.h.
 struct PictureFiles {
     Result<Image> (*readImage)(const std::filesystem::path& path);
     Result<void> (*writePng)(const std::filesystem::path& path, int width, int height,

@@ -20,11 +20,11 @@ struct Plane {
     double at(int x, int y) const { return values[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
-// What a filter finds beyond the edge of a picture.
+// How a filter continues a picture beyond its edge.
 enum class Edge {
-    repeat,  // the outermost pixel goes on
-    cut,     // nothing is there, and the weights that are left are made to add up to the same
-    zero,    // nothing is there, and that is black
+    repeat,  // the outermost pixel is repeated
+    cut,     // pixels beyond are left out, and the other weights scaled to the same sum
+    zero,    // pixels beyond are black
 };
 
 // Weights for offsets -r to r, r = size / 2, along x and along y.
@@ -37,7 +37,7 @@ inline constexpr std::array kRec709{0.2126, 0.7152, 0.0722};
 // The channels that are compared, clamped to 0 to 1.
 std::vector<Plane> colourPlanes(const Image& image);
 
-// Of the channels that are compared.
+// The luminance of the channels that are compared.
 Plane luminanceOf(const Image& image);
 
 // Whether two pictures can be compared: see metrics.h.

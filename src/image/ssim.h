@@ -7,10 +7,10 @@
 
 namespace macula::image {
 
-// Of a channel, a window around each pixel.
+// The terms of SSIM for one channel, for a window around each pixel.
 struct SsimTerms {
     Plane whole;              // luminance times contrast and structure
-    Plane contrastStructure;  // what is left of that when means are equal
+    Plane contrastStructure;  // the same without the luminance term
 };
 SsimTerms ssimTerms(const Plane& a, const Plane& b, Edge edge);
 
@@ -18,7 +18,7 @@ SsimTerms ssimTerms(const Plane& a, const Plane& b, Edge edge);
 inline constexpr int kSsimRadius = 5;
 
 // The SSIM map of each channel: Wang et al. 2004, Gaussian window of 11 x 11 with sigma 1.5, K1 0.01, K2
-// 0.03, range 1, a window around each pixel. Comparable pictures.
+// 0.03, range 1, a window around each pixel. The pictures are comparable (planes.h).
 std::vector<Plane> ssimMaps(const Image& reference, const Image& test, Edge edge);
 
 }  // namespace macula::image

@@ -1,4 +1,4 @@
-// A second volume and segments in a picture, as somebody asks for them who has no window.
+// A second volume and segments in a picture, as command-line options ask for them.
 #pragma once
 
 #include <filesystem>
@@ -20,17 +20,17 @@
 
 namespace macula::app {
 
-// Empty: not given.
+// Empty fields: not given.
 struct AdditionWish {
-    std::vector<std::string> segments = {};  // segmentWishFrom each
-    SecondWish second = {};                  // in the same picture; scanned as the study is
+    std::vector<std::string> segments = {};  // each as segmentWishFrom takes it
+    SecondWish second = {};                  // drawn in the same picture; scanned as the study is
     bool secondLinkIsGiven = false;
 };
 
-// What may be a file among what is given, for OutputFiles::read.
+// Options that may name a file, for OutputFiles::read.
 std::vector<std::filesystem::path> filesOf(const AdditionWish& wish);
 
-// What is asked for, and what a view says.
+// The options together with the segments and second volume of a view.
 struct AdditionChoice {
     std::vector<SegmentWish> segments;
     std::vector<SegmentationChoice> ofView;
@@ -40,20 +40,20 @@ struct AdditionChoice {
     bool needsSegmentations() const;
 };
 
-// All that can be wrong about the wish, nothing yet read of the study at that path. What the view says of
-// segments and of a second volume is in the choice then, and not in the state any more.
+// Checks the options before the study at that path is read. Moves segments and second volume of the view from
+// `state` into the choice.
 Result<AdditionChoice> additionChoice(const AdditionWish& wish, const std::filesystem::path& study,
                                       StudyState& state);
 
 struct MadeAdditions {
     Additions additions;
     std::vector<std::string> notes;     // sentences, without patient data
-    std::vector<std::string> warnings;  // those of them that change what is seen
+    std::vector<std::string> warnings;  // those notes that change what is seen
 };
 
-// Makes what is drawn beside the study, as far as `look` draws it: a projection does not read a second
-// volume. The volume of the study must be stored16. Writes to `clip` the mask of the segments that are left
-// out. Errors: those of segmentsToDraw and secondToDraw.
+// Makes the additions that `look` draws: for a projection it does not read the second volume. The volume of
+// the study must be stored16. Adds the mask of hidden segments to `clip`. Errors: those of segmentsToDraw and
+// secondToDraw.
 Result<MadeAdditions> makeAdditions(const AdditionChoice& choice, const ReadStudy& study, trace::Look look,
                                     Clip& clip, Progress& progress);
 

@@ -1,4 +1,4 @@
-// A picture with an alpha channel, of the same picture over two backgrounds.
+// Recovers the alpha channel of a picture from its renderings over black and over white.
 #pragma once
 
 #include <cstdint>
@@ -7,10 +7,10 @@
 
 namespace macula::app {
 
-// Both 4 bytes a pixel, display-encoded, with a background that is mixed in as linear light behind the tone
-// map: what is seen over white and not over black is background (Smith and Blinn, "Blue Screen Matting",
-// 1996, triangulation). Colours are straight, not premultiplied, as PNG has them; what covers nothing is
-// clear black. A channel that is white in both does not count where another one tells more.
+// Both have 4 bytes a pixel, display-encoded, and a background mixed in as linear light behind the tone map:
+// light over white and not over black is background (triangulation: Smith and Blinn, "Blue Screen Matting",
+// 1996). Colours are straight, as in PNG; pixels without coverage are clear black. The channel with the least
+// coverage decides: one that is white in both says nothing.
 std::vector<std::uint8_t> coveringPicture(std::span<const std::uint8_t> overBlack,
                                           std::span<const std::uint8_t> overWhite);
 

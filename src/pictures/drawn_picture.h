@@ -1,4 +1,4 @@
-// A picture that is drawn whole, without a window.
+// Draws whole pictures without a window.
 #pragma once
 
 #include <cstdint>
@@ -14,48 +14,48 @@
 
 namespace macula::app {
 
-// What the device has made of a request, brought to the host: a lost device takes nothing of it along.
+// A finished picture in host memory: the loss of its device does not affect it.
 struct DrawnPicture {
     std::string device;
-    Camera camera;  // the one that was asked for, or found
+    Camera camera;  // as requested or fitted; a parallel one moved by standingBefore
     double seconds = 0.0;
-    double exposure = 1.0;  // that of the request, or what was metered
-    double focusMm = 0.0;   // of the lens, from `camera`: asked for, or found; 0 without one
+    double exposure = 1.0;  // as requested, or metered
+    double focusMm = 0.0;   // of the lens, from `camera`: as requested or found; 0 without one
     trace::Statistics statistics;
-    // One of both, row 0 on top: display-encoded over the background of the request, or with coverage as
-    // alpha and straight colours where it is transparent, 4 bytes a pixel; or linear.
+    // Row 0 on top. Either `rgba`, display-encoded over the background, or straight colours with coverage as
+    // alpha for a transparent request, 4 bytes a pixel; or `traced`, linear.
     std::vector<std::uint8_t> rgba;
     std::optional<trace::TracedImage> traced;
 };
 
-Error stopped();  // what a picture ends with that was cancelled
+Error stopped();  // the error of a cancelled picture
 
-// Several pictures of one request, of which only the camera differs: the scene is brought to the device once.
-// Each is as if it were drawn alone.
+// Draws several pictures that differ only in the camera, and uploads the scene once. Each picture is the same
+// as if it were drawn alone.
 class PictureDrawer {
   public:
     // Fails as trace::PathTracer, and with `cancelled`.
     static Result<PictureDrawer> create(const std::shared_ptr<gpu::Device>& device,
                                         const PictureRequest& request, const Progress& progress);
-    // Makes `kept` one for that device and request: what it has of the scene on the device stays there, only
-    // the rest is brought to it. Nothing is kept where it fails, as create does.
+    // Changes `kept` to that device and request, and uploads only the parts of the scene that differ. Resets
+    // `kept` where it fails, as create does.
     static Result<void> adapt(std::optional<PictureDrawer>& kept, const std::shared_ptr<gpu::Device>& device,
                               const PictureRequest& request, const Progress& progress);
-    // As drawPicture; nothing: a camera that what can be seen fills.
+    // As drawPicture. Without a camera, fits one to what is visible (fittedCamera).
     Result<DrawnPicture> draw(const std::optional<Camera>& camera, Progress& progress);
-    // The exposure that PictureRequest::metersExposure means, of that camera; 1 where nothing is seen. Grey
-    // cut faces do not count: no exposure changes them.
+    // Measures the exposure for PictureRequest::metersExposure with that camera; 1 where nothing is visible.
+    // Ignores grey cut faces, because exposure does not change them.
     Result<double> meterExposure(const Camera& camera, const Progress& progress);
 
   private:
-    // As the effects say, for a picture by `standing`, which may stand farther back than was `asked` for.
+    // The lens of the effects. `standing` is `asked`, moved back if it is parallel.
     Result<trace::Lens> lensFor(const Camera& asked, const Camera& standing);
-    // What is drawn, as the request wants it; with fog where there are distances of what each pixel shows.
+    // Reads the picture back as requested; adds fog where `distancesMm`, one per pixel, is not empty.
     Result<void> read(DrawnPicture& drawn, const std::vector<float>& distancesMm);
     PictureDrawer(std::shared_ptr<gpu::Device> device, PictureRequest request, trace::PathTracer tracer)
         : device_(std::move(device)), request_(std::move(request)), tracer_(std::move(tracer)) {}
-    Result<double> meter(const Camera& camera, const Progress& progress);  // of the clip that is set
-    // Of the same volume, with the same room for it.
+    Result<double> meter(const Camera& camera, const Progress& progress);  // with the clip that is set
+    // To a request with the same volume and memory limits.
     Result<void> change(const PictureRequest& request, const Progress& progress);
 
     std::shared_ptr<gpu::Device> device_;
@@ -63,19 +63,19 @@ class PictureDrawer {
     trace::PathTracer tracer_;
 };
 
-// Fails as trace::PathTracer; with `cancelled` when it is stopped, unless what is unfinished is kept and
-// there is some of it.
+// Fails as trace::PathTracer, and with `cancelled` when it is stopped, unless keepUnfinished applies and
+// there is at least one sample.
 Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
                                  Progress& progress);
 
-// Whether nothing is seen in a picture of the request: all of it is the background, or clear.
+// Whether the picture shows nothing: every pixel is the background, or transparent.
 bool isEmpty(const DrawnPicture& picture, const PictureRequest& request);
 
-// What a person has to know of a picture, without patient data.
+// A note to the user about a picture, without patient data.
 struct PictureNote {
     std::string sentence;
-    std::string action = {};  // what to do about it; may be empty
-    bool isWarning = false;   // look before you rely on it
+    std::string action = {};  // the advised action; may be empty
+    bool isWarning = false;   // the user must check it before relying on the picture
 };
 std::vector<PictureNote> notesOf(const DrawnPicture& picture, const PictureRequest& request);
 

@@ -1,4 +1,4 @@
-// The camera of a picture for which nobody has given one: what can be seen fills it. The same for all verbs.
+// The camera for a picture without one: it fits what is visible. All commands share it.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -21,13 +21,13 @@ struct FittedView {
     double aspectWidthOverHeight = 1.0;
 };
 
-// `outlineMm` as of trace::PathTracer::outlineMm. Projections fit the whole volume, and so does what cannot
-// be seen at all.
+// `outlineMm` as from trace::PathTracer::outlineMm. Fits the whole volume for projections, and where nothing
+// is visible.
 Camera fittedCamera(std::vector<glm::dvec3> outlineMm, trace::Look look, const Volume& volume,
                     const FittedView& view);
 
-// What trace::PathTracer::outlineMm tells of the same scene, without a device. The volume is stored16, the
-// function valid.
+// The same outline as trace::PathTracer::outlineMm, without a device. The volume is stored16, the function
+// valid.
 std::vector<glm::dvec3> outlineOnHostMm(const Volume& volume, const TransferFunction& function,
                                         const Clip& clip);
 

@@ -1,4 +1,4 @@
-// Pictures of a model of Gaussians, ours or another's.
+// Draws pictures of Gaussian splat models, from Macula or other programs.
 #pragma once
 
 #include <cstdint>
@@ -19,22 +19,22 @@ namespace macula::app {
 
 struct ModelToDraw {
     splat::Splats splats;
-    std::vector<std::string> notes;  // what a person would not expect
+    std::vector<std::string> notes;  // unexpected properties, for the user
 };
 
-// `lowPass` is how a model was trained to be drawn whose file does not tell. Fails as splat::readModel with
-// BadSplats::repairOrNone.
+// `lowPass` is how the model was trained, for files that do not say; ignored for Macula's (adaptive). Fails
+// as splat::readModel with BadSplats::repairOrNone.
 Result<ModelToDraw> readModelToDraw(const std::filesystem::path& path, std::optional<splat::LowPass> lowPass);
 
 struct ModelPicture {
     std::vector<std::uint8_t> displayed;  // 4 bytes a pixel, row 0 on top
-    std::vector<glm::vec4> radiance;      // linear, premultiplied; and depth: only where these are wanted
-    std::vector<float> depthsMm;          // mean along the view, in the model's unit
-    bool isEmpty = true;                  // nothing of the model is in it
+    std::vector<glm::vec4> radiance;      // linear, premultiplied; this and depthsMm only on request
+    std::vector<float> depthsMm;          // mean depth along the view, in the unit of the model
+    bool isEmpty = true;                  // no pixel shows the model
 };
 
-// Draws band by band; keeps 32-bit floats only where `withDepths` asks for them. Fails as
-// ModelPainter::drawBands, and with `cancelled`.
+// Draws band by band; keeps 32-bit floats only if `withDepths`. Fails as ModelPainter::drawBands, and with
+// `cancelled`.
 Result<ModelPicture> drawModel(splat::ModelPainter& painter, const splat::RasterView& view,
                                splat::ColourSpace space, const splat::DisplayOptions& display,
                                bool withDepths, const Progress& progress);

@@ -1,5 +1,5 @@
-// What a call writes. One rule for every verb and option: never an input, never a file of a folder that is
-// read, never another output of the same call, and a file that exists only where --overwrite was given.
+// Checks the output files of a command. One rule for every command and option: never replace an input, a file
+// in an input folder, or another output of the same call; replace any other file only with --overwrite.
 #pragma once
 
 #include <filesystem>
@@ -15,16 +15,16 @@ class OutputFiles {
   public:
     explicit OutputFiles(bool overwrite) : overwrite_(overwrite) {}
 
-    // A file or folder that the call reads; of names that are no path ("phantom:", a built-in preset, none)
-    // nothing is remembered. FILE#NAME is FILE.
+    // Registers a file or folder that the call reads. Ignores names that are no path ("phantom:", a built-in
+    // preset, empty). FILE#NAME is FILE.
     void read(const std::filesystem::path& path);
 
-    // Fails now, not after minutes of work: with usage for another output of this call, with
-    // outputNotWritable where nothing can be written, or by the rule. After all inputs are told. No path and
-    // "-", which is standard output, are no files.
+    // Checks an output before work begins; call it after every read(). usage for another output of this call;
+    // outputNotWritable where nothing can be written, or by the rule. Accepts an empty path and "-", standard
+    // output, without a check.
     Result<void> write(const std::filesystem::path& path);
 
-    // The same for a training that goes on from that file: it may replace the file.
+    // The same for a training that resumes from that file: it may replace the file.
     Result<void> writeOn(const std::filesystem::path& path);
 
   private:
@@ -32,19 +32,19 @@ class OutputFiles {
     Result<void> take(const std::filesystem::path& path);
 
     bool overwrite_;
-    std::vector<std::filesystem::path> files_, folders_;  // that are read, canonical
+    std::vector<std::filesystem::path> files_, folders_;  // inputs, canonical
     std::set<std::filesystem::path> written_;             // canonical
-    std::set<std::filesystem::path> tidied_;              // folders
+    std::set<std::filesystem::path> tidied_;              // folders cleared of abandoned drafts
 };
 
-// Makes it, and those above it, if it is not there. Error: outputNotWritable.
+// Makes the folder and its parents where they are missing. Error: outputNotWritable.
 Result<void> makePictureFolder(const std::filesystem::path& folder);
 
-// Where to put a result that was cut short: a finished one is never replaced by it, so beside that one if it
-// is there ("model-unfinished.ply" beside "model.ply").
+// The path for an unfinished result: `wanted`, or a name beside it where that file exists, so that it never
+// replaces a finished one ("model-unfinished.ply" beside "model.ply").
 std::filesystem::path placeOfUnfinished(const std::filesystem::path& wanted);
 
-// Whether both paths are the same file, also of files that are not there yet.
+// Whether both paths are the same file, also where it does not exist yet; false for an empty path.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
 }  // namespace macula::app

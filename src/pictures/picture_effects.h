@@ -1,4 +1,4 @@
-// What a picture that is saved may have beside what a window shows: the blur of a lens, and fog.
+// Effects of saved pictures that the window does not show: depth of field and fog.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,10 +15,10 @@
 namespace macula::app {
 
 struct PictureEffects {
-    double lensMm = 0.0;  // diameter of trace::Lens; 0: none. Of path-traced looks
-    // What is sharp, from the camera along its axis. Nothing: what the middle of the picture shows.
+    double lensMm = 0.0;  // diameter of trace::Lens; 0: no lens. Only for path-traced looks
+    // Distance of the sharp plane from the camera, along its axis. Nothing: focusOfMiddle.
     std::optional<double> focusMm = {};
-    double fogMm = 0.0;  // see addFog; 0: none. Not of projections
+    double fogMm = 0.0;  // depth of the fog, see addFog; 0: no fog. Not for projections
 
     bool operator==(const PictureEffects&) const = default;
 };
@@ -29,23 +29,22 @@ inline constexpr double kMostFogMm = 1e6;
 // usage for a number that is out of range.
 Result<void> check(const PictureEffects& effects);
 
-// "auto" is nothing, else mm. usage for other text.
+// "auto" gives nothing; else a number in mm. usage for other text.
 Result<std::optional<double>> parseFocus(const std::string& typed);
 
-// Where the middle of a picture has its matter: the median along the camera's axis over a disc of a twentieth
-// of its height, in mm from the camera. usage when nothing is seen there. `guides` are of all of its pixels.
+// Focus distance in mm from the camera: the median depth along its axis in a disc at the middle, of radius
+// height / 20. usage when it shows nothing, or the camera stands inside. `guides` covers all pixels.
 Result<double> focusOfMiddle(std::span<const trace::GuidePixel> guides, glm::ivec2 sizePx,
                              const Camera& camera);
 
-// How far from the camera what each pixel shows is: the depth of its guide, and of what is too thin for one
-// the middle of what it adds; +infinity where nothing is seen. The guides must be those of a picture without
-// one before it.
+// Distance of the matter in each pixel from the camera, in mm: depthMm of the guide; for matter too thin for
+// one, beforeMm, the middle of what it adds; +infinity for an empty pixel. The guides must come from a view
+// without one before it (PathTracer::forgetViews).
 std::vector<float> matterMm(std::span<const trace::GuidePixel> guides);
 
-// Fades premultiplied radiance and coverage alike, so that the background shows through: by 1 - exp(-d /
-// fogMm) where d is how much farther away matter is than the nearest (exponential fog, as of OpenGL and of
-// Akenine- Möller et al. 2018, "Real-Time Rendering", 14.5). What is nearest stays as it is. Both of one
-// size.
+// Multiplies premultiplied radiance and coverage by exp(-d / fogMm), so that the background shows through; d
+// is the distance behind the nearest matter, which stays unchanged (exponential fog, as in OpenGL and
+// Akenine-Möller et al. 2018, "Real-Time Rendering", 14.5). Both spans have one size.
 void addFog(std::span<glm::vec4> radiance, std::span<const float> distancesMm, double fogMm);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Pictures as files: .png for the eye, .exr for linear light and depth.
+// Picture files: .png with display values, .exr with linear radiance and depth.
 #pragma once
 
 #include <filesystem>
@@ -9,13 +9,13 @@
 
 namespace macula::app {
 
-// usage for an extension that is neither .png nor .exr, in any case of letters.
+// usage for an extension other than .png or .exr, in any case.
 Result<void> checkPictureName(const std::filesystem::path& path);
 bool isExr(const std::filesystem::path& path);
 bool isDicom(const std::filesystem::path& path);  // .dcm
 
-// Writes the file whole or not at all: a linear picture as EXR with depth as channel Z, else PNG; the name
-// does not matter.
+// Writes the file whole or not at all: a linear picture as EXR with depth in channel Z, else PNG, whatever
+// the extension.
 Result<void> writePicture(const std::filesystem::path& path, const DrawnPicture& picture,
                           const glm::ivec2& sizePx, const image::Metadata& metadata);
 

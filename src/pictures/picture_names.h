@@ -1,4 +1,4 @@
-// Names for pictures of cameras that a file from elsewhere names.
+// Safe file names for pictures of cameras that are named in a file of another program.
 #pragma once
 
 #include <span>
@@ -7,11 +7,10 @@
 
 namespace macula::app {
 
-// One name for each wish, without ending, that is safe in any folder: no path, nothing but letters, digits,
-// "._-" and what is not ASCII, at most 120 bytes. "left/0001.JPG" becomes "left_0001"; of a path from the
-// root only the last part stays. A wish of which nothing is left becomes "camera_" and its number from 0.
-// Names are different from each other, also for who does not tell upper case from lower: the second gets
-// "_2".
+// A distinct file name without extension for each wish: only letters, digits, "._-" and non-ASCII characters,
+// at most 120 bytes before the suffix. "left/0001.JPG" becomes "left_0001"; an absolute path keeps only its
+// last part. A wish without a usable character becomes "camera_" and its index from 0. Names differ also
+// where upper and lower case are the same: the second gets "_2".
 std::vector<std::string> pictureNames(std::span<const std::string> wishes);
 
 }  // namespace macula::app

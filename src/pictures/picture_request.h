@@ -1,4 +1,4 @@
-// What a picture is drawn of, and with what.
+// The scene, camera and settings of a picture to draw.
 #pragma once
 
 #include <cstdint>
@@ -16,21 +16,21 @@ namespace macula::app {
 
 struct PictureRequest {
     StudyScene scene;
-    // Patient LPS mm; nothing: one from `from`, of `verticalFovDeg`, that what can be seen fills.
+    // Patient LPS mm; nothing: fitted to what is visible, from `from`, with `verticalFovDeg`.
     std::optional<Camera> camera;
     std::optional<ViewDirection> from = {};  // nothing: usualView
     double verticalFovDeg = 30.0;
-    bool isParallel = false;  // of a camera that is made here
+    bool isParallel = false;  // for a camera that is fitted here
     glm::ivec2 sizePx{768};   // each from 1 to trace::kMaxPictureSide
     trace::Settings settings;
     bool metersExposure =
-        false;  // settings.exposure is found for the picture (light_meter.h); not of projections
-    // The number of samples; with Settings::errorThreshold about the most that are spent on noise.
+        false;  // settings.exposure is metered for the picture (light_meter.h); not of projections
+    // The number of samples; with Settings::errorThreshold, about the limit of their mean over all pixels.
     std::uint32_t samplesPerPixel = 64;
-    bool keepUnfinished = false;  // with an errorThreshold: who stops it wants the picture as it is then
-    bool isLinear = false;        // light and depth are wanted instead of what is displayed
-    BackgroundColour background = kBlackBackground;  // of what is displayed
-    bool isTransparent = false;                      // it has an alpha channel instead
+    bool keepUnfinished = false;  // with an errorThreshold: stopping keeps the picture as it is then
+    bool isLinear = false;        // returns linear radiance and depth instead of display values
+    BackgroundColour background = kBlackBackground;  // of display values
+    bool isTransparent = false;                      // returns an alpha channel instead of the background
     PictureEffects effects = {};
     trace::MemoryLimits memory;
 };

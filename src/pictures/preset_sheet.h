@@ -1,4 +1,4 @@
-// Every preset in every look on one sheet, to be judged at a glance.
+// Draws every preset in every look on one sheet, for comparison.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ struct SheetRequest {
     std::vector<TransferFunction> presets;  // at least one
     ViewDirection view = ViewDirection::anterior;
     int tilePx = 160;
-    int panels = 3;                      // beside each other, each with its share of the presets
-    std::uint32_t samplesPerPixel = 24;  // of looks with chance
+    int panels = 3;                      // side by side; each holds a share of the presets
+    std::uint32_t samplesPerPixel = 24;  // of path-traced looks
 };
 
-// A preset has a row of its panel, and in that a tile for each of trace::kLooks.
+// Each preset has a row of one panel, with a tile for each of trace::kLooks.
 struct SheetPlace {
     int panel = 0;
     int row = 0;
@@ -35,12 +35,12 @@ SheetPlace placeOf(const SheetRequest& request, std::size_t preset);
 // The size of the sheet in pixels.
 glm::ivec2 sizeOf(const SheetRequest& request);
 
-// RGBA for the eye, row 0 on top. Presets are drawn as `macula render --preset NAME` draws them; what is made
-// for other units looks as it does there. Fails as trace::PathTracer, and with `cancelled`.
+// Display-encoded RGBA, row 0 on top. Presets take effect as in `macula render --preset NAME`, also those for
+// other units. Fails as trace::PathTracer, and with `cancelled`.
 Result<std::vector<std::uint8_t>> drawSheet(const std::shared_ptr<gpu::Device>& device,
                                             const SheetRequest& request, Progress& progress);
 
-// What each picture is of, by its column and row from 1, and what there is to say of the study.
+// The preset and look of each tile, by column and row from 1, and the notes of the study.
 image::Metadata metadata(const SheetRequest& request, const StudyInput& study);
 
 }  // namespace macula::app

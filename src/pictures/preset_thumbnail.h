@@ -1,5 +1,5 @@
-// Small pictures of a volume under a preset, drawn on the host, to choose a preset by. No device is used, and
-// nobody who draws waits for them.
+// Small pictures of a volume under each preset, to choose one by. Drawn on the CPU without a device; the
+// renderer never waits for them.
 #pragma once
 
 #include <cstdint>
@@ -26,20 +26,20 @@ struct PresetThumbnail {
     std::vector<std::uint8_t> rgba;  // opaque, on black, sRGB-encoded, row by row from the top
 };
 
-// A volume made coarse once, for the pictures of many presets. Threads may share it.
+// A volume downsampled once, for the thumbnails of many presets. Threads may share it.
 class CoarseVolume {
   public:
-    // The mean of some voxels for each cell, at most kLongestCoarseSide cells a side; padding counts as air,
-    // as renderers draw it. Fails with inputNotUsable where all of it is padding, outOfMemory and
-    // `cancelled`; throws nothing.
+    // Each cell is the mean of at most 4 voxels per axis; at most kLongestCoarseSide cells a side. Padding
+    // counts as air, as in the renderers. Fails with inputNotUsable where all of it is padding, outOfMemory
+    // and `cancelled`; throws nothing.
     static Result<std::shared_ptr<const CoarseVolume>> of(std::shared_ptr<const Volume> volume,
                                                           const CancelToken& token = {});
 
     const glm::ivec3& size() const { return size_; }
-    double valueAt(const glm::dvec3& cell) const;  // trilinear, and as at the border beyond it
+    double valueAt(const glm::dvec3& cell) const;  // trilinear; clamped to the border
     const glm::dmat4& cellFromWorld() const { return cellFromWorld_; }
     const Volume& volume() const { return *volume_; }
-    // The curves where they lie on the volume itself.
+    // The preset, fitted to the full-resolution volume.
     TransferFunction fittedCurves(const TransferFunction& preset) const;
 
   private:
@@ -50,15 +50,15 @@ class CoarseVolume {
     std::vector<float> values_;
     glm::dmat4 cellFromWorld_{1.0};
     mutable std::once_flag foregroundOnce_;
-    mutable ValueRange foreground_;  // of a fit, which looks at each voxel
+    mutable ValueRange foreground_;  // cached for fits, because finding it reads each voxel
 };
 
-// Emission and absorption along the ray with the preset's own curves, as the look "dvr" has them, lit from
-// the eye where the preset asks for that; its gradient opacity counts as 1, and what is steep is told by the
-// gradient between cells. Where the volume is coarse, thin matter is fainter than it is in a picture. `clip`,
-// in patient LPS mm, without its mask; null: all is shown. Looked at from anterior, a short scan (isShort)
-// obliquely, the whole box in the picture. Fails with inputNotUsable for a preset that is not valid,
-// outOfMemory, and `cancelled`, which is looked for in each row; throws nothing.
+// Ray casts emission and absorption with the curves of the preset, as the look "dvr", with a headlight where
+// the preset asks for one; gradient opacity is 1, and steepness comes from the gradient between cells. Thin
+// matter is fainter than in a picture where the volume is coarse. `clip` is in patient LPS mm, its mask
+// ignored; null: all is shown. Frames the whole box from anterior, a short scan (isShort) obliquely. Fails
+// with inputNotUsable for an invalid preset, outOfMemory, and `cancelled`, checked in each row; throws
+// nothing.
 Result<PresetThumbnail> presetThumbnail(const CoarseVolume& coarse, const TransferFunction& preset,
                                         const Clip* clip = nullptr, const CancelToken& token = {},
                                         int sizePx = kPresetThumbnailPx);

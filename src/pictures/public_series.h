@@ -1,12 +1,12 @@
-// What a picture that leaves the machine says of its series.
+// The name of a series in pictures that leave the machine.
 #pragma once
 
 #include <string>
 
 namespace macula::app {
 
-// Of StudyInput::seriesDigest: a digest keyed by this installation, which tells its own pictures of one
-// series together, and others nothing. "phantom" is no secret; "unknown" where the key cannot be kept.
+// Digest of StudyInput::seriesDigest with the key of this installation: it groups pictures of one series made
+// here, and tells others nothing. "phantom" is returned unchanged; "unknown" where no key can be stored.
 std::string publicSeries(const std::string& seriesDigest);
 
 }  // namespace macula::app

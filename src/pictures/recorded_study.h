@@ -1,4 +1,4 @@
-// A live picture of a study, recorded to a folder, as somebody asked for it.
+// Records the live rendering of a study to a folder, as command-line options ask for it.
 #pragma once
 
 #include <filesystem>
@@ -16,33 +16,33 @@
 
 namespace macula::app {
 
-// Empty: not given.
+// Empty fields: not given.
 struct RecordingWish {
     std::filesystem::path path;
-    std::filesystem::path folder;  // is made; or is there, and empty
+    std::filesystem::path folder;  // created if it is missing; else it must be empty
     std::string series;
-    StateWish state;     // its camera is where the motion begins
+    StateWish state;     // its camera is the start of the motion
     std::string lights;  // a built-in name
     AdditionWish additions;
     dicom::ScanOptions how;
-    std::filesystem::path cameraPath;  // camera_path.h; counts more than any other camera
+    std::filesystem::path cameraPath;  // camera_path.h; overrides any other camera
     std::string size = "1280x720";
-    std::optional<std::filesystem::path> sessions;  // where models are kept between runs; nothing: nowhere
+    std::optional<std::filesystem::path> sessions;  // folder for models kept between runs; nothing: not kept
     RecordingOptions recording;
 };
 
-// Writes frames.jsonl, a line for each frame that was shown, times.json (timesOf), and frame-0001.png and so
-// on for frames that were kept. `warn` hears what changes what is seen, `note` the rest.
+// Writes frames.jsonl with one line per shown frame, times.json (timesOf), and frame-0001.png and so on for
+// kept frames. `warn` receives notes that change what is seen, `note` the others.
 using Hears = std::function<void(const std::string&)>;
 Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
                                   Progress& progress);
 
-// Where the time of the render thread went: a list of {phase, seconds, stages}, stages as in times_report.h.
+// Time use of the render thread: a list of {phase, seconds, stages}, with stages as in times_report.h.
 nlohmann::ordered_json timesOf(const LiveRecording& recording);
 std::string timesText(const LiveRecording& recording);  // for a person
 
-// Of the frames in motion: how many a second, how late they were (median and 95th percentile), how many
-// had a fovea, and how many were small pictures because the model was not fit to be shown yet.
+// Over the frames in motion: frames per second, latency (median and 95th percentile), how many had a fovea,
+// and how many were small pictures because the model was not yet fit to be shown.
 struct MotionFigures {
     double framesPerSecond = 0.0;
     double latencyMs = 0.0;
@@ -52,7 +52,7 @@ struct MotionFigures {
     std::size_t beforeModel = 0;
 };
 MotionFigures motionFigures(const LiveRecording& recording);
-// A line for a person; with what to do where the model came too late for any fovea.
+// One line for the user; with advice where the model came too late for any fovea.
 std::string textOf(const MotionFigures& figures);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// What a render was made from and what it took: in the metadata of the picture, and as JSON.
+// The inputs and costs of a render, for the metadata of the picture and as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -21,36 +21,36 @@ struct RenderRecord {
     std::string preset;
     std::string lights;
     std::string clip;
-    bool tableRemoved = false;   // the table, or other things beside the patient, were found and left out
-    std::string masked = {};     // Mask::remark: what of the volume was left out by voxels
+    bool tableRemoved = false;   // a table, or other things beside the patient, were found and removed
+    std::string masked = {};     // Mask::remark: the parts of the volume that voxel masks removed
     std::string additions = {};  // Additions::remark: a second volume, coloured segments
     std::string device;
     Camera camera;
-    std::string view = {};        // from where, where a direction fitted the camera: nameOf(ViewDirection)
+    std::string view = {};        // nameOf(ViewDirection) of a fitted camera; empty: a camera was given
     std::string whyView = {};     // "chosen", or nameOf(ViewReason); empty: a camera was given
-    std::string background = {};  // "#rrggbb", "transparent"; empty: of light, which has none
+    std::string background = {};  // "#rrggbb", "transparent"; empty: linear light, without one
     int width = 0;
     int height = 0;
     trace::Settings settings;
-    PictureEffects effects = {};  // as they took effect: with the focus that was found
-    // The numbers of matterParameters(), by id, of the preset before it is fitted to the volume.
+    PictureEffects effects = {};  // as they took effect, with the focus that was found
+    // By id: the values of matterParameters() of the preset, before its fit to the volume.
     std::vector<std::pair<std::string_view, double>> matter = {};
     bool presetFitted = false;            // its curves were stretched to the volume
-    std::optional<DisplayWindow> window;  // that it is seen through; of projections alone
-    std::string unit = {};                // of the values: unitSymbol, no word of a file
+    std::optional<DisplayWindow> window;  // of projections only
+    std::string unit = {};                // of the values: unitSymbol, never text of a file
     trace::Statistics statistics;
     double loadSeconds = 0.0;
     double traceSeconds = 0.0;
     std::vector<std::string> notes;
 
-    // What was drawn, and how; with its notes.
+    // Adds the request, the drawn picture and its notes.
     void add(const PictureRequest& request, const DrawnPicture& picture);
 };
 
-// For the picture itself: keys "macula:…" and "Software"; of the series what publicSeries says.
+// For the file of the picture: keys "macula:…" and "Software"; the series as publicSeries.
 image::Metadata metadata(const RenderRecord& record);
 
-// The whole record, with times; the error is null when it is not known.
+// The whole record, with times; estimatedError is null when it is unknown.
 nlohmann::ordered_json toJson(const RenderRecord& record);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// A picture as somebody asked for it, by names, files and numbers; and what that comes to.
+// The options of a render, by names, files and numbers, and the request they make.
 #pragma once
 
 #include <cstdint>
@@ -17,21 +17,21 @@
 
 namespace macula::app {
 
-// Empty: not given.
+// Empty fields: not given.
 struct RenderWish {
     std::filesystem::path path;
     std::filesystem::path output;
     std::string series;
     StateWish state;
-    std::string lights;           // as chooseLights, a panorama too
-    bool metersExposure = false;  // instead of that of the view
+    std::string lights;           // as chooseLights takes it, also a panorama
+    bool metersExposure = false;  // overrides the exposure of the view
     AdditionWish additions;
-    bool shading = false;  // of ray casts, whatever the preset asks for
+    bool shading = false;  // of ray casts, whatever the preset says
     std::string size = "768x768";
-    std::string background;  // as backgroundOf, or kTransparent; instead of that of the view
+    std::string background;  // as backgroundOf, or kTransparent; overrides that of the view
     PictureEffects effects = {};
-    std::string focus = {};  // parseFocus; in the place of effects.focusMm
-    EffortWish effort;       // counts more than the view that was saved
+    std::string focus = {};  // parseFocus; overrides effects.focusMm
+    EffortWish effort;       // overrides the saved view
     std::uint32_t seed = 0;
     trace::MemoryLimits memory;
     dicom::ScanOptions how;
@@ -41,27 +41,27 @@ struct RenderWish {
     bool keepUnfinished = false;
 };
 
-// "mip, minip and average": the looks that `isMeant` says.
+// Lists the looks for which `isMeant` is true: "mip, minip and average".
 std::string looksListed(bool (*isMeant)(trace::Look));
 
-// What was given and does nothing in this look, or to the preset that is drawn; not what a view, a quality or
-// a default says. makeAdditions tells of additions.
+// Sentences on options that have no effect in this look, or on the preset that is drawn; not on values from a
+// view, a quality or a default. makeAdditions reports on additions.
 std::vector<std::string> optionsWithoutEffect(const RenderWish& wish, trace::Look look,
                                               const TransferFunction& drawn);
 
-// What a wish comes to, but for what the study decides.
+// The request of a wish, without what depends on the study.
 struct WishedPicture {
     StudyState state;
-    PictureRequest request;  // volume, preset, clip and additions are to be put in, and settingsToDraw
-    std::string lights;      // what may be told of them: publicLightsName
+    PictureRequest request;  // to be completed: volume, preset, clip, additions, settingsToDraw
+    std::string lights;      // publicLightsName
     std::string clip;        // publicClipName
     AdditionChoice additions{};
 };
 
-// All that can be wrong about the wish, the study not yet read.
+// Checks the wish before the study is read.
 Result<WishedPicture> wishedPicture(const RenderWish& wish);
 
-// For the volume, when completeState has put the preset into the state.
+// The settings for the volume; call it after completeState has put the preset into the state.
 trace::Settings settingsToDraw(const RenderWish& wish, const StudyState& state, const Volume& volume);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Something small that is laid over a picture of a file: words, letters.
+// A small overlay on a picture: text or letters.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,12 @@
 namespace macula::app {
 
 struct Stamp {
-    glm::ivec2 atPx{0};  // of its left upper corner, in the picture
+    glm::ivec2 atPx{0};  // its upper left corner in the picture
     glm::ivec2 sizePx{0};
     std::vector<std::uint8_t> rgba;  // opaque, row 0 on top
 };
 
-// What lies beyond the picture, `sizePx` large with 4 bytes a pixel, is left out.
+// Copies the stamp into a picture of `sizePx`, 4 bytes a pixel; clips it at the border.
 void putOver(std::vector<std::uint8_t>& picture, const glm::ivec2& sizePx, const Stamp& stamp);
 
 }  // namespace macula::app

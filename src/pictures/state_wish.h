@@ -1,5 +1,5 @@
-// How a study is to be shown, as somebody asks for it who has no window: a view that was saved, and what is
-// given besides, which counts more.
+// The state to show a study in, from the options of a command or of the C API: a saved view, and options
+// that override it.
 #pragma once
 
 #include <filesystem>
@@ -19,45 +19,44 @@
 
 namespace macula::app {
 
-// Empty: not given.
+// Empty fields: not given.
 struct StateWish {
-    std::filesystem::path session = {};  // a view that was saved: readStudyState
-    // A DICOM presentation state, which takes the place of a view: dicom::readPresentationState.
+    std::filesystem::path session = {};  // a saved view: readStudyState
+    // A DICOM presentation state, applied over `session`: dicom::readPresentationState.
     std::filesystem::path presentation = {};
-    std::string preset = {};   // as choosePreset
-    bool fit = false;          // the preset's range is stretched to the volume
-    std::string clip = {};     // as chooseClip; in the place of the cuts of a view too
-    bool removeTable = false;  // leave it out
-    bool keepTable = false;    // show it, also where a view leaves it out
+    std::string preset = {};   // as choosePreset takes it
+    bool fit = false;          // stretch the range of the preset to the volume
+    std::string clip = {};     // as chooseClip takes it; also replaces the cuts of a view
+    bool removeTable = false;  // hide it
+    bool keepTable = false;    // show it, even if a view hides it
     std::optional<trace::Look> look = {};
     std::optional<trace::ToneMap> toneMap = {};
-    std::string window = {};                          // of projections: parseWindow
+    std::string window = {};                          // for projections: parseWindow
     std::map<std::string_view, double> numbers = {};  // by Parameter::id
-    std::map<std::string_view, double> matter = {};   // by MatterParameter::id; of whichever preset
-    std::optional<ViewDirection> view = {};           // what is seen fills the picture, from there
+    std::map<std::string_view, double> matter = {};   // by MatterParameter::id; for any preset
+    std::optional<ViewDirection> view = {};           // fits what is visible, seen from there
     std::filesystem::path camera = {};                // camera_file.h
-    double fovDeg = 0.0;                              // 0: not given; of whichever camera
-    bool isParallel = false;                          // rays are parallel, whichever the camera
-    // Of the picture, so that all of the view of a presentation state is seen in it; 0: not known.
+    double fovDeg = 0.0;                              // 0: not given; for any camera
+    bool isParallel = false;                          // makes any camera parallel
+    // Of the picture, so that the whole view of a presentation state fits in it; 0: unknown.
     double aspectWidthOverHeight = 0.0;
 };
 
-// What becomes of a table of which neither the wish nor a view says anything.
+// What to do with a table when neither the options nor a view say.
 UnaskedTable unaskedTable(const StateWish& wish);
 
-// What may be a file among what is given, for OutputFiles::read.
+// Options that may name a file, for OutputFiles::read.
 std::vector<std::filesystem::path> filesOf(const StateWish& wish);
 
-// `usual`, or the view that was saved, with what is given besides. All that can be wrong about it is told
-// now, the study not yet read. A preset that is given is not in it yet: what it is like may depend on the
-// study.
+// `usual`, or the saved view, with the options applied. Checks the options before the study is read. The
+// state does not hold a preset given by name yet, because that may depend on the study.
 Result<StudyState> stateOf(const StateWish& wish, StudyState usual = {});
 
-// The same for a study that is read and in 16 bits. The state gets the preset that is drawn, with the numbers
-// that are given of its matter; its name is that of the preset they were given for. The range of one
-// that was given becomes the window of a projection, as in the viewer. What there is to say of the preset
-// joins the notes of the study, and so does what a presentation state has that is shown otherwise.
-// inputNotUsable for a view or a presentation state of another series.
+// Completes the state for a study that is read and in 16 bits. The state gets the preset to draw, with the
+// given matter values; its name stays that of the original preset. For a projection without a window, the
+// range of a given preset becomes the window, as in the viewer. Adds to the notes of the study those on the
+// preset and on what a presentation state shows differently. inputNotUsable for a view or a presentation
+// state of another series.
 Result<StudyPreset> completeState(StudyState& state, const StateWish& wish, StudyInput& study);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// What a window shows, drawn whole and at any size, to a file.
+// Draws the view of a window to a file, whole and at any size.
 #pragma once
 
 #include <cstdint>
@@ -23,36 +23,36 @@ namespace macula::app {
 
 struct ViewPicture {
     std::shared_ptr<const Volume> volume;
-    std::string seriesDigest;  // goes into the file: no name of anybody does
+    std::string seriesDigest;  // PNG and EXR have it as publicSeries
     Drawing drawing;           // complete
     Camera camera;
     glm::ivec2 sizePx{0};
     EffortWish effort;
     PictureEffects effects = {};
-    std::filesystem::path output;  // .png, .exr or .dcm; a file that is there is replaced
-    // Of .dcm: an image of the series that is shown (dicom::SecondaryCapture), and whether nothing is taken
-    // from it.
+    std::filesystem::path output;  // .png, .exr or .dcm; replaces an existing file
+    // For .dcm, as in dicom::SecondaryCapture: an image of the shown series, whether the picture is of
+    // nobody, and whether to deidentify it.
     std::optional<dicom::SecondaryCapture::Source> source = {};
     bool isOfNobody = false;
     bool isDeidentified = false;
-    // What is laid over the picture, unless it is of light (.exr); may be empty. Says nothing of who is
-    // shown. Called by the thread that draws.
+    // Stamps over the picture, except in .exr (linear light); may be empty. They must not name the patient.
+    // Called on the thread of writeViewPicture.
     std::function<std::vector<Stamp>(const Camera&)> stampsFor = {};
 };
 
-// Opens a device of its own, as `preferredDevice` of gpu::chooseDevice, so a window goes on beside it. Takes
-// as long as that picture does. Sentences that a person should know, without patient data. usage for another
-// extension or size; fails as drawPicture and writePicture; nothing is written then.
+// Opens a device of its own, `preferredDevice` as in gpu::chooseDevice, so that the window goes on. Blocks
+// while it draws. Returns notes to the user, without patient data. usage for another extension or size; fails
+// as drawPicture, writePicture and dicom::writeSecondaryCapture, and then writes nothing.
 Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
                                                   const std::string& preferredDevice, Progress& progress);
 
-// Measures the exposure that suits the picture (PictureDrawer::meterExposure), and ignores that of the view.
-// Fails as above.
+// Measures the exposure for the picture (PictureDrawer::meterExposure), and ignores that of the view. Fails
+// as above.
 Result<double> meteredExposureOf(const ViewPicture& picture, const std::string& preferredDevice,
                                  Progress& progress);
 
-// The same pictures to be looked at, beside each other: 4 bytes a pixel, display-encoded over the background
-// of the drawing, row 0 on top. `output` and what is of files does not matter. Fails as above.
+// Draws pictures for display: 4 bytes a pixel, display-encoded over the background of the drawing, row 0 on
+// top. Ignores `output` and the fields for files. Fails as above.
 Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vector<ViewPicture>& pictures,
                                                                 const std::string& preferredDevice,
                                                                 Progress& progress);

@@ -1,4 +1,4 @@
-// From what a window shows to what is drawn and told of it; what view_picture.h and view_sequence.h share.
+// Turns a view of a window into a request and a record; shared by view_picture.h and view_sequence.h.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace macula::app {
 
-// usage for a size that no picture can have; fails as chooseQuality.
+// usage for a size or effects out of range; fails as chooseQuality.
 Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear);
 
-// For the metadata of its file; no patient data.
+// The record for the metadata of the file; no patient data.
 RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request, const DrawnPicture& drawn);
 
-// What a person should know of it.
+// The notes on the picture, each with its action.
 std::vector<std::string> sentencesOf(const DrawnPicture& drawn, const PictureRequest& request);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// What a window shows, drawn whole from many places, to a folder of pictures: a turntable, or a way.
+// Draws the view of a window along a camera path into a folder of pictures, such as a turntable.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@
 namespace macula::app {
 
 struct ViewSequence {
-    // Volume, drawing, size and effort of each picture. Its camera and output are not used: pictures are PNG.
+    // Volume, drawing, size and effort of each picture. Ignores its camera and output: pictures are PNG.
     ViewPicture picture;
     CameraPath path;
-    int frames = 1;         // 1 to kMostFrames, evenly over the time of the path
-    bool isClosed = false;  // it ends where it begins: that is not drawn twice
-    // What stands over the picture from there; empty: nothing does. Called on another thread.
+    int frames = 1;         // 1 to kMostFrames, evenly spaced over the time of the path
+    bool isClosed = false;  // the path ends where it begins; that view is drawn once
+    // Stamps over the picture of that camera; may be empty. Called on the thread of writeViewSequence.
     std::function<std::vector<Stamp>(const Camera&)> stampsFor = {};
-    std::filesystem::path folder;  // is made where it is not there
+    std::filesystem::path folder;  // created if it is missing
 };
 inline constexpr int kMostFrames = 36000;
 
@@ -32,12 +32,12 @@ std::string frameName(int index, int frames);
 
 struct WrittenSequence {
     std::vector<std::filesystem::path> files;
-    std::vector<std::string> sentences;  // that a person should know, without patient data
+    std::vector<std::string> sentences;  // notes to the user, without patient data
 };
 
-// Opens a device of its own, as writeViewPicture. When it is stopped or fails, none of its pictures are left.
-// usage where the folder has pictures of that name already, for too many frames, or as writeViewPicture;
-// outputNotWritable; fails as drawPicture.
+// Opens a device of its own, as writeViewPicture. Removes its pictures when it is stopped or fails. usage
+// where the folder holds pictures of that name, for a path without stops or a count out of range, or as
+// writeViewPicture; outputNotWritable; fails as drawPicture.
 Result<WrittenSequence> writeViewSequence(const ViewSequence& sequence, const std::string& preferredDevice,
                                           Progress& progress);
 

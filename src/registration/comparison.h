@@ -1,4 +1,4 @@
-// How alike two volumes are where a rigid transform lays one on the other.
+// How alike two volumes are under a rigid transform.
 #pragma once
 
 #include <limits>
@@ -13,10 +13,10 @@
 
 namespace macula::registration {
 
-// The first three numbers turn, about the middle of the fixed volume, the others move; all in mm.
+// p[0] to p[2]: rotation vector about `middleMm`, in mm at a radius of 100 mm; p[3] to p[5]: shift in mm.
 glm::dmat4 transformOf(const Parameters& p, const glm::dvec3& middleMm);
 
-// On one level, by one set of points. The moving grid and its bins outlive it.
+// Compares on one level at one set of points. The caller keeps the moving grid and its bins alive.
 class Comparison {
   public:
     Comparison(std::vector<SamplePoint> points, const ScalarGrid& moving, const IntensityBins& bins,
@@ -30,7 +30,7 @@ class Comparison {
     Likeness at(const Parameters& p) const {
         return likenessOf(points_, moving_, bins_, transformOf(p, middleMm_));
     }
-    // Likeness::normalised; minus infinity where too little of one lies in the other.
+    // Likeness::normalised; minus infinity if the overlap is below leastOverlap.
     double score(const Parameters& p) const {
         const Likeness likeness = at(p);
         return likeness.overlap < leastOverlap_ ? -std::numeric_limits<double>::infinity()

@@ -10,15 +10,14 @@
 namespace macula::registration {
 
 inline constexpr int kBins = 40;
-// To each side of the values: a cubic B-spline reaches two bins.
+// Bins kept free at each end: a cubic B-spline reaches two bins.
 inline constexpr int kMargin = 2;
 
-// Linear between the values that all but half a per cent lie above and below; a metal clip or one hot pixel
-// would else leave all tissue in one bin. Of activity (PET) linear in its root: most of a body takes up
-// little.
+// Linear between the 0.5 % and 99.5 % quantiles, because a metal clip or one hot pixel would leave all tissue
+// in one bin. Activity (PET) is linear in its square root, because uptake is low in most of a body.
 class IntensityBins {
   public:
-    // `unit` of the values of the grid. A grid that has no values, or one only, has no bins.
+    // `unit` is that of the grid's values. A grid without values, or of one value only, has no usable bins.
     IntensityBins(const ScalarGrid& grid, Unit unit);
 
     bool areUsable() const { return perUnit_ > 0.0; }

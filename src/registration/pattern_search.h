@@ -1,5 +1,5 @@
-// Looks for the highest value of a function of six numbers, without derivatives: Hooke and Jeeves, "Direct
-// search solution of numerical and statistical problems", J. ACM 8 (1961).
+// Maximises a function of six numbers without derivatives: Hooke and Jeeves, "Direct search solution of
+// numerical and statistical problems", J. ACM 8 (1961), then steps to the top of fitted paraboloids.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@ using Parameters = std::array<double, 6>;
 
 struct SearchRange {
     double firstStep = 1.0;
-    double lastStep = 0.1;  // below this nothing is looked for
+    double lastStep = 0.1;  // steps halve from firstStep down to this
     int mostCalls = 2000;
 };
 
@@ -20,8 +20,8 @@ struct Highest {
     double value = 0.0;
 };
 
-// The same calls for the same function. `value` may be minus infinity where nothing is to be found. Ends
-// early, with what it has, once `cancelled` says so.
+// Makes the same calls for the same function: about range.mostCalls at most, and up to 84 for paraboloids.
+// `value` may be minus infinity. Ends early, with the best place so far, once `cancelled` returns true.
 Highest patternSearch(const std::function<double(const Parameters&)>& value, const Parameters& start,
                       const SearchRange& range, const std::function<bool()>& cancelled);
 

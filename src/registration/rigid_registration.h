@@ -1,4 +1,4 @@
-// Where a point of one volume lies in another: turned and moved, not bent.
+// Registers one volume to another by a rotation and a shift, without deformation.
 #pragma once
 
 #include "base/progress.h"
@@ -9,35 +9,33 @@ namespace macula::registration {
 
 struct RigidRegistration {
     glm::dmat4 movingFromFixed{1.0};  // mm LPS to mm LPS; a rotation and a shift
-    double informationBefore = 0.0;   // mutual, in nats: where both lie as they are, or middle on middle
+    double informationBefore = 0.0;   // mutual, in nats: as both lie, or middle on middle
     double informationAfter = 0.0;
     double overlap = 0.0;  // the share of the fixed volume that lies in the moving one
-    // How far two searches from two starts, by other samples, are apart at the corner of what overlaps that
-    // is farthest, with the last step of either. It says how sharp the answer is, and not that it is right.
+    // How far apart two searches end, from two starts and with different samples: the largest distance at a
+    // corner of the overlap, plus the last step. It says how sharp the answer is, not that it is right.
     double boundMm = 0.0;
-    // Of another place along the patient, one vertebra off for one, how much of the likeness that is lost on
-    // the way there comes back (Rival), and how far away it is. 0: there is none.
+    // The strongest other place that fits, such as one vertebra off: Rival::share and shiftMm; 0: none.
     double rivalShare = 0.0;
     double rivalMm = 0.0;
 
-    // Whether that place fits nearly as well, so that nothing but a person can say which of both is right.
+    // Whether that place fits nearly as well, so that only a person can decide between both.
     bool hasRival() const;
-    // What a person has to look at closely before anything is compared.
+    // Whether a person must look at it closely before comparing anything.
     bool isDoubtful() const;
     bool operator==(const RigidRegistration&) const = default;
 };
 
-// Rigid, by mutual information, so that CT, MR and PET go together. Both may be oblique, anisotropic and
-// sheared. The same volumes give the same bits, on any number of cores. A patient who lies on the other side,
-// or is turned by more than some 30 degrees, is not found. Fails with inputNotUsable where there is nothing
-// to go by: one value only, too few voxels, too little of the same; with outOfMemory, and with cancelled.
+// Rigid, by mutual information, so that CT, MR and PET can be combined. Both may be oblique, anisotropic and
+// sheared. The same volumes give the same bits, on any number of cores. It does not find a patient who lies
+// on the other side, or is turned by more than some 30 degrees. Errors: inputNotUsable for a volume of one
+// value, too few voxels or too little in common; outOfMemory; cancelled.
 Result<RigidRegistration> registerRigid(const Volume& fixed, const Volume& moving, Progress& progress);
 
-// How much of the fixed volume's box lies in the moving one's, from 0 to 1: whether there is anything to see
-// where they are linked so.
+// The share of the fixed volume's box that lies in the moving one's under this transform, from 0 to 1.
 double boxOverlap(const Volume& fixed, const Volume& moving, const glm::dmat4& movingFromFixed);
 
-// Finite, and a rotation and a shift to a thousandth: never a mirror.
+// Whether it is finite, and a rotation and a shift to a thousandth: never a mirror.
 bool isRigid(const glm::dmat4& transform);
 
 }  // namespace macula::registration

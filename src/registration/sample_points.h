@@ -1,4 +1,4 @@
-// The points of the fixed volume that the moving one is compared at.
+// The points of the fixed volume at which the moving one is compared.
 #pragma once
 
 #include <cstddef>
@@ -12,12 +12,11 @@ namespace macula::registration {
 
 struct SamplePoint {
     glm::dvec3 mm{0.0};  // in the world of the fixed volume
-    int bin = 0;         // of its value there
+    int bin = 0;         // of the fixed volume's value there
 };
 
-// About `wanted` of them, spread over all that has a value; each somewhere within its cell, because points on
-// a grid make a grid of wrong answers. A function of the grid, the number and the seed: nothing of it is left
-// to chance.
+// About `wanted` of them, spread over all cells with a value; `seed` jitters each within its cell, because
+// points on a grid cause a grid of wrong answers. The result depends only on the four arguments.
 std::vector<SamplePoint> samplePoints(const ScalarGrid& grid, const IntensityBins& bins, std::size_t wanted,
                                       std::uint64_t seed);
 

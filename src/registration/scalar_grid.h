@@ -1,4 +1,4 @@
-// A volume with fewer, larger voxels: what two volumes are compared by.
+// A volume with fewer, larger voxels, for registration.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@
 
 namespace macula::registration {
 
-// Along the axes of the voxels, oblique and sheared as they are: a place is found through the whole affine,
+// Its axes are those of the voxels, oblique and sheared as they are. Places go through the whole affine map,
 // so a tilted gantry needs no grid of its own.
 struct ScalarGrid {
     glm::ivec3 size{0};
@@ -22,16 +22,16 @@ struct ScalarGrid {
     std::size_t index(int i, int j, int k) const {
         return (std::size_t(k) * std::size_t(size.y) + std::size_t(j)) * std::size_t(size.x) + std::size_t(i);
     }
-    // Linear between eight cells. NaN outside of the outer middles, and where one of the eight has no value.
+    // Trilinear between eight cells. NaN outside the outer centres, and where one of the eight has no value.
     float at(const glm::dvec3& cell) const;
 };
 
 // Cells of about `cellMm`, the mean of the voxels in each; none where fewer than half of them have a value.
-// Padding has none, and of Hounsfield units what is thinner than a vacuum. At least eight cells along each
-// axis, where there are as many voxels. Incomplete when cancelled. May throw std::bad_alloc.
+// Padding has none, nor has a voxel below -1100 HU. At least eight cells along each axis, if it has as many
+// voxels. Incomplete when cancelled. May throw std::bad_alloc.
 ScalarGrid gridOf(const Volume& volume, double cellMm, const CancelToken& token);
 
-// The same of a grid.
+// The same, from a finer grid.
 ScalarGrid coarser(const ScalarGrid& fine, double cellMm);
 
 inline float ScalarGrid::at(const glm::dvec3& cell) const {

@@ -8,11 +8,11 @@ namespace macula::segment {
 
 struct Part {
     std::size_t blocks = 0;
-    glm::ivec3 low{0};           // block
-    glm::ivec3 high{0};          // block, within
+    glm::ivec3 low{0};           // lowest block indices
+    glm::ivec3 high{0};          // highest block indices, inclusive
     float depthMm = 0.0f;        // the largest of any block: radius of the largest ball in it
-    bool touches = false;        // a block of it is the patient's; set in patient.cpp
-    std::size_t persistent = 0;  // blocks of columns along c that the part fills over most of its length
+    bool touches = false;        // it holds or adjoins a block of the patient; set in patient.cpp
+    std::size_t persistent = 0;  // blocks of columns along c that the part fills to 80 % of its length
 };
 
 struct Parts {

@@ -1,4 +1,4 @@
-// What ITK does for this folder. Its headers are read in one file, where its exceptions end.
+// The ITK filters of this folder. Only itk_filters.cpp includes ITK, and turns its exceptions into errors.
 #pragma once
 
 #include <cstdint>

@@ -13,13 +13,13 @@ namespace macula::segment {
 struct CatalogueEntry {
     std::string_view key;
     Severity severity = Severity::info;
-    std::string_view sentence;  // fmt syntax; its {names} are the arguments, each of which has to be given
-    std::string_view action;    // what to do; empty when there is nothing
+    std::string_view sentence;  // fmt syntax; its {names} are arguments, all of them required
+    std::string_view action;    // advice to the user; may be empty
 };
 
 std::span<const CatalogueEntry> catalogue();
 
-// `key` is one of the catalogue's, and `arguments` has every name its sentence mentions; others are kept for
+// `key` is in the catalogue, and `arguments` has every name that its sentence mentions; further ones are for
 // programs.
 Message message(std::string_view key, std::vector<MessageArgument> arguments = {});
 

@@ -8,11 +8,11 @@ namespace macula::segment {
 
 struct Opened {
     Mask mask;
-    std::vector<float> depthMm;  // of each block to the outside of what was opened
+    std::vector<float> depthMm;  // from each block to the nearest one outside the input mask
 };
 
-// Morphological opening: the part of the mask that a ball of this radius can reach without leaving it, where
-// the mask goes on beyond the edge of the grid.
+// Morphological opening: the part of the mask that a ball of this radius covers without leaving it. The mask
+// counts as continuing beyond the edge of the grid.
 Result<Opened> opened(const Grid& grid, const Mask& mask, double radiusMm);
 
 }  // namespace macula::segment

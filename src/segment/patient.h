@@ -1,4 +1,4 @@
-// Which voxels of a CT are of the patient, and which of the table and other things beside the patient.
+// Separates the patient's voxels in a CT from those of the table and of other things beside the patient.
 #pragma once
 
 #include <string_view>
@@ -12,7 +12,7 @@
 
 namespace macula::segment {
 
-// How sure it is that what is removed is not of the patient. `none`: not sure at all, and nothing is removed.
+// How sure it is that no removed voxel is the patient's. `none`: not sure at all, and nothing is removed.
 enum class Confidence { none, moderate, high };
 std::string_view nameOf(Confidence confidence);
 
@@ -28,9 +28,9 @@ struct PatientMask {
     static constexpr std::uint16_t kPatient = 1;
 };
 
-// Fails with usage for a volume that is not in HU, with cancelled, and with outOfMemory. When there is
-// nothing to remove, or it is not clear what, every voxel is the patient's. The volume itself is never
-// changed: who shows the table again only has to leave the mask away.
+// Errors: usage for a volume that is not in HU; cancelled; outOfMemory. When there is nothing to remove, or
+// it is not clear what, every voxel is the patient's. The volume itself never changes: to show the table
+// again, the caller only omits the mask.
 Result<PatientMask> findPatient(const Volume& volume, Progress& progress);
 
 }  // namespace macula::segment

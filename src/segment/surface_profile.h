@@ -1,4 +1,4 @@
-// In one slice, how far from the body the sheet begins in each column, on one side of the body.
+// Where the sheet begins in each column of one slice, on one side of the body.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ class SurfaceProfile {
 
     void add(int u, int v);  // a block of a sheet; ignored when it lies on the other side
     double widthMm() const;  // of the columns that have one
-    // Continues the sheet across gaps between two pieces of it, which is where the body lies on it; and takes
-    // it back where the body reaches through.
+    // Bridges gaps between two pieces of the sheet, where the body lies on it, and removes the sheet where
+    // the body reaches through.
     void complete();
 
     std::optional<int> top(int u) const;  // the sheet's block nearest to the body

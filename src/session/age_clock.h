@@ -1,10 +1,9 @@
-// How far the clock of the machine is believed where stored things are deleted for their age. Private to
+// Decides how far to trust the machine's clock when stored things are deleted for their age. Private to
 // src/session.
 //
-// Each opening stores its time, so the clock is doubted where it shows less than an opening has stored, and
-// where it shows so much more than the last opening that everything would be deleted at once. A doubt is on
-// the audit trail as "held". A clock that is ahead is believed once it has gone on for a day since; one that
-// is behind never is.
+// Each opening stores its time. The clock is doubted if it shows less than a stored opening, or so much more
+// than the last opening that everything would be deleted at once. The audit trail records a doubt as "held".
+// A clock that is ahead is trusted a day after the doubt; one that is behind never is.
 #pragma once
 
 #include <cstdint>
@@ -15,24 +14,24 @@
 namespace macula::session {
 
 struct AgeClock {
-    // Ages are counted to then. Nothing: nothing is deleted for its age.
+    // Ages are counted up to this time. Nothing: nothing is deleted for its age.
     std::optional<std::int64_t> countsToMs;
     ClockDoubt doubt = ClockDoubt::none;
-    bool isOnTheTrail = false;  // the doubt, from within the last day
+    bool isOnTheTrail = false;  // a doubt was recorded within the last day
 };
 
-// In a transaction or reading.
+// Call in a transaction or reading.
 AgeClock ageClock(StoreState& state, std::chrono::days retention);
 
-// The time to store of an opening: that of the clock, or of the last opening where the clock is behind it. So
-// what is opened while a clock is wrong is not taken for old when it is set right.
+// The time to store for an opening: that of the clock, or of the last opening if the clock is behind it. So
+// entries opened while the clock is behind do not count as old once it is set right.
 std::int64_t openingMs(StoreState& state);
 
-// What another machine, whose clock may be ahead, has stored was opened or made at no later time than that:
-// it would outlive its retention, and the clock here would be doubted.
+// Limits the opening and creation times of an imported row to `latestMs`: a machine whose clock is ahead may
+// have written it. Later times would outlive the retention and cast doubt on the clock here.
 void setTimesBefore(Row& row, const Table& table, std::int64_t latestMs);
 
-// In a transaction: openings that are later than the clock are of now.
+// Call in a transaction: sets openings that are later than the clock to its time.
 void setOpeningsToTheClock(StoreState& state);
 
 }  // namespace macula::session

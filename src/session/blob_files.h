@@ -1,6 +1,6 @@
-// Blobs of models: files beside the database, named by the SHA-256 of what they hold. A file is written three
-// to five times as fast as a row of the database and read as fast (docs/measurements), its
-// beginning can be read alone, and a blob that was changed does not fit its name any more.
+// Blobs of models: files beside the database, named by the SHA-256 of their content. A file is written three
+// to five times as fast as a database row and read as fast (docs/measurements), its beginning can be read
+// alone, and a changed blob no longer fits its name.
 #pragma once
 
 #include <cstddef>
@@ -18,38 +18,38 @@
 namespace macula::session {
 
 enum class BlobFault { missing, wrongSize, wrongChecksum };
-std::string_view nameOf(BlobFault fault);  // "missing", "size", "checksum": what the column aside holds
+std::string_view nameOf(BlobFault fault);  // "missing", "size", "checksum": as the column aside has it
 
 struct ReadBlob {
     std::vector<std::byte> bytes;
-    std::optional<BlobFault> fault;  // then there are no bytes
+    std::optional<BlobFault> fault;  // if set, `bytes` is empty
 };
 
 class BlobFiles {
   public:
-    // The folder is made (0700) where it is missing.
+    // Creates the folder (0700) if it is missing.
     static Result<BlobFiles> open(const std::filesystem::path& folder);
 
     const std::filesystem::path& folder() const { return folder_; }
     std::filesystem::path fileOf(std::string_view digest) const;
 
-    // A blob on the disk without its name; gone unless it is put in place.
+    // A blob on the disk under a temporary name; deleted unless it is put in place.
     struct Prepared {
         std::string digest;
         Draft draft;
     };
     Result<Prepared> prepare(std::span<const std::byte> bytes) const;
-    // Of a blob of another folder, a piece at a time: no more of it is in memory. Nothing where it has
-    // another size or digest there, or is missing. Fails when a disk does not read or write.
+    // Prepares a copy of another folder's blob, in pieces to save memory. Nothing if that blob is missing or
+    // has another size or digest. Fails if a disk does not read or write.
     Result<std::optional<Prepared>> prepareCopy(const BlobFiles& from, std::string_view digest,
                                                 std::uint64_t bytes) const;
-    // From here on the file has its name: on the disk, whole.
+    // Gives the file its final name, whole.
     Result<void> putInPlace(const Prepared& prepared) const;
 
-    // What the file holds, when it has that size and that digest. Fails when the disk does not read it.
+    // The content of the file, if its size and digest are right. Fails if the disk does not read it.
     Result<ReadBlob> read(std::string_view digest, std::uint64_t bytes) const;
 
-    // Overwritten before it is removed, so that a file system that writes in place keeps nothing.
+    // `overwritten`: overwrites before removing; a file system that writes in place then keeps nothing.
     enum class Removal { plain, overwritten };
     Result<void> remove(std::string_view digest, Removal removal) const;
 
@@ -65,11 +65,11 @@ class BlobFiles {
     std::filesystem::path folder_;
 };
 
-// Makes a folder (0700) with its parents; one that is there keeps its mode.
+// Creates a folder (0700) with its parents; an existing one keeps its mode.
 Result<void> makePrivateFolder(const std::filesystem::path& folder);
 
-// Overwrites a file and removes it; one that is not there is no error. A file that has a second name is only
-// removed: what it holds belongs to that name as well.
+// Overwrites a file and removes it; a missing file is no error. A file with a second name (hard link) is only
+// removed: its content belongs to that name as well.
 Result<void> eraseFile(const std::filesystem::path& file);
 
 // Waits until a file or folder is on the disk.

@@ -1,4 +1,4 @@
-// A damaged database is set aside, and what can be read of it goes on in a fresh one.
+// Sets a damaged database aside, and rescues what can be read of it into a fresh one.
 #pragma once
 
 #include <chrono>
@@ -10,14 +10,14 @@
 
 namespace macula::session {
 
-// Whether the header says that a newer version of the program wrote the file, which this one may only fail to
-// understand. The caller has no connection to it.
+// Whether, by its header, a newer version of the program wrote the file, which this one may only fail to
+// understand. Requires that the caller has no connection to it.
 bool isOfNewerVersion(const std::filesystem::path& database);
 
-// Moves the file with its journal to damaged/<UTC time>/, and puts a database in its place that has every row
-// with a valid checksum. Blobs that no rescued row names move there as well. Nothing is deleted, and a stop
-// at any moment leaves the damaged file in one of the two places. The caller has the store alone, and no
-// connection to the file.
+// Moves the file with its journal to damaged/<UTC time>/, and replaces it by a database with every row whose
+// checksum is valid. Also moves blobs that no rescued row names. Deletes nothing; a stop at any moment leaves
+// the damaged file in one of the two places. Requires that no other process has the store, and that the
+// caller has no connection to the file.
 Result<SetAside> setAsideAndRescue(const std::filesystem::path& database, const BlobFiles& blobs,
                                    std::chrono::milliseconds patience);
 

@@ -1,16 +1,16 @@
-// The connection to the database file, and how it is kept safe.
+// The connection to the database file, and the settings that keep it safe.
 //
-// Journal: a rollback journal that is truncated (journal_mode=TRUNCATE, synchronous=FULL), never WAL. SQLite
-// 3.7.0 to 3.51.2, so that of Debian 12 too, can corrupt a file in WAL mode when two connections write and
-// checkpoint at the same moment (the WAL-reset fault, sqlite.org/wal.html). An own lock around checkpoints
-// would hold only for programs that know of it, and not for the sqlite3 tool. A rollback journal has no such
-// fault. It needs no shared memory, so it works on network drives too, where those lock files. It is empty
-// between transactions, so what was deleted is not in it. It costs more synchronisations of the disk for each
-// transaction (docs/measurements), which no frame waits for, and readers wait while another
-// process commits. A file of ours that somebody has put into WAL mode is put back when it is opened.
+// Journal: a truncated rollback journal (journal_mode=TRUNCATE, synchronous=FULL), never WAL. In WAL mode,
+// SQLite 3.7.0 to 3.51.2, and so that of Debian 12, can corrupt a file when two connections write and
+// checkpoint at the same moment (the WAL-reset fault, sqlite.org/wal.html). A lock of our own around
+// checkpoints would not bind the sqlite3 tool. A rollback journal has no such fault. It needs no shared
+// memory, so it also works on network drives that lock files. It is empty between transactions, so it holds
+// no deleted data. It costs more disk synchronisations per transaction (docs/measurements), for which no
+// frame waits, and readers wait while another process commits. Opening a file of ours in WAL mode puts it
+// back into this mode.
 //
-// Nothing else opens the database file while a connection is open: closing any descriptor of a file drops
-// SQLite's locks of it in the whole process.
+// Nothing else may open the database file while a connection is open: closing any descriptor of a file drops
+// SQLite's locks on it in the whole process.
 #pragma once
 
 #include <SQLiteCpp/Database.h>
@@ -28,16 +28,16 @@
 
 namespace macula::session {
 
-// "Macu", in the header of the file, by which it is known to be ours.
+// "Macu": the application id in the file's header, which marks it as ours.
 inline constexpr int kApplicationId = 0x4d616375;
 
 enum class Access { readOnly, readWrite };
 
 struct ConnectionOptions {
-    Access access = Access::readWrite;         // readWrite creates the file where it is missing
-    std::chrono::milliseconds patience{5000};  // how long a lock of another process is waited for
-    std::string vfs;                           // name of SQLite's file layer; empty: that of the system
-    bool isOurs = true;                        // false: nothing of the file changes until settle()
+    Access access = Access::readWrite;         // readWrite creates a missing file
+    std::chrono::milliseconds patience{5000};  // the longest wait for another process's lock
+    std::string vfs;                           // name of SQLite's file layer; empty: the default
+    bool isOurs = true;                        // false: the file does not change until settle()
 };
 
 // Used by one thread at a time.
@@ -45,24 +45,24 @@ struct Connection {
     std::filesystem::path file;
     SQLite::Database sqlite;
     std::chrono::milliseconds patience{};
-    std::chrono::steady_clock::time_point waitsSince{};  // of the lock that is waited for now
+    std::chrono::steady_clock::time_point waitsSince{};  // when the current wait for a lock began
 };
 
-// Fails with damaged for what is no database, and with the Trouble that keeps it from being used.
+// Fails with damaged for a file that is no database, or with the Trouble that prevents its use.
 Result<std::unique_ptr<Connection>> connect(const std::filesystem::path& file,
                                             const ConnectionOptions& options);
 
-// Mode 0600, which its journal gets as well, and the rollback journal: before anything is written to the
-// file.
+// Sets mode 0600, which the journal gets as well, and the rollback journal. Call before anything is written
+// to the file.
 Result<void> settle(Connection& connection);
 
-// Gives SQL the function macula_check(table, column, ...): row_check for migrations that change columns.
+// Adds the SQL function macula_check(table, column, ...): row_check for migrations that change columns.
 void addCheckFunction(SQLite::Database& sqlite);
 
-// What SQLite threw, for a person.
+// The error, for the user, of an exception that SQLite threw.
 Error errorOf(const SQLite::Exception& exception, const Connection& connection);
 
-// What the database says of itself.
+// What inspect() finds.
 struct Inspection {
     bool isEmpty = false;  // no table yet
     int version = 0;       // user_version: the number of the last migration
@@ -70,14 +70,14 @@ struct Inspection {
 
 // PRAGMA quick_check, or integrity_check and foreign_key_check.
 enum class Thoroughness { quick, full };
-// What they say; throws when the disk does not read a page, which is no damage.
+// Whether the check passes; throws if the disk does not read a page, which is no damage.
 bool isSound(SQLite::Database& sqlite, Thoroughness thoroughness);
 
-// Fails with notOurs for a database of another program, and with damaged where the check finds something.
+// Fails with notOurs for a database of another program, and with damaged if the check finds damage.
 Result<Inspection> inspect(Connection& connection, Thoroughness thoroughness);
 
-// Runs `work`, which returns a Result, and makes an Error of what SQLite throws: no exception leaves the file
-// that calls this.
+// Runs `work`, which returns a Result, and turns SQLite's exceptions into an Error, so that none leaves the
+// file that calls this.
 template <class Work>
 auto guarded(const Connection& connection, Work&& work) -> decltype(work()) {
     try {
@@ -89,8 +89,8 @@ auto guarded(const Connection& connection, Work&& work) -> decltype(work()) {
     }
 }
 
-// All of `work` is written, or nothing: nothing when it returns an error. Whoever writes waits here for the
-// writers of other processes, and for none later on.
+// Commits all that `work` writes, or nothing if it returns an error. Waits for writers of other processes
+// here, before `work` begins, and not later.
 template <class Work>
 auto inTransaction(Connection& connection, Work&& work) -> decltype(work()) {
     return guarded(connection, [&]() -> decltype(work()) {
@@ -101,7 +101,7 @@ auto inTransaction(Connection& connection, Work&& work) -> decltype(work()) {
     });
 }
 
-// All that `work` reads is of one moment.
+// Everything that `work` reads is from one moment.
 template <class Work>
 auto inReading(Connection& connection, Work&& work) -> decltype(work()) {
     return guarded(connection, [&]() -> decltype(work()) {

@@ -1,5 +1,5 @@
-// Rows out of the bytes of a damaged database file, without SQLite: from every page that looks like a leaf of
-// a table, whether or not anything leads to it. Format: sqlite.org/fileformat2.html, sections 1.6 and 2.1.
+// Extracts rows from the bytes of a damaged database, without SQLite: from every page that looks like a leaf
+// of a table, referenced or not. Format: sqlite.org/fileformat2.html, sections 1.6 and 2.1.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ struct FoundRow {
     Row row;
 };
 
-// Those whose checksum says that they are a row of one of our tables. The same row may be found twice, and
-// more than one version of it. Any bytes may be passed.
+// The rows whose checksum is that of a row of one of our tables. A row may occur twice, and in more than one
+// version. Any bytes may be passed.
 std::vector<FoundRow> rowsInPages(std::span<const std::byte> file);
 
 }  // namespace macula::session

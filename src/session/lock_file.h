@@ -1,6 +1,6 @@
-// Locks between processes: bytes of one file, locked as open file descriptions are (F_OFD_SETLK of Linux). A
-// lock ends with its process, however that ends. They work on network drives where the drive has locks, and
-// say so where it has none.
+// Locks between processes: bytes of one file, locked by open file descriptions (F_OFD_SETLK of Linux). A lock
+// ends with its process, however that ends. Locks work on network drives that support them, and fail with
+// noLocks on others.
 #pragma once
 
 #include <sys/types.h>
@@ -21,29 +21,29 @@ enum class Hold { shared, exclusive };
 // Thread-safe.
 class LockFile {
   public:
-    // Whoever has the store open shares this; who replaces the database has it alone.
+    // Shared by each process that has the store open; exclusive to replace the database.
     static constexpr off_t kPresence = 0;
-    // Whoever copies or opens a blob shares this; who removes blobs has it alone.
+    // Shared to copy or open a blob; exclusive to remove blobs.
     static constexpr off_t kBlobs = 1;
-    // The byte of a model that is open, from the digest of its key. Two keys may have the same byte: then one
-    // of them is kept longer than it must be.
+    // The byte of an open model, from the digest of its key. Two keys may have the same byte; then one of the
+    // models is kept longer than needed.
     static off_t byteOf(std::string_view keyDigest);
 
-    // Creates the file (0600) where it is missing.
+    // Creates the file (0600) if it is missing.
     static Result<std::shared_ptr<LockFile>> open(const std::filesystem::path& file);
     ~LockFile();
     LockFile(const LockFile&) = delete;
     LockFile& operator=(const LockFile&) = delete;
 
-    // Waits so long; fails with lockedByAnother after that, and with noLocks at once. A held lock is changed
-    // to the other kind. Locks of one LockFile do not shut out each other.
+    // Waits at most `patience`, then fails with lockedByAnother; fails with noLocks at once. Changes a held
+    // lock to the other kind. Locks of one LockFile do not exclude each other.
     Result<void> acquire(off_t byte, Hold hold, std::chrono::milliseconds patience);
     void release(off_t byte);
 
-    // Shared, and counted: released when each that was added is removed.
+    // Locks the byte, shared and counted: it is released when each added mark is removed.
     Result<void> addMark(off_t byte);
     void removeMark(off_t byte);
-    // By this store or by another one. When nobody can tell, it is marked.
+    // Whether this store or another has marked the byte; true if that cannot be determined.
     bool isMarked(off_t byte);
 
   private:
@@ -56,7 +56,7 @@ class LockFile {
     std::map<off_t, int> marks_;
 };
 
-// Has a lock until it goes.
+// Holds a lock until it is destroyed.
 class HeldLock {
   public:
     static Result<HeldLock> take(std::shared_ptr<LockFile> file, off_t byte, Hold hold,

@@ -1,6 +1,6 @@
-// How the schema grew: numbered SQL files in the folder migrations, embedded in the program. They only lead
-// forward. A file that was released is never changed; what is to be changed gets the next number, and
-// tests/session a fixture of the version before.
+// The history of the schema: numbered SQL files in the folder migrations, embedded in the program. They only
+// lead forward. A released file never changes; a change gets the next number, and tests/session a fixture of
+// the version before.
 //
 // A migration that changes columns recomputes row_check with the SQL function macula_check('table', column,
 // ...), and rows.h gets the new columns.
@@ -20,19 +20,19 @@ struct Migration {
     std::string_view sql;   // statements, without BEGIN and COMMIT
 };
 
-// All that this program knows.
+// All migrations that this program knows.
 std::span<const Migration> migrations();
 int newestVersion();
 
-// Applies those that the database lacks, each in one transaction with its number, so that a stop leaves one
-// version or the next. Foreign keys hold again before each commit. Fails with newerSchema, and changes
-// nothing, where the database has a number above the last of `all`. Another process may migrate at the same
+// Applies the migrations that the database lacks, each in one transaction with its number, so that a stop
+// leaves one version or the next. Foreign keys hold before each commit. Fails with newerSchema, changing
+// nothing, if the database has a number above the last of `all`. Another process may migrate at the same
 // time.
 Result<void> migrate(Connection& connection, std::span<const Migration> all = migrations());
 
-// Fails with damaged where tables, indexes or triggers of a migrated database are not, word for word, those
-// that the migrations make. A migration therefore makes a changed table anew, and does not alter it: SQLite
-// words an altered one itself, each version in its way.
+// Fails with damaged if tables, indexes or triggers of a migrated database differ, in any word, from those
+// that the migrations create. So a migration rebuilds a changed table instead of altering it: SQLite words an
+// altered table itself, each version differently.
 Result<void> checkSchema(Connection& connection);
 
 }  // namespace macula::session

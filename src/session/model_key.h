@@ -1,4 +1,4 @@
-// What a stored model was made for.
+// The key of a stored model, and identities of studies and series.
 #pragma once
 
 #include <cstdint>
@@ -11,21 +11,21 @@ namespace macula::session {
 // 64 lower-case hexadecimal digits, as sha256Hex() gives them.
 bool isDigest(std::string_view text);
 
-// What a study and a series are called in the store: digests of their UIDs, under which nobody can read the
-// UID, but who knows it can find the entry. The UID of the study is part of the series' name: series of two
-// studies are never one.
+// The names of a study and a series in the store: digests of their UIDs. They do not reveal a UID, but
+// whoever knows it can find the entry. The name of a series includes the study's UID, so series of two
+// studies never share one.
 std::string studyIdentity(std::string_view studyUid);
 std::string seriesIdentity(std::string_view studyUid, std::string_view seriesUid);
 
-// One thing besides the volume that a model depends on: transfer function, clip, table, lights.
+// One input of a model besides the volume: transfer function, clip, table, lights.
 struct KeyPart {
     std::string name;    // letters a to z and '-': "transfer-function"
-    std::string digest;  // of what it is, not of what it is called
+    std::string digest;  // of its content, not its name
     bool operator==(const KeyPart&) const = default;
 };
 
-// Parts in any order, each name once. All of it together is the key: a model is found under the same volume,
-// trainer and parts, and under nothing else.
+// Parts in any order, each name once. The whole is the key: a model is only found under the same volume,
+// trainer and parts.
 struct ModelKey {
     std::string volume;        // digest over all voxels and the geometry
     std::int64_t trainer = 0;  // version of the trainer: kTrainerVersion
@@ -35,11 +35,11 @@ struct ModelKey {
     bool isValid() const;
 };
 
-// "clip=<digest>\n...", ordered by name; and back. Text that no key has gives no parts and false.
+// "clip=<digest>\n...", ordered by name; and back: false, with `parts` unusable, for text that no key has.
 std::string textOfParts(std::vector<KeyPart> parts);
 bool partsOfText(std::string_view text, std::vector<KeyPart>& parts);
 
-// The names of the parts that only one of two keys has, or that differ, in order; "trainer" and "volume" too.
+// The names of parts that differ, or that only one key has, in order; also "trainer" and "volume".
 std::vector<std::string> differences(const ModelKey& a, const ModelKey& b);
 
 }  // namespace macula::session

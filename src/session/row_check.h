@@ -1,4 +1,4 @@
-// A checksum of each row: SQLite has none of its pages, so a changed bit of a disk would pass for a value.
+// A checksum of each row: SQLite has none for its pages, so a bit flipped on disk would pass for a value.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace macula::session {
 
-// NULL, INTEGER or TEXT: all that columns hold.
+// NULL, INTEGER or TEXT: the types that columns use.
 using Value = std::variant<std::monostate, std::int64_t, std::string>;
 
-// CRC-64/XZ (ECMA-182, reflected): finds every burst of up to 64 bits, all else but one in 2^64. `before` is
-// the checksum of what came before.
+// CRC-64/XZ (ECMA-182, reflected): detects every burst of up to 64 bits, and misses other changes once in
+// 2^64. `before` is the checksum of the bytes before.
 std::uint64_t crc64(std::string_view bytes, std::uint64_t before = 0);
 
-// RowSum takes the checksum of a row column by column, where SQLite holds it: a row that is only looked at
-// is not copied.
+// RowSum computes the checksum of a row column by column, in SQLite's memory, so that checking a row does not
+// copy it.
 class RowSum {
   public:
     explicit RowSum(std::string_view table) : crc_(crc64(table)) {}
@@ -30,8 +30,8 @@ class RowSum {
     std::uint64_t crc_;
 };
 
-// Of the name of the table and all columns but row_check, with their kinds and lengths. The id is one of
-// them, so a row that is found under another id fails as well.
+// Checksum of the table's name and all columns but row_check, with their types and lengths. It includes the
+// id, so a row found under another id fails as well.
 std::int64_t rowCheck(std::string_view table, std::span<const Value> values);
 
 }  // namespace macula::session

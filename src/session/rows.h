@@ -1,4 +1,4 @@
-// Rows of any table, with their checksums: what repository, salvage, import and verification share.
+// Rows of any table, with their checksums: shared by repository, salvage, import and verification.
 #pragma once
 
 #include <SQLiteCpp/Column.h>
@@ -26,7 +26,7 @@ struct Column {
 struct Table {
     std::string_view name;
     std::span<const Column> columns;
-    int keyColumns = 1;  // the first so many are the primary key
+    int keyColumns = 1;  // the number of leading columns in the primary key
 };
 
 extern const Table kStudies;
@@ -37,7 +37,7 @@ extern const Table kModels;
 extern const Table kDocuments;
 extern const Table kAudit;
 
-// Places of the columns.
+// Indices of the columns.
 namespace column {
 enum Study : std::size_t { studyIdentity, studyReadable, studyFirstOpened, studyLastOpened };
 enum Series : std::size_t {
@@ -89,21 +89,21 @@ struct Row {
     std::optional<std::string> textOrNull(std::size_t column) const;
 };
 
-// The kinds of its values, and its checksum.
+// Whether the types of its values, and its checksum, are right.
 bool isSound(const Table& table, const Row& row, std::int64_t check);
 
 // "SELECT t.id, t.key, ..., t.row_check FROM models t REST"
 SQLite::Statement select(Connection& connection, const Table& table, const std::string& rest);
 
-// What a column holds, until the statement goes on.
+// The text of a column; valid until the statement steps on.
 std::string_view textOf(const SQLite::Column& column);
 
-// Whether the row that such a statement stands at has the kinds and the checksum that it should.
+// Whether the current row of such a statement has the right types and checksum.
 bool isRowSound(SQLite::Statement& statement, const Table& table);
-// That row; nothing where it is damaged.
+// The current row; nothing if it is damaged.
 std::optional<Row> readRow(SQLite::Statement& statement, const Table& table);
 
-// Inserts rows, or puts them in place of those with the same primary key.
+// Inserts rows, or replaces those with the same primary key.
 class RowWriter {
   public:
     RowWriter(Connection& connection, const Table& table);
@@ -115,12 +115,12 @@ class RowWriter {
 };
 void putRow(Connection& connection, const Table& table, const Row& row);
 
-// For a new row of models, documents or audit: never one that was there before.
+// An id for a new row of models, documents or audit; never one that was used before.
 std::int64_t nextId(Connection& connection, const Table& table);
 
 // Runs one statement with texts for its parameters.
 void execute(Connection& connection, const std::string& sql, std::span<const std::string> texts = {});
-// The first column of its first row, or 0; and of all its rows.
+// The first column: of the first row, or 0; or of all rows.
 std::int64_t numberOf(Connection& connection, const std::string& sql,
                       std::span<const std::string> texts = {});
 std::vector<std::string> textsOf(Connection& connection, const std::string& sql,

@@ -1,21 +1,21 @@
-// The store: what a person opened, made and learnt, kept between runs. It holds plain values and blobs, and
-// does not know what they mean.
+// The study store: what the user opened and made, and what models learnt, kept between runs. It holds plain
+// values and blobs, and does not interpret them.
 //
-// A folder (0700) with the database, the blobs of models in models/, and a lock file:
+// The store is a folder (0700) with the database, the blobs of models in models/, and a lock file:
 //
 //     sessions.db   sessions.lock   models/<SHA-256>.model   damaged/<time>/...
 //
-// Threads: one at a time, as a rule a session thread that owns the store; nothing here belongs on a thread
-// that draws. Each call that writes waits for the disk, and for other processes up to StoreOptions::patience.
-// Any number of processes may have the same folder open. None of them may fork while it has.
+// Threads: one at a time, usually a session thread that owns the store; call nothing here from a thread that
+// draws. Each call that writes waits for the disk, and for other processes up to StoreOptions::patience. Any
+// number of processes may have the same folder open. None of them may fork while it does.
 //
-// Errors: every call may fail with the troubles of session/trouble.h, of which troubleOf() tells which one it
-// is. After an error the store is as it was before the call, but where the call says otherwise, and may be
-// used on. A program that gets no store goes on without one, and says so once.
+// Errors: every call may fail with a Trouble (session/trouble.h), which troubleOf() returns. After an error
+// the store is as it was before the call, unless the call's comment says otherwise, and remains usable. A
+// program that cannot open the store continues without one, and tells the user once.
 //
 // Units: times are milliseconds since 1970 (UTC), sizes are bytes. Digests and identities are 64 lower-case
-// hexadecimal digits; to pass another text for one is an error of the program. What is damaged is never
-// returned: rows have checksums, blobs are named by theirs.
+// hexadecimal digits; passing other text for one is a programming error. Damaged data is never returned: rows
+// have checksums, and blobs are named by theirs.
 #pragma once
 
 #include <chrono>
@@ -43,19 +43,19 @@ std::filesystem::path defaultFolder();
 
 struct StoreOptions {
     std::filesystem::path folder = defaultFolder();
-    // All blobs together. Models above it go, the least recently used first; those that are open stay.
+    // Limit of all blobs together. Above it, the least recently used models go first; open ones stay.
     std::uint64_t modelCapBytes = 2'000'000'000;
     std::chrono::milliseconds patience{5000};
-    // `full` looks at indexes too; see verify(), and use it to have a damaged file set aside.
+    // `full` checks indexes too; use it to have a damaged file set aside, see verify().
     enum class Check { quick, full } check = Check::quick;
     std::string vfs;                      // for tests: SQLite's file layer
-    std::function<std::int64_t()> nowMs;  // for tests: the clock; empty: that of the system
+    std::function<std::int64_t()> nowMs;  // for tests: the clock; empty: the system's
 };
 
 struct StoreState;
 
-// A model that is open: as long as this lives, no process evicts or purges it. Get it before looking the
-// model up. Any thread may let it go, and after the store too.
+// Marks a model as open: while the mark lives, no process evicts or purges the model. Get the mark before
+// looking the model up. Any thread may destroy it, even after the store.
 class OpenMark {
   public:
     OpenMark(OpenMark&&) noexcept;
@@ -71,9 +71,9 @@ class OpenMark {
 
 class Store {
   public:
-    // Makes what is missing, migrates what is old, and checks what is there. A damaged database is set aside
-    // and what can be read of it is rescued: notes() tells. Fails, and changes no file that is there, where
-    // the folder cannot be used, is somebody else's, or was written by a newer version.
+    // Creates what is missing, migrates an old schema, and checks the database. Sets a damaged database aside
+    // and rescues what can be read of it; see notes(). Fails, changing no existing file, if the folder cannot
+    // be used, is somebody else's, or was written by a newer version.
     static Result<Store> open(const StoreOptions& options);
     Store(Store&&) noexcept;
     Store& operator=(Store&&) noexcept;
@@ -84,8 +84,8 @@ class Store {
 
     // Studies. -------------------------------------------------------------------------------------------
 
-    // Remembers that this was opened now, and puts it on the audit trail. Readable texts are stored as given,
-    // and those that are missing are removed: pass them only where the site allows it.
+    // Records that this was opened now, in the audit trail too. Stores readable texts as given, and removes
+    // those that are missing: pass them only if the site allows it.
     Result<void> recordOpened(const OpenedVolume& opened);
     // Latest opened first.
     Result<Listing<StudyEntry>> listStudies();
@@ -93,93 +93,93 @@ class Store {
 
     // Models. --------------------------------------------------------------------------------------------
 
-    // One transaction: a stop at any moment leaves this blob under the key, or the one of before. Makes room
-    // by eviction; fails with modelTooLarge where the blob alone is above the cap.
+    // One transaction: a stop at any moment leaves this blob under the key, or the previous one. Evicts
+    // models to make room; fails with modelTooLarge if the blob alone is above the cap.
     Result<SaveReport> saveModel(const ModelKey& key, std::span<const std::byte> blob);
-    // Of just this key. Fails with modelDamaged, and sets the row aside, where the row is damaged.
+    // The model of exactly this key. If its row is damaged, sets it aside and fails with modelDamaged.
     Result<std::optional<ModelInfo>> findModel(const ModelKey& key);
-    // Models of the same volume for other keys, those that differ in the fewest parts first, then the last
-    // used. At most so many.
+    // At most `most` models of the same volume with other keys: those that differ in the fewest parts first,
+    // then the last used.
     Result<std::vector<ModelCandidate>> nearestModels(const ModelKey& key, std::size_t most);
-    // Its blob, as it was saved last: `info` of what is returned may be newer than the one given. A wrong
-    // size or checksum is modelDamaged: the row is set aside and found no more.
+    // The blob as last saved: the returned `info` may be newer than the one given. With a wrong size or
+    // checksum, sets the row aside, so that it is no longer found, and fails with modelDamaged.
     Result<LoadedModel> readModel(const ModelInfo& info);
-    // The file of its blob, of which one may read the beginning alone. Nothing of it is checked: what is read
-    // must have checksums of its own. It may vanish at any moment, but while an OpenMark is held only when
-    // the key is saved anew; an open descriptor keeps it. Fails with modelGone where it is not there.
+    // The file of the blob, to read its beginning alone. The content is not checked, so it must have its own
+    // checksums. The file may vanish at any moment; while an OpenMark is held, only when the key is saved
+    // anew. An open descriptor keeps it. Fails with modelGone if there is no file.
     Result<std::filesystem::path> modelFile(const ModelInfo& info) const;
-    // For who found its content damaged, or does not understand it: the row is found no more, and goes first
-    // when room is made. `why` is a word of letters a to z and '-', and says nothing of a patient. Nothing
-    // happens where the key was saved anew since.
+    // For a caller that finds the content damaged or cannot read it: the row is no longer found, and is
+    // evicted first. `why` is a word of letters a to z and '-', without patient data. Does nothing if the key
+    // was saved anew since.
     Result<void> setModelAside(const ModelInfo& info, std::string_view why);
-    // Latest used first, those set aside too; of all volumes, or of one.
+    // Latest used first, including those set aside; of one volume, or of all if `volume` is empty.
     Result<Listing<ModelInfo>> listModels(const std::string& volume = {});
-    // Counts as used now. Reading does not: that would make opening wait for the disk.
+    // Marks the model as used now. Reading it does not, because opening would then wait for the disk.
     Result<void> touchModel(const ModelKey& key);
     Result<OpenMark> markOpen(const ModelKey& key);
-    // Least recently used first, and before them those that are damaged or set aside, until all together have
-    // at most so many bytes or all that is left is open.
+    // Removes models, damaged and set-aside ones first, then the least recently used, until all together have
+    // at most `capBytes` or only open ones are left.
     Result<EvictionReport> evictModels(std::uint64_t capBytes);
 
     // Documents. -----------------------------------------------------------------------------------------
 
     // `json` is an object. Members of the stored document that this program does not know stay: those whose
-    // path ("camera", "camera.eye") is neither in `json` nor in `known`. A member of `known` without members
-    // of its own in the list belongs to the program altogether.
+    // path ("camera", "camera.eye") is neither in `json` nor in `known`. If a member is in `known` and none
+    // of its own members are, the program owns the whole of it.
     Result<void> putDocument(const DocumentId& id, std::int64_t version, std::string_view json,
                              std::span<const std::string_view> known);
-    // The same for what depends on what is stored now, of which no other process changes anything meanwhile.
-    // `edit` is given the JSON that is stored, or nothing, and returns the one to store; it uses no store.
+    // The same, for a change that depends on the stored document, which no other process changes meanwhile.
+    // `edit` gets the stored JSON, or nothing, and returns the JSON to store; it must not use a store.
     using DocumentEdit = std::function<std::string(const std::optional<std::string>& stored)>;
     Result<void> changeDocument(const DocumentId& id, std::int64_t version, const DocumentEdit& edit,
                                 std::span<const std::string_view> known);
     Result<std::optional<Document>> getDocument(const DocumentId& id);
-    // Without their JSON, by name. `study` empty: those of the machine.
+    // By name, without their JSON. `study` empty: documents of the machine.
     Result<Listing<DocumentEntry>> listDocuments(DocumentKind kind, const std::string& study);
-    // False where there was none.
+    // False if there was none.
     Result<bool> removeDocument(const DocumentId& id);
 
-    // Audit trail: only ever added to. The store itself adds what was opened, purged, exported and imported.
+    // Audit trail: append-only. The store itself adds openings, purges, exports, imports and clock doubts.
 
     Result<void> addAudit(AuditAction action, AuditKind kind, const std::string& subject,
                           std::int64_t amount = 0);
-    // The last so many, oldest first.
+    // The last `most` entries, oldest first.
     Result<Listing<AuditEntry>> listAudit(std::size_t most);
 
     // Care. ----------------------------------------------------------------------------------------------
 
     // Deletes a study with its series, documents, and the volumes and models that no other study has; or a
-    // volume with its models and documents, unless a study has it. Then the file is written anew and blobs
-    // are overwritten, so that no file of the folder holds any of it; the audit trail keeps its identity.
-    // What is damaged stays, unless it goes too. Fails with lockedByAnother where one of its models is open.
-    // Fails with purgeIncomplete where rows are deleted and another process keeps bytes from being
-    // overwritten: do it again, or collectGarbage(), which do what a purge that was stopped has left.
+    // volume with its models and documents, unless a study has it. Then rewrites the database file and
+    // overwrites the blobs, so that no file of the folder holds any of it; the audit trail keeps its
+    // identity. `damaged` decides about damaged data. Fails with lockedByAnother if one of its models is
+    // open. Fails with purgeIncomplete if the rows are deleted, but another process prevents overwriting:
+    // purge again or call collectGarbage(), which finish a purge that was stopped.
     Result<PurgeReport> purgeStudy(const std::string& study, DamagedFiles damaged);
     Result<PurgeReport> purgeVolume(const std::string& volume, DamagedFiles damaged);
-    // All studies, and volumes without one, that were not opened for so many days. Where the clock is doubted
-    // (age_clock.h) nothing is deleted, and the report and the audit trail say so; one that is `trusted` is
-    // not asked, and openings that are later than it are of now from then on.
+    // Deletes all studies, and volumes without one, that were not opened for so many days. While the clock is
+    // doubted (age_clock.h), deletes nothing, or only what was old at the last trusted time; report and audit
+    // trail say so. A `trusted` clock is not checked, and openings later than it are set to it.
     enum class Clock { checked, trusted };
     Result<PurgeReport> purgeUnused(std::chrono::days retention, DamagedFiles damaged,
                                     Clock clock = Clock::checked);
-    // What purgeUnused would say of the clock.
+    // The doubt about the clock that purgeUnused would report.
     Result<ClockDoubt> clockDoubt(std::chrono::days retention);
-    // All studies, and volumes without one, but for those of which a model is open. The machine's documents
-    // that are of no volume, and the audit trail, stay.
+    // Deletes all studies, and volumes without one, except those with an open model. Keeps the audit trail,
+    // and the machine's documents that are of no volume.
     Result<PurgeReport> purgeAll(DamagedFiles damaged);
 
-    // Reads everything: pages, indexes, references, rows, blobs. Sets models and documents aside that do not
-    // pass. Where isDatabaseSound is false, close all stores and open one with Check::full.
+    // Reads everything: pages, indexes, references, rows, blobs. Sets damaged models and documents aside. If
+    // isDatabaseSound is false, close all stores and open one with Check::full.
     Result<VerifyReport> verify(Progress& progress);
     // Removes blobs without a row, and what killed programs left half written or half purged.
     Result<GcReport> collectGarbage();
 
-    // A copy of one moment, made by SQLite and not by copying its file: a new folder (0700) with the database
-    // and its blobs, not below the store's own. Nothing is there when it fails.
+    // Makes a copy of one moment, by SQLite and not by copying its file: a new folder (0700) with the
+    // database and its blobs, not below the store's own. Leaves nothing there if it fails.
     Result<SnapshotReport> exportTo(const std::filesystem::path& newFolder, Progress& progress);
-    // Adds what such a folder holds and this store lacks; of what both have, the newer stays. The audit trail
-    // of the other is left out. The folder is not changed. Where it fails or is stopped on the way, what was
-    // added by then stays.
+    // Adds what such a folder holds and this store lacks; of entries in both, the newer stays. Leaves out the
+    // other audit trail, and does not change the folder. If it fails or is stopped, entries added by then
+    // stay.
     Result<SnapshotReport> importFrom(const std::filesystem::path& folder, Progress& progress);
 
   private:

@@ -21,15 +21,15 @@ struct SetAside {
     std::size_t documentsRescued = 0;
 };
 
-// What is worth telling a person of the opening.
+// What the user may need to know about the opening.
 struct OpeningNotes {
     bool isNew = false;
-    int versionBefore = 0;       // of the schema, where it was migrated
+    int versionBefore = 0;       // of the schema, if it was migrated; else 0
     bool othersMayRead = false;  // the file system has no modes, or the folder is somebody else's
     std::optional<SetAside> setAside;
 };
 
-// What a list gives: sound rows, and how many others there were.
+// The sound rows of a list, and the number of damaged ones.
 template <class T>
 struct Listing {
     std::vector<T> entries;
@@ -40,7 +40,7 @@ struct OpenedVolume {
     std::string study;   // studyIdentity(); both are empty for a file that belongs to no study
     std::string series;  // seriesIdentity()
     std::string volume;  // digest
-    std::optional<std::string> readableStudy;  // what a person may read of it, as the caller formats it
+    std::optional<std::string> readableStudy;  // readable text, as the caller formats it
     std::optional<std::string> readableSeries;
 };
 
@@ -50,7 +50,7 @@ struct StudyEntry {
     std::int64_t firstOpenedMs = 0;
     std::int64_t lastOpenedMs = 0;
     std::size_t series = 0;
-    std::size_t models = 0;  // that are not set aside
+    std::size_t models = 0;  // without those set aside
     std::uint64_t modelBytes = 0;
     std::size_t documents = 0;
 };
@@ -70,10 +70,10 @@ struct ModelInfo {
     std::string checksum;  // SHA-256 of the blob
     std::int64_t createdMs = 0;
     std::int64_t savedMs = 0;
-    // The order of use. It is the time, but for a clock that was put back: then it goes on from the last.
+    // The time of last use, which orders uses: if the clock was set back, it goes on from the last one.
     std::int64_t usedMs = 0;
-    // Why it was set aside: "missing", "size", "checksum", or what setModelAside() was given. Empty: it was
-    // not.
+    // Why it was set aside: "missing", "size", "checksum", or the word given to setModelAside(). Empty: it
+    // was not.
     std::string aside;
 };
 
@@ -90,7 +90,7 @@ struct LoadedModel {
 struct EvictionReport {
     std::size_t models = 0;
     std::uint64_t bytes = 0;
-    std::uint64_t bytesLeft = 0;  // above the cap only where all that is left is open
+    std::uint64_t bytesLeft = 0;  // above the cap only if all that are left are open
 };
 
 struct SaveReport {
@@ -106,18 +106,18 @@ std::string_view nameOf(DocumentKind kind);
 struct DocumentId {
     DocumentKind kind = DocumentKind::session;
     std::string study;  // identity; empty: of the machine, for all studies
-    // 1 to 200 bytes; others are found nowhere, and refused where one is put. A view, session, layout or
-    // measurement without a study whose name begins with the digest of a volume and a space is of that
-    // volume, and is purged with it.
+    // 1 to 200 bytes; other names are never found, and putting one fails. A view, session, layout or
+    // measurement without a study belongs to a volume, and is purged with it, if its name begins with the
+    // volume's digest and a space.
     std::string name;
 };
 
-// As `name` says above.
+// Whether the document belongs to a volume: see `name`.
 bool isOfVolume(const DocumentId& id);
 
 struct DocumentEntry {
     DocumentId id;
-    std::int64_t version = 0;  // of its format, as the program that wrote it counts
+    std::int64_t version = 0;  // of its format, as counted by the program that wrote it
     std::int64_t createdMs = 0;
     std::int64_t changedMs = 0;
 };
@@ -126,7 +126,7 @@ struct Document : DocumentEntry {
     std::string json;
 };
 
-// `held`: nothing was deleted for its age, as the clock was doubted.
+// `held`: the clock was doubted when things were to be deleted for their age.
 enum class AuditAction { opened, exported, deleted, imported, expired, held };
 enum class AuditKind { study, series, volume, model, document, picture, store };
 std::string_view nameOf(AuditAction action);
@@ -141,23 +141,23 @@ struct AuditEntry {
     std::int64_t amount = 0;  // how many
 };
 
-// What a purge does with what is damaged, files that were set aside and rows of models and documents: nobody
-// can tell of which study it is.
+// What a purge does with damaged data, whose study is unknown: database files that were set aside, and rows
+// of models and documents.
 enum class DamagedFiles { keep, remove };
 
-// Why the clock of the machine is not believed: it shows less than an opening has stored, or so much more
-// than the last one that all of them would be old.
+// Why the machine's clock is doubted: it shows less than a stored opening, or so much more than the last one
+// that everything would be old.
 enum class ClockDoubt { none, behind, ahead };
 std::string_view nameOf(ClockDoubt doubt);
 
 struct PurgeReport {
     std::size_t studies = 0;
     std::size_t volumes = 0;
-    std::size_t models = 0;  // damaged ones too, where they are removed; of documents as well
+    std::size_t models = 0;  // includes damaged ones that were removed; so does `documents`
     std::size_t documents = 0;
-    std::size_t skippedOpen = 0;          // of purgeUnused and purgeAll: a model of theirs is open
-    std::size_t damagedFolders = 0;       // that are still there
-    ClockDoubt clock = ClockDoubt::none;  // of purgeUnused: why what seems to be old has stayed
+    std::size_t skippedOpen = 0;          // of purgeUnused and purgeAll: with an open model
+    std::size_t damagedFolders = 0;       // that are left
+    ClockDoubt clock = ClockDoubt::none;  // of purgeUnused: why old entries may have stayed
 };
 
 struct VerifyReport {
@@ -165,8 +165,8 @@ struct VerifyReport {
     std::size_t rows = 0;
     std::size_t blobs = 0;
     std::size_t damagedRows = 0;
-    std::size_t damagedBlobs = 0;  // missing ones too
-    std::size_t setAside = 0;      // models and documents, by now and before
+    std::size_t damagedBlobs = 0;  // includes missing ones
+    std::size_t setAside = 0;      // models and documents, now and earlier
     std::size_t orphans = 0;       // blobs without a row
     std::size_t damagedFolders = 0;
     bool isSound() const { return isDatabaseSound && damagedRows == 0 && damagedBlobs == 0; }
@@ -181,8 +181,8 @@ struct SnapshotReport {
     std::size_t studies = 0;
     std::size_t models = 0;
     std::size_t documents = 0;
-    std::size_t skipped = 0;  // the store's own was newer, or there was no room
-    std::size_t damaged = 0;  // rows and blobs that were left out
+    std::size_t skipped = 0;  // models and documents: the store's own was newer, or it had no room
+    std::size_t damaged = 0;  // rows and blobs left out
 };
 
 }  // namespace macula::session

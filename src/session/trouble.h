@@ -1,5 +1,5 @@
-// What can go wrong with stored sessions: each has a sentence of its own, and what to do. None of them names
-// a patient or a path; the path is Error::where.
+// The errors of stored sessions, each with its own sentence and advice. None of them names a patient or a
+// path; the path is Error::where.
 #pragma once
 
 #include <filesystem>
@@ -10,31 +10,31 @@
 namespace macula::session {
 
 enum class Trouble {
-    readOnly,         // the folder or the file may not be written
+    readOnly,         // the folder or file may not be written
     diskFull,         // no space, or the quota is used up
-    noLocks,          // the file system cannot lock files, as some network drives
-    lockedByAnother,  // another process has held the lock longer than was waited
+    noLocks,          // the file system cannot lock files, like some network drives
+    lockedByAnother,  // another process held the lock for too long
     damaged,          // the database is no longer what was written
     newerSchema,      // a newer version of the program wrote it
-    notOurs,          // a file or folder of somebody else stands there
+    notOurs,          // the file or folder belongs to another program
     diskError,        // reading or writing failed
     noMemory,
     modelDamaged,     // a blob or its row is not what was saved
     modelTooLarge,    // one blob alone is above the cap
     modelGone,        // removed since it was looked up
     documentDamaged,  // its row is not what was saved
-    documentInvalid,  // what is to be saved is no JSON object, too long or too deep, or has no usable name
-    snapshotInvalid,  // what is to be imported is no snapshot
+    documentInvalid,  // not a JSON object, too long or too deep, or without a usable name
+    snapshotInvalid,  // the folder to import is no snapshot
     purgeIncomplete,  // deleted, but bytes may still lie in a file that another process reads
 };
 inline constexpr int kTroubles = 16;
 
 Error errorOf(Trouble trouble, const std::filesystem::path& where);
 
-// Which of them an error of this room is; nothing for errors of other rooms.
+// The trouble of an error of this folder's functions; nothing for other errors.
 std::optional<Trouble> troubleOf(const Error& error);
 
-// Of an errno that open, mkdir, write or fsync left.
+// The trouble of an errno from open, mkdir, write or fsync.
 Trouble troubleOfErrno(int reason);
 
 }  // namespace macula::session

@@ -39,9 +39,9 @@ struct Rgb {
 };
 Rgb colourOf(ColourTable table, std::uint8_t grey);
 
-// A pixel for each value, 0xAARRGGBB, premultiplied: nothing where there is no value. Colours come up over
-// the lowest quarter of the window, so that what takes up nothing hides nothing; of grey all is as opaque.
-// `opacity` from 0 to 1.
+// One pixel for each value, 0xAARRGGBB, premultiplied; NaN is transparent. Opacity rises from 0 over the
+// lowest quarter of the window, so that regions without uptake hide nothing; for grey it is the same
+// everywhere. `opacity` from 0 to 1.
 std::vector<std::uint32_t> toColours(std::span<const float> values, const DisplayWindow& window,
                                      bool inverted, ColourTable table, double opacity);
 

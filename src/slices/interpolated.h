@@ -1,5 +1,5 @@
-// Slices in which no image was taken (Provenance::interpolatedSlices), where pictures and measurements meet
-// them.
+// Where pictures and measurements meet interpolated slices, of which no image was taken
+// (Provenance::interpolatedSlices).
 #pragma once
 
 #include <vector>
@@ -13,8 +13,8 @@ namespace macula::slices {
 
 bool isInterpolated(const Volume& volume, int slice);
 
-// Of the volume's ranges of such slices, those that the picture of the frame meets, or its slab reaches. A
-// slice is as thick as the distance to the next.
+// The volume's ranges of interpolated slices that the picture of the frame, or its slab, meets. A slice is as
+// thick as the distance to the next.
 std::vector<SliceRange> interpolatedIn(const Volume& volume, const SliceFrame& frame, const Slab& slab);
 
 // In pixels of the picture.
@@ -22,12 +22,12 @@ struct PictureLine {
     glm::dvec2 from{0.0};
     glm::dvec2 to{0.0};
 };
-// Where the range begins and ends in the picture, within the volume: at most two lines. None in a plane that
-// is parallel to the slices.
+// The lines in the picture at which the range begins and ends within the volume: at most two, and none in a
+// plane that is parallel to the slices.
 std::vector<PictureLine> edgesOf(const SliceRange& slices, const Volume& volume, const SliceFrame& frame);
 
-// How much of what is measured lies in such slices, 0 to 1: of the voxels that the values of an ellipse are
-// over, else of the points.
+// The share of a measurement that lies in such slices, 0 to 1: of the voxels that valuesIn measures in an
+// ellipse, else of the points.
 double interpolatedShare(const Measurement& measurement, const Volume& volume);
 
 }  // namespace macula::slices

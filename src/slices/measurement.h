@@ -1,5 +1,5 @@
-// What a person measures on slices: distances, angles, and values within an ellipse. Points are in patient
-// LPS mm, so a measurement is the same whatever it is looked at with.
+// Measurements on slices: distances, angles, and values within an ellipse. Points are in patient LPS mm, so a
+// measurement does not depend on the view.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct Angle {
     bool operator==(const Angle&) const = default;
 };
 
-// In the plane: axes along right and down.
+// Its axes run along right and down of the plane.
 struct Ellipse {
     SlicePlane plane;  // its centre is the ellipse's
     glm::dvec2 radiiMm{0.0};
@@ -36,52 +36,52 @@ struct Ellipse {
 struct Measurement {
     std::string label = {};  // a person's words; may be empty
     std::variant<Distance, Angle, Ellipse> shape;
-    // The plane that it was drawn on: it is shown on slices that it lies in. Of an ellipse that of its own
-    // plane counts.
+    // Normal of the plane that it was drawn on; slices that it lies in show it (liesIn). An ellipse uses the
+    // normal of its own plane instead.
     glm::dvec3 normal{0.0, 0.0, 1.0};
     bool operator==(const Measurement&) const = default;
 };
 
 // As in files: "distance", "angle", "ellipse".
 std::string_view kindOf(const Measurement& measurement);
-// That it was drawn by: ends; legs with the vertex between them; centre, and the ends of both radii.
+// The points it was drawn by: both ends; leg, vertex, leg; or the centre and the ends of both radii.
 std::vector<glm::dvec3> pointsOf(const Measurement& measurement);
 
-// NaN where a point is not finite, as are the two below.
+// NaN if a point, or a radius of an area, is not finite; the same holds for the two below.
 double lengthMm(const Distance& distance);
 // 0 to 180. NaN when a leg has no length.
 double angleDeg(const Angle& angle);
-double areaMm2(const Ellipse& ellipse);  // as it was drawn, also where there is no voxel
+double areaMm2(const Ellipse& ellipse);  // of the shape as drawn, even without a voxel
 
 struct EllipseValues {
-    double areaMm2 = 0.0;          // as above
-    std::size_t voxels = 0;        // that the rest is over
-    std::size_t interpolated = 0;  // of these, in slices in which no image was taken
+    double areaMm2 = 0.0;          // areaMm2(ellipse)
+    std::size_t voxels = 0;        // that the other values are of
+    std::size_t interpolated = 0;  // of these, in slices without an image
     double mean = 0.0;             // in units, as the three below
-    double deviation = 0.0;        // of a sample: n - 1. NaN of one voxel
+    double deviation = 0.0;        // of a sample: n - 1. NaN for one voxel
     double low = 0.0;
     double high = 0.0;
 };
-// Over voxels, each once, padding left out: those that the plane cuts, and cuts so that the middle of the cut
-// lies in the ellipse or on it. Where the plane is one of voxels, these are the voxels whose centre lies in
-// the ellipse. The voxel at the ellipse's centre always counts, so that a small one has a value. A plane half
-// way between two slices is in the one of the larger index. A slab does not count: it is the plane alone.
-// Nothing where no voxel is left, and for what is no ellipse: radii that are not above 0, or NaN.
+// Measures the voxels, each once and without padding, that the plane cuts so that the centroid of the cut
+// lies in or on the ellipse; in a plane of voxels these are the voxels whose centre does. The voxel at the
+// ellipse's centre always counts, so that a small ellipse has a value. A plane half way between two slices is
+// in the one of the larger index. A slab is ignored: the plane alone counts. Nothing if no voxel is left, or
+// a radius is not above 0 or is NaN.
 std::optional<EllipseValues> valuesIn(const Ellipse& ellipse, const Volume& volume);
 
-// All of it within `toleranceMm` of the plane of the frame, and drawn on one parallel to it, to a degree.
+// Whether all of it is within `toleranceMm` of `plane`, and was drawn on one parallel to it, to a degree.
 bool liesIn(const Measurement& measurement, const SlicePlane& plane, double toleranceMm);
 
 // The slice of the volume in whose thickness all of it lies; nothing where it goes through several, or lies
 // outside of the volume.
 std::optional<int> sliceOf(const Measurement& measurement, const Volume& volume);
 
-// Whether it says a length or an area: all but angles do.
+// Whether it has a length or an area: all but angles do.
 bool hasSize(const Measurement& measurement);
 
-// What is written beside it: "12.3 mm", "45.0°", "120 ± 14 HU, 35 to 160, 310 mm²"; "–" for what is not
-// defined. Lengths and areas begin with "≈" where the volume is not calibrated. The unit is Volume::unitName.
-// HU are whole numbers; others have three digits or more. As slow as valuesIn: for whoever draws to keep.
+// The text beside it: "12.3 mm", "45.0°", "120 ± 14 HU, min 35, max 160, 310 mm²"; "–" if a value is not
+// defined. Lengths and areas begin with "≈" if the volume is not calibrated. The unit is Volume::unitName. HU
+// are whole numbers; others have three digits or more. As slow as valuesIn: drawing code caches it.
 std::string textOf(const Measurement& measurement, const Volume& volume);
 
 }  // namespace macula::slices

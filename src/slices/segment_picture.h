@@ -20,10 +20,10 @@ struct ShownSegment {
     std::shared_ptr<const VoxelSet> voxels;  // of the volume that is shown
     std::string label;                       // for the screen
     std::array<std::uint8_t, 3> rgb{};       // sRGB
-    double opacity = 0.4;                    // of what is filled, 0 to 1; the line is opaque
-    // How it came to these voxels, for who says so beside the picture.
+    double opacity = 0.4;                    // of the fill, 0 to 1; the line is opaque
+    // How these voxels were derived, for the remark beside the picture.
     bool isResampled = false;   // drawn on other voxels: the nearest of them counts
-    bool hasFractions = false;  // what is half or more counts
+    bool hasFractions = false;  // a fraction of a half or more counts
 
     bool operator==(const ShownSegment&) const = default;  // of voxels: the same set
 };
@@ -35,16 +35,16 @@ struct SegmentPicture {
     std::vector<std::uint32_t> argb;
 };
 
-// A pixel belongs to the segments of the voxel whose middle is nearest to the pixel's, as in sampleSlice with
-// Filter::nearest; so borders are those of voxels. Later segments lie over earlier ones, and lines over all
-// that is filled; a line lies within its segment, `linePx` wide, and none where a segment leaves the picture.
-// Of a slab it is the plane in the middle. Uses all cores. `cancelled` is asked from several threads at a
-// time; then the result is empty. May throw std::bad_alloc.
+// A pixel belongs to the segments of the voxel nearest to its centre, as in sampleSlice with Filter::nearest,
+// so borders are those of voxels. Later segments lie over earlier ones, and lines over all fills; a line lies
+// within its segment, is `linePx` wide, and is missing where a segment leaves the picture. A slab shows its
+// middle plane. Uses all cores. Calls `cancelled` from several threads at a time; if it returns true, the
+// result is empty. May throw std::bad_alloc.
 SegmentPicture paintSegments(const Volume& volume, const SliceFrame& frame,
                              std::span<const ShownSegment> segments, int linePx,
                              const std::function<bool()>& cancelled = {});
 
-// The places in `segments` of those that the voxel nearest to a point belongs to.
+// Indices into `segments` of those that contain the voxel nearest to a point.
 std::vector<std::size_t> segmentsAt(const Volume& volume, const glm::dvec3& mm,
                                     std::span<const ShownSegment> segments);
 

@@ -19,7 +19,7 @@ struct SlicePlane {
     glm::dvec3 right{1.0, 0.0, 0.0};
     glm::dvec3 down{0.0, 1.0, 0.0};
 
-    // Away from who looks: to the head in an axial picture.
+    // Away from the viewer: towards the head in an axial picture.
     glm::dvec3 normal() const { return glm::cross(right, down); }
     // Finite; right and down are unit vectors and perpendicular, to a thousandth.
     bool isUsable() const;
@@ -28,10 +28,9 @@ struct SlicePlane {
 
 SlicePlane planeOf(Orientation orientation, const glm::dvec3& centreMm);
 
-// The plane in which the slices of the volume were taken, turned by quarters and mirrored so that it looks
-// like planeOf of the orientation that it is nearest to. Of a volume with a tilted gantry its normal is not
-// the direction from slice to slice. Never mirrored with regard to the patient: its normal is within 90
-// degrees of that of planeOf.
+// The plane in which the slices of the volume were taken, with its axes swapped or negated to be nearest to
+// planeOf the nearest orientation, but never mirrored: its normal is within 90 degrees of that of planeOf.
+// With a tilted gantry the normal is not the direction from slice to slice.
 SlicePlane acquiredPlane(const Volume& volume, const glm::dvec3& centreMm);
 Orientation acquiredOrientation(const Volume& volume);
 
@@ -43,28 +42,28 @@ struct SliceFrame {
     glm::ivec2 sizePx{0};
 
     glm::dvec3 worldFromPicture(const glm::dvec2& px) const;
-    // Of the point of the plane that is nearest. Not finite where mmPerPixel is 0.
+    // Of the nearest point of the plane. Not finite if mmPerPixel is 0.
     glm::dvec2 pictureFromWorld(const glm::dvec3& mm) const;
     double distanceMm(const glm::dvec3& mm) const;  // from the plane, positive along its normal
-    // Its plane is, and its scale is finite and above 0. It may have no pixels.
+    // Its plane is usable, and mmPerPixel is finite and above 0. It may have no pixels.
     bool isUsable() const;
     bool operator==(const SliceFrame&) const = default;
 };
 
-// Along the normal of a plane, from it.
+// Distances from a plane along its normal.
 struct DepthRange {
     double lowMm = 0.0;
     double highMm = 0.0;
 };
-// Where the volume is, half a voxel beyond the outer centres: how far slices can be moved, and slabs reach.
+// The range that the volume covers, to half a voxel beyond the outer centres: limits for slices and slabs.
 DepthRange depthsMm(const Volume& volume, const SlicePlane& plane);
 
-// The largest scale at which all of the volume that the plane meets fits; of what it does not meet, all of
-// the volume. Positive; 1 where the plane is not usable or there are no pixels.
+// The smallest mmPerPixel at which all of the volume that the plane meets fits the picture; a plane that
+// misses the volume fits all of it. Positive; 1 if the plane is not usable or there are no pixels.
 double fittedMmPerPixel(const Volume& volume, const SlicePlane& plane, const glm::ivec2& sizePx);
 
-// How far it is from one slice to the next along the normal of the plane: the distance of voxel planes where
-// the plane is parallel to them (to a thousandth of a radian), else the smallest side of a voxel. Positive.
+// The step from one slice to the next along the normal: the distance of voxel planes if the plane is parallel
+// to them (to a thousandth of a radian), else the smallest side of a voxel. Positive.
 double stepMm(const Volume& volume, const SlicePlane& plane);
 
 }  // namespace macula::slices

@@ -1,5 +1,5 @@
-// Values at and between the voxels of a volume, straight from its one copy of them. Templates over what
-// voxels are kept as: a picture takes millions of values, and a call of Volume::value for each costs too
+// Values at and between the voxels of a volume, read directly from its memory. Templates over the format of
+// voxels, because a picture takes millions of values and a call of Volume::value for each would cost too
 // much.
 #pragma once
 
@@ -14,12 +14,11 @@
 
 namespace macula::slices {
 
-// Voxel coordinates that differ by less are the same: places are rounded, and a picture through the middles
-// of voxels shows the values of these.
+// Voxel coordinates that differ by less are the same: coordinates are rounded, and a picture through the
+// centres of voxels shows exactly their values.
 inline constexpr double kSamePlace = 1e-6;
 
-// The voxel whose middle is nearest. `at` is at most half a voxel, and kSamePlace, outside of the outer
-// middles.
+// The voxel whose centre is nearest. `at` is at most half a voxel + kSamePlace outside the outer centres.
 inline glm::ivec3 nearestVoxel(const glm::dvec3& at, const glm::ivec3& size) {
     return glm::min(glm::ivec3(at + 0.5), size - 1);
 }
@@ -37,14 +36,14 @@ class StoredVoxels {
     }
 
     const Voxel* data() const { return voxels_; }
-    // One comparison: what is below wraps around.
+    // One comparison, because lower values wrap around.
     bool isPadding(Voxel voxel) const { return static_cast<unsigned>(voxel - paddingLow_) <= paddingSpan_; }
     double inUnits(double stored) const { return units_(stored); }
 
   private:
     const Voxel* voxels_;
     UnitsFromStored units_;
-    int paddingLow_ = 65536;  // no voxel is
+    int paddingLow_ = 65536;  // above every voxel: no padding
     unsigned paddingSpan_ = 0;
 };
 
@@ -66,8 +65,8 @@ class FloatVoxels {
     float padding_;
 };
 
-// Places are voxel coordinates, at most half a voxel and kSamePlace outside of the outer middles: there the
-// value is that at the outermost middles. NaN is no value: padding.
+// Places are voxel coordinates, at most half a voxel + kSamePlace outside the outer voxel centres; beyond
+// these centres the value stays constant. NaN means no value: padding.
 template <class Voxels>
 class VoxelGrid {
   public:
@@ -80,7 +79,7 @@ class VoxelGrid {
         return voxels_.isPadding(voxel) ? kNoValue : voxels_.inUnits(voxel);
     }
 
-    // Also of places further outside.
+    // Also accepts places farther outside.
     double linear(const glm::dvec3& at) const {
         const glm::dvec3 inside = glm::clamp(at, glm::dvec3(0.0), glm::dvec3(size_ - 1));
         const glm::ivec3 low = glm::min(glm::ivec3(inside), glm::max(size_ - 2, glm::ivec3(0)));
@@ -91,7 +90,7 @@ class VoxelGrid {
         return between(place(low), i, j, k, inside - glm::dvec3(low));
     }
 
-    // The same, where each coordinate is at least 0 and below the last middle.
+    // The same, for coordinates of at least 0 and below the last voxel's centre.
     double linearInside(const glm::dvec3& at) const {
         const glm::ivec3 low(at);
         return between(place(low), 1, rows(1), slices(1), at - glm::dvec3(low));
@@ -114,7 +113,7 @@ class VoxelGrid {
         return share > 1.0 - kSamePlace ? 1.0 : share;
     }
 
-    // Of the eight voxels at `first` and at i, j and k from it.
+    // Trilinear between the eight voxels at `first` and at offsets i, j and k from it.
     double between(const Voxel* first, std::ptrdiff_t i, std::ptrdiff_t j, std::ptrdiff_t k,
                    const glm::dvec3& share) const {
         const Voxel* behind = first + k;

@@ -1,4 +1,4 @@
-// Between places in the patient and those among the voxels of a volume.
+// From places in the patient to voxel coordinates of a volume.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,7 +8,7 @@
 
 namespace macula::slices {
 
-// Where voxels are: half a voxel outside of the outer middles.
+// Voxel coordinates that the volume covers: to half a voxel + kSamePlace beyond the outer centres.
 struct Bounds {
     glm::dvec3 low{0.0};
     glm::dvec3 high{0.0};
@@ -23,8 +23,8 @@ inline Bounds boundsOf(const glm::ivec3& size) {
     return {glm::dvec3(-beyond), glm::dvec3(size - 1) + beyond};
 }
 
-// From voxel coordinates to those of the patient and back. The origin is subtracted before the turn, so that
-// far from the origin of the patient's coordinates no digits are lost.
+// From patient LPS mm to voxel coordinates. The origin is subtracted before the rotation, so that volumes far
+// from the patient's origin lose no digits.
 class VoxelPlaces {
   public:
     explicit VoxelPlaces(const Volume& volume)

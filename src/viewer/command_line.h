@@ -15,7 +15,7 @@
 namespace macula::viewer {
 
 struct CommandLine {
-    std::optional<QString> folder;  // none: the phantom
+    std::optional<QString> folder;  // nothing: the phantom
     QString preset;                 // empty: by modality
     QString lights;                 // empty: the default
     QString device;
@@ -23,7 +23,7 @@ struct CommandLine {
     std::optional<QSize> size;               // of the picture
     app::Layout layout = app::Layout::fourPanes;
     bool choosesLayout = false;
-    std::optional<Language> language = {};  // nothing: as settings or the desktop have it
+    std::optional<Language> language = {};  // nothing: from the settings or the desktop
     bool highContrast = false;
     double fontScale = 1.0;
     bool choosesFontScale = false;
@@ -31,27 +31,27 @@ struct CommandLine {
     bool usesModel = true;
     bool keepsSessions = true;
     std::optional<QString> sessions;  // none: session::defaultFolder()
-    std::optional<int> keepDays;      // what was not opened for so long is deleted; none: never
-    bool calibrates = false;          // only measures this machine, and says how fast it is
-    bool showsInHeadset = false;      // the study, once it is there
-    bool choosesView = false;         // the command line says how the study is shown
-    // `opening` is what `session` starts by itself.
+    std::optional<int> keepDays;      // deletes what was unopened for longer; nothing: never
+    bool calibrates = false;          // only measures this machine's speed and prints it
+    bool showsInHeadset = false;      // the study, once it is open
+    bool choosesView = false;         // an option says how the study is shown
+    // `session` itself starts `opening`.
     enum class Script { none, orbit, changes, session, opening, stations } script = Script::none;
     QString screenshots;
-    QString lastStation;       // of the script `stations`; empty: all of them
-    bool namesPatient = true;  // on screen; in screenshots only where that was asked for
+    QString lastStation;       // of the script `stations`; empty: all
+    bool namesPatient = true;  // on screen; in screenshots only on request
     double waitSeconds = 0.0;
     double turnSeconds = 8.0;
     double seconds = 8.0;
     double restSeconds = 300.0;
-    std::optional<QString> print;  // help or version was asked for: print this and leave
+    std::optional<QString> print;  // the help or version text to print before exiting
 };
 
 // `arguments` begins with the program's name. Without --keep-days, MACULA_KEEP_DAYS of the environment
 // counts. Fails with usage.
 Result<CommandLine> parseCommandLine(const QStringList& arguments);
 
-// What neither the line nor the environment says is as a person has set it.
+// Takes from `settings` what neither the command line nor the environment sets.
 CommandLine withSettings(CommandLine line, const Settings& settings);
 
 }  // namespace macula::viewer

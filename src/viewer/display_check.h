@@ -1,12 +1,12 @@
-// Whether there is a display, before Qt looks for one.
+// Checks for a display before Qt looks for one.
 #pragma once
 
 namespace macula::viewer {
 
-// Qt ends the process with an abort where no display answers; a sentence is kinder. Needs no QApplication.
+// Without a display Qt aborts; the caller can print a message instead. Needs no QApplication.
 //
-// To be kept until the QApplication is there: a virtual display starts anew when its last client leaves (Xvfb
-// without -noreset), and is away for a moment just when Qt would connect.
+// Keep it until the QApplication exists: a virtual display (Xvfb without -noreset) resets when its last
+// client leaves, and is unavailable for the moment in which Qt would connect.
 class DisplayCheck {
   public:
     DisplayCheck();

@@ -1,4 +1,4 @@
-// The program is asked to end from outside: by a terminal, a shutdown, or whoever started it.
+// Turns signals that end the program into a Qt signal.
 #pragma once
 
 #include <QObject>
@@ -6,14 +6,14 @@
 
 namespace macula::viewer {
 
-// While it lives, SIGTERM, SIGINT and SIGHUP are told here, on the UI thread, instead of ending the program
-// at once. The second of a kind ends it at once. One at a time.
+// While it lives, SIGTERM, SIGINT and SIGHUP emit `asked` on the UI thread instead of ending the program. The
+// second signal of a kind ends it at once. Ignored signals stay ignored. One object at a time.
 class QuitSignals : public QObject {
     Q_OBJECT
 
   public:
     explicit QuitSignals(QObject* parent = nullptr);
-    ~QuitSignals() override;  // signals do again what they did before
+    ~QuitSignals() override;  // restores the earlier handlers
 
   signals:
     void asked();
@@ -21,7 +21,7 @@ class QuitSignals : public QObject {
   private:
     void onReadable();
 
-    QSocketNotifier* notifier_ = nullptr;  // null: signals end the program at once
+    QSocketNotifier* notifier_ = nullptr;  // null without a pipe: signals end the program at once
 };
 
 }  // namespace macula::viewer

@@ -71,6 +71,7 @@ TEST(SecondCurve, OfThePictureIn3dIsNotHowItIsOnSlices) {
     const auto colours = [](BesideState& b) { b.colours = slices::ColourTable::grey; };
     const auto levels = [](BesideState& b) { b.window = window(0.0, 7.0); };
     EXPECT_FALSE(changes(look) || changes(bound));
+    EXPECT_FALSE(changes([](BesideState& b) { b.linksWindow = true; })) << "its window in 3D is its own";
     EXPECT_TRUE(changes(opacity) && changes(colours) && changes(levels)) << "they are its curve";
     state.preset = std::make_shared<const TransferFunction>();
     EXPECT_FALSE(changes(look) || changes(bound) || changes(opacity) || changes(colours) || changes(levels));

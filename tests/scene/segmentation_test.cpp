@@ -278,6 +278,10 @@ TEST_F(SegmentationOfAFolder, InColourTheirVoxelsHaveTheColoursThatWereChosen) {
     EXPECT_EQ(colouredIn3dOf(back), before);
     EXPECT_FALSE(choiceOf(choiceOf(back, choice.digest), 1).isColouredIn3d);
     EXPECT_TRUE(colouredIn3dOf(withColoursIn3d(std::vector{choice}, {})).empty());
+    SegmentationChoice hidden = choice;
+    hidden.isShown = false;
+    EXPECT_EQ(colouredIn3dOf(withColoursIn3d(std::vector{hidden}, before)), before)
+        << "colours that it had while hidden do not come back";
 
     // By its label, for who has no window.
     const SegmentWish wish = *segmentWishFrom("colour:tumour");

@@ -1,4 +1,4 @@
-// Where in its cell a value lies: PS3.5 8.1.1 lets HighBit say so, and some writers say it wrongly.
+// Where in its cell a value lies: HighBit says it (PS3.5 8.1.1), and some writers set HighBit wrongly.
 #pragma once
 
 #include <array>
@@ -19,17 +19,16 @@ class CellAlignment {
     // `declared` is narrow.
     CellAlignment(const CellFormat& declared, std::uint16_t overlays);
 
-    // Padding plays no part.
+    // Ignores padding.
     void add(std::span<const std::uint16_t> cells, const std::optional<RawRange>& padding);
 
-    // Values lie in the lowest bits, though the images say that they lie higher: the bits below are as busy
-    // as only those of values are, and no value needs more bits than are stored. Read as declared, the values
-    // would be a fraction of what they are. An overlay in the low bits has few patterns, and does not look
-    // like that.
+    // Whether values lie in the lowest bits although HighBit puts them higher: the bits below vary as only
+    // those of values do, and no value needs more bits than are stored. Read as declared, the values would be
+    // a fraction of what they are. An overlay in the low bits does not qualify, because it has few patterns.
     bool isAtTheLowEnd() const;
 
     const CellFormat& declared() const { return declared_; }
-    // The same bits, from the lowest on.
+    // The declared format, with its stored bits from the lowest on.
     CellFormat atTheLowEnd() const;
 
   private:
@@ -42,10 +41,10 @@ class CellAlignment {
     std::size_t beyond_ = 0;             // that do not fit when read from the low end
 };
 
-// Looks at images whose format leaves bits below the stored ones, unless they are few among others (the
-// values of those are told apart by what decoding finds: FrameDecoder::cellsBeyondStoredBits), and sets the
-// formats of those whose values lie at the low end. Returns how many. Reads some of the images; those that
-// cannot be read are not told of here. May throw std::bad_alloc.
+// Checks images whose format leaves bits below the stored ones, unless they are at most a tenth of all
+// (decoding finds those: FrameDecoder::cellsBeyondStoredBits), and corrects the formats of those whose values
+// lie at the low end. Returns how many. Reads some of the images, and reports no unreadable ones. May throw
+// std::bad_alloc.
 std::size_t alignCells(const Stack& stack, std::span<SliceIntensity> intensities, const CancelToken& cancel);
 
 }  // namespace macula::dicom

@@ -1,4 +1,4 @@
-// The frames of a stack, decoded on all cores, each to where it belongs.
+// Decodes the frames of a stack on all cores, each into its target.
 #pragma once
 
 #include <cstdint>
@@ -25,20 +25,20 @@ enum class FrameState : std::uint8_t {
 
 class FrameDecoder {
   public:
-    // Where a frame is decoded to: either `stored` or `values`, as plan.format says. All have to outlive the
+    // The destination of a frame: `stored` or `values`, depending on plan.format. Both must outlive the
     // decoder.
     struct Target {
         std::span<std::uint16_t> stored;
         std::span<float> values;
     };
 
-    // `samples`, unless null, is filled with those of the frames that could be decoded, while these are near.
+    // `samples`, unless null, receives the samples of each decoded frame, while its values are in the cache.
     FrameDecoder(const Stack& stack, std::span<const SliceIntensity> intensities, const IntensityPlan& plan,
                  std::span<const Target> targets, SliceSamples* samples = nullptr);
 
-    // Frames in this order; a file with many frames is opened once by each thread. `onFirst` is called once,
-    // from a thread that decodes, when the first `count` of `order` are through, whether they could be
-    // decoded or not. Goes on when frames cannot be decoded; fails when memory runs out, or with cancelled.
+    // Decodes frames in this order; each thread opens a file with many frames once. A decoding thread calls
+    // `onFirst` at most once, when the first `count` of `order` are done, decoded or not. Continues when
+    // frames cannot be decoded; fails with outOfMemory or cancelled.
     Result<void> run(std::span<const std::size_t> order, std::size_t count,
                      const std::function<void()>& onFirst, Progress& progress);
 
@@ -52,7 +52,7 @@ class FrameDecoder {
   private:
     struct Worker;
     Error decode(std::size_t frame, Worker& worker,
-                 const CancelToken& cancel);  // without a message when it went well
+                 const CancelToken& cancel);  // without a message on success
 
     const Stack& stack_;
     std::span<const SliceIntensity> intensities_;

@@ -1,4 +1,4 @@
-// Where the frames of encapsulated pixel data are (PS3.5 A.4), however they were cut into fragments.
+// Finds the frames of encapsulated pixel data (PS3.5 A.4), whatever their division into fragments.
 #pragma once
 
 #include <cstdint>
@@ -37,10 +37,10 @@ class FrameIndex {
     std::vector<std::size_t> ends_;  // of each frame, in extents_
 };
 
-// `firstItem`: where the item of the Basic Offset Table begins. `frames`: as the header claims. Frames are
-// told apart by that table, or the extended one (7FE0,0001; empty when there is none), by being one fragment
-// each, or by the markers that streams begin and end with; nothing when neither does. Takes memory in
-// proportion to the items that are there, whatever the file claims.
+// `firstItem`: where the item of the Basic Offset Table begins. `frames`: as the header claims. Separates
+// frames by that table, by the extended one (7FE0,0001; empty when there is none), by taking one fragment for
+// each, or by the markers at the beginning and end of streams; nothing when none of these fits. Takes memory
+// in proportion to the items that are there, whatever the file claims.
 std::optional<FrameIndex> indexFrames(const RandomFile& file, std::uint64_t firstItem, std::size_t frames,
                                       Codec codec, std::span<const std::uint64_t> extendedOffsets);
 

@@ -1,4 +1,4 @@
-// Whether decoded images can be what they say, by their bits and by their neighbours.
+// Checks whether decoded images agree with their headers, by their bits and by their neighbours.
 #pragma once
 
 #include <span>
@@ -9,10 +9,9 @@
 
 namespace macula::dicom {
 
-// Looks at the frames of the stack that are `usable`, takes the mark from those that are to be left out, and
-// returns what is to be told:
-//   - values that need more bits than an image says, where most images say more, or few are so;
-//   - pixels of a few images that are certainly read wrongly (odd_slices.h);
+// Checks the `usable` frames of the stack, clears the mark of those to leave out, and returns messages about:
+//   - values that need more bits than declared, where most images declare more, or few are affected;
+//   - pixels of a few images that are certainly wrong as read (odd_slices.h);
 //   - what is as odd and stays: such pixels of many images, images unlike their neighbours, steps of the
 //   rescale.
 std::vector<Message> checkImages(const Stack& stack, std::span<const SliceIntensity> intensities,

@@ -1,5 +1,5 @@
-// JPEG 2000, which DCMTK lacks, by OpenJPEG itself: GDCM around it aborts on broken streams, and prints to
-// the terminal.
+// JPEG 2000, which DCMTK lacks. Calls OpenJPEG directly, because GDCM's wrapper aborts on broken streams and
+// prints to the terminal.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@
 
 namespace macula::dicom {
 
-// What the header says of the pixels. One sample per pixel.
+// The pixel description of the header. One sample per pixel.
 struct PixelLayout {
     std::string transferSyntaxUid;
     int columns = 0;
@@ -35,7 +35,7 @@ class PixelReader {
     PixelReader& operator=(PixelReader&&) noexcept;
     ~PixelReader();
 
-    // The file ends before this frame does: read() will fail.
+    // Whether the file ends before this frame does: read() will fail.
     bool isCutOff(int frame) const;
 
     // Frame `frame`, from 0, into `cells` (rows * columns, row by row), as the file has them: see unpackCells

@@ -1,4 +1,4 @@
-// RLE Lossless (PS3.5 annex G). Not by DCMTK, whose decoder reads wherever the RLE header points.
+// RLE Lossless (PS3.5 annex G). DCMTK's decoder is not used: it reads wherever the RLE header points.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 namespace macula::dicom {
 
 // Decodes one frame of one sample per pixel, into little-endian cells of `bytesPerCell` bytes that fill
-// `cells`. A frame with one segment only fills the lowest byte of each cell. False when the frame is damaged,
+// `cells`. A frame with a single segment fills the lowest byte of each cell. False when the frame is damaged,
 // or too short.
 bool decodeRle(std::span<const std::byte> frame, std::size_t bytesPerCell, std::span<std::byte> cells);
 

@@ -1,5 +1,5 @@
-// The values of some pixels of every slice, the same ones in each: what slices are compared by, at a small
-// part of the cost of comparing them whole.
+// The values of the same few pixels of every slice, for comparing slices at a small part of the cost of
+// comparing whole ones.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@ namespace macula::dicom {
 
 class SliceSamples {
   public:
-    // Samples are runs of so many neighbours in a row, so that noise can be told from edges.
+    // Samples are runs of kRun neighbours in a row, so that noise can be told from edges.
     static constexpr std::size_t kRun = 4;
 
     // All pixels of tiny slices, some 1000 to 4000 of others, in the order in which pixels are stored.
     SliceSamples(int columns, int rows, std::size_t slices);
 
-    // Takes the samples of a slice from its voxels, in units; padding is NaN. One thread for each slice.
+    // Takes the samples of a slice from its voxels, in units; padding is NaN. One thread per slice.
     void take(std::size_t slice, std::span<const float> values);
     void take(std::size_t slice, std::span<const std::uint16_t> stored, const UnitsFromStored& map,
               const std::optional<StoredRange>& padding);
@@ -29,7 +29,7 @@ class SliceSamples {
         return std::span(values_).subspan(slice * perSlice_, perSlice_);
     }
 
-    // The memory that samples take, however few were taken.
+    // The memory of all samples, taken or not.
     std::uint64_t bytes() const { return values_.size() * sizeof(float); }
 
   private:

@@ -1,4 +1,4 @@
-// Slices of a volume from the frames there are: copied, or blended from two. Pure functions.
+// Makes the slices of a volume from the available frames: copied, or blended from two. Pure functions.
 #pragma once
 
 #include <cstdint>
@@ -16,18 +16,18 @@ struct UsableSlices {
     std::vector<SliceSource> slices;  // none when no frame is usable
 };
 
-// The same slices without the frames that are not `usable`: between others they are interpolated from the
-// nearest two, and at the ends they are cut off. `places` are where the frames lie on the grid, in slices,
-// ascending; slice k lies at k.
+// The same slices without the frames that are not `usable`: interpolates the affected slices between the
+// nearest two usable frames, and cuts them off at the ends. `places` are the frames' positions on the grid,
+// in slices, ascending; slice k lies at k.
 UsableSlices withoutFrames(std::span<const SliceSource> slices, std::span<const double> places,
                            const std::vector<bool>& usable);
 
 std::vector<SliceRange> interpolatedRanges(std::span<const SliceSource> slices);
 
-// "3, 5-7": as people count, from 1.
+// "3, 5-7": counted from 1.
 std::string describe(std::span<const SliceRange> ranges);
 
-// result = (1 - weight) * below + weight * above; where either is padding, the nearer one.
+// result = (1 - weight) * below + weight * above; where either is padding, the value of the nearer one.
 void blend(std::span<const std::uint16_t> below, std::span<const std::uint16_t> above, double weight,
            const std::optional<StoredRange>& padding, std::span<std::uint16_t> result);
 void blend(std::span<const float> below, std::span<const float> above, double weight,

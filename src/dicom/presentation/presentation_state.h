@@ -16,42 +16,40 @@
 namespace macula::dicom {
 
 struct PresentationOwner {
-    // An image of the series that is shown: patient and study are taken from it. It must still be that
-    // instance. Where deidentified it may be left out, and tells only which objects are of one patient
-    // (pseudonyms.h).
+    // An image of the series shown, which gives patient and study. Its file must still hold that instance. If
+    // deidentified it is optional, and only tells which objects are of one patient (pseudonyms.h).
     std::optional<SecondaryCapture::Source> image;
-    // Nothing of patient and study is taken over. UIDs of series, frame of reference and images are replaced
-    // by those that standInUid makes of them: only who has the series and the key of this installation, which
-    // is made where there is none, can tell that it is meant (isSeries).
+    // Copies nothing of patient and study, and replaces the UIDs of series, frame of reference and images by
+    // those of standInUid: only with the series and this installation's key, made if there is none, can one
+    // tell which series it is (isSeries).
     bool isDeidentified = false;
     std::string seriesDescription = "3D views";  // at most 64 characters, ASCII; no patient data
-    std::string softwareVersion = "0";           // as that; not empty
+    std::string softwareVersion = "0";           // likewise; not empty
     int seriesNumber = 9100;                     // after those of scanners
 };
 
 // Explicit VR little endian. Each call makes a new series and instance. The file is written whole or not at
-// all, in place of one that is there. Reading it gives the same presentation, to the last bit, where the
-// middle and the width of the palette's interval fit the 16 characters of a Decimal String; else that
-// interval is as near as these come. usage for numbers that are not finite or out of their range, tables of
-// unequal length, text that is too long, and without an image where it is somebody's; inputNotUsable when the
-// image cannot be read or is another one; outputNotWritable.
+// all, in place of one that is there. Reading it gives the same presentation, to the last bit, if the centre
+// and the width of the palette's interval fit the 16 characters of a Decimal String; else the nearest such
+// interval. Fails with usage for numbers that are not finite or out of range, tables of unequal length, text
+// that is too long, and a missing image unless deidentified; with inputNotUsable when the image cannot be
+// read or is another one; with outputNotWritable.
 Result<void> writePresentationState(const std::filesystem::path& path, const VolumePresentation& presentation,
                                     const PresentationOwner& owner);
 
 struct PresentationState {
     VolumePresentation presentation;
-    // What the object has that a VolumePresentation cannot say, of the catalogue: key::kPresentationLeftOut
-    // and so on.
+    // Messages about what the object has but a VolumePresentation cannot hold: key::kPresentationLeftOut etc.
     std::vector<Message> messages;
-    bool hasForeignChanges = false;  // it has an own state of Macula that no longer fits the rest
+    bool hasForeignChanges = false;  // ignored Macula's own state: the rest changed or has messages
 };
 
-// Throws nothing, whatever is in the file. inputNotUsable when it is no such object, refers to no images, or
-// lacks what a picture cannot be made without: camera, colours.
+// Never throws. Fails with inputNotUsable when the file is no such object, refers to no images, or lacks
+// camera or colours; or with outOfMemory.
 Result<PresentationState> readPresentationState(const std::filesystem::path& path);
 
-// Whether the series, of which `seriesDigest` is the SHA-256 of the UID in hexadecimal digits, is the one
-// that the presentation is of, deidentified or not.
+// Whether the presentation, deidentified or not, is of the series whose UID has the SHA-256 `seriesDigest`,
+// in lower-case hexadecimal digits.
 bool isSeries(const PresentedSeries& series, std::string_view seriesDigest);
 
 }  // namespace macula::dicom

@@ -1,5 +1,5 @@
-// Grayscale Softcopy Presentation State objects (PS3.3 A.33.1): how grey images are shown in 2D, as far as
-// slices of a volume can be shown so. Reading only.
+// Reads Grayscale Softcopy Presentation State objects (PS3.3 A.33.1): how grey images are shown in 2D, as far
+// as this applies to slices of a volume.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@
 
 namespace macula::dicom {
 
-// `images`, none: all that the object is of.
+// No `images` means all images of the object.
 struct SoftcopyWindow {
     std::vector<ReferencedFrames> images;
-    std::optional<DisplayWindow> window;  // of values after the rescale below; nothing: it is a table
+    std::optional<DisplayWindow> window;  // of values after the rescale below; nothing for a table
 
     bool operator==(const SoftcopyWindow&) const = default;
 };
@@ -26,7 +26,7 @@ struct SoftcopyWindow {
 // patient is one on the screen. `magnified`: each pixel of the image covers a given number of screen pixels.
 enum class DisplayedSize { fitted, trueSize, magnified };
 
-// Corners in pixels, (column, row) from 1 (PS3.3 C.10.4); bottom right is within. Its columns and rows grow.
+// Corners in pixels, (column, row) from 1 (PS3.3 C.10.4); bottomRight is included, and not less than topLeft.
 struct DisplayedArea {
     std::vector<ReferencedFrames> images;
     glm::ivec2 topLeft{1};
@@ -40,21 +40,21 @@ struct DisplayedArea {
 struct SoftcopyState {
     std::vector<std::string> seriesUids;  // in the order of the file, as are images
     std::vector<ReferencedFrames> images;
-    // How images are to be turned and mirrored before they are seen (PS3.3 C.10.6).
+    // How to rotate and flip images for display (PS3.3 C.10.6).
     int rotationDeg = 0;
     bool isFlipped = false;
-    // What makes the values that windows are of (PS3.3 C.11.1); without it 1 and 0.
+    // The rescale to the values of the windows (PS3.3 C.11.1); 1 and 0 if there is none.
     double slope = 1.0;
     double intercept = 0.0;
     bool hasModalityTable = false;
     std::vector<SoftcopyWindow> windows;
     std::vector<DisplayedArea> areas;
     bool isInverse = false;  // white and black change places
-    // What else is in it, in words that end "The presentation state has …".
+    // What else the object has, in words that complete "The presentation state has …".
     std::vector<std::string> leftOut;
 };
 
-// Throws nothing, whatever is in the file. inputNotUsable when it is no such object, or names no images.
+// Never throws. Fails with inputNotUsable when it is no such object or names no images; or outOfMemory.
 Result<SoftcopyState> readSoftcopyState(const std::filesystem::path& path);
 
 }  // namespace macula::dicom

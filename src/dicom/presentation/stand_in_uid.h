@@ -1,4 +1,4 @@
-// UIDs that stand in presentations without a patient for those of series, frame of reference and images.
+// UIDs that replace those of series, frame of reference and images in deidentified presentations.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,15 @@
 
 namespace macula::dicom {
 
-// Keyed: who has the images and not the key of the installation cannot tell that it is meant.
+// Keyed: without the installation's key, the images do not reveal that `uid` is meant.
 std::string standInUid(const InstallationKey& key, std::string_view uid);
 
-// Those that may have been written for a UID, by this installation or by Macula before there were keys.
+// The stand-ins that this installation, or Macula before there were keys, may have written for a UID.
 class StandInUids {
   public:
     StandInUids() : key_(InstallationKey::find()) {}
     std::vector<std::string> of(std::string_view uid) const;
-    // Of a UID of which only sha256Hex is known.
+    // The same for a UID of which only sha256Hex is known.
     std::vector<std::string> ofDigest(std::string_view digest) const;
 
   private:

@@ -1,5 +1,5 @@
-// How a volume is rendered in 3D, as a Volume Rendering Volumetric Presentation State says it (PS3.3 A.80.2,
-// modules C.11.22 to C.11.32): a plain value, without pixels and without a patient. Patient LPS, mm.
+// How a volume is rendered in 3D, in the terms of a Volume Rendering Volumetric Presentation State (PS3.3
+// A.80.2, modules C.11.22 to C.11.32): a plain value, without pixels and without a patient. Patient LPS, mm.
 #pragma once
 
 #include <cstdint>
@@ -30,11 +30,11 @@ struct PresentedSeries {
     bool operator==(const PresentedSeries&) const = default;
 };
 
-// From values to colour and opacity. Entry i of n is of the value low + i / (n - 1) * (high - low); values
-// beyond have those of the end. 0 is nothing, 65535 all.
+// Maps values to colour and opacity. Entry i of n belongs to the value low + i / (n - 1) * (high - low);
+// values beyond get the first or last entry. 0 is none, 65535 full.
 struct Palette {
     ValueRange values;  // after Modality LUT or rescale
-    // Equally many each, 2 to 65536. Without red, green and blue: from black to white.
+    // Tables of one length, 2 to 65536. Without red, green and blue: from black to white.
     std::vector<std::uint16_t> red;
     std::vector<std::uint16_t> green;
     std::vector<std::uint16_t> blue;
@@ -51,9 +51,9 @@ struct CroppingPlane {
     bool operator==(const CroppingPlane&) const = default;
 };
 
-// What all of these leave is shown.
+// Shows what all of these leave.
 struct Cropping {
-    // By two opposite corners, along the axes of the volume's voxels, which may be none of the patient's.
+    // By two opposite corners, along the axes of the volume's voxels, not necessarily the patient's.
     std::vector<Box> boxes;
     std::vector<CroppingPlane> planes;
 
@@ -63,7 +63,7 @@ struct Cropping {
 
 enum class Projection { perspective, orthographic };
 
-// What is seen: x to the right and y up, in perspective at the distance `farMm` before the eye.
+// The visible part: x to the right and y up, in perspective at the distance `farMm` in front of the eye.
 struct FieldOfView {
     double leftMm = -1.0;
     double rightMm = 1.0;
@@ -85,14 +85,14 @@ struct PresentedView {
     bool operator==(const PresentedView&) const = default;
 };
 
-// Phong's, each 0 to 1.
+// Phong shading, each factor 0 to 1.
 struct PresentedShading {
     bool isDoubleSided = true;
     double ambient = 0.0;
     double diffuse = 0.0;
     double specular = 0.0;
     std::optional<double> shininess;
-    glm::dvec3 lightDirection{0.0, 1.0, 0.0};  // that light travels in; a unit vector
+    glm::dvec3 lightDirection{0.0, 1.0, 0.0};  // in which light travels; a unit vector
 
     bool operator==(const PresentedShading&) const = default;
 };
@@ -101,25 +101,25 @@ enum class RenderingMethod { volumeRendered, maximum, minimum };
 
 struct VolumePresentation {
     std::string label = "VOLUME";  // at most 16 of A to Z, 0 to 9, blank and underscore
-    std::string description;       // at most 64; for a person, who may have written a name
+    std::string description;       // at most 64 characters; may contain a name
     std::string creationDate;      // YYYYMMDD; empty when written: now
     std::string creationTime;      // HHMMSS
     PresentedSeries series;
     RenderingMethod method = RenderingMethod::volumeRendered;
     Palette palette;
-    // The thickness that opacities are of; nothing: nobody says.
+    // The thickness to which opacities refer; nothing if unknown.
     std::optional<double> samplingStepMm;
     Cropping cropping;
     PresentedView view;
-    std::optional<PresentedShading> shading;  // nothing: colours as they are
-    // What only Macula reads, in ASCII: a view in its own words, which says more than all of the above. Read
-    // only where nobody has changed that.
+    std::optional<PresentedShading> shading;  // nothing: unshaded
+    // A view in Macula's own format, in ASCII, which holds more than all of the above. Read only if these are
+    // unchanged.
     std::string ownState;
 
     bool operator==(const VolumePresentation&) const = default;
 };
 
-// SHA-256 of all that makes the picture: not of labels, date and own state.
+// SHA-256 of all that affects the picture, without labels, date and own state.
 std::string digestOf(const VolumePresentation& presentation);
 
 }  // namespace macula::dicom

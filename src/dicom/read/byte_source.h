@@ -1,4 +1,4 @@
-// Forward reading of a file, as it is or inflated.
+// Reads a file forwards, as it is or inflated.
 #pragma once
 
 #include <zlib.h>
@@ -13,7 +13,7 @@
 
 namespace macula::dicom {
 
-// Opens the file once, and reads it in few and large steps: on a network drive each of them waits. Not
+// Opens the file once, and reads it in few, large steps, because each of them waits on a network drive. Not
 // copyable. May throw std::bad_alloc.
 //
 // Once `cancel` is cancelled, inflating ends as at the end of the file: a few bytes can inflate for seconds.
@@ -24,18 +24,18 @@ class ByteSource {
     ByteSource(const ByteSource&) = delete;
     ByteSource& operator=(const ByteSource&) = delete;
 
-    // The errno of what failed, opening or reading; 0 when nothing did.
+    // The errno of opening or reading the file when that failed, else 0.
     int error() const { return error_; }
 
-    // False at the end: nothing is then to be read any more.
+    // False at the end: the caller then reads no further.
     bool read(std::span<unsigned char> bytes);
     bool peek(std::span<unsigned char> bytes);
     bool skip(std::uint64_t count);
-    // Up to `count` of the next bytes, fewer at the end, without moving on. Good until the next call.
+    // Up to `count` of the next bytes, fewer at the end, without moving on. Valid until the next call.
     std::span<const unsigned char> ahead(std::size_t count);
 
-    // From here on gives what the raw deflate stream (RFC 1951; PS3.5 A.5) inflates to. Positions go on from
-    // where the stream begins.
+    // From here on inflates the raw deflate stream (RFC 1951; PS3.5 A.5). Positions continue from where the
+    // stream begins.
     void beginInflating();
     bool inflating() const { return stream_ != nullptr; }
 
@@ -45,16 +45,16 @@ class ByteSource {
     std::uint64_t bytesLeft() const { return position_ < fileBytes_ ? fileBytes_ - position_ : 0; }
 
   private:
-    bool refill(std::size_t wanted);  // appends to what is buffered; false when there is no more
+    bool refill(std::size_t wanted);  // appends to the buffer; false at the end
     std::size_t readFile(unsigned char* target, std::size_t count);
 
     CancelToken cancel_;
     int descriptor_ = -1;
     int error_ = 0;
     std::uint64_t fileBytes_ = 0;
-    std::uint64_t position_ = 0;    // of what was given out
-    std::uint64_t readOffset_ = 0;  // of the file, where the next reading begins
-    std::size_t step_;              // how much to read next
+    std::uint64_t position_ = 0;    // of the next byte to give out
+    std::uint64_t readOffset_ = 0;  // in the file, where the next reading begins
+    std::size_t step_;              // bytes to read next
     std::vector<unsigned char> buffer_;
     std::size_t begin_ = 0;
     std::size_t end_ = 0;

@@ -1,5 +1,5 @@
-// Reading headers. No file can make it throw, recurse, or take more memory than the header itself; where
-// there is no memory, std::bad_alloc is thrown.
+// Reads headers. No file can make it throw, recurse, or take more memory than the header itself; without
+// enough memory it throws std::bad_alloc.
 #pragma once
 
 #include <cstdint>
@@ -18,41 +18,40 @@ namespace macula::dicom {
 
 enum class FileState {
     complete,
-    notDicom,     // by its content; the extension plays no part
+    notDicom,     // by its content, whatever the extension
     unreadable,   // cannot be opened or read
-    offline,      // its content is elsewhere, and cannot be had now: a cloud drive, a share, a tape
-    mediumError,  // the medium gives an error where it lies: a scratched disc, a failing drive
+    offline,      // its content is elsewhere and not available now: a cloud drive, a share, a tape
+    mediumError,  // the medium gives a read error: a scratched disc, a failing drive
     pathTooLong,  // for this system
-    damaged,      // begins as DICOM, and cannot be parsed, or not without harm (see outline.h)
+    damaged,      // begins as DICOM, but cannot be parsed, or not safely (see outline.h)
     truncated,    // the header is whole, and the file ends inside the pixel data
 };
 
 class ByteSource;
 struct HeaderFile;
 
-// Reads what stands before the pixel data; the pixels themselves are skipped, not read. Accepts files without
-// preamble and file meta information (PS3.10 7.1). Once `cancel` is cancelled, a deflated file seems to end.
-// Thread-safe.
+// Reads the elements before the pixel data, and skips the pixels. Accepts files without preamble and file
+// meta information (PS3.10 7.1). Once `cancel` is cancelled, a deflated file seems to end. Thread-safe.
 HeaderFile readHeader(const std::filesystem::path& file, const CancelToken& cancel = {});
 
-// A view of one file's data elements: of its top level, of an item, or of all that applies to one frame.
-// Immutable, cheap to copy, safe to read from several threads; keeps what it needs of the file alive.
+// A view of one file's data elements: those of its top level, of an item, or all that apply to one frame.
+// Immutable, cheap to copy, safe to read from several threads; keeps the data that it needs alive.
 class Dataset {
   public:
-    // The transfer syntax UID of the file meta information, or of what the file turned out to be without one.
+    // The transfer syntax UID of the file meta information, else the one found from the content.
     const std::string& transferSyntaxUid() const;
 
     // Whether the element is present, and not empty.
     bool has(Tag tag) const;
 
-    // All getters give nothing when the element is missing, empty, larger than 256 KiB, or does not hold what
-    // is asked for: never a default. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3 C.12.1.1.2)
-    // without padding and without controls of direction (printable.h); text() keeps the backslashes between
-    // several values, texts() splits at them.
+    // All getters return nothing, and never a default, when the element is missing, empty, larger than 256
+    // KiB, or of another type. Text is UTF-8 (converted from SpecificCharacterSet, PS3.3 C.12.1.1.2) without
+    // padding and without controls of direction (printable.h); text() keeps the backslashes between several
+    // values, texts() splits at them.
     std::optional<std::string> text(Tag tag) const;
     std::vector<std::string> texts(Tag tag) const;
-    // The same for what is read for every frame, and never long in a real file: nothing of values above 4
-    // KiB; at most 64 bytes; at most 16 values of 64 bytes.
+    // The same for elements that are read for every frame and short in real files: nothing for values above 4
+    // KiB, and at most 64 bytes, or 16 values of 64 bytes.
     std::string shortText(Tag tag) const;  // empty when there is none
     std::vector<std::string> shortTexts(Tag tag) const;
     std::vector<double> shortNumbers(Tag tag) const;  // as allNumbers
@@ -61,12 +60,12 @@ class Dataset {
                                                std::size_t count) const;  // exactly `count`, all finite
     std::vector<double> allNumbers(Tag tag) const;  // every value; none when any of them is no number
     std::optional<int> integer(Tag tag) const;
-    // The 16 bits of a US or SS, whichever the file says; also of a whole number in another VR.
+    // The 16 bits of a US or SS, or of a whole number in another VR.
     std::optional<std::uint16_t> word(Tag tag) const;
     std::vector<std::uint16_t> words(Tag tag) const;  // all of US, SS or OW; of bytes, two make one
 
-    // Some text of what this view shows (without what lies in sequences) is not in the character set that the
-    // file declares, and was read as what it most likely is: see character_set.h.
+    // Whether some text of this view, outside sequences, contradicts the character set that the file declares
+    // and was read by the fallback of character_set.h.
     bool charsetFallback() const;
 
     // Where the item begins in its file, by which the records of a DICOMDIR refer to each other; 0 for a top
@@ -77,8 +76,8 @@ class Dataset {
     std::vector<Dataset> items(Tag sequence) const;
     std::size_t itemCount(Tag sequence) const;
 
-    // Of these elements, those that stand twice in one item of what this view shows, with different values:
-    // of each the first one is read, as DCMTK does. Sequences that stand twice count as different.
+    // Those of `tags` that occur twice, with different values, in one item of this view. The getters read the
+    // first occurrence, as DCMTK does. A sequence that occurs twice counts as different.
     std::vector<Tag> contradicted(std::span<const Tag> tags) const;
 
     // The number of frames that the file claims; 1 when it does not say (PS3.3 C.7.6.6).
@@ -101,14 +100,14 @@ class Dataset {
     std::vector<std::uint32_t> items_;  // items of the file's tree, searched in this order for a value
 };
 
-// Where in the file the pixel data are.
+// The place of the pixel data in the file.
 struct PixelDataExtent {
     Tag tag{};                  // PixelData, FloatPixelData or DoubleFloatPixelData
     bool encapsulated = false;  // as items of a sequence of fragments (PS3.5 A.4)
     std::uint64_t offset =
         0;  // of the value, or of the first item; in a deflated file, in what it inflates to
     std::uint64_t bytesClaimed = 0;  // 0 when encapsulated
-    std::uint64_t bytesPresent = 0;  // of those; 0 when encapsulated
+    std::uint64_t bytesPresent = 0;  // of these, in the file; 0 when encapsulated
     std::uint64_t fragments = 0;     // and streams: see PixelDataOutline
     std::uint64_t streams = 0;
     bool whole = false;
@@ -118,13 +117,13 @@ struct PixelDataExtent {
 struct HeaderFile {
     FileState state = FileState::notDicom;
     std::optional<Dataset> header;                       // when complete or truncated
-    std::optional<std::uint64_t> nativePixelBytes = {};  // what the pixel data claim, unless encapsulated
+    std::optional<std::uint64_t> nativePixelBytes = {};  // as the pixel data claim, unless encapsulated
     std::uint64_t strayBytes = 0;                        // that follow the pixel data and are no elements
     std::optional<PixelDataExtent> pixels = {};
     std::string contradictedSyntaxUid = {};  // see Outline
 };
 
-// The 128 bytes and DICM of PS3.10 7.1 are there.
+// Whether the file has the 128 bytes and DICM of PS3.10 7.1.
 bool hasPreamble(ByteSource& source);
 
 // The tag of a standard data element by its keyword, as in PS3.6: "SliceThickness".

@@ -11,16 +11,16 @@ namespace macula::dicom {
 std::optional<double> secondsOfTime(std::string_view time);
 // "20010105", "2001.01.05": days since 1970-01-01.
 std::optional<long> daysOfDate(std::string_view date);
-// "20010105193059.25+0100": seconds since 1970-01-01 in the file's own time zone; what follows + or - is left
-// out, because the caller compares times of one zone. Needs at least a day.
+// "20010105193059.25+0100": seconds since 1970-01-01 in the file's own time zone; ignores the offset after +
+// or -, because the caller compares times of one zone. Needs at least a day.
 std::optional<double> secondsOfDateTime(std::string_view dateTime);
 // "+0100", "-0330", as at the end of a DT or in TimezoneOffsetFromUTC: seconds east of Greenwich.
 std::optional<double> secondsOfOffset(std::string_view offset);
 
-// When something was, as far as the text says it. Only moments that both have a date, or both none, can be
-// compared; a text with an offset is in UTC, one without in the zone of the scanner.
+// A point in time, as far as the text gives it. Moments are comparable only if both have a date, or neither.
+// Text with an offset gives UTC, other text the zone of the scanner.
 struct Moment {
-    std::optional<long> day;  // of the date as written, since 1970-01-01; empty of a time alone
+    std::optional<long> day;  // of the date as written, since 1970-01-01; empty without a date
     double seconds = 0.0;     // since 1970-01-01, or since midnight
 };
 

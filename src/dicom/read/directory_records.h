@@ -1,4 +1,4 @@
-// The records of a DICOMDIR that name files, with what they say of them. PS3.3 F.
+// Reads the records of a DICOMDIR that name files (PS3.3 F).
 #pragma once
 
 #include <optional>
@@ -16,8 +16,8 @@ struct DirectoryRecord {
     std::optional<int> instanceNumber;
 };
 
-// Those that are in use, in the order of the file. A record belongs to the series that leads to it by offsets
-// (PS3.3 F.2); where those lead nowhere, to the series that stands before it.
+// The records in use that name a file, in file order. A record belongs to the series whose offsets lead to it
+// (PS3.3 F.2); if none do, to the series before it.
 std::vector<DirectoryRecord> directoryRecords(const Dataset& directory);
 
 }  // namespace macula::dicom

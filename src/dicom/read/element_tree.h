@@ -15,34 +15,34 @@ namespace macula::dicom {
 
 struct Element {
     Tag tag{};
-    Vr vr = 0;  // as the file says; 0 when it does not
+    Vr vr = 0;  // as in the file; 0 when it gives none
     bool bigEndian = false;
     bool isSequence = false;
-    bool hasValue = false;     // false for what is too large to be kept, and for the pixel data
+    bool hasValue = false;     // false for values too large to be kept, and for the pixel data
     std::uint32_t length = 0;  // bytes of the value, or items of the sequence
     std::uint32_t first = 0;   // where the value begins, or the number of the first item
 };
 
-// Filled by calls in the order of the file; every sequence and item that was opened has to be closed, and
-// finish() called, before anything is asked.
+// The caller fills it in the order of the file, closes every sequence and item that it opened, and calls
+// finish() before any query.
 class ElementTree {
   public:
     using ItemNumber = std::uint32_t;
     static constexpr ItemNumber kNone = 0xFFFFFFFF;
 
     ElementTree() { openItem(0); }
-    // `offset` is where the item begins in the file; of what lies beyond 4 GiB it is not known.
+    // `offset` is where the item begins in the file; the tree does not keep offsets beyond 4 GiB.
     void openItem(std::uint64_t offset);
     void closeItem();
     void openSequence(const Element& element);
     void closeSequence();
     void add(const Element& element) { openElements_.push_back(element); }
-    // Room for a value, to be filled at once; `element` is then added with it.
+    // Adds `element` and returns room for its value, which the caller fills at once.
     std::span<unsigned char> addValue(Element element);
     // Closes what is still open.
     void finish();
 
-    // The memory that the tree takes, more or less.
+    // The approximate memory of the tree.
     std::size_t bytes() const {
         return values_.size() + (elements_.size() + openElements_.size()) * sizeof(Element) +
                (items_.size() + closedItems_.size()) * sizeof(Item);
@@ -56,8 +56,8 @@ class ElementTree {
     std::span<const Element> elements(ItemNumber item) const {
         return {elements_.data() + items_[item].first, items_[item].count};  // sorted by tag
     }
-    const Element* find(ItemNumber item, Tag tag) const;  // the first, should there be more; null when none
-    // Elements of the item that have the tag of another before them; no file should have any (PS3.5 7.1).
+    const Element* find(ItemNumber item, Tag tag) const;  // the first if there are several; null when none
+    // Elements of the item whose tag an earlier one has; no file should have any (PS3.5 7.1).
     std::vector<const Element*> repeated(ItemNumber item) const;
     std::string_view value(const Element& element) const {
         return element.hasValue ? std::string_view(values_).substr(element.first, element.length)

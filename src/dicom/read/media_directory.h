@@ -1,4 +1,4 @@
-// The DICOMDIR of a disc: which files it should hold. PS3.3 F, PS3.10 8.
+// Reads the DICOMDIR of a disc, which lists its files (PS3.3 F, PS3.10 8).
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace macula::dicom {
 
-// A file that the DICOMDIR names, and what it says of it; a UID is empty where it says none.
+// A file that the DICOMDIR lists; a UID is empty when the record has none.
 struct ListedFile {
     std::filesystem::path file;
     std::string sopInstanceUid;
@@ -18,16 +18,16 @@ struct ListedFile {
     std::optional<int> instanceNumber;
 };
 
-// Never trusted over the files: it says what is missing, and nothing else is taken from it.
+// The files have precedence: the DICOMDIR only serves to find out which files are missing.
 struct MediaDirectory {
-    // All inside the DICOMDIR's folder, and there; sorted, each once. By the names they have on disk, which
-    // may differ from what the DICOMDIR says in capitals, version numbers (ISO 9660: IM1.;1), and an ending
-    // such as .dcm.
+    // The listed files that exist inside the DICOMDIR's folder; sorted, each once. Named as on disk, which
+    // may differ from the DICOMDIR in capitals, version numbers (ISO 9660: IM1.;1), and an ending such as
+    // .dcm.
     std::vector<std::filesystem::path> files;
-    // Named, and not there by that name; sorted by name, each once. Programs that copy media give files other
-    // names, so what is missing by its name may be there by its UID.
+    // Listed files that do not exist by that name; sorted by name, each once. Programs that copy media rename
+    // files, so a file that is missing by its name may be there by its UID.
     std::vector<ListedFile> missing;
-    // Named, and outside of the folder (by "..", an absolute path, or a link): never looked at.
+    // Number of listed files outside of the folder (by "..", an absolute path, or a link); never read.
     std::size_t outside = 0;
 };
 

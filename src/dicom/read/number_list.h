@@ -1,4 +1,4 @@
-// Lists of numbers as text (the VR DS of PS3.5 6.2), and as programs write them that do not know how.
+// Parses lists of numbers as text (the VR DS of PS3.5 6.2), also those that programs write wrongly.
 #pragma once
 
 #include <optional>
@@ -11,17 +11,16 @@ namespace macula::dicom {
 
 struct NumberList {
     std::optional<std::vector<double>> values;
-    bool isRepaired = false;   // not written as the standard asks: read in the only way that there is
-    bool isMalformed = false;  // there is text, and none or more than one way to read it
+    bool isRepaired = false;   // not as the standard asks, but readable in only one way
+    bool isMalformed = false;  // there is text, but no way or several ways to read it
 };
 
 // Exactly `count` numbers, with a point or a comma before the decimals, and backslashes, commas, semicolons
-// or blanks between them. Of text that is not as it should be, all ways to read it must agree: "0.7,0.7",
-// "0,7\0,7", "0,7 0,7" and "0,7,0,7" are two numbers each; "1,5" is one or two, and "1,250\1,250" may be
-// thousands.
+// or blanks between them. All ways to read malformed text must agree: "0.7,0.7", "0,7\0,7", "0,7 0,7" and
+// "0,7,0,7" are two numbers each; "1,5" is one or two, and "1,250\1,250" may be thousands.
 NumberList numberListOf(std::string_view text, std::size_t count);
 
-// Of an element; as Dataset::numbers where it is as it should be.
+// The list of an element; as Dataset::numbers when it is well-formed.
 NumberList numberList(const Dataset& dataset, Tag tag, std::size_t count);
 
 }  // namespace macula::dicom

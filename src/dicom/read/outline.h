@@ -1,5 +1,5 @@
-// The shape of a DICOM file, from its element headers alone and without recursion: where the pixel data are,
-// and, in a tree, all that stands before them.
+// Reads the structure of a DICOM file from its element headers alone, without recursion: the place of the
+// pixel data, and a tree of the elements before them.
 //
 // DCMTK's parser recurses and inflates without bounds, so this walk came before it as a check. It visits
 // every element; keeping what it sees made the parser superfluous, and headers five times as fast. A test
@@ -24,28 +24,28 @@ struct PixelDataOutline {
                                   // its first item when encapsulated
     std::uint64_t claimed = 0;    // bytes, unless encapsulated
     std::uint64_t present = 0;    // of these, those that are there
-    bool whole = false;           // to their end, with all fragments
+    bool whole = false;           // complete, with all fragments
     std::uint64_t fragments = 0;  // encapsulated: after the Basic Offset Table
-    // Of the fragments, those that begin like a stream of JPEG, JPEG-LS, JPEG 2000 or run lengths. Each frame
-    // of these has one such fragment, unless several frames are in one.
+    // The number of fragments that begin like a stream of JPEG, JPEG-LS, JPEG 2000 or run lengths. Each frame
+    // has one such fragment, unless several frames share one.
     std::uint64_t streams = 0;
-    bool repeated = false;  // pixel data stand in the file a second time
+    bool repeated = false;  // the file has pixel data a second time
 };
 
 struct Outline {
     bool nestedTooDeep = false;  // no real object has more than a dozen levels
     // Deflated, and far larger than its image: a megabyte can make a gigabyte.
     bool inflatesTooFar = false;
-    // What stands before the pixel data is larger than any real header.
+    // The elements before the pixel data are larger than any real header.
     bool headerTooLarge = false;
     // Everything before the pixel data could be read; without pixel data, up to the end of the file.
     bool headerWhole = false;
     std::optional<PixelDataOutline> pixels;
-    // Bytes that follow whole pixel data and are no elements; in a deflated file 1 when there are any.
+    // Bytes after whole pixel data that are no elements; in a deflated file 1 when there are any.
     std::uint64_t strayBytes = 0;
     std::uint64_t datasetOffset = 0;  // in the file: where the file meta information ends
-    // The UID of the file meta information; where there is none, that of what the dataset turned out to be,
-    // and where the pixels are streams of another encoding, one of that encoding.
+    // The UID of the file meta information; without one, that found from the dataset; and where the pixels
+    // are streams of another encoding, one of that encoding.
     std::string transferSyntaxUid;
     std::string contradictedSyntaxUid;  // of the file meta information, where pixels are encoded otherwise
 
@@ -53,8 +53,8 @@ struct Outline {
     bool isPlausible() const { return !nestedTooDeep && !inflatesTooFar && !headerTooLarge; }
 };
 
-// `hasPreamble`: the 128 bytes and DICM are there. `tree`, unless null, is filled with what stands before the
-// pixel data, of the file meta information what is short. Thread-safe. May throw std::bad_alloc.
+// `hasPreamble`: the file has the 128 bytes and DICM. Fills `tree`, unless null, with the elements before the
+// pixel data, and the short ones of the file meta information. Thread-safe. May throw std::bad_alloc.
 Outline outlineOf(ByteSource& source, bool hasPreamble, ElementTree* tree);
 Outline outlineOf(const std::filesystem::path& file, bool hasPreamble);
 

@@ -1,4 +1,4 @@
-// Who an image is of, as far as that keeps patients apart.
+// The identity of an image's patient, as far as needed to keep patients apart.
 #pragma once
 
 #include <compare>
@@ -12,7 +12,7 @@ namespace macula::dicom {
 
 // Normalised, to be compared and not to be shown. Two patients are one only when all four agree; an empty
 // value is a value of its own, since "empty agrees with anything" would join two patients through a third
-// file. What is split this way is reported, and what is joined wrongly would not be seen.
+// file. Messages report such splits; nobody would notice a wrong join.
 struct PatientIdentity {
     std::string id;
     std::string name;  // first representation (PS3.5 6.2.1), lower case in ASCII, without padding
@@ -21,23 +21,23 @@ struct PatientIdentity {
 
     auto operator<=>(const PatientIdentity&) const = default;  // NOLINT(modernize-use-nullptr): its mistake
 
-    // Neither ID nor name say who it is: they are empty, or placeholders.
+    // Whether both ID and name are empty or placeholders.
     bool isOfNobody() const;
 };
 
 PatientIdentity patientIdentity(const Dataset& header);
 
-// Numbers the patients of a folder, from 0. Of images that name nobody those of one study are of one patient
-// (PS3.3 A.1.2), and two studies are of two: that both say ANONYMOUS makes nobody the same.
+// Numbers the patients of a folder, from 0. Images that name nobody belong to one patient if they are of one
+// study (PS3.3 A.1.2), else to two: two studies that both say ANONYMOUS need not be of the same patient.
 class PatientNumbers {
   public:
     int of(const PatientIdentity& patient, const std::string& studyInstanceUid);
     int count() const { return static_cast<int>(numbers_.size()); }
-    // How many of them are studies that name nobody: two of those may be one patient.
+    // How many of them are studies without a name or ID: two of those may be of one patient.
     int nameless() const { return nameless_; }
 
   private:
-    std::map<std::pair<PatientIdentity, std::string>, int> numbers_;  // the UID: of nobody's alone
+    std::map<std::pair<PatientIdentity, std::string>, int> numbers_;  // the UID only if nobody is named
     int nameless_ = 0;
 };
 

@@ -79,10 +79,10 @@ inline constexpr Tag kVolumetricAnnotations{0x0070, 0x1901};
 inline constexpr Tag kAnimationStyle{0x0070, 0x1A01};
 inline constexpr Tag kVolumeStreams{0x0070, 0x1A08};
 
-// A block of our own.
+// Macula's private block.
 inline constexpr const char* kPrivateCreator = "MACULA";
 inline constexpr Tag kPrivateBlock{0x0071, 0x0010};
 inline constexpr Tag kOwnState{0x0071, 0x1001};  // OB, so that no character set changes it: a view as JSON
-inline constexpr Tag kOwnStateDigest{0x0071, 0x1002};  // LO: digestOf the rest, when it was written
+inline constexpr Tag kOwnStateDigest{0x0071, 0x1002};  // LO: digestOf the presentation as written
 
 }  // namespace macula::dicom::presentation_tag

@@ -1,11 +1,11 @@
-// DCMTK's log quotes what it reads, which may be of a patient, and its level is one for the whole process, in
+// Silences DCMTK's log, which quotes data that may name a patient. Its level holds for the whole process, in
 // which Macula may be a guest.
 #pragma once
 
 namespace macula::dicom {
 
-// While one lives, what DCMTK logs in this thread does not come to the root logger's appenders. The log of
-// other threads, and of this one before and after, is as it was.
+// While one lives, nothing that DCMTK logs in this thread reaches the root logger's appenders. The logs of
+// other threads, and of this one before and after, stay as they are.
 class QuietToolkit {
   public:
     QuietToolkit();

@@ -1,4 +1,4 @@
-// Reading anywhere in a file.
+// Random access to a file.
 #pragma once
 
 #include <cstddef>

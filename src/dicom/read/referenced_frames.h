@@ -1,5 +1,4 @@
-// Which images an object refers to, and which frames of them (Image SOP Instance Reference Macro,
-// PS3.3 10.3).
+// The images that an object refers to, with their frames (Image SOP Instance Reference Macro, PS3.3 10.3).
 #pragma once
 
 #include <string>
@@ -13,7 +12,7 @@ namespace macula::dicom {
 struct ReferencedFrames {
     std::string sopInstanceUid;
     std::vector<int> numbers = {};  // from 1, in the order of the file; none: all frames
-    bool isDamaged = false;         // it names frames that cannot be read; all are meant then
+    bool isDamaged = false;         // its frame numbers cannot be read; it then refers to all frames
 
     // `frame` as Frame::number, from 0.
     bool holds(int frame) const;
@@ -21,10 +20,10 @@ struct ReferencedFrames {
     bool operator==(const ReferencedFrames&) const = default;
 };
 
-// Nothing where the item names no image.
+// Leaves out items that name no image.
 std::vector<ReferencedFrames> referencedFrames(const std::vector<Dataset>& items);
 
-// Sorted by UID, each image once, with the frames of all that name it, sorted.
+// Sorted by UID, each image once, with the sorted frames of all its references.
 std::vector<ReferencedFrames> byImage(std::vector<ReferencedFrames> references);
 
 }  // namespace macula::dicom

@@ -1,4 +1,4 @@
-// Kinds of DICOM objects (PS3.4 B.5), as far as it matters what they are.
+// The kinds of DICOM objects (PS3.4 B.5) that Macula distinguishes.
 #pragma once
 
 #include <string>
@@ -20,23 +20,23 @@ inline constexpr std::string_view kSoftcopyPresentationState =
 inline constexpr std::string_view kVolumePresentationState = "1.2.840.10008.5.1.4.1.1.11.9";  // of a 3D view
 }  // namespace sop_class
 
-// Has pixels, and is no image of the patient.
+// Has pixels, but is no image of the patient.
 bool isSegmentation(std::string_view sopClassUid);
 
-// Says how images are shown, whatever the kind of images and of showing.
+// Any presentation state, for any kind of images.
 bool isPresentationState(std::string_view sopClassUid);
 
 // Images of the patient, in slices or otherwise: an object of these without rows and columns has lost them.
 bool isImage(std::string_view sopClassUid);
 
-// Images that look through or at the patient from outside, and are no slices, whatever else they say.
+// Projections through the patient, and images from outside: no slices, whatever else the header says.
 bool isProjection(std::string_view sopClassUid);
 
 // The only modality that PS3.3 allows for images of the class; empty where there may be several.
 std::string_view modalityOfClass(std::string_view sopClassUid);
 
-// For a person: "Segmentation", "Structured report"; the keyword, or the UID of none that DCMTK
-// knows, when it is none of the common ones.
+// For a person: "Segmentation", "Structured report"; for less common classes "Object of class" with DCMTK's
+// name or the UID; "Object of unknown kind" for text that is no UID.
 std::string describeSopClass(std::string_view sopClassUid);
 
 }  // namespace macula::dicom

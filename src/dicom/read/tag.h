@@ -1,4 +1,4 @@
-// The name of a data element.
+// The tag of a data element.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Where the pixels of one image fall on a grid of voxels, when they fall on its voxels exactly.
+// Maps the pixels of one image to the voxels of a grid on which they lie exactly.
 #pragma once
 
 #include <optional>
@@ -17,8 +17,8 @@ struct GridPlacement {
     bool operator==(const GridPlacement&) const = default;
 };
 
-// Nothing when a pixel is further than a hundredth of a voxel from the centre of its voxel. The transform is
-// affine; the plane is usable.
+// Places the image; nothing when a pixel is more than a hundredth of a voxel from its voxel's centre. The
+// transform is affine; the plane is usable.
 std::optional<GridPlacement> placeOnGrid(const glm::dmat4& voxelFromWorld, const ImagePlane& plane,
                                          int columns, int rows);
 

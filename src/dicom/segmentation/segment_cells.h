@@ -1,4 +1,4 @@
-// What the cells of a segmentation's frames say.
+// Decodes the cells of a segmentation's frames.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace macula::dicom {
 
-// Half of fractionalMaximum and more is the segment.
+// In a fractional frame, values of at least half of fractionalMaximum belong to the segment.
 class SegmentCells {
   public:
     explicit SegmentCells(const Segmentation& segmentation)

@@ -15,8 +15,8 @@
 namespace macula::dicom {
 
 enum class SegmentationType {
-    binary,      // a frame tells of one segment where it is
-    fractional,  // a frame tells of one segment how much of it there is, or how likely
+    binary,      // a frame marks where one segment is
+    fractional,  // a frame gives the share of one segment in each pixel, or its probability
     labelMap,    // a frame holds segment numbers
 };
 
@@ -29,7 +29,7 @@ struct CellRange {
     bool operator==(const CellRange&) const = default;
 };
 
-// What the header says. Paths, UIDs and labels may name a patient: never logged.
+// The header of a segmentation. Paths, UIDs and labels may name a patient: never logged.
 struct Segmentation {
     std::filesystem::path file;
     std::string seriesInstanceUid;
@@ -40,43 +40,43 @@ struct Segmentation {
     int columns = 0;
     int rows = 0;
     CellFormat format;
-    int fractionalMaximum = 255;    // fractional only: the value that stands for all of it
+    int fractionalMaximum = 255;    // fractional only: the value that means 1
     std::vector<Segment> segments;  // by number
     struct Frame {
         ImagePlane plane;
         std::uint16_t segment = 0;  // 0 for a label map
     };
     std::vector<Frame> frames;
-    // Of a label map: the numbers that stand for no segment. Those of Pixel Padding Value, those of segments
-    // that are said to be background, and 0 where no segment of that number is described.
+    // Of a label map: the numbers that mean no segment. These are Pixel Padding Value, those of segments
+    // described as background, and 0 when no segment has that number.
     std::vector<CellRange> background = {};
-    // Segments that are described under a number of the padding: nothing in the frames is of them.
+    // Described segments whose number is a padding value: they have no pixels in the frames.
     std::vector<std::uint16_t> paddedSegments = {};
-    double spacingMm = 0.0;  // between frames as the header says; 0 when it does not
+    double spacingMm = 0.0;  // between frames, from the header; 0 when it gives none
     std::string sopInstanceUid = {};
-    std::string contentLabel = {};  // of the whole of it, for a person; may be empty
+    std::string contentLabel = {};  // for a person; may be empty
 };
 
 // Fails with inputNotUsable when the file is no segmentation, or does not say where its frames lie or what
 // they hold.
 Result<Segmentation> readSegmentation(const std::filesystem::path& file);
 
-// On the grid of the series it was drawn on, without any resampling: fails with inputNotUsable when a frame
-// does not lie on that grid to a hundredth of a voxel, wherever it begins. The frame's axes may be any of the
-// grid's, in either direction. Where segments overlap, the one in the later frame wins; messages of the label
-// map tell how many voxels that concerns, and how many lie outside of the grid. Half of fractionalMaximum and
-// more is the segment. In a label map 0 is none of the segments: a segment of number 0 gets another one
-// there, and a message says which. `slicePositionsMm` are where the slices of the grid really lie, one each,
-// when they are not quite even (stack.h: slicePositionsMm): a frame in one of these planes is of that slice.
+// Loads it on the grid of the series it was drawn on, without resampling: fails with inputNotUsable when a
+// frame is more than a hundredth of a voxel off that grid, wherever it begins. The frame's axes may be any of
+// the grid's, in either direction. Where segments overlap, the one in the later frame wins; messages of the
+// label map count such voxels, and those outside of the grid. At least half of fractionalMaximum is the
+// segment. In the result 0 means no segment: a segment 0 gets another number, which a message states.
+// `slicePositionsMm` are the true positions of the grid's slices, one each, when they are not quite even
+// (stack.h: slicePositionsMm): a frame in one of these planes belongs to that slice.
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
                                   glm::ivec3 size, Progress& progress,
                                   std::span<const glm::dvec3> slicePositionsMm = {});
 
-// On a grid of its own, the smallest that holds all frames: for when the series is not there. Its slice axis
+// Loads it on its own grid, the smallest that holds all frames, for when the series is absent. Its slice axis
 // goes from the lowest frame to the highest, so that a sheared stack stays sheared.
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, Progress& progress);
 
-// PS3.3 C.10.7.1.1: a CIELab colour as three words, to sRGB.
+// Converts a CIELab colour, as three words (PS3.3 C.10.7.1.1), to sRGB.
 std::array<std::uint8_t, 3> rgbOfCieLab(const std::array<std::uint16_t, 3>& words);
 
 }  // namespace macula::dicom

@@ -1,4 +1,4 @@
-// Grids on which all frames of a segmentation lie.
+// Finds grids on which all frames of a segmentation lie.
 #pragma once
 
 #include <optional>
@@ -12,8 +12,8 @@ namespace macula::dicom {
 
 using Placements = std::vector<GridPlacement>;  // one for each frame
 
-// On this grid, without resampling; nothing when a frame does not lie on it, and `firstOff` tells which.
-// `slicePositionsMm` as in loadSegmentation.
+// Places the frames on this grid without resampling; nothing when one does not lie on it: the first is
+// `firstOff`. `slicePositionsMm` as in loadSegmentation.
 std::optional<Placements> placeFrames(const Segmentation& segmentation, const glm::dmat4& worldFromVoxel,
                                       std::span<const glm::dvec3> slicePositionsMm = {},
                                       std::size_t* firstOff = nullptr);
@@ -24,7 +24,7 @@ struct SegmentationGrid {
     Placements placements;
 };
 
-// The smallest one that holds all frames; nothing when they lie on none, or there are none.
+// The smallest grid that holds all frames; nothing when they lie on no grid, or there are none.
 std::optional<SegmentationGrid> ownGrid(const Segmentation& segmentation);
 
 }  // namespace macula::dicom

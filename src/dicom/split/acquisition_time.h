@@ -1,4 +1,4 @@
-// Slices of a volume that were acquired long before or after those beside them.
+// Finds slices of a volume that were acquired long before or after those beside them.
 #pragma once
 
 #include "dicom/stack/split_rules.h"
@@ -6,8 +6,8 @@
 
 namespace macula::dicom {
 
-// Warns of a volume part of which was acquired apart: a gap between neighbours that is long by itself and
-// beside all others. Slices acquired in turn, odd and even ones, and the beds of one PET scan are not meant.
+// Warns when part of a volume was acquired apart: one to four pauses between neighbours exceed 30 s and 20
+// times the median. Not for PET and NM, whose beds follow each other after minutes.
 void tellAcquiredApart(Stack& stack, const SplitRules& rules);
 
 }  // namespace macula::dicom

@@ -1,5 +1,4 @@
-// Acquisitions of one series that lie between each other or overlap, found by when they were made or where
-// they lie.
+// Separates acquisitions of one series that interleave or overlap, by their times, numbers or places.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +10,17 @@
 
 namespace macula::dicom {
 
-// `count` runs, each of which is over before the next one begins: the frames sorted by their values, cut
-// where the longest pauses are. Parts have no `values`. Empty when a frame has no value, or there are fewer
-// pauses.
+// Divides the frames, sorted by their values, into `count` runs at the longest pauses. Parts have no
+// `values`. Empty when a frame has no value, or there are too few pauses.
 Partition partitionByRuns(std::span<const std::optional<double>> values, std::size_t count);
 
-// The ways of images that are numbered one after another: each goes along the normal in one direction, and
-// the next one begins where the numbers turn back. Parts have no `values`. Empty when there is one way, or a
-// number is missing or not the only one.
+// Divides images by their ways: in the order of their numbers each way goes along the normal in one
+// direction, and the next one begins where they turn back. Parts have no `values`. Empty when there is one
+// way, or when a number is missing or repeated.
 Partition partitionByWays(std::span<const Frame> frames);
 
-// Up to six sets of frames, each at multiples of one distance from its first, which is the same for all.
-// Empty when the frames lie otherwise, or on one lattice of a part of that distance with slices missing.
+// Divides frames into two to six lattices: each lies at multiples of one distance, the same for all, from its
+// first frame. Empty when the frames lie otherwise, or all on one finer lattice with slices missing.
 Partition separateLattices(std::span<const Frame> frames);
 
 }  // namespace macula::dicom

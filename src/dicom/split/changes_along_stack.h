@@ -1,4 +1,4 @@
-// What changes along the slices of a stack that stays whole.
+// Warns of attributes that change along the slices of a stack that stays whole.
 #pragma once
 
 #include "dicom/stack/split_rules.h"
@@ -6,9 +6,9 @@
 
 namespace macula::dicom {
 
-// Values that come of another kernel, contrast or acquisition step where it changes, and a step reads as
-// pathology: gives a stack that is a volume one warning for each attribute of the rules' steps that changes
-// along it, and for a rescale that changes at a few places.
+// A new kernel, contrast or acquisition makes a step in the values, which may look like pathology. Gives a
+// stack that is a volume one warning for each attribute of the rules with a `step` that changes along it, and
+// one for a rescale that changes at a few places.
 void tellChanges(Stack& stack, const SplitRules& rules);
 
 }  // namespace macula::dicom

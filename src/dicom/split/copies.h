@@ -1,4 +1,4 @@
-// Files that are in a folder more than once.
+// Drops files that a folder has more than once.
 #pragma once
 
 #include <vector>
@@ -8,16 +8,16 @@
 
 namespace macula::dicom {
 
-// The same file twice (a folder copied into itself) is no second slice: the first in order stays. Files that
-// share a SOP Instance UID and differ are kept: which of them is right is not ours to say. `series` are the
-// frames of one series each; returns how many files were dropped from each. Reads only files that share UID
-// and size with another, each once, on all cores; stops early when cancelled.
+// Keeps the first in order of identical files (a folder copied into itself). Keeps files that share a SOP
+// Instance UID but differ, because nothing tells which of them is right. `series` are the frames of one
+// series each; returns how many files were dropped from each. Reads only files that share UID and size with
+// another, each once, on all cores; stops early when cancelled.
 std::vector<std::size_t> dropCopies(const std::vector<std::vector<Frame>*>& series, Progress& progress);
 
-// The same slices once more under new identifiers: of images at one position that agree in all the split
-// rules look at (but for number and coordinate system), in their values' scale and in every pixel, the one
-// with the lowest number stays. Only when no position is left with two: phases that happen to have an equal
-// slice are phases. Returns how many were dropped from each series; reads only the pixels of such images.
+// Drops slices that are repeated under new identifiers: of images at one position with equal attributes of
+// the split rules (except number and coordinate system), rescale and pixels, it keeps the one with the lowest
+// number. Drops only if no position keeps two: phases may happen to have an equal slice. Returns how many
+// were dropped from each series; reads only the pixels of such images.
 std::vector<std::size_t> dropRepeats(const std::vector<std::vector<Frame>*>& series,
                                      const CancelToken& cancel);
 

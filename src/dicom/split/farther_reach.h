@@ -1,4 +1,4 @@
-// Series of a study that cover more at one end than a stack does.
+// Reports series of a study that reach farther than a stack at one end.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 namespace macula::dicom {
 
 // Gives a volume a note when a parallel one of another series, in the same frame of reference and of the same
-// modality, ends where it does at one end and goes on at the other, by five slices, 15 mm and a tenth of its
-// length at least: a copy that was stopped looks so, and so does a protocol of two regions. Where there is
-// none, a localizer of CT counts whose length is left out by two fifths at one end, and not at the other.
-// `series` are those of one study; a study of more than 2000 volumes is not compared.
+// modality, ends where it does at one end and continues at the other by at least five slices, 15 mm and a
+// tenth of its length: either copying was stopped, or the protocol has two regions. Without such a series,
+// uses a CT localizer that extends beyond one end by two fifths of its length, and at the other by at most a
+// quarter. `series` are those of one study; a study of more than 2000 volumes is not compared.
 void reportFartherReach(std::vector<Series>& series);
 
 }  // namespace macula::dicom

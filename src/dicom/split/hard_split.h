@@ -1,4 +1,4 @@
-// The first step from frames to stacks: what is never in one stack.
+// The first step from frames to stacks: separates frames that never share a stack.
 #pragma once
 
 #include <functional>
@@ -15,13 +15,13 @@ struct HardPart {
     std::vector<Message> told;  // messages for each of its stacks
 };
 
-// A function that says which stacks frames would become.
+// Returns the stacks that the frames would become.
 using TryStacks = std::function<std::vector<Stack>(std::vector<Frame>)>;
 
-// Separates frames by the hard rules, and those without a position from those with one. Frames that are then
-// alone although they differ only in how they lie stay together. Coordinate systems (FrameOfReferenceUID)
-// that no two images share, or that some do not name, separate nothing when volumes come of that: those parts
-// are told, and have none. A few images that are separated from many by where they lie are a warning.
+// Separates frames by the hard rules, and those without a position from those with one. Rejoins lone frames
+// that differ only in orientation or spacing. Coordinate systems (FrameOfReferenceUID) that no two images
+// share, or that some lack, separate nothing if volumes result: such parts get a message and no coordinate
+// system. Warns when placement separates a few images from many.
 std::vector<HardPart> splitHard(std::vector<Frame> frames, const SplitRules& rules,
                                 const TryStacks& tryStacks, std::vector<Message>& messages);
 

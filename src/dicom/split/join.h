@@ -1,4 +1,4 @@
-// Images that are one series by all they say, but for identifiers that were made anew for each of them.
+// Finds images that form one series but whose identifiers were made anew for each of them.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 namespace macula::dicom {
 
 struct Scattered {
-    std::vector<std::size_t> images;  // places in what was examined
-    std::string levels;               // whose identifiers differ: "series", "study and series", …
+    std::vector<std::size_t> images;  // indices in `found`
+    std::string levels;               // those with different identifiers: "series", "study and series", …
 };
 
-// Three or more images, each the only one of its series: they agree in modality, series number and
-// description, size, orientation and pixel spacing; their patients, studies and series are each one for all
-// or one for every image; and together they make an even stack, with gaps perhaps.
+// Finds three or more images, each the only one of its series, that agree in modality, series number and
+// description, SOP class and size; that share one patient, or have one each, and likewise for study and
+// series; and that make an even stack of one orientation and pixel spacing, possibly with gaps.
 std::vector<Scattered> findScattered(const std::vector<Examination>& found);
 
 // Gives the scattered images the patient, the study and the series of the first.

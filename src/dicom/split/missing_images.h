@@ -1,5 +1,5 @@
-// Images that a series should have and has not, where positions cannot show it: at the ends of its slices. A
-// copy that was stopped is an even stack, and lacks the anatomy beyond its last slice.
+// Finds images that a series lacks where positions cannot show it: at the ends of its slices. An interrupted
+// copy is an even stack, but lacks the anatomy beyond its last slice.
 #pragma once
 
 #include <map>
@@ -11,26 +11,25 @@
 
 namespace macula::dicom {
 
-// The numbers (InstanceNumber) of images that the directory of a medium lists and that are not there, by
-// SeriesInstanceUID; nothing for an image of which it says none.
+// The InstanceNumbers of missing images that the directory of a medium lists, by SeriesInstanceUID; nothing
+// for an image without a listed number.
 using AbsentImages = std::map<std::string, std::vector<std::optional<int>>>;
 
-// Tells the stacks of one study, each a volume of single-frame images, of what seems to be missing beyond
-// their ends, and the series where no end can be named. What counts as evidence, from the strongest:
+// Reports images that seem to be missing beyond the ends of a study's stacks (volumes of single-frame images)
+// to these, or to the series if the end is unknown. The evidence, strongest first:
 //   - the directory of the medium lists more images of the series (AbsentImages);
 //   - NumberOfSeriesRelatedInstances, ImagesInAcquisition, or NumberOfSlices of PET, is larger than the
-//   number of
-//     images; ImagesInAcquisition that is three times as many or more may count other series, and is a note;
+//     number of images; an ImagesInAcquisition that is three or more times that number, exactly, may count
+//     other series and is a note;
 //   - the image numbers, consecutive along the slices, begin late or leave some out next to an end. This is a
 //     warning unless something else may explain it, and then a note: two numbers at most (deleted
-//     localizers), or hundreds (a numbering with an offset). Numbers that go on from another series, or have
-//     the offset of the series number, say nothing, and neither do those of a stack that covers what a
+//     localizers), or hundreds (a numbering with an offset). Numbers that continue those of another series,
+//     or have the offset of the series number, are no evidence, nor are those of a stack that covers what a
 //     complete one covers.
-// Images that are there, in whatever stack, are not missing; nor are gaps counted, which stacks tell
-// themselves.
+// Images in any stack are not missing. Gaps do not count, because stacks report them themselves.
 void reportMissingImages(std::vector<Series>& series, const AbsentImages& absent);
 
-// A note that the study has more objects (NumberOfStudyRelatedInstances) than are here.
+// A note that the study has more objects (NumberOfStudyRelatedInstances) than were found.
 std::optional<Message> studyShortfall(const std::vector<Series>& series);
 
 }  // namespace macula::dicom

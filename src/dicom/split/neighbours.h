@@ -1,4 +1,4 @@
-// Stacks that go on in another series.
+// Reports stacks that continue in another series.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 namespace macula::dicom {
 
 // Gives both of two even stacks a message when they lie in one coordinate system, have the same grid in the
-// plane, and the second begins one slice distance after the end of the first. They are not joined: only a
+// plane, and the second begins one slice distance after the end of the first. It does not join them: only a
 // person knows whether they are one acquisition. `series` are those of one study.
 void reportNeighbours(std::vector<Series>& series);
 

@@ -1,4 +1,4 @@
-// Ways to divide frames: by what they say, by where they lie.
+// Divides frames by their attributes and by where they lie.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 namespace macula::dicom {
 
 struct Part {
-    std::vector<std::string> values;  // one per attribute, as the first of its frames has it
+    std::vector<std::string> values;  // one per attribute, from the first of its frames
     std::vector<std::size_t> frames;  // ascending
 };
 
@@ -23,17 +23,17 @@ using Partition = std::vector<Part>;
 Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rules,
                            const std::vector<std::size_t>& attributes);
 
-// How often the next frame along the normal is in another part than the one before.
+// The number of positions along the normal whose part is not that of the position before.
 std::size_t alternations(std::span<const Frame> frames, const Partition& partition);
 
-// Separates the frames of the first, the second … file with the same SOP Instance UID that lie at one
-// position: an identifier that was given to all slices tells nothing.
+// Separates the frames of the first, the second … file that share a SOP Instance UID and a position: files
+// elsewhere are no copies, since some writers give one UID to all slices.
 Partition separateCopies(std::span<const Frame> frames);
 
-// The first frame at each position, and all others.
+// Separates the first frame at each position from all others.
 Partition separateRepetitions(std::span<const Frame> frames);
 
-// Consecutive blocks between which many slices are missing. One part when there is no such gap.
+// Divides frames at gaps of many slices: one part without a gap, none for fewer than three positions.
 Partition separateAtGaps(std::span<const Frame> frames);
 
 }  // namespace macula::dicom

@@ -1,4 +1,4 @@
-// From frames that agree in everything hard to stacks: by what they say, when they were made, where they lie.
+// Splits frames that agree in all hard attributes into stacks: by their attributes, times and places.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,10 @@ namespace macula::dicom {
 
 Stack makeStack(std::vector<Frame> frames, std::vector<StackLabel> labels, const std::string& modality);
 
-// Tries one way after another, from what says what it is to what is only assumed; see split.h for their
-// order.
+// Tries one way after another, from explicit attributes to assumptions, in the order of split.h.
 class Splitter {
   public:
-    // References are kept.
+    // Keeps the references.
     Splitter(const std::string& modality, const SplitRules& rules, const CancelToken& cancel)
         : modality_(modality), rules_(rules), cancel_(cancel) {}
 
@@ -31,7 +30,7 @@ class Splitter {
     using Stacks = std::optional<std::vector<Stack>>;
     using Messages = std::vector<Message>;
 
-    // Phase rules in three groups: those that say what they are, those that follow from times, a guess.
+    // The three groups of phase rules: explicit ones, those from times, and a guess.
     enum class PhasesAsked { first, then, last };
 
     static PhasesAsked groupOf(const SplitRules::Phase& rule);

@@ -1,4 +1,4 @@
-// Where the slices of a stack end in the patient, and whether others go on there.
+// Finds where the slices of a stack end in the patient, and whether others continue there.
 #pragma once
 
 #include <array>
@@ -20,21 +20,21 @@ std::string_view sideBeyond(const Stack& stack, StackEnd end);
 // The distance between slices, on average; 0 for one slice.
 double stepMm(const Stack& stack);
 
-// What another stack covers along the slice normal of this one, in mm from its first slice.
+// The extent of another stack along the slice normal of this one, in mm from the first slice of this one.
 struct Reach {
     double firstMm = 0.0;
     double lastMm = 0.0;
 };
 
-// What `other`, parallel to `stack` and in its frame of reference, covers. Nothing for any other.
+// The reach of `other`; nothing unless it is parallel to `stack` and in its frame of reference.
 std::optional<Reach> reachOfParallel(const Stack& stack, const Stack& other);
-// What the pictures of a localizer cover that lie across `stack`, in its frame of reference.
+// The reach of those images of a localizer that lie across `stack`, in its frame of reference.
 std::optional<Reach> reachOfLocalizer(const Stack& stack, const Stack& localizer);
 
-// How far it goes on beyond an end of the stack; negative where it ends before.
+// How far `reach` extends beyond an end of the stack; negative if it ends before.
 double beyondMm(const Stack& stack, const Reach& reach, StackEnd end);
 
-// Whether both stacks end at the same place, to a slice and a half.
+// Whether both stacks end at the same place, within a slice and a half.
 bool endsAlike(const Stack& stack, const Stack& other, const Reach& reach, StackEnd end);
 
 }  // namespace macula::dicom

@@ -1,5 +1,4 @@
-// How the images of a stack are numbered along it (InstanceNumber, PS3.3 C.7.6.1), and which numbers nobody
-// has.
+// Describes how images are numbered along a stack (InstanceNumber, PS3.3 C.7.6.1), and finds unused numbers.
 #pragma once
 
 #include <optional>
@@ -9,11 +8,11 @@
 
 namespace macula::dicom {
 
-// Numbers that rise or fall along the whole stack, by the same step in four of five places.
+// A numbering that rises or falls along the whole stack, by the same step in four of five places.
 struct StackNumbering {
     int first = 0;  // of the first image along the slice normal
     int last = 0;
-    int step = 1;  // from one image to the next; beyond 1 or -1 where others of the series have those between
+    int step = 1;  // from one image to the next; not 1 or -1 if other stacks have numbers between
 
     bool lowestIsFirst() const { return step > 0; }
     int lowest() const { return lowestIsFirst() ? first : last; }
@@ -24,12 +23,12 @@ struct StackNumbering {
 // in another order than the slices, or beyond 100 000.
 std::optional<StackNumbering> numberingOf(const Stack& stack);
 
-// The numbers that lie beyond `from` in steps of `by`, and that are not in `taken`: up to the next one that
-// is, or down to 1.
+// The numbers beyond `from` in steps of `by` up to the next one in `taken`, or down to 1; none if `taken` has
+// no higher one.
 struct NumbersBeyond {
     int count = 0;
-    bool toTheBeginning = false;  // down to 1, and no other number lay between
-    std::optional<int> another;   // the number of `taken` behind them
+    bool toTheBeginning = false;  // they go down to 1 without a taken number
+    std::optional<int> another;   // the next number of `taken`
 };
 NumbersBeyond numbersBeyond(int from, int by, const std::set<int>& taken);
 

@@ -1,4 +1,4 @@
-// How good the parts of a stack would be as stacks, found out without making them.
+// Grades the parts of a stack as stacks, without making them.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace macula::dicom {
 
-// How good frames are as one volume. In an irregular one slices are interpolated between frames that may not
-// belong together; a gapped one lacks slices of an even one.
+// The quality of frames as one volume. An irregular one has slices interpolated between frames that may not
+// belong together; a gapped one is even with slices missing.
 enum class Grade { none, irregular, gapped, even };
 
 Grade gradeOf(const Stack& stack);
@@ -27,14 +27,14 @@ std::vector<Trial> tryOut(std::span<const Frame> frames, const Partition& partit
 
 // Whether one part begins before another has ended.
 bool interleave(std::vector<Trial> parts);
-// Whether the parts are volumes of this grade or a better one, but for leftovers that are small against the
-// largest.
+// Whether the parts are volumes of grade `least` or better, except for leftovers that are small compared with
+// the largest.
 bool areVolumes(std::span<const Trial> parts, Grade least);
-// Whether most of the parts are volumes that cover three quarters of the positions: a place was imaged again
-// and again, and not two places that overlap.
+// Whether at least half of the parts are volumes with frames at three quarters of the positions: one place
+// was imaged repeatedly, rather than two places that overlap.
 bool arePhases(std::span<const Trial> parts, std::size_t positions);
 
-// Whether the parts are better than the stack as one. `least`: what parts have to be where the stack is
+// Whether the parts are better than the whole stack. `least`: the grade that parts must have if the stack is
 // irregular or no volume.
 bool isBetter(const Stack& whole, const Partition& partition, Grade least);
 

@@ -1,4 +1,4 @@
-// What one file of a folder turns out to be.
+// Classifies one file of a folder.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +13,17 @@
 
 namespace macula::dicom {
 
-// All that grouping needs, so that headers are dropped as soon as they are read.
+// Holds all that grouping needs, so that the header can be dropped.
 struct Examination {
     enum class Kind { image, imageWithoutPixels, other, directory };
 
     FileState state = FileState::notDicom;
     Kind kind = Kind::other;
-    std::vector<Frame> frames;       // of an image; those that the file has pixels for
-    std::size_t framesMissing = 0;   // frames that the file claims and has no pixels for
-    bool invalidFrameCount = false;  // NumberOfFrames is there, and is no number
+    std::vector<Frame> frames;       // of an image; only those with pixels in the file
+    std::size_t framesMissing = 0;   // frames that the file claims but has no pixels for
+    bool invalidFrameCount = false;  // NumberOfFrames is present, but no number
     OtherObject object;              // when kind is other
-    std::string_view archive;        // of what is notDicom: see archiveKind
+    std::string_view archive;        // when notDicom: see archiveKind
     bool charsetFallback = false;
     bool scattered = false;  // see Series::scattered
 
@@ -33,7 +33,7 @@ struct Examination {
     std::optional<int> seriesNumber;
 };
 
-// Reads the header, and nothing of the pixels. Once cancelled, the result is to be thrown away. Thread-safe.
+// Reads the header, and nothing of the pixels. Once cancelled, discard the result. Thread-safe.
 Examination examine(const std::filesystem::path& file, const CancelToken& cancel = {});
 
 }  // namespace macula::dicom

@@ -1,6 +1,5 @@
-// What a multi-frame file says of its frames in lists, beside their own data sets: a value for each frame, as
-// nuclear medicine does (Frame Increment Pointer, PS3.3 C.7.6.6.1.1 and C.8.4.8), and indices by dimension
-// (C.7.6.17).
+// Lists of a multi-frame file with a value for each frame, outside of the frames' data sets, as in nuclear
+// medicine (Frame Increment Pointer, PS3.3 C.7.6.6.1.1 and C.8.4.8); and indices by dimension (C.7.6.17).
 #pragma once
 
 #include <string>
@@ -15,10 +14,9 @@ class FrameLists {
   public:
     FrameLists(const SplitRules& rules, const Dataset& header);
 
-    // Sets what the lists say of frame `number`, from 0, whose data set is `frame`, in the attributes of the
-    // rules.
+    // Sets the attributes of the rules that the lists give for frame `number`, from 0, with data set `frame`.
     void apply(const Dataset& frame, int number, std::vector<std::string>& attributes) const;
-    // Whether lists may have set this attribute. One that all frames of a file have in common tells nothing.
+    // Whether lists may have set this attribute. One shared by all frames separates nothing.
     bool mayHave(std::size_t attribute) const;
 
   private:

@@ -1,15 +1,15 @@
-// Where a frame lies in the patient, as its data set says (PS3.3 C.7.6.2, C.7.6.16.2.3, C.7.6.16.2.4).
+// Reads where a frame lies in the patient (PS3.3 C.7.6.2, C.7.6.16.2.3, C.7.6.16.2.4).
 #pragma once
 
 #include "dicom/stack/instance.h"
 
 namespace macula::dicom {
 
-// The distance of each frame along the normal, for objects that keep one position for all frames: those of
-// dose and of nuclear medicine, which say how they go on, and those that only say how far apart slices are.
+// The distance of each frame along the normal, for objects with one position for all frames: those of dose
+// and of nuclear medicine, which list the offsets, and those that only give the distance between slices.
 struct FrameOffsets {
-    std::vector<double> mm;  // of each frame that it is known of; empty for other objects
-    bool isByOrder = false;  // nothing but their order says where frames after the first lie
+    std::vector<double> mm;  // of each frame with a known one; empty for other objects
+    bool isByOrder = false;  // only their order tells where frames after the first lie
 };
 FrameOffsets frameOffsets(const Dataset& header);
 

@@ -1,5 +1,5 @@
-// Where slices lie in the patient, and how they make a volume (PS3.3 C.7.6.2, Image Plane Module). All
-// positions and distances in mm, patient LPS. Pure functions.
+// Computes how slices make a volume from where they lie in the patient (PS3.3 C.7.6.2, Image Plane Module).
+// All positions and distances are in mm, patient LPS. Pure functions.
 #pragma once
 
 #include <optional>
@@ -24,11 +24,11 @@ struct ImagePlane {
     glm::dvec3 normal() const { return glm::cross(rowDirection, columnDirection); }
 };
 
-// Planes closer than this along the normal are at one position.
+// Planes at most this far apart along the normal are at one position.
 inline constexpr double kSamePositionMm = 1e-3;
 
-// The two directions are unit vectors, perpendicular to each other, within 0.001; position and spacings
-// are of a size that a patient can have.
+// Whether the two directions are unit vectors, perpendicular to each other, within 0.001, and position and
+// spacings are plausible for a patient.
 bool isUsable(const ImagePlane& plane);
 
 struct StackedPlane {
@@ -62,12 +62,12 @@ struct StackGeometry {
     std::vector<Message> messages;
 };
 
-// Planes are sorted by their position along the normal, equal positions by instance number, then in the order
-// given. worldFromVoxel is never right by accident: the slice axis goes from the first position to the last,
-// so that a tilted gantry's sheared stack stays sheared, and SliceThickness plays no part. Missing slices (a
-// distance that is a multiple of the usual one) become interpolated ones between planes that are kept as they
-// are; other uneven distances are resampled to the smallest. More interpolated slices than planes, planes at
-// one position, or planes that are not parallel or not in line make no volume.
+// Sorts planes by their position along the normal, equal positions by instance number, then in the order
+// given. The slice axis of worldFromVoxel goes from the first position to the last, so that a tilted gantry's
+// sheared stack stays sheared; SliceThickness is ignored. Missing slices (a distance that is a multiple of
+// the usual one) become interpolated ones between planes that are kept as they are; other uneven distances
+// are resampled to the smallest. There is no volume when more slices would be interpolated than there are
+// planes, when planes are at one position, not parallel, or not in line.
 StackGeometry stackPlanes(std::span<const StackedPlane> planes);
 
 }  // namespace macula::dicom

@@ -16,8 +16,8 @@
 
 namespace macula::dicom {
 
-// An optional is empty when the file does not say, or says nonsense. Paths and UIDs may name a patient: never
-// logged.
+// An optional is empty when the file gives no value, or an invalid one. Paths and UIDs may name a patient:
+// never logged.
 
 // What all frames of a file share.
 struct Instance {
@@ -25,14 +25,13 @@ struct Instance {
     std::string sopClassUid;
     std::string sopInstanceUid;
     std::string transferSyntaxUid;      // of the pixels
-    std::string contradictedSyntaxUid;  // the one that the file names, where it is another
+    std::string contradictedSyntaxUid;  // the one that the file names, if it differs
     std::string photometricInterpretation;
-    std::string modality;          // that of the SOP class where the file does not say; else empty then
-    bool modalityMissing = false;  // Modality, which each image has to have (type 1, PS3.3 C.7.3.1)
+    std::string modality;          // that of the SOP class where the file gives none; may be empty
+    bool modalityMissing = false;  // no Modality, which each image must have (type 1, PS3.3 C.7.3.1)
     std::optional<int> instanceNumber;
     std::optional<int> acquisitionNumber;
-    // How many images there are, as the file says: of the acquisition, in a volume of PET, of the series and
-    // the study.
+    // The numbers of images that the file gives for the acquisition, a PET volume, the series and the study.
     std::optional<int> imagesInAcquisition, slicesOfVolume, seriesRelatedInstances, studyRelatedInstances;
     int columns = 0;
     int rows = 0;
@@ -40,19 +39,19 @@ struct Instance {
     int framesClaimed = 1;  // by NumberOfFrames; more than the file has room for when it is cut off
     int samplesPerPixel = 1;
     std::optional<CellFormat> format;
-    bool multiFrame = false;        // NumberOfFrames is there: positions may lie in functional groups
+    bool multiFrame = false;        // NumberOfFrames is present: positions may lie in functional groups
     bool greyscaleAssumed = false;  // PhotometricInterpretation is missing, as in ACR-NEMA files
-    bool lossy = false;             // compressed with loss, now or before
+    bool lossy = false;             // lossily compressed, now or before
     std::uint64_t strayBytes = 0;   // see HeaderFile
-    std::uint64_t pixelBytes = 0;   // of the pixel data, where these are uncompressed
-    double framesBeyond = 0.0;      // that the file has pixels or descriptions for beyond NumberOfFrames
-    std::uint16_t overlayBits = 0;  // of a cell, that hold an overlay (retired: PS3.3 2004 C.9.2)
+    std::uint64_t pixelBytes = 0;   // of the pixel data, if uncompressed
+    double framesBeyond = 0.0;      // frames beyond NumberOfFrames that have pixels or descriptions
+    std::uint16_t overlayBits = 0;  // bits of a cell that hold an overlay (retired: PS3.3 2004 C.9.2)
     Suv suv;
     std::string concatenationUid;  // PS3.3 C.7.6.16.2.2.4; empty when the file is no part of one
     int concatenationTotal = 0;    // 0: not said
 };
 
-// Where the size of a pixel was taken from. All but the first are worse than a calibrated one (PS3.3 10.7).
+// The attribute that gave the size of a pixel. Only pixelSpacing may be calibrated (PS3.3 10.7).
 enum class PixelSpacingSource { none, pixelSpacing, imagerPixelSpacing, nominalScannedPixelSpacing };
 
 struct Frame {
@@ -68,20 +67,20 @@ struct Frame {
     PixelSpacingSource spacingSource = PixelSpacingSource::none;
     bool isInVolumeFrame =
         false;  // of ultrasound: it lies in a frame of the transducer's, and not of the patient's
-    bool isPlacedByOrder = false;  // by its number among the frames: see frameOffsets
-    bool numbersRepaired = false;  // of where it lies, which were not written as they should be
+    bool isPlacedByOrder = false;  // by its frame number: see frameOffsets
+    bool numbersRepaired = false;  // numbers of its position were malformed, but readable
     std::string_view
         malformedNumber;  // the keyword of one of them that cannot be read; empty when there is none
     std::optional<double> sliceLocation;
-    std::optional<double> sliceThicknessMm;  // above 0; plays no part in where slices lie
+    std::optional<double> sliceThicknessMm;  // above 0; does not affect where slices lie
 
     std::optional<double> slope;  // of RescaleSlope, or of the real world value mapping
     std::optional<double> intercept;
-    bool rescaleInvalid = false;  // present, and not usable: no number, or a slope of 0
+    bool rescaleInvalid = false;  // present, but not usable: no number, or a slope of 0
     std::string rescaleType;      // also the unit of the real world value mapping, and of the modality LUT
     std::string units;            // of PET (0054,1001)
-    bool realWorld = false;       // slope and intercept are of a real world value mapping
-    std::shared_ptr<const ModalityLut> modalityLut;  // then slope and intercept are not used
+    bool realWorld = false;       // slope and intercept come from a real world value mapping
+    std::shared_ptr<const ModalityLut> modalityLut;  // replaces slope and intercept
     bool modalityLutInvalid = false;
     std::optional<RawRange> padding;
     std::optional<ValueRange> floatPadding;
@@ -90,7 +89,7 @@ struct Frame {
     bool hasDisplayTable = false;  // VOI LUT Sequence, PS3.3 C.11.2.1.1
 
     std::vector<std::string> attributes;  // of splitRules()
-    // Keywords of what the values and the place of voxels depend on and the file says twice, differently.
+    // Keywords of elements that affect voxels' values or places and occur twice with different values.
     std::vector<std::string_view> contradicted;
 };
 
@@ -100,7 +99,7 @@ std::uint64_t bitsPerFrame(const Instance& instance, const Dataset& header);
 // The frames of a header that has Rows and Columns; one entry per frame of the file, at least one.
 std::vector<Frame> readFrames(const std::filesystem::path& file, const HeaderFile& read);
 
-// What intensity.h needs, with 1 and 0 for a missing slope and intercept (stack.h tells of that).
+// The input of intensity.h, with 1 and 0 for a missing slope and intercept, which assess (stack.h) reports.
 SliceIntensity sliceIntensity(const Frame& frame);
 
 }  // namespace macula::dicom

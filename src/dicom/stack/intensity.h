@@ -33,13 +33,13 @@ struct CellFormat {
     bool operator==(const CellFormat&) const = default;
 };
 
-// The format of floating-point cells, which say nothing of stored bits.
+// The format of floating-point cells, which have no stored bits.
 CellFormat floatFormat(CellKind kind);
 
-// Integers of 1, 8, 16 or 32 bits allocated, and the stored bits inside them; or floatFormat.
+// Whether cells are integers of 1, 8, 16 or 32 bits allocated with the stored bits inside, or floatFormat.
 bool isUsable(const CellFormat& format);
 
-// A usable format whose cells fit 16 bits. All others are read as numbers.
+// Whether the cells of a usable format fit 16 bits. Other cells are read as numbers.
 bool isNarrow(const CellFormat& format);
 
 // Closed interval of raw values (after masking and sign extension).
@@ -51,13 +51,12 @@ struct RawRange {
     bool operator==(const RawRange&) const = default;
 };
 
-// PixelPaddingValue and PixelPaddingRangeLimit as 16-bit words, to raw values; in either order, as the
-// standard allows.
+// The raw values of PixelPaddingValue and PixelPaddingRangeLimit, given as 16-bit words in either order, as
+// the standard allows.
 RawRange paddingRange(const CellFormat& format, std::uint16_t valueWord,
                       std::optional<std::uint16_t> limitWord);
 
-// Raw value to value: that of entries[raw - firstMapped]; below and above the table its first and last entry
-// hold.
+// Maps a raw value to entries[raw - firstMapped]; below and above the table to its first and last entry.
 struct ModalityLut {
     int firstMapped = 0;
     std::vector<std::uint16_t> entries;  // not empty
@@ -67,7 +66,7 @@ struct ModalityLut {
 };
 
 // Reads the modality LUT from LUTDescriptor (0028,3002) as its three words, and LUTData (0028,3006); entries
-// of 8 bits may stand in a word each, or two in a word. Nothing when they do not fit each other.
+// of 8 bits may be one or two in a word. Nothing when descriptor and data do not fit.
 std::shared_ptr<const ModalityLut> readModalityLut(const std::array<std::uint16_t, 3>& descriptor,
                                                    std::span<const std::uint16_t> data, bool pixelsAreSigned);
 
@@ -77,13 +76,13 @@ struct SliceIntensity {
     double slope = 1.0;  // not 0; may be negative
     double intercept = 0.0;
     std::optional<RawRange> padding = {};
-    std::optional<ValueRange> floatPadding = {};  // of floating-point cells: (0028,0122) to (0028,0125)
+    std::optional<ValueRange> floatPadding = {};  // for floating-point cells: (0028,0122) to (0028,0125)
     std::shared_ptr<const ModalityLut> modalityLut = {};
 
     bool operator==(const SliceIntensity& other) const;
 };
 
-// Slices that declare no padding get that of the others, if all of those agree. Says so, when there were any.
+// Gives slices without padding that of the others, if those agree. Returns a sentence if it did so.
 std::optional<std::string> completePadding(std::span<SliceIntensity> slices);
 
 // Unpacks in place, from narrow cells as in the file to "unpacked" values: raw when unsigned, raw + 32768
@@ -92,8 +91,8 @@ std::optional<std::string> completePadding(std::span<SliceIntensity> slices);
 void unpackCells(const CellFormat& format, const std::optional<RawRange>& padding,
                  std::span<std::uint16_t> cells);
 
-// Cells, as in the file, with bits that `format` does not count among the stored ones, and that are no sign:
-// overlays (PS3.5 8.1.2), or values that need more bits, or lie lower. Padding is exempt, and so are bits of
+// Counts cells, as in the file, with bits set outside the stored ones of `format` that are no sign extension:
+// overlays (PS3.5 8.1.2), or values that need more bits, or lie lower. Ignores padding and the bits of
 // `overlays`, which the file declares.
 std::size_t cellsBeyondStoredBits(const CellFormat& format, const std::optional<RawRange>& padding,
                                   std::span<const std::uint16_t> cells, std::uint16_t overlays = 0);
@@ -106,8 +105,8 @@ struct SliceMap {
     enum class Kind { keep, invert, linear };
 
     Kind kind = Kind::keep;
-    // linear only: stored = scale * lut(raw) + shift, or scale * unpacked + shift without a LUT; but 0 for
-    // these unpacked values.
+    // linear only: stored = scale * lut(raw) + shift, or scale * unpacked + shift without a LUT; 0 for
+    // unpacked values in `padding`.
     std::int64_t scale = 1;
     std::int64_t shift = 0;
     std::optional<StoredRange> padding = {};
@@ -117,26 +116,26 @@ struct SliceMap {
 
 void applyMap(const SliceMap& map, std::span<std::uint16_t> unpacked);
 
-// Maps to units, for voxels of float32. The value is computed in double; padding, and what float cannot hold,
-// become NaN. `numbers` are raw values that were wider than 16 bits; returned is how many of them are not
-// padding and have no finite value.
+// Maps to units, for voxels of float32, computing in double. Padding and values that float cannot hold become
+// NaN. `numbers` are raw values of cells wider than 16 bits; returns how many of them are not padding and
+// have no finite value.
 void applyIntensity(const SliceIntensity& slice, std::span<const std::uint16_t> unpacked,
                     std::span<float> values);
 std::size_t applyIntensity(const SliceIntensity& slice, std::span<const double> numbers,
                            std::span<float> values);
 
-// 16 bits where they hold every value exactly, else float32.
+// The format of the volume: 16 bits where they hold every value exactly, else float32.
 struct IntensityPlan {
     VoxelFormat format = VoxelFormat::stored16;
     // stored16 only.
     UnitsFromStored unitsFromStored = {};
     std::optional<StoredRange> padding = {};
     std::vector<SliceMap> slices = {};  // one per slice
-    // float32 only: every value is a whole number of these steps, so that `narrowed` may succeed.
+    // float32 only: set when every value is a whole number of these steps, so that `narrowed` may succeed.
     std::optional<UnitsFromStored> steps = {};
 };
 
-// The plan as far as the formats alone can tell. At least one slice, each with a usable format.
+// The plan from the formats alone. Takes at least one slice, each with a usable format.
 IntensityPlan planFromFormats(std::span<const SliceIntensity> slices);
 
 struct NarrowedVoxels {
@@ -145,8 +144,8 @@ struct NarrowedVoxels {
     std::vector<std::uint16_t> voxels;
 };
 
-// Voxels of float32, of which NaN is padding, in 16 bits: nothing unless every value stays the same, or when
-// cancelled. On all cores.
+// Converts float32 voxels, with NaN as padding, to 16 bits on all cores. Nothing when a value would change,
+// or when cancelled.
 std::optional<NarrowedVoxels> narrowed(std::span<const float> values, const UnitsFromStored& steps,
                                        const CancelToken& cancel = {});
 

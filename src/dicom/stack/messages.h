@@ -1,5 +1,5 @@
-// What is worth telling about a folder, a series, a volume or a file: the one catalogue of coded messages,
-// listed in docs/dicom.md. Keys never change meaning. Sentences and actions hold no patient data.
+// The one catalogue of coded messages about a folder, a series, a volume or a file, listed in docs/dicom.md.
+// Keys never change meaning. Sentences and actions hold no patient data.
 #pragma once
 
 #include <span>
@@ -22,17 +22,17 @@ struct CatalogueEntry {
     Severity severity = Severity::info;
     // The number of the display set message of OHIF that has the same meaning; 0 when it has none.
     int ohif = 0;
-    std::string_view sentence;  // fmt syntax; its {names} are the arguments, each of which has to be given
+    std::string_view sentence;  // fmt syntax; its {names} are the arguments, all required
     std::string_view action;    // what to do; empty when there is nothing
 };
 
 // All messages by subject, in the order of the documentation.
 std::span<const CatalogueEntry> catalogue();
 
-// `key` is one of the catalogue's, and `arguments` has every name its sentence mentions; others are kept for
+// `key` is in the catalogue, and `arguments` has every name in its sentence; further arguments are kept for
 // programs.
 Message message(std::string_view key, std::vector<MessageArgument> arguments = {});
-// The same with another severity, where the fact weighs more, or less, than usual.
+// The same with another severity, for a case that is more or less serious than usual.
 Message message(std::string_view key, Severity severity, std::vector<MessageArgument> arguments = {});
 
 namespace key {
@@ -64,7 +64,7 @@ inline constexpr std::string_view kDuplicateInstances = "duplicate-instances";
 inline constexpr std::string_view kFilesLeftOut = "files-left-out";
 inline constexpr std::string_view kCharsetFallback = "charset-fallback";
 inline constexpr std::string_view kSeveralPatients = "several-patients";
-// How a series falls into stacks.
+// How a series is split into stacks.
 inline constexpr std::string_view kSplitSeries = "split-series";
 inline constexpr std::string_view kInconsistentSize = "inconsistent-size";
 inline constexpr std::string_view kInconsistentComponents = "inconsistent-components";

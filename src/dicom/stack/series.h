@@ -1,4 +1,4 @@
-// A series: what one SeriesInstanceUID of one patient's study holds.
+// A series: all objects with one SeriesInstanceUID in one patient's study.
 #pragma once
 
 #include <filesystem>
@@ -11,7 +11,7 @@
 
 namespace macula::dicom {
 
-// What a presentation state says of itself, each as in the file, and which images it is of.
+// The heading of a presentation state, as in the file, and the images that it refers to.
 struct PresentationHeading {
     std::string label;
     std::string description;
@@ -23,13 +23,13 @@ struct PresentationHeading {
     bool operator==(const PresentationHeading&) const = default;
 };
 
-// DICOM, but no image to show: a report, a structure set, a segmentation, a presentation state.
+// A DICOM object that is no image: a report, a structure set, a segmentation, a presentation state.
 struct OtherObject {
     std::filesystem::path file;
     std::string sopClassUid;
     std::string kind;                               // "Segmentation"; for a person
     std::vector<std::string> referencedSeriesUids;  // of a segmentation or presentation state; sorted
-    std::string label;  // of a presentation state: its description, or its own; may be empty
+    std::string label;  // of a presentation state: its description, else its label; may be empty
     std::optional<PresentationHeading> presentation = {};  // of a presentation state of any kind
 };
 
@@ -43,19 +43,19 @@ struct Series {
     std::string
         patientPosition;  // "HFS" …; for the reader only, geometry never depends on it (PS3.3 C.7.3.1.1.2)
 
-    // The stacks of its images: none, one, or several when they differ in what the split rules name. Never
-    // empty stacks.
+    // The stacks of its images: none, one, or several when they differ in attributes of the split rules. No
+    // stack is empty.
     std::vector<Stack> stacks;
     std::vector<OtherObject> objects;
     std::vector<std::string> transferSyntaxUids;  // of the images; distinct, sorted
     std::size_t instances = 0;                    // image files in the stacks
-    std::size_t filesLeftOut = 0;                 // of it, and not readable
-    bool scattered = false;                       // one image of those that key::kUidPerSlice asks about
+    std::size_t filesLeftOut = 0;                 // unreadable files of the series
+    bool scattered = false;                       // has an image that key::kUidPerSlice asks about
 
     std::vector<Message> messages;         // about the series as a whole; each stack has its own
-    std::vector<std::string> assumptions;  // that hold for each of its stacks
+    std::vector<std::string> assumptions;  // hold for each of its stacks
 
-    // Whether a stack of it can be shown in 3D.
+    // Whether one of its stacks can be shown in 3D.
     bool canBeVolume() const;
 };
 

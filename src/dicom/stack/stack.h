@@ -1,4 +1,4 @@
-// Frames that belong together: a volume, or images that cannot be one and why.
+// A stack: frames that form a volume, or images that cannot, with the reason.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace macula::dicom {
 
-// What tells a stack from the others of its series.
+// A value that distinguishes a stack from the others of its series.
 struct StackLabel {
     std::string attribute;  // DICOM keyword, or "Repetition"
     std::string value;      // as in the images
@@ -22,18 +22,18 @@ struct StackLabel {
 struct Stack {
     std::string modality;             // of its images
     std::vector<StackLabel> splitBy;  // empty when the series is one stack
-    int phase = 0;                    // of `phases`, from 0, when positions were imaged several times
+    int phase = 0;                    // number of `phases`, from 0, if positions were imaged several times
     int phases = 1;
 
     // Ascending along the slice normal when they have positions, else by SliceLocation, else by number.
     std::vector<Frame> frames;
-    std::vector<SliceSource> slices;  // of the volume, from `frames`; empty when it is none
+    std::vector<SliceSource> slices;  // of the volume, from `frames`; empty when there is none
 
     int columns = 0;
     int rows = 0;
     std::optional<glm::dvec3> spacingMm;  // between columns, rows, slices; known when it is a volume
     bool isCalibrated = true;             // false: the size of a pixel is an estimate
-    std::string orientation;              // where columns, rows, slices run to, e.g. "LPS"; may be empty
+    std::string orientation;              // directions of columns, rows, slices, e.g. "LPS"; may be empty
     std::optional<glm::dvec3> firstPositionMm;  // patient LPS
     std::optional<glm::dvec3> lastPositionMm;
     std::optional<glm::dmat4>
@@ -44,20 +44,20 @@ struct Stack {
     std::vector<std::string> assumptions;  // for the volume's provenance
 
     bool canBeVolume() const;
-    // The first message that blocks; null when none does.
+    // The first message that blocks a volume; null when none does.
     const Message* whyNoVolume() const;
     bool isEven() const;  // a volume in which no slice is interpolated
 };
 
-// Sorts the frames, and fills in everything that follows from them. Keeps labels, and messages that are there
-// already. `modality` as in the images.
+// Sorts the frames, and fills in everything that follows from them. Keeps labels and existing messages.
+// `modality` is that of the images.
 void assess(Stack& stack, const std::string& modality);
 
-// Where each slice of a volume lies: the image that it is, which may be a little off its even place; of
-// interpolated ones that place. Patient LPS.
+// The position of each slice of a volume in patient LPS mm: that of its image, which may be slightly off the
+// even grid; for interpolated slices that of the grid.
 std::vector<glm::dvec3> slicePositionsMm(const Stack& stack);
 
-// Whether there is a localizer (scout, topogram) in any of its images: ImageType value 3, PS3.3 C.8.2.1.1.1.
+// Whether any of its images is a localizer (scout, topogram): ImageType value 3, PS3.3 C.8.2.1.1.1.
 bool isLocalizer(const Stack& stack);
 // Whether ImageType is ORIGINAL\PRIMARY in all of its images: PS3.3 C.7.6.1.1.2.
 bool isOriginalPrimary(const Stack& stack);

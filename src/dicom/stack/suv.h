@@ -9,14 +9,14 @@
 
 namespace macula::dicom {
 
-// Either a factor, or what is missing for one: a DICOM keyword, or a few words.
+// Either a factor, or what it lacks: a DICOM keyword, or a few words.
 struct Suv {
     std::optional<double> factor;  // SUV in g/mL = factor * value
     std::string missing;
 };
 
-// Nothing is guessed: without units of Bq/mL (or g/mL), decay correction, dose, half-life, weight and both
-// times there is no factor.
+// There is no factor without units of Bq/mL (or g/mL), decay correction, dose, half-life, weight and both
+// times; none of these is guessed.
 Suv suvOf(const Dataset& header);
 
 }  // namespace macula::dicom

@@ -5,7 +5,7 @@
 
 namespace macula::dicom {
 
-// The most exact text of at most 16 characters.
+// The most exact text in at most 16 characters.
 std::string decimalString(double value);
 
 }  // namespace macula::dicom

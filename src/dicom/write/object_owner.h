@@ -1,5 +1,5 @@
-// Whose an object is that Macula writes: patient and study of an image, or nobody's. For the writers of this
-// room alone.
+// Writes the owner of an object: patient and study of an image, or nobody. Only for the writers of this
+// folder.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@ class DcmDataset;  // of DCMTK
 
 namespace macula::dicom {
 
-// Local, as scanners write them.
+// Local date and time, as scanners write them.
 struct Now {
     std::string date = "19700101";
     std::string time = "000000";
@@ -28,17 +28,16 @@ struct Origin {
     std::string bodyPart;  // Body Part Examined
 };
 
-// Patient and study of that image, character sets and all. What the source is told by never goes into the
-// error: it may name a patient. inputNotUsable when it cannot be read, is another instance, or has no study.
+// Copies patient, study and character set of that image. Fails with inputNotUsable when it cannot be read, is
+// another instance, or has no study (`where` is its path, which may name a patient); or outputNotWritable.
 Result<Origin> copyOwner(DcmDataset& to, const SecondaryCapture::Source& source);
 
-// Nobody, in a study of its own, that a program made up. Whether it could be done.
+// Writes a made-up patient with a new study. Returns whether it succeeded.
 bool writeNobody(DcmDataset& to);
 
-// A patient left out: under a new ID, and in a new study, of which are all objects of that patient and that
-// study that the program writes while it runs (pseudonymOf). Where nothing is told of the image, or it can no
-// longer be read, under ones that nothing else has. The origin tells what kind of image it is, and no UIDs;
-// nothing where it could not be written.
+// Writes a pseudonym: a new patient ID and a new study, shared by all objects of that patient and study that
+// the program writes while it runs (pseudonymOf). If there is no source, or it cannot be read, nothing else
+// has them. The origin gives only the body part; nothing on failure.
 std::optional<Origin> writePseudonym(DcmDataset& to, const std::optional<SecondaryCapture::Source>& source);
 
 }  // namespace macula::dicom

@@ -1,4 +1,4 @@
-// Whose a deidentified object is: of one patient and one study with others, and nobody can tell of whom.
+// Pseudonyms that keep deidentified objects of one patient and study together, without revealing whose.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@ struct Pseudonym {
     std::string studyInstanceUid;
 };
 
-// By chance, so that who knows a patient cannot find out which it is; the same for the same patient and the
-// same study for as long as the program runs, so that an archive files what belongs together. Where neither
-// ID nor name say whose it is, each study is of a patient of its own. Thread-safe.
+// Random, so that nobody can derive it from a known patient; the same for the same patient and study while
+// the program runs, so that an archive keeps their objects together. If neither ID nor name identify a
+// patient, each study gets its own. Thread-safe.
 Pseudonym pseudonymOf(const PatientIdentity& patient, const std::string& studyInstanceUid);
 
-// Of nobody else.
+// A pseudonym that nothing else has.
 Pseudonym newPseudonym();
 
 }  // namespace macula::dicom

@@ -1,5 +1,4 @@
-// Writes a Volume as a DICOM series of single-frame CT or MR images: the phantom study, and the files of the
-// tests.
+// Writes a Volume as a DICOM series of single-frame CT or MR images, for the phantom study and for tests.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Identifiers that nobody has to ask an authority for.
+// Makes UIDs that need no registration.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace macula::dicom {
 
-// "2.25." and the decimal form of 128 bits (PS3.5 B.2). uidFrom: the first ones of a hash of the text, with
-// the version bits of a UUID left as they fall; the same text gives the same UID. newUid: by chance, never
+// "2.25." and the decimal form of 128 bits (PS3.5 B.2). uidFrom takes the first 128 bits of the text's
+// SHA-256, without the version bits of a UUID; the same text gives the same UID. newUid is random, and never
 // the same twice.
 std::string uidFrom(std::string_view text);
 std::string newUid();

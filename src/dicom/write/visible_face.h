@@ -1,4 +1,4 @@
-// Whether a patient may be known by the face, which no name that is left out changes.
+// Decides whether a patient may be recognised by the face, even without a name.
 #pragma once
 
 #include <optional>
@@ -6,10 +6,9 @@
 
 namespace macula::dicom {
 
-// For Recognizable Visual Features (PS3.3 C.7.6.1). Not only where the images say that they are of the trunk
-// below the chest, or of a leg, and what is shown of the patient is no higher than that. What is not known
-// may be a head: `bodyPart` is Body Part Examined (0018,0015), `heightMm` how much is shown along the
-// patient.
+// For Recognizable Visual Features (PS3.3 C.7.6.1). False only if Body Part Examined (0018,0015), `bodyPart`,
+// is in the trunk below the chest or in a leg, and the length shown along the patient, `heightMm`, is at most
+// 600 mm. An unknown part or length may include a head.
 bool mayShowFace(std::string_view bodyPart, std::optional<double> heightMm);
 
 }  // namespace macula::dicom

@@ -1,4 +1,4 @@
-// How this process opens the devices that nobody lends it.
+// Options for the devices that this process opens itself, rather than gets lent.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace macula::app {
 
-// From here on the devices of this process keep what their drivers compile there (gpu::DeviceOptions), and
-// start faster. A program says so before it opens its first device; a library, whose host decides which files
-// are written, never.
+// From here on the devices of this process store compiled kernels in `folder` (gpu::DeviceOptions), and start
+// faster. A program calls this before it opens its first device; a library never does, because its host
+// decides which files are written.
 void keepKernelsIn(std::filesystem::path folder);
 
 // `preferred` as in gpu::chooseDevice.

@@ -1,4 +1,4 @@
-// The device of a program that draws.
+// Opens the device of a program that draws.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@
 namespace macula::app {
 
 // $MACULA_KERNELS, which may be empty, else $XDG_CACHE_HOME/macula/kernels, else ~/.cache/macula/kernels.
-// Empty: nowhere.
+// Empty: kernels are not stored.
 std::filesystem::path usualKernelsFolder();
 
-// `preferred` as in gpu::chooseDevice. `tell` hears of each device that is lost and replaced.
+// `preferred` as in gpu::chooseDevice. `tell` is called for each device that is lost and replaced.
 Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::LastingDevice::Tell tell);
 
 }  // namespace macula::app

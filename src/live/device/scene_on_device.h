@@ -1,4 +1,4 @@
-// What models are made of and judged by: a scene, and a tracer that has it.
+// The scene that models are trained on and judged by, and a tracer that holds it.
 #pragma once
 
 #include <memory>
@@ -28,11 +28,11 @@ struct StudyScene {
 struct SceneOnDevice {
     hybrid::TracedScene traced;
     trace::PathTracer tracer;
-    bool isCoarse = false;  // not all voxels are on the device: what is traced is no truth for others
-    std::vector<std::string> notes;  // of what is coarse
+    bool isCoarse = false;           // some voxels are coarse on the device: no ground truth
+    std::vector<std::string> notes;  // sentences on what is coarse
 };
 
-// Both: inputNotUsable when nothing of the scene can be seen. The first needs no device.
+// Both fail with inputNotUsable if nothing of the scene is visible. visibleScene needs no device.
 Result<hybrid::TracedScene> visibleScene(const StudyScene& scene);
 Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const StudyScene& scene);
 

@@ -1,6 +1,6 @@
-// Estimates the peripheral model of a drawing that was only just chosen from the model that was learnt last
-// (hybrid::SplatEstimate), so that the picture follows a hand that edits a curve or moves a clip, at full
-// size, before the tracer has any of it.
+// Estimates the peripheral model of a newly chosen drawing from the model learnt last
+// (hybrid::SplatEstimate). So a full-size picture follows the user who edits a curve or moves a clip, before
+// the tracer has the new drawing.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,29 +18,29 @@
 
 namespace macula::app {
 
-// Used by one thread at a time, the one that uses the device.
+// Used by one thread at a time: the one that uses the device.
 class EstimatedModel {
   public:
     explicit EstimatedModel(std::shared_ptr<gpu::Device> device) : device_(std::move(device)) {}
 
-    // Nothing was learnt of the volume yet: estimates are made from it alone, in the lights of the drawing.
-    // Does nothing if canTell() allows the drawing already, or would not allow it afterwards either.
+    // Makes estimates from the voxels alone, lit as the drawing: no model of the volume exists yet. Does
+    // nothing if canTell() already accepts the drawing, or would not accept it afterwards.
     void begin(const std::shared_ptr<const Volume>& volume, const Drawing& drawing);
-    // From now on estimates are made from this model, which was learnt of that drawing of the volume and is
-    // as bright as traced pictures times `gain`.
+    // From now on estimates are made from this model. It was learnt from that drawing of the volume, and its
+    // light is `gain` times that of traced pictures.
     void learnt(const std::shared_ptr<const Volume>& volume, const Drawing& drawing,
                 std::shared_ptr<const splat::Splats> model, double gain);
-    // Whether it can tell what that drawing looks like: another curve, clip or both of the same volume, in
-    // the same lights. Gradient opacity, second volumes and coloured segments are not estimated.
+    // Whether an estimate of that drawing is possible: another curve, clip or both, of the same volume under
+    // the same lights. False for gradient opacity, second volumes and coloured segments.
     bool canTell(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const;
-    // Makes the estimate of a drawing that canTell() allows; does nothing if it is there. outOfMemory.
+    // Makes the estimate; does nothing if it exists already. Requires canTell(). Fails with outOfMemory.
     Result<void> make(const Drawing& drawing);
     bool isOf(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const;
     // Drops the estimate, and frees its memory on the device.
     void forget();
 
-    // The splats and their depths, as LiveModel::draw, and LiveModel::gain: of what make() was asked for
-    // last.
+    // The splats and depths of the drawing last passed to make(), as LiveModel::draw gives them; gain() is as
+    // LiveModel::gain.
     Result<hybrid::DrawnSplats> draw(const Camera& eye, const glm::ivec2& sizePx);
     double gain() const { return gain_; }
     std::size_t splatCount() const { return splats_ ? splats_->size() : 0; }
@@ -53,13 +53,13 @@ class EstimatedModel {
     std::shared_ptr<gpu::Device> device_;
     std::shared_ptr<const Volume> volume_;
     Drawing learntOf_;
-    std::shared_ptr<const splat::Splats> model_;  // of no splats: nothing was learnt
+    std::shared_ptr<const splat::Splats> model_;  // without splats: none was learnt
     double gain_ = 1.0;
-    std::shared_ptr<const hybrid::CoarseMatter> matter_;  // of volume_, once it was needed
-    std::optional<hybrid::SplatEstimate> estimate_;       // of model_, likewise
-    Mask masked_;                                         // that bits_ are of
+    std::shared_ptr<const hybrid::CoarseMatter> matter_;  // of volume_; made when first needed
+    std::optional<hybrid::SplatEstimate> estimate_;       // of model_; made when first needed
+    Mask masked_;                                         // the mask of bits_
     std::shared_ptr<const MaskBits> bits_;
-    Drawing shown_;  // of splats_
+    Drawing shown_;  // the drawing of splats_
     std::shared_ptr<const splat::Splats> splats_;
     std::optional<splat::ModelPainter> painter_;
 };

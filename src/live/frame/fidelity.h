@@ -1,4 +1,4 @@
-// How far what is shown can be trusted to be what is there.
+// How close a displayed frame is to a complete traced picture.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 namespace macula::app {
 
 struct Fidelity {
-    bool isFinal = false;  // nothing will change any more, unless something else is wanted
-    // What is between this frame and a picture that was traced from here, with all its pixels and samples and
-    // without a filter; words for a person. Nothing for such a picture.
+    bool isFinal = false;  // the picture stays as it is until the input changes
+    // Why this frame is not a complete traced picture: of this view, with all pixels and samples, not
+    // denoised. Each entry is a phrase for the user. Empty for a complete picture.
     std::vector<std::string> because = {};
 };
 

@@ -1,10 +1,9 @@
-// When a picture of all pixels that gets samples is shown again, and whether filtered: the rules alone,
-// without device or clock.
+// Decides when a full-size picture is shown again while samples accumulate, and whether it is denoised. Holds
+// the rules alone: no device, no clock.
 //
-// The filter goes on until the noise of the plain mean cannot be seen. What it blurs is an error by then, and
-// what noise it takes out is none: plain means take over, and the change cannot be seen either. Each time
-// that it runs it takes as long as a sample or two, which the picture does not get: so it runs when there are
-// twice as many samples, or when it would take no more than an eighth of the time since it ran last.
+// Denoising ends when the noise of the plain mean is too low to see: from then on it would only blur, and the
+// switch to the plain mean is invisible. Each run of the denoiser takes the time of one or two samples. So it
+// runs when the sample count has doubled, or when it takes at most an eighth of the time since it ran last.
 #pragma once
 
 #include <chrono>
@@ -16,26 +15,26 @@ namespace macula::app {
 class FilterCourse {
   public:
     using TimePoint = std::chrono::steady_clock::time_point;
-    static constexpr std::chrono::milliseconds kNewsInterval{100};  // more news cannot be seen
-    static constexpr double kTimesOfFilter = 8.0;                   // between two pictures
+    static constexpr std::chrono::milliseconds kNewsInterval{100};  // shortest time between pictures
+    static constexpr double kTimesOfFilter = 8.0;                   // pause between runs, in run durations
 
-    // Another picture, which is worth showing from so many samples of a pixel on. `filters`: there is a
-    // filter for it.
+    // Starts another picture, to be shown from `firstSamples` samples per pixel on. `filters`: the denoiser
+    // can run on it.
     void begin(std::uint64_t firstSamples, bool filters);
-    // Shows plain means from now on, because the device has no memory for the filter.
+    // Shows plain means from now on: the device lacks memory for the denoiser.
     void doWithoutFilter(std::uint64_t firstSamples);
 
-    // Whether the noise of the plain mean is below that threshold, 0 to 1 as displayed. Once it cannot be
-    // seen, it stays so: it falls with each sample.
+    // Reports whether the noise of the plain mean is below `threshold` (0 to 1, as displayed). Invisible
+    // noise (kUnseenNoise) stays invisible: it falls with each sample.
     void noiseIs(bool isBelow, double threshold);
-    // Whether the picture that is shown next is filtered.
+    // Whether the next picture shown is denoised.
     bool isFiltered() const { return filters_ && !isUnseen_; }
-    // Whether noise may be seen in the plain mean.
+    // Whether noise may be visible in the plain mean.
     bool isNoisy() const { return !isUnseen_; }
 
-    // Whether it is shown with so many samples of a pixel on average.
+    // Whether to show the picture now, at a mean of `samples` per pixel.
     bool isDue(double samples, TimePoint now) const;
-    // It was shown; the filter took so long.
+    // Reports that the picture was shown, and how long the denoiser took.
     void showed(double samples, double filterMs, TimePoint now);
     bool isWorthShowing() const { return shownSamples_ > 0.0; }
 
@@ -43,7 +42,7 @@ class FilterCourse {
     std::uint64_t firstSamples_ = 1;
     bool filters_ = false;
     bool isUnseen_ = false;
-    double shownSamples_ = 0.0;  // 0: it was not shown yet
+    double shownSamples_ = 0.0;  // 0: not shown yet
     double filterMs_ = 0.0;
     TimePoint shownAt_{};
 };

@@ -34,38 +34,38 @@ struct Interrupts {
     std::function<bool()> stopping;
 };
 
-// Owns the device and all that is on it. A device that is lost is replaced, and the picture made anew from
-// the input; who listens is told, and when it is lost again and again it is left at that.
+// Owns the device and everything on it. After a device loss it opens a new device, reports DeviceRestarting
+// and renders the input anew; after too many losses it reports RenderFailure and stops.
 //
-// What comes next is decided by PictureCourse; this does it. Small pictures and those of the model always get
-// finished, or the view would never follow a steady hand; all else is given up at once when a new input
-// comes.
+// PictureCourse decides the next step, and this class carries it out. Small pictures and those of the model
+// are always finished, or the view would never follow a steady hand; a new input interrupts all other work at
+// once.
 //
-// Used by one thread, the render thread.
+// Used by the render thread alone.
 class FrameRenderer {
   public:
-    // The device is opened, or lent, as told; places add their extensions. `keeper` keeps models between
-    // runs; null: nobody does.
+    // `device` says which device to open, or lends one; the input's place adds its extensions. `keeper`
+    // stores models between runs; null: none are stored.
     FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device, std::shared_ptr<SceneKeeper> keeper,
                   RenderListener listener);
     ~FrameRenderer();
 
     void accept(FrameInput input);
 
-    // Whether step() has anything to do before the next input.
+    // Whether step() has work before the next input.
     bool hasWork() const;
-    // Does at most one pass over the picture. Throws nothing.
+    // Does at most one step of the course. Throws nothing.
     void step(const Interrupts& interrupts);
-    // Reports an error from outside of step(), and rests until something changes. Throws nothing.
+    // Reports an error from outside step(), then rests until the input changes. Throws nothing.
     void fail(ErrorCode code, const char* message, const char* hint);
 
-    // Afterwards nothing refers to the place of the last input.
+    // Closes the screen: afterwards nothing refers to the place of the last input.
     void releaseScreen();
 
     hybrid::ModelNews modelNews() const;
-    // Of the model that learns; nothing while there is none.
+    // Report on the current model; nothing while there is none.
     std::optional<hybrid::PeripheralReport> modelReport() const;
-    // Where the time of step() and accept() went.
+    // The time that step() and accept() spent, by stage.
     const std::vector<StageTimes>& timesSpent() const { return timeline_.stages(); }
 
   private:
@@ -79,8 +79,8 @@ class FrameRenderer {
     void noteLearnt();
     Result<void> makeEstimate();
     Result<void> withoutEstimate(const Error& error);
-    Result<bool> showEstimate(const Interrupts& interrupts);  // whether something else is wanted already
-    Result<bool> applyScene(const Interrupts& interrupts);    // whether all of it is there
+    Result<bool> showEstimate(const Interrupts& interrupts);  // true: a newer input has come
+    Result<bool> applyScene(const Interrupts& interrupts);    // false: interrupted
     Result<void> applyModel();
     void lookForModel();
     bool canHaveModel() const;
@@ -89,7 +89,7 @@ class FrameRenderer {
     Result<void> withoutModel(const Error& error);
     RenderDuty::Work work() const;
     Result<void> takeNext(const Interrupts& interrupts);
-    bool isComplete() const;  // the input says all that a picture needs
+    bool isComplete() const;  // the input has all that a picture needs
     void tellCourse();
     Result<void> take(Step step, const Interrupts& interrupts);
     Result<void> showModel();
@@ -136,45 +136,45 @@ class FrameRenderer {
     std::optional<TracedPictures> traced_;
     std::optional<hybrid::LiveModel> model_;
     hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
-    std::optional<hybrid::HybridFrame> hybrid_;                 // of what the model is of
-    Drawing modelOf_;                                           // the one whose name is model_->key()
-    std::optional<EstimatedModel> estimate_;                    // goes with the study
-    bool estimateHasRoom_ = true;                               // as foveaHasRoom_
-    std::optional<Clock::time_point> editShownAt_;  // when the drawing that is wanted was first shown so
-    hybrid::Frame lastFrame_;                       // without its pictures
-    bool mixesModel_ = false;                       // the last traced picture, as FrameShown::mixesModel
-    bool foveaHasRoom_ = true;  // for what one takes beside the model; false: until that changes
+    std::optional<hybrid::HybridFrame> hybrid_;                 // draws the model with its fovea
+    Drawing modelOf_;                                           // the drawing that model_->key() names
+    std::optional<EstimatedModel> estimate_;                    // reset when the study or volume changes
+    bool estimateHasRoom_ = true;                               // like foveaHasRoom_
+    std::optional<Clock::time_point> editShownAt_;  // when an estimate of this drawing was first shown
+    hybrid::Frame lastFrame_;                       // its data; not its pictures
+    bool mixesModel_ = false;                       // FrameShown::mixesModel of the last traced picture
+    bool foveaHasRoom_ = true;  // false: no memory for a fovea until the scene or size changes
     // Models of this volume; outlives the device.
     std::shared_ptr<hybrid::ModelShelf> shelf_;
     std::shared_ptr<SceneKeeper> keeper_;
-    std::string lookedFor_;  // the name of the scene that the keeper was last asked for
+    std::string lookedFor_;  // the scene name last passed to the keeper
     SceneNames sceneNames_;
 
     FrameInput input_;
-    // What was brought to the device. The comparison with the input tells what has to be brought next.
+    // The scene on the device. Comparing it with the input shows what to upload next.
     struct Applied {
         std::shared_ptr<const Volume> volume;
         std::shared_ptr<const TransferFunction> transferFunction;
         std::shared_ptr<const trace::LightRig> lights;
-        std::optional<std::shared_ptr<const Clip>> clip;                      // none: nobody knows which
-        std::optional<std::shared_ptr<const Additions>> additions = nullptr;  // likewise
+        std::optional<std::shared_ptr<const Clip>> clip;                      // none: unknown
+        std::optional<std::shared_ptr<const Additions>> additions = nullptr;  // none: unknown
         VkExtent2D window{};
         std::uint64_t exposures = 0;
     } applied_;
     std::optional<std::uint64_t>
-        outlineOf_;  // the study whose outline was reported, for the scene that is applied
+        outlineOf_;  // the study whose outline was reported for the scene that is applied
 
     PictureCourse course_;
     RenderDuty duty_;
     HandRhythm rhythm_;
     bool hasLearntBesideHand_ = false;     // since the last input
-    std::deque<Clock::time_point> shown_;  // when pictures of one kind were shown lately
+    std::deque<Clock::time_point> shown_;  // recent times at which shownKind_ was shown
     OnScreen shownKind_ = OnScreen::nothing;
-    std::uint64_t modelsGiven_ = 0;  // the last wish that was answered
+    std::uint64_t modelsGiven_ = 0;  // the last request that was answered
     hybrid::ModelNews modelTold_;
     Clock::time_point modelToldAt_{};
     gpu::LossCount losses_;
-    // What the picture that the screen keeps was made of.
+    // The view of the picture that the screen keeps.
     struct Shown {
         Camera camera;
         int width;
@@ -183,7 +183,7 @@ class FrameRenderer {
         bool operator==(const Shown&) const = default;
     };
     std::optional<Shown> kept_;
-    std::optional<FrameShown> unreported_;  // of the picture that the screen keeps, while nobody sees it
+    std::optional<FrameShown> unreported_;  // for the kept picture, until it is visible
 };
 
 }  // namespace macula::app

@@ -1,5 +1,5 @@
-// How often a hand that moves a picture is heard of, and so how long the device is free between two frames:
-// the rules alone, without device or clock.
+// Predicts when the next input of a moving hand is due, and so how long the device is free between two
+// frames. Holds the rules alone: no device, no clock.
 #pragma once
 
 #include <chrono>
@@ -13,16 +13,16 @@ class HandRhythm {
   public:
     using TimePoint = std::chrono::steady_clock::time_point;
     static constexpr std::size_t kRemembered = 6;            // gaps between inputs
-    static constexpr std::chrono::milliseconds kPause{100};  // a longer one is no part of a rhythm
-    static constexpr double kReserveMs = 1.0;                // inputs come a little sooner or later
+    static constexpr std::chrono::milliseconds kPause{100};  // a longer gap starts the rhythm anew
+    static constexpr double kReserveMs = 1.0;                // subtracted: inputs may come early
 
-    // An input that was published then; `moves`: of a hand that moves something.
+    // Reports an input and when it was published. `moves`: a hand is moving something.
     void input(TimePoint published, bool moves);
-    // Until the next one is due, by the shortest of the last gaps. 0: it is due, or nobody knows.
+    // Milliseconds until the next input is due, by the shortest recent gap. 0: it is due, or unknown.
     double leftMs(TimePoint now) const;
 
   private:
-    std::optional<TimePoint> last_;  // while a hand moves
+    std::optional<TimePoint> last_;  // the last input; only while a hand moves
     std::deque<std::chrono::steady_clock::duration> gaps_;
 };
 

@@ -1,4 +1,4 @@
-// A mailbox with one slot: the newest value wins, an older one that nobody read is dropped.
+// A mailbox with one slot: a new value replaces one that was not taken yet.
 #pragma once
 
 #include <atomic>
@@ -10,8 +10,8 @@
 
 namespace macula::app {
 
-// Any thread publishes, one thread takes. Publishing never waits for the taker: the lock inside is only held
-// to move a value in or out, never while one is made, used or destroyed.
+// Any thread publishes, one thread takes. Publishing never waits for the taker: the lock is held only to move
+// a value in or out, never to make, use or destroy one.
 template <class T>
 class Latest {
   public:
@@ -25,7 +25,7 @@ class Latest {
         wake_.notify_one();
     }
 
-    // From now on takers no longer wait: they get what is there, or nothing.
+    // From now on takers do not wait: they get the value in the slot, or nothing.
     void close() {
         {
             const std::lock_guard lock(mutex_);
@@ -34,7 +34,7 @@ class Latest {
         wake_.notify_all();
     }
 
-    // Whether a value waits to be taken. Does not lock, so it may be asked in an inner loop.
+    // Whether a value waits to be taken. Takes no lock, so it is cheap enough for an inner loop.
     bool pending() const { return pending_.load(std::memory_order_acquire); }
 
     std::optional<T> tryTake() {
@@ -43,14 +43,14 @@ class Latest {
         return unload();
     }
 
-    // Waits for a value. Nothing once closed and empty.
+    // Waits for a value. Returns nothing once closed and empty.
     std::optional<T> take() {
         std::unique_lock lock(mutex_);
         wake_.wait(lock, [this] { return slot_.has_value() || closed_; });
         return unload();
     }
 
-    // Nothing after `timeout`, too.
+    // Like take(), but also returns nothing after `timeout`.
     std::optional<T> takeFor(std::chrono::milliseconds timeout) {
         std::unique_lock lock(mutex_);
         wake_.wait_for(lock, timeout, [this] { return slot_.has_value() || closed_; });

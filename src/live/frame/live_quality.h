@@ -1,4 +1,4 @@
-// What frames in motion are made with, beside the model: the traced picture for the fovea.
+// How frames in motion are made: the traced fovea over the model.
 #pragma once
 
 #include <cstdint>
@@ -7,12 +7,12 @@
 
 namespace macula::app {
 
-// Changes noise and sharpness of a frame, and never what light does in it.
+// Affects the noise and sharpness of a frame, never the simulated light.
 struct LiveQuality {
-    bool hasFovea = true;  // else frames are of splats, but for a traced picture that is there already
+    bool hasFovea = true;  // false: no new fovea is traced; an earlier traced picture is reused
     hybrid::FoveaWish fovea{};
-    double foveaMs = hybrid::kFoveaBudgetMs;  // the most tracing for one: with less it is smaller or coarser
-    double betweenFramesMs = 12.0;            // of that, between two frames
+    double foveaMs = hybrid::kFoveaBudgetMs;  // tracing time for one; less makes it smaller or coarser
+    double betweenFramesMs = 12.0;            // the part of foveaMs between two frames
 
     bool operator==(const LiveQuality&) const = default;
 };

@@ -1,5 +1,5 @@
-// The live picture without a window: the same render thread, in real time, for a camera that follows a path,
-// and for a drawing that changes when it has come to rest.
+// Records the live picture without a window: the same render thread in real time, with a camera that follows
+// a path, and optionally a drawing that changes once the camera rests.
 #pragma once
 
 #include <cstdint>
@@ -22,19 +22,19 @@ namespace macula::app {
 
 struct RecordingOptions {
     glm::ivec2 sizePx{1280, 720};
-    // The way of the camera. Nothing: what is seen fills the picture, from `from`, and the camera goes around
-    // it, one turn in `turnS`, for `movingS`; 0: it stands still.
+    // The camera's path. Nothing: the camera starts at `from`, with the visible matter filling the picture,
+    // and orbits for `movingS`, one turn in `turnS`; with `movingS` 0 it stands still.
     std::optional<CameraPath> path;
     std::optional<ViewDirection> from = {};  // nothing: usualView
-    bool isParallel = false;                 // of a camera that is made here
+    bool isParallel = false;                 // for the camera made without `path`
     double turnS = 60.0;
     double movingS = 10.0;
-    double learningS = 5.0;     // from the first traced picture on, before a hand begins to move the camera
-    double restingS = 10.0;     // after it has let go, at least until the last view is shown
-    double picturesPerS = 2.0;  // that are kept, at most; besides, the last one
-    std::string device;         // as gpu::DeviceOptions::preferred
-    std::shared_ptr<SceneKeeper> keeper;  // of models of earlier runs; null: none
-    // What is drawn after that, from where the camera is, for as long again; another than the scene's.
+    double learningS = 5.0;               // from the first traced picture until the camera moves
+    double restingS = 10.0;               // after the motion; longer until the last view is shown
+    double picturesPerS = 2.0;            // kept at most, besides the first and last of rests
+    std::string device;                   // as gpu::DeviceOptions::preferred
+    std::shared_ptr<SceneKeeper> keeper;  // stores models between runs; null: none
+    // Drawn afterwards from the last camera, for another `restingS`; must differ from the scene's drawing.
     std::optional<Drawing> thenDrawing;
 };
 
@@ -42,29 +42,29 @@ enum class RecordingPhase { opening, moving, resting, changed };
 // The name as in reports; a literal.
 std::string_view nameOf(RecordingPhase phase);
 
-// What the render thread was told. FrameShown::inputSequence counts them, from 1.
+// An input given to the render thread. FrameShown::inputSequence counts inputs from 1.
 struct RecordedInput {
-    double atS = 0.0;  // when it was published, since the volume was handed over
+    double atS = 0.0;  // when it was published, since recording began
     RecordingPhase phase = RecordingPhase::opening;
     Camera camera;
 };
 
 struct RecordedFrame {
-    double atS = 0.0;  // since the volume was handed over
+    double atS = 0.0;  // since recording began
     RecordingPhase phase = RecordingPhase::opening;
     Camera camera;
     FrameShown shown;
-    glm::ivec2 sizePx{0};           // of `rgba`: that which a window would scale
+    glm::ivec2 sizePx{0};           // of `rgba`; a window would scale it
     std::vector<glm::u8vec4> rgba;  // row 0 on top; empty: not kept
 };
 
-// The renderer said that what is wanted is not there yet: Preparing, PictureRemoved, DeviceRestarting.
+// The renderer reported that the picture is not there yet: Preparing, PictureRemoved, DeviceRestarting.
 struct RecordedNotice {
-    double atS = 0.0;  // likewise
-    std::string what;  // for a person
+    double atS = 0.0;  // since recording began
+    std::string what;  // a sentence for the user
 };
 
-// Where the time of the render thread went in a phase, to a quarter of a second or so.
+// How the render thread spent a phase, by stage, accurate to about a quarter of a second.
 struct RecordedTimes {
     RecordingPhase phase = RecordingPhase::opening;
     double watchedS = 0.0;
@@ -78,16 +78,16 @@ struct LiveRecording {
     std::vector<RecordedFrame> frames;
     std::vector<RecordedNotice> notices;
     std::vector<RecordedTimes> times;
-    double seconds = 0.0;  // from when the volume was handed over to the end
-    // Pictures were left out because of their number.
+    double seconds = 0.0;  // from the start of the recording to its end
+    // Some pictures were not kept, because kMostRecordedBytes was reached.
     bool isFull = false;
 };
 
-// Memory for pictures that are kept.
+// Most memory that kept pictures may take.
 inline constexpr std::uint64_t kMostRecordedBytes = std::uint64_t(1) << 30;
 
-// `scene`: volume, drawing and what else a picture is of; its camera, place and size are set here.
-// `cancelled`; and what the renderer fails with.
+// `scene` has the volume, drawing and other inputs; its camera, place and size are set here. Fails with
+// `cancelled`, and with the renderer's errors.
 Result<LiveRecording> recordLive(FrameInput scene, const RecordingOptions& options, Progress& progress);
 
 }  // namespace macula::app

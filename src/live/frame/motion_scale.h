@@ -8,19 +8,19 @@
 
 namespace macula::app {
 
-// Learns what a pixel costs on this device with this study, and says by how much to divide the width and
-// height of the window so that a picture in motion stays within the budget.
+// Learns the cost of a pixel on this device with this study. From it follows the divisor of the window's
+// width and height that keeps a moving picture within the time budget.
 class MotionScale {
   public:
     // `nsPerPixelGuess` holds until the first observation.
     explicit MotionScale(double budgetMs, double nsPerPixelGuess);
 
-    // What a frame took: tracing, which grows with the pixels, and all the rest, which does not. Kept apart,
-    // as the rest would make the pixels of a small picture look dear, and the picture would never grow again.
+    // Reports the times of a frame: tracing, which grows with the pixels, and the rest. Counting the rest as
+    // tracing would make pixels look costly, and a small picture would never grow again.
     void observe(int width, int height, double traceMs, double otherMs);
 
-    // One of 1, 2, 3, 4, 5, 6, 8, 10, 12, 16. A finer one than before only when it would leave a quarter of
-    // the budget free, so that the picture does not flicker between two sharpnesses.
+    // Returns the divisor: 1, 2, 3, 4, 5, 6, 8, 10, 12 or 16. Chooses a finer one than before only if that
+    // leaves a quarter of the budget free, so that the picture does not flicker between two sharpnesses.
     int choose(int windowWidth, int windowHeight);
 
     double nsPerPixel() const { return nsPerPixel_; }
@@ -32,8 +32,8 @@ class MotionScale {
     int last_ = 0;  // 0: none yet
 };
 
-// One for each look: what a pixel of one costs says nothing about another, and a projection after light paths
-// would begin with the few pixels of these.
+// One MotionScale for each look: the pixel cost of one look says nothing about another. With a shared one, a
+// projection shown after path tracing would begin with as few pixels.
 class MotionScales {
   public:
     // The arguments are those of MotionScale.

@@ -8,16 +8,16 @@
 
 namespace macula::app {
 
-// Each line, and each mark, has a box of its own, so that no more of the picture is covered than has to be. A
-// native window can have no widgets on top of it: whoever shows the picture copies the boxes into it, and so
-// a picture and its text are never seen without each other. Never changed after it was made.
+// Each line and each mark has its own box, so that little of the picture is covered. A native window can have
+// no widgets on top, so the code that shows the picture copies the boxes into it: a picture and its text
+// always appear together. Never changed after it was made.
 struct PictureText {
     VkExtent2D size{};                    // of the image that holds all boxes
     std::vector<std::byte> rgba;          // 8 bits each, opaque; row by row
     std::vector<VkRect2D> boxes;          // in that image; not empty
-    std::vector<VkOffset2D> places = {};  // of each from the top left of the picture; empty: as in the image
-    // The picture that it means something for: over one of another size, but for rounding, it
-    // is not shown. 0: over any.
+    std::vector<VkOffset2D> places = {};  // of each box in the picture; empty: as in the image
+    // The picture size that this text is for: over a picture of another size (by more than 2 pixels) it is
+    // not drawn. 0: over any size.
     VkExtent2D of{};
 };
 

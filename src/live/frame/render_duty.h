@@ -1,4 +1,4 @@
-// What FrameRenderer owes before its course can go on: the rules alone, without window or device.
+// The work that FrameRenderer must do before its course goes on. Rules alone: no window, no device.
 //
 //   picture   right ──other background──▶ other background ──shown──▶ right
 //             any   ──other picture─────▶ begins ──scene applied──▶ right
@@ -13,33 +13,33 @@ class RenderDuty {
   public:
     enum class Work {
         nothing,
-        clear,       // nothing is to be shown, and something is on screen
-        scene,       // the device has not all that the picture is of
-        background,  // the picture is right, but over another background
-        course,      // PictureCourse says
+        clear,       // empty the screen: the input has no picture
+        scene,       // bring the scene to the device
+        background,  // draw the picture over the new background
+        course,      // PictureCourse decides
     };
 
     // What has changed.
-    void otherStudy();     // what is on screen may be of another patient
-    void otherPicture();   // begins anew; whoever halted tries again
-    void otherSizeOnly();  // likewise, but who has given up does not try again: nobody asked for it
-    void beginAnew();      // what was made is not right any more, on the device or beside it
+    void otherStudy();     // the screen may show another patient
+    void otherPicture();   // begins anew, even after halting or giving up
+    void otherSizeOnly();  // begins anew, but not after giving up
+    void beginAnew();      // what is on the device is no longer valid
     void otherBackground();
 
     // What was done.
     void appliedScene() { picture_ = Picture::right; }
     void showedBackground() { picture_ = Picture::right; }
     void showedOurs() { isForeign_ = false; }   // a picture, or an empty window
-    void owesClearing() { isForeign_ = true; }  // the window system gave out no image for the empty window
-    void halt();                                // until something changes
-    void failed();                              // halts, and what is on screen is not to be trusted
-    void lostTooOften();                        // until another scene is wanted: another size changes nothing
+    void owesClearing() { isForeign_ = true; }  // the window system had no image for the empty window
+    void halt();                                // until the picture changes
+    void failed();                              // halts; the content of the screen is not to be trusted
+    void lostTooOften();                        // gives up until another scene; another size does not count
     void startedAgain() { run_ = Run::on; }     // on a new device, after a loss
 
-    // Whether what is on screen belongs to another study, or to what failed.
+    // Whether the screen shows another study, or the remains of a failure.
     bool isForeign() const { return isForeign_; }
     bool isHalted() const { return run_ != Run::on; }
-    // `isComplete`: the input says all that a picture needs. `courseGoesOn`: asked only then.
+    // `isComplete`: the input has all that a picture needs. `courseGoesOn` is only called then.
     template <class CourseGoesOn>
     Work work(bool isComplete, const CourseGoesOn& courseGoesOn) const {
         if (isHalted()) return Work::nothing;

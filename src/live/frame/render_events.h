@@ -1,4 +1,4 @@
-// What the render thread reports, as values. It reports on its own thread; whoever listens hands them on.
+// Reports of the render thread, as values. The listener is called on that thread, and passes them on.
 #pragma once
 
 #include <cstdint>
@@ -24,39 +24,39 @@ namespace macula::app {
 struct DeviceReady {
     std::string name;           // for people
     std::string description;    // one line with type, memory and driver
-    bool isFirstStart = false;  // gpu::Device::isFirstStart: the first pictures take some seconds longer
+    bool isFirstStart = false;  // gpu::Device::isFirstStart: first pictures take seconds longer
 };
 
-// The device stopped responding. Another one is being started, and what was shown is made anew.
+// The device stopped responding. The renderer starts another one, and makes the picture anew.
 struct DeviceRestarting {};
 
-// Some seconds may pass: a volume is being brought to the device.
+// The renderer prepares something that may take seconds, such as a volume for the device.
 struct Preparing {
     std::string what;  // "Preparing the volume". No patient data.
 };
 
 enum class Stage {
     moving,      // a picture that follows the hand
-    converging,  // traced with all pixels, not yet all samples
-    converged,   // nothing more will change
+    converging,  // traced with all pixels, but not all samples
+    converged,   // the picture is final
 };
 
-// The peripheral model has come further, or there is none any more.
+// The peripheral model has progressed, or there is none any more.
 struct ModelChanged {
     std::uint64_t study = 0;
     hybrid::ModelNews model{};
 };
 
-// The peripheral model that was asked for: FrameInput::modelWishes.
+// The answer to a request for the peripheral model (FrameInput::modelWishes).
 struct ModelTaken {
     std::uint64_t wish = 0;
-    std::shared_ptr<const splat::Splats> splats{};           // null: there is none of what is wanted now
+    std::shared_ptr<const splat::Splats> splats{};           // null: the current scene has none
     double gain = 1.0;                                       // as hybrid::LiveModel::gain
-    std::shared_ptr<const hybrid::PeripheralState> state{};  // null: not asked for, or nothing was learnt
-    std::optional<Error> error{};                            // it could not be read: nothing else is there
+    std::shared_ptr<const hybrid::PeripheralState> state{};  // null: not requested, or untrained
+    std::optional<Error> error{};                            // set: reading failed, and the rest is empty
 };
 
-// What can be seen of the matter, found anew after each change of volume, preset or clip: its outline.
+// The outline of the visible matter, computed anew after each change of volume, preset or clip.
 struct OutlineFound {
     std::uint64_t study = 0;
     std::shared_ptr<const std::vector<glm::dvec3>> pointsMm;  // see trace::PathTracer::outlineMm
@@ -64,47 +64,47 @@ struct OutlineFound {
 
 // A picture was shown.
 struct FrameShown {
-    std::uint64_t inputSequence = 0;       // of the input it was made from
-    std::uint64_t study = 0;               // likewise; whose picture it is
-    EdgeLetters letters{};                 // where the sides of the patient are in it
-    Camera camera{};                       // that it was seen by
-    OnScreen picture = OnScreen::nothing;  // which kind
+    std::uint64_t inputSequence = 0;       // of its input
+    std::uint64_t study = 0;               // of its input
+    EdgeLetters letters{};                 // the sides of the patient in it
+    Camera camera{};                       // of its view
+    OnScreen picture = OnScreen::nothing;  // its kind
     Stage stage = Stage::moving;
-    int width = 0;  // of what was drawn; the window's, divided by `scale`
+    int width = 0;  // of the drawn picture; the window's, divided by `scale`
     int height = 0;
     int scale = 1;
     hybrid::ModelNews model{};
-    std::optional<double> foveaAgeMs{};  // over the model; nothing where there was no fovea yet
-    std::uint32_t foveaSamples = 0;      // of each of its pixels
-    double foveaShare = 0.0;             // of the pixels, at most
-    bool greyFacesAreCoarse = false;     // of a clip, by splats
-    bool mixesModel = false;             // traced, but for where splats have less noise
-    std::uint64_t samplesPerPixel = 0;   // on average: noise decides where they go
+    std::optional<double> foveaAgeMs{};  // of the fovea over the model; nothing without one
+    std::uint32_t foveaSamples = 0;      // per pixel of the fovea
+    double foveaShare = 0.0;             // largest share of the pixels that the fovea covers
+    bool greyFacesAreCoarse = false;     // splats show the grey cut faces of a clip
+    bool mixesModel = false;             // splats show the parts where they have less noise
+    std::uint64_t samplesPerPixel = 0;   // mean; noise decides which pixels get more
     std::uint64_t sampleLimit = 0;
-    double noise = 0.0;        // estimated standard error of what is shown; +infinity before it is known
+    double noise = 0.0;        // estimated standard error if traced; +infinity: not known yet
     double noiseTarget = 0.0;  // FrameInput::noiseTarget
-    bool denoised = false;     // filtered: smooth, and not quite what was traced
+    bool denoised = false;     // smoother than the traced light
     trace::Look look{};
-    std::string remarks{};             // of the drawing it was made from
-    double framesPerSecond = 0.0;      // of pictures shown lately; 0 when there was only one
-    double latencyMs = 0.0;            // from publishing the input to showing this picture
+    std::string remarks{};             // of its drawing
+    double framesPerSecond = 0.0;      // of recent pictures; 0 when there was only one
+    double latencyMs = 0.0;            // from publishing the input to showing the picture
     std::uint64_t samplesLeftOut = 0;  // not finite, or of paths too long for the device
-    std::vector<Message> messages{};   // what a person has to know about it
+    std::vector<Message> messages{};   // for the user
 };
 
-// What was shown is off the screen, and nothing is shown for now.
+// The picture was taken off the screen, and no other is shown for now.
 struct PictureRemoved {};
 
-// Nothing more is shown until something changes. What was shown has been taken off the screen, unless
-// `pictureRemains`: then the device could not do that yet, or never will, and who owns the window hides it.
+// No picture follows until the input changes. The last one is off the screen, unless `pictureRemains`: then
+// the device could not clear the window, and the owner of the window hides it.
 struct RenderFailure {
     Error error;
     std::uint64_t inputSequence = 0;  // of the newest input then
     bool pictureRemains = false;
 };
 
-// Where the time of the render thread went, since it began. It tells that a few times a second while it
-// works. In the rest of its time, which no stage has, it waited for an input.
+// The time that the render thread has spent since it began, by stage. Sent a few times a second while it
+// works. The time that no stage accounts for was spent waiting for input.
 struct TimeSpent {
     std::vector<StageTimes> stages;
 };

@@ -13,23 +13,23 @@
 
 namespace macula::app {
 
-// Takes inputs, latest wins; reports events. Publishing never waits for the GPU. All members are called by
-// the thread that made it.
+// Takes inputs, of which the latest wins, and reports events. Publishing never waits for the GPU. All members
+// are called by the thread that created the object.
 class RenderThread {
   public:
-    // The device is made on the thread; a failure comes as an event. `keeper` as FrameRenderer. `listener` is
-    // called on that thread.
+    // The render thread opens the device, and reports failure as an event. `keeper` as in FrameRenderer.
+    // `listener` is called on the render thread.
     RenderThread(gpu::Instance instance, std::string preferredDevice, std::shared_ptr<SceneKeeper> keeper,
                  RenderListener listener);
-    // Stops and joins: takes as long as the dispatch in flight.
+    // Stops and joins; waits for the dispatch in flight.
     ~RenderThread();
 
     // Sets the sequence number and the time, and returns the number.
     std::uint64_t publish(FrameInput input);
 
-    // Waits until nothing refers to the place any more, whose surface the window system destroys next: as
-    // long as it takes, because a driver that loses a surface in use takes the process with it. The only wait
-    // in the other direction.
+    // Waits until nothing refers to the place, before the window system destroys its surface. The wait has no
+    // limit, because a driver that loses a surface in use ends the process. Nowhere else does the UI thread
+    // wait for the render thread.
     void releaseScreen();
 
   private:
@@ -38,8 +38,8 @@ class RenderThread {
 
     FrameInput last_;
     Latest<FrameInput> inputs_;
-    Latest<std::uint64_t> released_;  // sequence of the input without place that was taken
-    std::jthread thread_;             // last: it uses all of the above
+    Latest<std::uint64_t> released_;  // sequence of the last taken input without a place
+    std::jthread thread_;             // last, because it uses all of the above
 };
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Where models of scenes are kept for longer than the program runs, as who shows scenes sees it.
+// The interface through which the renderer keeps models of scenes between runs.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace macula::app {
 
-// find() and keep() are asked by the live model, for a name that was looked for before.
+// The live model calls find() and keep(), with names that were passed to look().
 class SceneKeeper : public hybrid::ModelStore {
   public:
-    // The scene that is called `name` from now on, of a complete drawing: it is about to be shown. What was
-    // looked for before is given up, and what was found of it forgotten. Returns at once.
+    // Announces that the scene with this complete drawing is about to be shown, and gives it `name`. Drops
+    // the search for the scene before, and what it found. Returns at once.
     virtual void look(const std::string& name, std::shared_ptr<const Volume> volume,
                       const Drawing& drawing) = 0;
 };

@@ -1,4 +1,4 @@
-// Names for all that decides what a peripheral model is of.
+// Scene names: short names for everything that a peripheral model depends on.
 #pragma once
 
 #include <cstddef>
@@ -12,21 +12,20 @@
 namespace macula::app {
 
 // The same name means the same volume, transfer function, clip, additions, lights, and settings that light
-// depends on; what is shown again has the name it had, while it is among the last that were named. No patient
-// data.
+// depends on. A scene shown again keeps its name while it is among the last kRemembered. No patient data.
 class SceneNames {
   public:
     static constexpr std::size_t kRemembered =
-        64;  // scenes; each step of editing a transfer function is another one
+        64;  // scenes; each step of editing a transfer function is another scene
 
     // The name of a complete drawing of the study with that number.
     std::string of(std::uint64_t study, const Drawing& drawing);
 
   private:
-    // The same object, told without keeping it: masks, volumes and segments are large.
+    // Identity of an object, without keeping it alive: masks, volumes and segments are large.
     template <class T>
     struct Which {
-        std::weak_ptr<const T> owner;  // no other takes its place while this is known
+        std::weak_ptr<const T> owner;  // tells it from a later object at the same address
         const T* object = nullptr;
 
         bool operator==(const Which& b) const {
@@ -37,10 +36,10 @@ class SceneNames {
     static Which<T> take(std::shared_ptr<const T>& from);
 
     struct Scene {
-        std::shared_ptr<const TransferFunction> transferFunction;  // kept, so that no other takes its place
+        std::shared_ptr<const TransferFunction> transferFunction;  // kept alive: the address is not reused
         std::shared_ptr<const trace::LightRig> lights;
-        Clip clip;            // without the four that follow
-        Additions additions;  // likewise
+        Clip clip;            // without labels and bits of its mask, which follow
+        Additions additions;  // without volume and box, which follow
         Which<LabelMap> labels;
         Which<MaskBits> bits;
         Which<Volume> second;
@@ -57,7 +56,7 @@ class SceneNames {
     };
     std::uint64_t study_ = 0;
     std::uint64_t count_ = 0;
-    std::vector<Named> named_;  // the one named last stands last
+    std::vector<Named> named_;  // the latest named last
 };
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Where a renderer's pictures go: into a window, or to whoever records them.
+// Where a renderer's pictures go: a window, a host program or a recording.
 #pragma once
 
 #include <vulkan/vulkan_core.h>
@@ -20,28 +20,28 @@ class Screen {
 
     virtual Result<void> resize(VkExtent2D extent) = 0;
 
-    // What is written over pictures from the next time on that one is shown, also again; never over a colour.
-    // Null: nothing.
+    // Sets the text drawn over pictures, from the next show() or showAgain() on; never drawn over a colour.
+    // Null: none.
     virtual void setText(std::shared_ptr<const PictureText> text) = 0;
     virtual const std::shared_ptr<const PictureText>& text() const = 0;
-    // Likewise what is of one picture only, of its camera: set before that is shown, or shown again.
+    // Sets the marks of one picture, whose camera they fit: call before show() or showAgain().
     virtual void setMarks(std::shared_ptr<const PictureText> marks) = 0;
     virtual const std::shared_ptr<const PictureText>& marks() const = 0;
 
-    // Shows `picture`, and keeps a copy where it may have to be shown again. Returns whether it is there: not
-    // while the window is hidden, nor when the window system gives out no image in time (see owes).
+    // Shows `picture`, and keeps a copy if it may have to be shown again. Returns whether it is visible:
+    // false while the window is hidden, or if the window system has no image in time (see owes).
     virtual Result<bool> show(const gpu::Image& picture) = 0;
-    // The same picture once more; false when there is none yet.
+    // Shows the same picture again; false when there is none yet.
     virtual Result<bool> showAgain() = 0;
-    // What was to be shown last is not there yet, though the window is not hidden: showAgain, until it is.
+    // The last picture is not visible yet, though the window is not hidden: call showAgain() until it is.
     virtual bool owes() const = 0;
-    // Drops the picture: from now on there is none to show again.
+    // Drops the kept picture: showAgain() then has none.
     virtual void forget() = 0;
-    // One colour over all, display-encoded RGBA.
+    // Fills the screen with one colour, display-encoded RGBA.
     virtual Result<bool> showColour(const VkClearColorValue& colour) = 0;
 };
 
-// What a screen is opened on. Owned by whoever shows pictures; immutable.
+// What a screen is opened on, such as a surface. Immutable.
 class ScreenPlace {
   public:
     virtual ~ScreenPlace() = default;

@@ -1,4 +1,4 @@
-// Where the time of the render thread went, for a person and for measurements.
+// Reports how the render thread spent its time, as a table for people and as JSON for measurements.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,11 +9,11 @@
 
 namespace macula::app {
 
-// A list of {stage, times, ms, waitedMs, longestMs}, the longest in sum first. Where `watchedMs` is more than
-// they add up to, the rest is the last entry, of a thread that had nothing to do.
+// A list of {stage, times, ms, waitedMs, longestMs}, by total ms, largest first. If `watchedMs` exceeds their
+// sum, a last entry holds the rest, in which the thread was idle.
 nlohmann::ordered_json toJson(std::vector<StageTimes> stages, double watchedMs = 0.0);
 
-// The same as lines of a table, without those of less than a thousandth of the time.
+// The list as a table, without stages below a thousandth of the total time.
 std::string tableOf(const nlohmann::ordered_json& times);
 
 }  // namespace macula::app

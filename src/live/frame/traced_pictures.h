@@ -18,53 +18,51 @@
 
 namespace macula::app {
 
-// Used by one thread at a time, the one that uses the device. There is one at a time of both: who begins one
-// loses the other.
+// Used by one thread at a time: the one that uses the device. Only one picture exists at a time: beginning a
+// small one loses the full one, and the reverse.
 class TracedPictures {
   public:
     static Result<TracedPictures> create(const std::shared_ptr<gpu::Device>& device);
 
-    // The tracer, to change its scene. Whoever does calls sceneChanged(): then no picture is of what is shown
-    // any more.
+    // The tracer. After changing its scene, call sceneChanged(), which drops the full picture.
     trace::PathTracer& tracer() { return tracer_; }
     void sceneChanged();
-    // Something else is on the device now, or was taken off: nobody knows for what there is room.
+    // The memory in use on the device has changed, so denoising may fit again.
     void roomChanged() { pixelsRefused_ = kNoneRefused; }
 
-    // A small picture, denoised where there is room for that.
+    // Begins a small picture, denoised if the device has the memory.
     Result<void> beginPreview(const FrameInput& input);
-    // Adds samples to the small picture; false when `keepGoing` said no, and the next call finishes that.
+    // Adds samples to the small picture. Returns false if `keepGoing` stopped it; the next call continues.
     Result<bool> tracePreview(const FrameInput& input, const std::function<bool()>& keepGoing);
     std::uint64_t previewSamples() const { return previewSamples_; }
-    // How long it took decides how small the next one is: filter and tone map, which grow with its pixels,
-    // and all the rest.
+    // Reports the times of the small picture, which set the size of the next one: developing (denoiser and
+    // tone map), which grows with its pixels, and the rest.
     void previewWasShown(double developMs, double otherMs);
 
-    // How long one of all pixels is expected to take until it is worth showing, by what small ones took.
+    // Expected time until a full-size picture is worth showing, from the times of small ones.
     double expectedFullMs(const FrameInput& input);
-    // Whether the traced picture with all pixels is of exactly `input`, and has been worth showing.
+    // Whether the full picture is of exactly `input`, and has become worth showing.
     bool hasFull(const FrameInput& input) const;
-    // Does nothing when the traced picture is of `input` already, worth showing or not.
+    // Begins the full picture; does nothing if it is of `input` already, worth showing or not.
     Result<void> beginFull(const FrameInput& input);
     struct Progress {
-        bool isNews = false;  // the full picture has become worth showing, or worth showing again
-        bool isLast = false;  // and will not change any more
+        bool isNews = false;  // the full picture is worth showing, or showing again
+        bool isLast = false;  // and it is final
     };
-    // A slice of tracing the full picture. `keepGoing` is asked between dispatches of some 40 ms.
+    // Traces the full picture for a time slice. `keepGoing` is called between dispatches of about 40 ms.
     Result<Progress> traceFull(const FrameInput& input, const std::function<bool()>& keepGoing);
 
-    // The picture that there is, small or full, as it is to be seen. It is on the device, see
-    // PathTracer::display.
+    // The current picture, small or full, ready for display. It is on the device, see PathTracer::display.
     Result<const gpu::Image*> display(const glm::vec3& background);
-    // Whether it is weighed against what splats show, until it is as good as it gets; and what to weigh. It
-    // is on the device, see PathTracer::noisyLight.
+    // Whether the picture may still be noisier than splats, and is to be mixed with them; light() is the
+    // light to mix. It is on the device, see PathTracer::noisyLight.
     bool isNoisy() const { return !isLast_ && course_.isNoisy(); }
     Result<trace::TracedLight> light() { return isNoisy() ? tracer_.noisyLight() : tracer_.light(); }
 
     int width() const { return view_.width; }
     int height() const { return view_.height; }
-    int scale() const { return scale_; }  // window pixels along each side of a picture's pixel
-    // Statistics of the picture that there is.
+    int scale() const { return scale_; }  // window pixels along each side of a picture pixel
+    // Statistics of the current picture.
     Result<trace::Statistics> statistics() const { return tracer_.statistics(); }
 
     static std::uint64_t sampleLimit(const FrameInput& input);
@@ -84,7 +82,7 @@ class TracedPictures {
     std::optional<trace::Settings> settings_;
     trace::View view_;
     int scale_ = 1;
-    // A picture of so many pixels was too large to denoise in the device's memory.
+    // Pictures of this many pixels or more do not fit the device's memory when denoised.
     std::int64_t pixelsRefused_ = kNoneRefused;
 
     MotionScales motionScales_;
@@ -92,19 +90,19 @@ class TracedPictures {
     std::uint64_t previewSamples_ = 0;
     double previewMs_ = 0.0;
     bool isFirstPreview_ = false;  // the small picture is the first of its view
-    int warmWidth_ = 0;            // of the small picture before
+    int warmWidth_ = 0;            // of the small picture before this one
     std::optional<trace::Look> warmLook_;
     std::uint32_t previewNumber_ = 0;
 
-    std::optional<FrameInput> full_;  // what the full picture is of
-    bool isDeveloping_ = false;       // its samples are to be shown; the filter is under way
+    std::optional<FrameInput> full_;  // the input of the full picture
+    bool isDeveloping_ = false;       // the full picture is being developed for display
     bool isLast_ = false;
     FilterCourse course_;
     double samples_ = 0.0;
-    double developMs_ = 0.0;  // so far, of what is under way
+    double developMs_ = 0.0;  // so far, of the development under way
 };
 
-// Whether both are the same view of the same thing, pixel for pixel.
+// Whether both inputs give the same picture, pixel for pixel; the noise target does not count.
 bool isSamePicture(const FrameInput& a, const FrameInput& b);
 
 }  // namespace macula::app

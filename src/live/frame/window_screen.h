@@ -1,4 +1,4 @@
-// Brings pictures to a window.
+// Presents pictures in a window.
 #pragma once
 
 #include <memory>
@@ -24,8 +24,8 @@ class WindowPlace final : public ScreenPlace {
     VkSurfaceKHR surface_;
 };
 
-// Owns the swapchain of one surface and a copy of the picture shown last, so that a window that was covered
-// can be filled again at once while the next picture is still being traced.
+// Owns the swapchain of one surface and a copy of the last picture, so that an uncovered window can be filled
+// at once while the next picture is still being traced.
 class WindowScreen final : public Screen {
   public:
     WindowScreen(std::shared_ptr<gpu::Device> device, gpu::Swapchain swapchain, VkExtent2D wanted);
@@ -35,7 +35,7 @@ class WindowScreen final : public Screen {
     const std::shared_ptr<const PictureText>& text() const override { return text_.text; }
     void setMarks(std::shared_ptr<const PictureText> marks) override;
     const std::shared_ptr<const PictureText>& marks() const override { return marks_.text; }
-    // Scales the picture over the window.
+    // Scales the picture to the window.
     Result<bool> show(const gpu::Image& picture) override;
     Result<bool> showAgain() override;
     bool owes() const override { return owes_; }
@@ -46,7 +46,7 @@ class WindowScreen final : public Screen {
     Result<void> keep(const gpu::Image& picture);
     struct Overlay {
         std::shared_ptr<const PictureText> text;
-        std::optional<gpu::Image> image;  // of it; made when it is first shown
+        std::optional<gpu::Image> image;  // of the text; created when first shown
     };
     Result<void> prepare(Overlay& overlay);
     std::vector<gpu::BlitOverlay> overlaysFor(VkExtent2D target) const;
@@ -57,7 +57,7 @@ class WindowScreen final : public Screen {
     std::optional<gpu::Image> kept_;
     bool keptIsValid_ = false;
     bool owes_ = false;
-    bool isColour_ = false;  // what is kept is a colour
+    bool isColour_ = false;  // the kept picture is a single colour
     Overlay text_;
     Overlay marks_;
 };

@@ -1,4 +1,4 @@
-// The picture of a renderer that belongs to no window: kept on the device until its host fetches it.
+// The picture of a renderer without a window: it stays on the device until its host fetches it.
 #pragma once
 
 #include <cstddef>
@@ -17,28 +17,28 @@
 
 namespace macula::app {
 
-// RGBA, row 0 on top, scaled to the size that the host wants by repeating pixels: pictures that follow a hand
-// may be smaller. Used by the thread of the renderer.
+// RGBA, row 0 on top. Pictures of a moving view may be smaller than the size that the host wants, and are
+// scaled by repeating pixels. Used by the renderer's thread.
 class HostPicture {
   public:
     bool isThere() const { return kept_.has_value(); }
-    // How often one was shown.
+    // How many times the renderer showed a picture.
     std::uint64_t count() const { return count_; }
 
-    // Waits. False, and nothing is written, when there is none. The rows are of the host, `rowBytes` apart.
+    // Waits for the device. False, with nothing written, if there is no picture. Rows are `rowBytes` apart.
     Result<bool> writeTo(std::uint8_t* rgba, std::size_t rowBytes, const glm::ivec2& sizePx) const;
-    // Of the same size, on the same device; it is there when this returns.
+    // Copies the picture to an image of `sizePx` on the same device; complete when this returns.
     Result<bool> copyTo(const LentPicture& target, const glm::ivec2& sizePx) const;
-    // Copies the picture to an image of another device of the same card, scaled to the image's size. It is
-    // there when this returns, or, where the target has a semaphore to signal, when that is signalled. Fails
-    // as SharedImage::import. The import is kept for the next time, while `target` lives and the device is
-    // the same.
+    // Copies the picture to an image of another device on the same card, scaled to the image's size. Complete
+    // when this returns, or, if the target has a semaphore to signal, when that is signalled. Fails as
+    // SharedImage::import. Keeps the import for the next call, while `target` lives and the device is the
+    // same.
     Result<bool> shareTo(const std::shared_ptr<const gpu::SharedMemory>& target);
 
-    // By the screen.
+    // Called by the screen.
     Result<void> keep(const std::shared_ptr<gpu::Device>& device, const gpu::Image& picture);
     void forget() { kept_.reset(); }
-    void leaveDevice();  // nothing stays on it
+    void leaveDevice();  // drops everything that is on the device
 
   private:
     struct Import {
@@ -55,7 +55,7 @@ class HostPicture {
     std::uint64_t count_ = 0;
 };
 
-// Where a renderer shows what `picture` keeps.
+// The place for FrameInput whose pictures `picture` keeps.
 std::shared_ptr<const ScreenPlace> placeOf(std::shared_ptr<HostPicture> picture);
 
 }  // namespace macula::app

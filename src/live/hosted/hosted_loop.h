@@ -1,5 +1,5 @@
-// The live picture of a program that shows it itself: the window's renderer without a window, frame by frame
-// on that program's thread, and its peripheral model, which can be taught, kept and resumed.
+// The live picture for a program that displays it itself: the window's renderer without a window, run frame
+// by frame on the caller's thread. Its peripheral model can be trained, stored and resumed.
 //
 //     loop.show({volume, drawing}, progress);
 //     loop.frame({.sizePx = {640, 480}, .camera = camera, .isMoving = true}, progress);
@@ -34,72 +34,71 @@ namespace macula::app {
 struct HostedOptions {
     DeviceWay way;
     bool usesModel = true;
-    // Where models are kept between runs: session::StoreOptions::folder and modelCapBytes, 0 the usual.
-    // Nothing: nowhere.
+    // Where models are stored between runs, as session::StoreOptions::folder (empty: its default), and their
+    // limit, as modelCapBytes (0: its default). Nothing: not stored.
     std::optional<std::filesystem::path> store = {};
     std::uint64_t storeBytes = 0;
 };
 
 struct HostedScene {
-    std::shared_ptr<const Volume> volume;  // in 16 bits
+    std::shared_ptr<const Volume> volume;  // stored16
     Drawing drawing;                       // complete
 };
 
 struct HostedWish {
     glm::ivec2 sizePx{0};
-    std::optional<Camera> camera = {};       // nothing: what is seen fills the picture, from `from`
+    std::optional<Camera> camera = {};       // nothing: fits what is visible, seen from `from`
     std::optional<ViewDirection> from = {};  // nothing: usualView
-    glm::dvec2 gaze{0.0};                    // as FrameInput
-    bool isMoving = false;                   // a hand or a head moves: stay fast
-    // How long there is for it; the first picture of a pose may take longer. 0: a slice.
+    glm::dvec2 gaze{0.0};                    // as FrameInput::gaze
+    bool isMoving = false;                   // the view moves: stay fast
+    // Time for the frame in ms; the first picture of a pose may take longer. 0: a short time slice.
     double forAboutMs = 0.0;
 };
 
 struct HostedFrame {
-    FrameShown shown;    // what picture() holds
-    bool isNew = false;  // shown since the frame before
+    FrameShown shown;    // describes picture()
+    bool isNew = false;  // a picture was shown during this call
 };
 
 struct TrainingWish {
-    std::uint64_t steps = 0;  // so many more; 0: no end
-    double seconds = 0.0;     // for so long; 0: no end
+    std::uint64_t steps = 0;  // further steps; 0: no limit
+    double seconds = 0.0;     // 0: no limit
 };
 
-// Used by one thread at a time. A device that is lost is replaced by the renderer, unless it was lent.
+// Used by one thread at a time. The renderer replaces a lost device, unless it was lent.
 class HostedLoop {
   public:
-    // Opens nothing but the instance: the device comes with the first frame. Fails as Instance::create.
+    // Opens the instance alone: the first frame opens the device. Fails as Instance::create.
     static Result<std::unique_ptr<HostedLoop>> create(HostedOptions options);
 
     HostedLoop(const HostedLoop&) = delete;
     HostedLoop& operator=(const HostedLoop&) = delete;
-    ~HostedLoop();  // what was learnt is kept
+    ~HostedLoop();  // stores what the model has learnt
 
-    // From now on frames are of that. Waits for what the store knows of it. `cancelled`: of what they were
-    // before.
+    // Sets the scene of the next frames. Waits until the store has looked for its model. `cancelled` restores
+    // the previous scene, if there was one.
     Result<void> show(HostedScene scene, Progress& progress);
 
-    // Fails with what the renderer fails with, and goes on failing until something changes; `cancelled`.
+    // Fails with the renderer's errors, again and again until the input changes; and with `cancelled`.
     Result<HostedFrame> frame(const HostedWish& wish, Progress& progress);
-    // Of the last frame; none after a failure.
+    // The picture of the last frame; none after a failure.
     HostPicture& picture() { return *picture_; }
 
-    // Teaches the model of what is shown, until an end or until it has learnt what its pictures can teach it.
-    // usage where what is shown has none; `cancelled`, and what was learnt stays.
+    // Trains the model of the current scene, until a limit or until its training has nothing left to learn.
+    // Fails with usage if the scene can have no model; `cancelled` keeps what was learnt.
     Result<void> train(const TrainingWish& wish, Progress& progress);
-    // Of what was shown or trained last.
+    // State of the model last shown or trained.
     hybrid::ModelNews model() const { return renderer_->modelNews(); }
     std::optional<hybrid::PeripheralReport> report() const { return renderer_->modelReport(); }
     const std::vector<StageTimes>& timesSpent() const { return renderer_->timesSpent(); }
-    // To the store, and returns when it is there. usage without one; inputNotUsable when there is nothing to
-    // keep yet; fails as the store, and `cancelled`: then it is saved later.
+    // Stores the model; returns when it is on disk. Fails with usage without a store; with inputNotUsable
+    // when nothing is learnt yet; as the store; and with `cancelled`, after which it is still stored later.
     Result<void> save(Progress& progress);
-    // As writeTakenModel.
+    // Writes the model as a file. Fails as writeTakenModel.
     Result<void> writeModel(const std::filesystem::path& path, Progress& progress);
 
     const std::string& deviceName() const { return device_; }
-    // What happened since they were asked for last that a person should know, and what there is to know of
-    // the picture.
+    // Sentences for the user on events since the last call, and on the current picture.
     std::vector<std::string> notes();
 
   private:
@@ -109,7 +108,7 @@ class HostedLoop {
     void hear(RenderEvent event);
     void change(HostedScene scene);
     void publish(const FrameInput& input);
-    // Until it is done, or there is nothing more to do. `isTimeUp` is asked between dispatches.
+    // Runs the renderer until `isDone`, or until no work is left. `isTimeUp` is called between dispatches.
     Result<void> goOn(const std::function<bool()>& isDone, const std::function<bool()>& isTimeUp,
                       Progress& progress);
     Result<Camera> fittingCamera(FrameInput input, std::optional<ViewDirection> asked, Progress& progress);
@@ -126,7 +125,7 @@ class HostedLoop {
     std::unique_ptr<FrameRenderer> renderer_;
     FrameInput input_;
     Progress* progress_ = nullptr;  // while goOn() runs
-    bool knowsModel_ = false;       // model() is of what is shown, and not of what was before
+    bool knowsModel_ = false;       // model() is of the current scene, not the previous one
     std::string device_;
     std::shared_ptr<const std::vector<glm::dvec3>> outlineMm_;  // of the scene
     std::optional<FrameShown> shown_;

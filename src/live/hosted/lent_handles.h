@@ -1,4 +1,4 @@
-// What a program lends that has a Vulkan device of its own, without a header of Vulkan: src/c.
+// What a program with its own Vulkan device lends to Macula, without a Vulkan header: for src/c.
 #pragma once
 
 #include <cstdint>
@@ -10,33 +10,33 @@
 
 namespace macula::app {
 
-// How a device is opened, as often as one is wanted: each has an instance of its own, or shares what is lent.
+// How to open a device, any number of times: each has its own instance, or shares what is lent.
 struct DeviceWay {
     gpu::InstanceOptions instance;
     gpu::DeviceOptions device;
 };
 
-// Handles of Vulkan as pointers; see gpu::LentDevice for what they must have.
+// Vulkan handles as pointers; gpu::LentDevice says what they must support.
 struct LentHandles {
     void* instance = nullptr;
     void* physical = nullptr;
     void* device = nullptr;
     void* queue = nullptr;
     std::uint32_t queueFamily = 0;
-    // Called around each use of the queue; both, or neither: then copies of the
-    // DeviceWay share a lock of their own. They throw nothing.
+    // Called around each use of the queue. Give both or neither: without them, copies of the DeviceWay share
+    // a lock of their own. They must not throw.
     std::function<void()> lock = {};
     std::function<void()> unlock = {};
 };
 
-// usage when a handle is missing, or one of the two functions.
+// Fails with usage if a handle, or one of the two functions, is missing.
 Result<DeviceWay> lentWay(const LentHandles& lent);
 
 // An image on such a device, with VK_IMAGE_USAGE_TRANSFER_DST_BIT and texels of R8G8B8A8.
 struct LentPicture {
     std::uint64_t image = 0;  // VkImage
     std::uint32_t layer = 0;
-    std::int32_t layout = 0;  // VkImageLayout that it is left in; 0: VK_IMAGE_LAYOUT_GENERAL
+    std::int32_t layout = 0;  // final VkImageLayout; 0: VK_IMAGE_LAYOUT_GENERAL
 };
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// What a saved training is of, so that it is not gone on with on something else (splat::TrainerOptions::key).
+// Training key (splat::TrainerOptions::key): what a training is of, so that it resumes on nothing else.
 #pragma once
 
 #include <filesystem>
@@ -13,13 +13,13 @@
 
 namespace macula::app {
 
-// A line each, of study, preset, clip, lights, and additions where there are any: the word and a SHA-256 over
-// what they are, not over what they are called. No patient data. The volume as it is drawn, stored16.
+// One line each for study, preset, clip and lights, and for additions if there are any: the word and a
+// SHA-256 of the content, not of names. No patient data. `volume` is the stored16 one that is drawn.
 std::string trainingKey(const Volume& volume, const TransferFunction& function, const Clip& clip,
                         const trace::Environment& lights, const Additions& additions = {});
 
-// Fails with inputNotUsable, and says what is not the same, when training `saved` in `file` may not go on
-// with pictures of `now`.
+// Fails with inputNotUsable, naming the differences, if the training `saved` in `file` may not resume with
+// pictures of `now`.
 Result<void> checkTrainingKey(const std::string& saved, const std::string& now,
                               const std::filesystem::path& file);
 

@@ -9,22 +9,22 @@
 
 namespace macula::app {
 
-// usage for a name with the ending of none of splat::kModelFormats.
+// Fails with usage if the name has the ending of none of splat::kModelFormats.
 Result<void> checkModelName(const std::filesystem::path& path);
 
-// The same for a format that keeps no training.
+// Likewise, and also for formats that keep the training.
 Result<void> checkSplatsName(const std::filesystem::path& path);
 
-// Whether training can go on from the file: .macula holds all that this takes, others the splats alone.
+// Whether training can resume from the file: .macula holds all it needs, other formats the splats alone.
 bool holdsTraining(const std::filesystem::path& path);
 
-// Writes the format of the name's ending; `displayColours` writes colours as they are displayed, for programs
-// that know no linear light, and is not for what holds a training. Returns how many splats had numbers that
-// the format cannot hold, and were limited.
+// Writes the format of the name's ending. `displayColours` writes display-encoded colours, for programs that
+// ignore linear light; files that hold a training ignore it. Returns how many splats had numbers that the
+// format cannot hold, and were clamped.
 Result<std::size_t> writeTrained(const std::filesystem::path& path, const splat::TrainingState& state,
                                  bool displayColours);
 
-// The splats alone, likewise; usage for what holds a training.
+// Likewise, but the splats alone; fails with usage for a format that holds a training.
 Result<std::size_t> writeSplats(const std::filesystem::path& path, const splat::Splats& splats,
                                 bool displayColours);
 

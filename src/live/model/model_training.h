@@ -1,5 +1,5 @@
-// Training of a model, from its points or from where it was saved, that stops when it is asked to and keeps
-// what it has.
+// Trains a model, from its points or a saved training, until the user stops it or it ends, and keeps the
+// result.
 #pragma once
 
 #include <cstdint>
@@ -18,64 +18,62 @@
 
 namespace macula::app {
 
-// When to stop; whatever comes first.
+// When to stop: at the first of both.
 struct TrainingEnd {
-    std::uint64_t steps = 0;  // that are to follow
-    TimeBudget budget;        // of all that is done, points and views as well
+    std::uint64_t steps = 0;  // steps from here on
+    TimeBudget budget;        // for everything, points and views included
 };
 
-// What is on the host when the device is done: a lost device takes nothing of it along.
+// The result, on the host: losing the device loses none of it.
 struct Trained {
-    // Why steps that were to follow did not; the state is then the last good one.
+    // Why the remaining steps failed; `state` is then the last good one.
     std::optional<Error> failure;
     std::string device;
-    std::uint64_t firstStep = 0;  // 0, or what it went on from
+    std::uint64_t firstStep = 0;  // 0, or the step at which it resumed
     splat::TrainingState state;
     splat::TrainingReport report;
-    bool interrupted = false;    // by the user, with steps still to come
-    double pointsSeconds = 0.0;  // putting the volume on the device included
+    bool interrupted = false;    // by the user, before the last step
+    double pointsSeconds = 0.0;  // includes uploading the volume
     double viewsSeconds = 0.0;
-    hybrid::ViewTimes viewTimes;  // where these went
+    hybrid::ViewTimes viewTimes;  // the parts of viewsSeconds
     double trainSeconds = 0.0;
     std::size_t viewsTraced = 0;
     std::size_t viewsGivenUp = 0;
 };
 
-// Points, views, and training that is planned for options.iterations steps. Cancelled before the first of
-// these it is an error, `cancelled`; afterwards the model as it is then. Fails as makeFirstModel; what fails
-// in a later step is told by Trained::failure.
+// Makes points and views, and trains, with a plan of options.iterations steps. Cancelling before the first
+// step gives the error `cancelled`; later it gives the model trained so far. Fails as makeFirstModel; a
+// failure in a later step is in Trained::failure.
 Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const StudyScene& scene,
                            const hybrid::FirstModelOptions& options, const TrainingEnd& end,
                            Progress& progress);
 
-// Resumes the training of `saved`, to what trainFirst had come to if it had not stopped. Fails as
-// Trainer::resume.
+// Resumes the training `saved`; the result is that of trainFirst without the stop. Fails as Trainer::resume.
 Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat::TrainingState& saved,
                         const TrainingEnd& end, Progress& progress);
 
-// Resumes a training that failed, to the same end as if it had not. Fails as Trainer::resume, and then
-// `failed` is what it was.
+// Resumes a training that failed; the result is that of one without the failure. Fails as Trainer::resume,
+// and then leaves `failed` unchanged.
 Result<void> trainToTheEnd(const std::shared_ptr<gpu::Device>& device, Trained& failed,
                            const TrainingEnd& end, Progress& progress);
 
-// Runs trainFirst, or trainOn for a saved training, and trainToTheEnd for each device that is lost on the
-// way.
+// Runs trainFirst, or trainOn for a saved training, and trainToTheEnd after each device loss.
 struct LastingTraining {
-    std::optional<Trained> trained;  // nothing when it did not begin
-    Result<void> ended;              // why it is not whole, unless it was stopped
+    std::optional<Trained> trained;  // nothing if it did not begin
+    Result<void> ended;              // the error that ended it, if any
 };
 LastingTraining trainLasting(gpu::LastingDevice& device, const StudyScene& scene,
                              const hybrid::FirstModelOptions& options,
                              const std::optional<splat::TrainingState>& saved, const TrainingEnd& end,
                              Progress& progress);
 
-// A training that was saved, to go on with. Fails as splat::readTraining; with inputNotUsable when there is
-// nothing to learn from; with usage when no steps are left of its plan, if `toItsEnd` is all that is wanted.
+// Reads a saved training to resume. Fails as splat::readTraining; with inputNotUsable without a view to learn
+// from; with usage if none of its planned steps are left and `toItsEnd` asks for only those.
 Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& path, bool toItsEnd);
 
-// Steps after which the learning rates of a training have fallen to where they are to stay.
+// The number of steps after which the learning rates reach their final values.
 std::uint64_t plannedSteps(const splat::TrainingState& state);
-// How many of the planned steps are still to come.
+// The number of planned steps that are left.
 std::uint64_t stepsLeft(const splat::TrainingState& state);
 
 }  // namespace macula::app

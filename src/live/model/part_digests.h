@@ -16,16 +16,16 @@
 
 namespace macula::app {
 
-// None of them ever changes: each is read once, however many scenes it is part of, and forgotten with it. Of
-// any thread; whoever asks for one that another thread makes waits for it, and for no other. May throw
-// std::bad_alloc. No patient data.
+// No part ever changes: each is read once, however many scenes have it, and its digest dropped when it is
+// destroyed. Any thread may call. A caller waits for a digest that another thread is computing, and for no
+// other. May throw std::bad_alloc. No patient data.
 class PartDigests {
   public:
     std::string of(const std::shared_ptr<const Volume>& volume);  // fingerprint
     std::string of(const std::shared_ptr<const TintBox>& box);    // of its voxels
     std::string of(const Mask& mask, const Volume& volume);       // of maskBits
 
-    // Parts that were read so far.
+    // The number of parts read so far.
     std::size_t made() const;
 
   private:
@@ -37,7 +37,7 @@ class PartDigests {
                       const std::function<std::string()>& make);
 
     mutable std::mutex mutex_;
-    // By address, because one owner may have several parts, and by what of it is meant.
+    // By address, because one owner may have several parts, and by kind of content.
     std::map<std::pair<const void*, std::string>, Known> known_;
     std::size_t made_ = 0;
 };

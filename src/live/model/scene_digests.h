@@ -1,5 +1,5 @@
-// SHA-256 of the parts of a scene, over what they are and not over what they are called: 64 hexadecimal
-// digits. No patient data.
+// SHA-256 of the parts of a scene, from their content and not their names: 64 hexadecimal digits. No patient
+// data.
 #pragma once
 
 #include <string>
@@ -14,16 +14,16 @@
 
 namespace macula::app {
 
-// Of the preset's numbers: the same curves under another name are the same preset.
+// Digest of the preset's numbers: the same curves under another name are the same preset.
 std::string digestOf(TransferFunction function);
-// The volume is the one that is clipped. What of the parts is known is not read again.
+// `volume` is the clipped one. Parts whose digest is known are not read again.
 std::string digestOf(const Clip& clip, const Volume& volume, PartDigests& parts);
-// Of what is shown beside the volume; none where that is nothing.
+// Digest of the additions; empty if there are none.
 std::string digestOf(const Additions& additions, PartDigests& parts);
-// Of the clip and of that; where that is nothing, of the clip alone.
+// Digest of clip and additions; without additions, that of the clip alone.
 std::string digestOf(const Clip& clip, const Additions& additions, const Volume& volume, PartDigests& parts);
 std::string digestOf(const trace::Environment& lights);
-// Of all of them; set those that do not matter to their defaults before.
+// Digest of all settings; set those that do not matter to their defaults before.
 std::string digestOf(const trace::Settings& settings);
 
 }  // namespace macula::app

@@ -15,25 +15,25 @@
 
 namespace macula::app {
 
-// As it was drawn at a moment, and whose it is.
+// The model as drawn at one moment, with its volume and drawing.
 struct TakenModel {
     std::shared_ptr<const splat::Splats> splats;  // valid
     double gain = 1.0;                            // as hybrid::LiveModel::gain
     std::shared_ptr<const hybrid::PeripheralState>
-        state{};  // all that learning goes on with; null: not asked
+        state{};  // all that resuming the training needs; null: not requested
     std::shared_ptr<const Volume> volume{};
     Drawing drawing{};  // complete
 };
 
-// By the ending of the name (splat::kModelFormats). .macula holds its training, which `macula train --resume`
-// goes on with, and needs the state; the others hold splats alone, as bright as what is traced, with
-// `displayColours` as they are displayed. Returns how many splats had numbers that the format cannot hold,
-// and were limited. usage for another ending, or for display colours of .macula; inputNotUsable without a
-// state; `cancelled`; fails as writeAtomically.
+// Writes the format of the name's ending (splat::kModelFormats). .macula holds the training, which `macula
+// train --resume` continues, and needs `state`; other formats hold splats alone, as bright as traced
+// pictures, display-encoded with `displayColours`. Returns how many splats had numbers that the format cannot
+// hold, and were clamped. Fails with usage for another ending, or for display colours of .macula; with
+// inputNotUsable without a state; with `cancelled`; and as writeAtomically.
 Result<std::size_t> writeTakenModel(const std::filesystem::path& path, const TakenModel& model,
                                     bool displayColours, Progress& progress);
 
-// The same model with `gain` times its light.
+// The same splats with their light multiplied by `gain`.
 splat::Splats asBright(splat::Splats splats, double gain);
 
 }  // namespace macula::app

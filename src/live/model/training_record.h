@@ -1,4 +1,4 @@
-// What a model was trained on, and how far that came.
+// A record of what a model was trained on, and of its progress.
 #pragma once
 
 #include <cstdint>
@@ -12,24 +12,24 @@
 
 namespace macula::app {
 
-// Holds no patient data: the series is a digest, and files of the user are named by their kind only.
+// Holds no patient data: the series is a digest, and the user's own files are named by kind only.
 struct TrainingRecord {
     std::string seriesDigest;
     std::string preset;
     std::string lights;
     std::string clip;
     bool tableRemoved = false;
-    // The options of a training that began here; a saved one does not say all that it began with.
+    // The options of a training that began here; a saved training does not record all of them.
     std::optional<hybrid::FirstModelOptions> begun;
     double budgetSeconds = 0.0;     // 0: none
-    std::uint64_t stepsBefore = 0;  // of the training that it went on with
+    std::uint64_t stepsBefore = 0;  // of the training that it resumed
 };
 
 nlohmann::ordered_json toJson(const TrainingRecord& record, const Trained& trained);
 
-// Sentences on where the time of a training with a budget went, and how many of `views` were traced.
+// A sentence on how a training with a budget spent its time, and how many of `views` were traced.
 std::string howTimeWasSpent(const Trained& trained, std::size_t views);
-// Sentences on a training that stopped before all of its `steps`, and was written to `path`.
+// Sentences on a training that stopped before all of its `steps`, and whose model went to `path`.
 std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const std::filesystem::path& path);
 
 }  // namespace macula::app

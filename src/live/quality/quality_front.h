@@ -1,5 +1,5 @@
-// What was measured of time against error in frames in motion, and what each of these trades means for a
-// window: presets/front/live-frame.json, of which presets/schema/quality-front.schema.json is the reference.
+// The measured trade of time against error in frames in motion, and what each point of it means for a window:
+// presets/front/live-frame.json, specified by presets/schema/quality-front.schema.json.
 #pragma once
 
 #include <cstdint>
@@ -17,63 +17,63 @@ namespace macula::app {
 struct FrontPoint {
     struct Fovea {
         hybrid::FoveaWish wish{};
-        int framesPerFovea = 1;  // it is traced once in so many frames
+        int framesPerFovea = 1;  // one fovea is traced per so many frames
         bool operator==(const Fovea&) const = default;
     };
     std::optional<Fovea> fovea = {};  // nothing: splats alone
-    double ms = 0.0;                  // of a frame on the machine that measured, with its share of the fovea
-    double flip = 0.0;                // of the whole frame
-    double fovealFlip = 0.0;          // of 20 degrees around where one looks
+    double ms = 0.0;                  // of a frame, with its share of the fovea, where measured
+    double flip = 0.0;                // FLIP error of the whole frame
+    double fovealFlip = 0.0;          // FLIP error of the 20 degrees around the gaze
 
     bool operator==(const FrontPoint&) const = default;
 };
 
 struct QualityFront {
     std::string title;
-    std::string source;  // for people: on what it was measured
+    std::string source;  // for people: the machine and data measured
     glm::ivec2 sizePx{0};
     double verticalFovDeg = 0.0;
     int bounces = 0;             // of all points
-    double calibrationMs = 0.0;  // of the trace of calibration.h, on that machine
+    double calibrationMs = 0.0;  // of the trace of calibration.h, where measured
     struct Drawn {
         double pixels = 0.0;
         double ms = 0.0;
     };
-    std::vector<Drawn> drawing;      // frames without tracing, by pixels, ascending
-    std::vector<FrontPoint> points;  // all that were measured
-    // Of these the ones that no other beats both in time and in error where one looks: ever slower, and ever
-    // nearer the truth. At least two.
+    std::vector<Drawn> drawing;      // frames without tracing, by ascending pixels
+    std::vector<FrontPoint> points;  // all measured points
+    // The points that no other beats in both time and error at the gaze (the Pareto front), by ascending time
+    // and falling error. At least two.
     std::vector<FrontPoint> stops;
 };
 
-// inputNotUsable: the message tells the line or the key, the hint what was expected. `where` is for the
-// error.
+// Fails with inputNotUsable: the message names the line or key, the hint the expected value. `where` is for
+// the error.
 Result<QualityFront> qualityFrontFromJson(std::string_view text, const std::string& where);
-// The one that the programs carry.
+// The quality front built into the programs.
 Result<QualityFront> builtInQualityFront();
 
-// What is seen in a window.
+// The size and field of view of a window.
 struct WindowView {
     glm::ivec2 sizePx{0};
     double verticalFovDeg = 30.0;
     bool operator==(const WindowView&) const = default;
 };
 
-// What a stop costs in that window, on a machine that takes `slowness` times as long as the one that
-// measured; above 0. Drawing goes by pixels, tracing by the pixels of the fovea.
+// The cost of a stop in that window, on a machine that takes `slowness` (above 0) times as long as the one
+// that measured. Drawing scales with the pixels, tracing with the pixels of the fovea.
 struct FrameCost {
     double drawMs = 0.0;
-    double foveaMs = 0.0;    // of a whole one
-    double betweenMs = 0.0;  // of that, between two frames: at most kMostBetweenFramesMs
+    double foveaMs = 0.0;    // of a whole fovea
+    double betweenMs = 0.0;  // of foveaMs, between two frames: at most kMostBetweenFramesMs
     double ms() const { return drawMs + betweenMs; }
 };
 inline constexpr double kMostBetweenFramesMs = 2000.0;
 FrameCost costOf(const QualityFront& front, const FrontPoint& stop, const WindowView& view, double slowness);
 
-// How frames are made at that stop.
+// The settings of frames at that stop.
 LiveQuality liveQualityOf(const FrontPoint& stop, const FrameCost& cost);
 
-// The stop whose frames take about `ms`: the last that takes no longer, or the first.
+// The last stop whose frames take at most `ms`, or the first stop.
 std::size_t stopOf(const QualityFront& front, const WindowView& view, double slowness, double ms);
 
 }  // namespace macula::app

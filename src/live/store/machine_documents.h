@@ -1,6 +1,6 @@
-// What is kept of the machine and of whoever sits at it, for all studies: small documents of the store of
-// sessions. Each call opens the store, and waits for the disk: for a thread that nobody waits for. Any number
-// of stores may have the folder open meanwhile, and so may other processes.
+// Small documents in the study store about this machine and its user, for all studies. Each call opens the
+// store and waits for the disk, so call from a thread that may block. Any number of stores and processes may
+// have the folder open meanwhile.
 #pragma once
 
 #include <cstdint>
@@ -14,11 +14,11 @@
 
 namespace macula::app {
 
-// Nothing where there is none. `id` is of no study. Fails as session::Store.
+// Nothing if there is none. `id` names no study. Fails as session::Store.
 Result<std::optional<std::string>> machineDocument(const std::filesystem::path& folder,
                                                    const session::DocumentId& id);
 
-// `json` is an object; it takes the place of all that was kept under that name. Fails likewise.
+// Replaces the document of that name with `json`, an object. Fails likewise.
 Result<void> keepMachineDocument(const std::filesystem::path& folder, const session::DocumentId& id,
                                  std::int64_t version, std::string_view json);
 

@@ -1,5 +1,5 @@
-// The presets that a person owns, those they marked, and those they used last: in memory, with what has to be
-// written of each change. The built-in ones are read-only and not in here.
+// The user's own presets, favourites and last used presets, in memory, with the documents to write after each
+// change. Built-in presets are read-only and not in here.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace macula::app {
 
-// A preset of any kind: the name of a built-in one, or the id of one's own. No name is such an id.
+// Names a preset: the name of a built-in one, or the id of one's own. No built-in name looks like an id.
 using PresetRef = std::string;
 
 struct UsedPreset {
@@ -28,16 +28,16 @@ struct UsedPreset {
     bool operator==(const UsedPreset&) const = default;
 };
 
-// What was stored of all that.
+// What the store holds of these.
 struct StoredPresets {
     std::vector<OwnPreset> own;
     std::vector<PresetRef> favourites;
-    std::vector<UsedPreset> lastUsed;  // the last one first
-    std::size_t damaged = 0;           // that were set aside
-    std::size_t unreadable = 0;        // that this version does not understand; they stay as they are
+    std::vector<UsedPreset> lastUsed;  // latest first
+    std::size_t damaged = 0;           // documents that were set aside
+    std::size_t unreadable = 0;        // documents of other versions; they stay in the store
 };
 
-// A document of the store as it is to be; without JSON it is removed.
+// A document to write to the store; without JSON, to remove.
 struct PresetDocument {
     session::DocumentKind kind = session::DocumentKind::preset;
     std::string name;
@@ -52,34 +52,34 @@ class PresetShelf {
   public:
     explicit PresetShelf(const std::vector<std::shared_ptr<const TransferFunction>>& builtIn);
 
-    // By title.
+    // Own presets, by title.
     const std::vector<std::shared_ptr<const OwnPreset>>& own() const { return own_; }
-    std::shared_ptr<const OwnPreset> find(const PresetRef& ref) const;  // null: it is none of them
+    std::shared_ptr<const OwnPreset> find(const PresetRef& ref) const;  // null: not an own preset
     bool isFavourite(const PresetRef& ref) const { return favourites_.contains(ref); }
-    // Of this kind of image, the last one first. An empty modality: of any.
+    // Presets last used for this modality, latest first. Empty: for any modality.
     std::vector<PresetRef> lastUsed(std::string_view modality) const;
 
-    // What is stored joins what is here; of two of one name the stored one gets a number.
+    // Adds the stored presets. A stored one whose name is taken gets a number.
     void join(const StoredPresets& stored);
 
-    // A copy under that name (checkedPresetName), which no other preset has; its id. The curve has to be one
-    // that files can hold. usage or inputNotUsable.
+    // Adds a copy under that name (checkedPresetName), which no other preset may have, and returns its id.
+    // Files must be able to hold the curve. Fails with usage or inputNotUsable.
     Result<PresetRef> add(std::string_view title, const TransferFunction& function,
                           std::optional<SeenLook> seen = std::nullopt);
     Result<void> rename(const PresetRef& own, std::string_view title);
-    // The preset, for putBack; null: there was none.
+    // Returns the preset, for putBack; null: there was none.
     std::shared_ptr<const OwnPreset> remove(const PresetRef& own);
-    // Under its id; where its name was taken meanwhile, with a number.
+    // Adds a removed preset under its old id; with a number if its name is taken by now.
     void putBack(const OwnPreset& preset);
     void setFavourite(const PresetRef& ref, bool isFavourite);
     void noteUsed(const PresetRef& ref, std::string_view modality);
 
-    // The name as it is kept, where it can be given; `own` is the preset that may have it now, or is empty.
+    // The name as stored, if it is free; `own` is the preset that has it already, or empty. Fails with usage.
     Result<std::string> freeName(std::string_view title, const PresetRef& own = {}) const;
     // `title`, or the first of "title (2)", "title (3)" that is free.
     std::string nearestFreeName(std::string_view title) const;
 
-    // What has changed since this was asked last, in order.
+    // The changes since the last call, in order.
     std::vector<PresetDocument> takeChanges();
 
   private:

@@ -1,4 +1,4 @@
-// What a purge would delete, told before anything is.
+// What a purge would delete, computed before it deletes anything.
 #pragma once
 
 #include <cstddef>
@@ -13,32 +13,32 @@
 
 namespace macula::app {
 
-// One of study, all and unusedDays.
+// Set one of study, all and unusedDays.
 struct PurgeWish {
-    std::string study;  // first digits of its identity
+    std::string study;  // the first digits of its identity
     bool all = false;
-    std::optional<int> unusedDays;                                 // all that was not opened for so many days
+    std::optional<int> unusedDays;                                 // everything not opened for so many days
     session::Store::Clock clock = session::Store::Clock::checked;  // of unusedDays
     session::DamagedFiles damaged = session::DamagedFiles::keep;
 };
 
-// Counted before. Files that belong to no study are in `models` of a wish for all; how many of them were not
-// opened for so long only the purge itself finds.
+// The counts before the purge. `models` includes those of files without a study only if `all` is set; with
+// `unusedDays`, the purge deletes old ones of these too, and only it counts them.
 struct PurgePlan {
     PurgeWish wish;
     std::vector<session::StudyEntry> studies;
-    ModelSum models;  // that go with them: those of volumes that no other study has
+    ModelSum models;  // of volumes that no remaining study has
     std::size_t documents = 0;
-    session::ClockDoubt clock = session::ClockDoubt::none;  // then the purge deletes less than is told here
+    session::ClockDoubt clock = session::ClockDoubt::none;  // with a doubt the purge deletes less
 };
 
 // `nowMs`: milliseconds since 1970 (UTC). Fails as studyOfPrefix does.
 Result<PurgePlan> planPurge(session::Store& store, const PurgeWish& wish, std::int64_t nowMs);
 
-// Why what seems to be old was not deleted, and what to do; of a doubt alone.
+// Says why old entries were not deleted, and what to do. `doubt` is not none.
 Error keptForClock(session::ClockDoubt doubt);
 
-// Does it. Fails as Store::purgeStudy does.
+// Carries out the plan. Fails as Store::purgeStudy.
 Result<session::PurgeReport> purge(session::Store& store, const PurgePlan& plan);
 
 }  // namespace macula::app

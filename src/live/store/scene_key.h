@@ -1,4 +1,4 @@
-// What a stored model is of.
+// The model key of a scene.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,16 @@
 namespace macula::app {
 
 // The same key means the same voxels, geometry, preset, clip, table, lights, and settings that light depends
-// on, of the same trainer and tracer: by what they are, and not by what they are called. Of a complete
-// drawing. What of the parts is known is not read again: a whole second volume takes as long as the first.
+// on, of the same trainer and tracer: by content, not by name. `drawing` is complete. Parts whose digest is
+// known are not read again; reading a second volume takes as long as the first.
 session::ModelKey sceneKey(const std::string& volumeDigest, const Volume& volume, const Drawing& drawing,
                            PartDigests& parts);
 
-// What a model can begin with that was stored under another key: splats of the same look.
+// How a model stored under another key helps a new one to begin: with splats of the same look.
 enum class Kinship {
-    none,          // points are a better beginning (docs/peripheral-model.md)
-    otherLights,   // colours are other ones, all else is the same
-    otherVersion,  // of trainer or tracer: it cannot be gone on with, but its splats are what they are
+    none,          // not at all; points are better (docs/peripheral-model.md)
+    otherLights,   // only the colours differ
+    otherVersion,  // of trainer or tracer: the training cannot resume, but its splats can be drawn
 };
 Kinship kinshipOf(const session::ModelKey& wanted, const session::ModelKey& stored);
 

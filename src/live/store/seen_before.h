@@ -1,4 +1,4 @@
-// Which volumes of a folder somebody has opened before, as the store of sessions knows it.
+// Which volumes of a folder were opened before, according to the study store.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace macula::app {
 
-// In FoundVolumes::volumes(). Nobody knows the digest of a volume before its voxels are read: of a series
-// with several volumes all are named once as many of it were opened, and none before. Waits for the disk.
+// Returns indices into FoundVolumes::volumes(). A volume's digest is unknown until its voxels are read. So
+// volumes of a series count as seen once as many were opened as it has, and none before. Waits for the disk.
 Result<std::set<std::size_t>> volumesSeenBefore(session::Store& store, const FoundVolumes& found);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Stored sessions that go to another folder, and come from there.
+// Exports stored sessions to another folder, and imports them from there.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@
 
 namespace macula::app {
 
-// As Store::exportTo. Fails with usage for a place inside of the store, which holds nothing else.
+// As Store::exportTo, but fails with usage for a place inside the store, which holds nothing else.
 Result<session::SnapshotReport> exportSessions(session::Store& store, const std::filesystem::path& newFolder,
                                                Progress& progress);
 
-// What can be wrong with the folder before a store is opened for it: it is none, or the store's own.
+// Checks the folder before a store is opened to import it: it must exist, and not be the store's own.
 Result<void> checkImport(const std::filesystem::path& folder, const std::filesystem::path& ofStore);
 
 }  // namespace macula::app

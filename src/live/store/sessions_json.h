@@ -1,4 +1,4 @@
-// Reports on stored sessions, as JSON: bytes, and times in UTC.
+// Reports on stored sessions as JSON: sizes in bytes, times in UTC.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -1,5 +1,5 @@
-// Reports on stored sessions, for people: whole lines, sizes in MB and GB, times of this place. What a person
-// may read of a study is in them where the store keeps it.
+// Reports on stored sessions for people: whole lines, sizes in MB and GB, local times. They contain readable
+// texts of a study, if the store keeps those.
 #pragma once
 
 #include <filesystem>
@@ -28,9 +28,9 @@ std::string nothingStoredText(const std::filesystem::path& folder);
 // Sentences, without an end of line.
 std::string questionOf(const PurgePlan& plan);
 std::vector<std::string> warningsOf(const session::OpeningNotes& notes);
-// What is still there after a purge that was to delete more.
+// What a purge has left although it was to delete it.
 std::vector<std::string> warningsOf(const session::PurgeReport& purged);
-// What to do where not all is sound; one sentence or more.
+// What to do if not everything is sound; one sentence or more.
 std::string whatToDo(const VerifiedSessions& verified);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// What the store of sessions holds, gathered for who wants to know all of it.
+// The content of the study store, gathered for lists and reports.
 #pragma once
 
 #include <cstddef>
@@ -15,16 +15,16 @@
 
 namespace macula::app {
 
-// True where no store was made yet: no folder, or an empty one. To open one would make it.
+// True if no store was made yet: the folder is missing or empty. Opening a store would create it.
 bool isNothingStored(const std::filesystem::path& folder);
 Error nothingStored(const std::filesystem::path& folder);
 
-// A study is named by the first digits of its identity, as many as make it the only one, at least these.
+// A study can be named by the first digits of its identity: as many as make it unique, and at least these.
 inline constexpr std::size_t kFewestDigits = 4;
 inline constexpr std::size_t kShortDigits = 12;  // as lists show them
 std::string shortOf(std::string_view digest);
 
-// The study whose identity begins so. Fails with usage where it is none, or several, or no such digits.
+// The study whose identity begins so. Fails with usage for no or several matches, or for other characters.
 Result<session::StudyEntry> studyOfPrefix(const session::Listing<session::StudyEntry>& studies,
                                           std::string_view typed);
 
@@ -41,8 +41,8 @@ struct ModelSum {
 struct StoredSessions {
     std::filesystem::path folder;
     session::Listing<session::StudyEntry> studies;  // latest opened first
-    ModelSum models;                                // of all studies and none, but for those set aside
-    ModelSum withoutStudy;                          // of these: of files that belong to no study
+    ModelSum models;                                // with or without a study, except those set aside
+    ModelSum withoutStudy;                          // the part of `models` of files without a study
     std::size_t modelsAside = 0;
 };
 Result<StoredSessions> storedSessions(session::Store& store);
@@ -50,12 +50,12 @@ Result<StoredSessions> storedSessions(session::Store& store);
 struct StoredStudy {
     session::StudyEntry study;
     session::Listing<session::SeriesEntry> series;       // latest opened first
-    session::Listing<session::ModelInfo> models;         // latest used first, those set aside too
+    session::Listing<session::ModelInfo> models;         // latest used first; includes those set aside
     session::Listing<session::DocumentEntry> documents;  // by kind and name
 };
 Result<StoredStudy> storedStudy(session::Store& store, const session::StudyEntry& study);
 
-// The studies that each volume belongs to, by identity. Volumes of none are not in it.
+// The studies of each volume, by identity. Volumes without a study are left out.
 using StudiesByVolume = std::map<std::string, std::set<std::string>>;
 Result<StudiesByVolume> studiesByVolume(session::Store& store, std::span<const session::StudyEntry> studies);
 

@@ -1,4 +1,4 @@
-// Room for what is stored next.
+// Makes room in the study store.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@ struct Tidied {
     session::GcReport leftOvers;
 };
 
-// Removes models, the least recently used first, until they have at most so many bytes, and then what killed
-// programs left. Models that are open stay. How many went is on the audit trail. Fails as Store::evictModels
-// does.
+// Removes models, the least recently used first, until they have at most `capBytes`, then what killed
+// programs left behind. Open models stay. The audit trail gets the number removed. Fails as
+// Store::evictModels.
 Result<Tidied> tidySessions(session::Store& store, std::uint64_t capBytes);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Everything that is stored, read and checked, and put in order where it was damaged.
+// Reads and checks everything in the study store, and repairs what is damaged.
 #pragma once
 
 #include "base/progress.h"
@@ -9,14 +9,13 @@ namespace macula::app {
 
 struct VerifiedSessions {
     session::VerifyReport report;
-    session::OpeningNotes notes;   // of the last opening: what was set aside, if the database had to be
-    bool isRescuePending = false;  // the damaged database could not be replaced: another program has it open
+    session::OpeningNotes notes;   // of the last opening: the database set aside, if any
+    bool isRescuePending = false;  // another program has the damaged database open
     bool isSound() const { return report.isSound() && !notes.setAside; }
 };
 
-// Opens the store of `options`. A damaged database is set aside, and what can be read of it is rescued;
-// models and rows that are damaged are set aside too, and found no more. Fails as Store::open and
-// Store::verify do.
+// Opens the store of `options`. Sets a damaged database aside and rescues what can be read of it; sets
+// damaged models and rows aside, so that they are no longer found. Fails as Store::open and Store::verify.
 Result<VerifiedSessions> verifySessions(session::StoreOptions options, Progress& progress);
 
 }  // namespace macula::app

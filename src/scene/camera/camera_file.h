@@ -1,8 +1,8 @@
 // The camera as a JSON file:
 //   { "positionMm": [x, y, z], "targetMm": [x, y, z], "up": [x, y, z], "verticalFovDeg": 30,
 //     "parallelHeightMm": 300 }
-// in patient LPS mm. The first four keys are needed; the last makes the rays parallel, and says how high the
-// picture is. No others are known.
+// in patient LPS mm. The first four keys are required; "parallelHeightMm" makes the rays parallel and is the
+// height of the picture. Any other key is an error.
 #pragma once
 
 #include <filesystem>
@@ -19,8 +19,8 @@ namespace macula::app {
 
 Result<Camera> readCamera(const std::filesystem::path& path);
 
-// The object in a document, whose status() tells what is wrong with it. The numbers may still be no camera:
-// see basis().
+// Reads the camera from a JSON object; the status() of its document holds any error. The camera may still be
+// invalid: see basis().
 Camera cameraFrom(const JsonNode& node);
 nlohmann::ordered_json toJson(const Camera& camera);
 

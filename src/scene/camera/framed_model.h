@@ -1,4 +1,4 @@
-// Cameras for a model that is drawn without any: far enough that all of it is in the picture.
+// Default cameras for a splat model, far enough away to show all of it.
 #pragma once
 
 #include <span>
@@ -11,16 +11,15 @@
 
 namespace macula::app {
 
-// What is nearer to the eye is not drawn unless a person says otherwise: 2 mm, or of a model whose unit
-// nobody knows 0.2 as 3DGS has it.
+// The default near distance, closer than which nothing is drawn: 2 mm, or 0.2 as in 3DGS for a model whose
+// axes and unit are unknown.
 double usualNearOf(const splat::Splats& splats);
 
-// For a model in the patient's axes: a camera from each direction, or without any from the front, as `macula
-// render` looks at a series. For a model of unknown axes: one along its own +z with -y up, which is where the
-// first camera of most reconstructions looks; usage when a direction is given. Such models have stray splats
-// far out: of its box the outermost hundredth of the centres at either side is left out. Named by the
-// direction, or "along-z"; RasterView::nearMm, in the model's unit, is near enough for a small model. The
-// model must be valid.
+// For a model in the patient's axes: a camera from each direction, or one from the front if there are none.
+// For a model of unknown axes: one along its own +z with -y up, as the first camera of most reconstructions
+// looks; fails with usage when a direction is given. Stray splats lie far out in such models, so its box
+// omits the outermost hundredth of the centres at either side of each axis. The name is the direction, or
+// "along-z". RasterView::nearMm is 1 % of the distance, at most usualNearOf. The model must be valid.
 Result<std::vector<SplatCamera>> framedCameras(const splat::Splats& splats,
                                                std::span<const ViewDirection> from, const glm::ivec2& sizePx);
 

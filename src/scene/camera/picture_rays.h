@@ -1,5 +1,5 @@
-// From places in a picture to the rays of its camera, and back. Who needs one or the other asks here. World
-// frame: patient LPS, mm.
+// Converts places in a picture to the rays of its camera, and points in space to places. World frame: patient
+// LPS, mm.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,25 +12,24 @@ namespace macula::app {
 struct PictureRay {
     glm::dvec3 originMm{0.0};
     glm::dvec3 direction{0.0, 0.0, 1.0};  // unit
-    bool beginsThere = true;  // at an eye; one of parallel rays shows what is behind its origin, too
+    bool beginsThere = true;              // at an eye; a parallel ray also shows what is behind its origin
 
     glm::dvec3 at(double mm) const { return originMm + mm * direction; }
 };
 
-// Places are measured from the middle of the picture, right and up positive: in half heights where it says
-// so, and else from -1 to 1 on both sides, as the window tells them.
+// Places are relative to the middle of the picture, right and up positive, from -1 to 1 on both sides unless
+// a comment says half heights.
 class PictureRays {
   public:
-    // Nothing for a camera that is none (basis()) or an aspect that is not above 0.
+    // Nothing for an invalid camera (basis()) or an aspect that is not finite and above 0.
     static std::optional<PictureRays> of(const Camera& camera, double aspectWidthOverHeight);
 
     PictureRay through(const glm::dvec2& place) const;
-    // Nothing of what is not in front of the eye; parallel rays have none.
+    // Nothing for a point that is not in front of the eye. Parallel rays have no eye and show every point.
     std::optional<glm::dvec2> placeOf(const glm::dvec3& mm) const;
 
-    // In half heights after division by z, which is above 0 in front of the eye alone, and everywhere of
-    // parallel rays. Linear in the point, so that who walks along a line may add `homogeneousStep` of the
-    // way.
+    // x / z and y / z are the place in half heights; z is above 0 only in front of the eye, or everywhere
+    // with parallel rays. Linear in the point: homogeneous(a + b) is homogeneous(a) + homogeneousStep(b).
     glm::dvec3 homogeneous(const glm::dvec3& mm) const;
     glm::dvec3 homogeneousStep(const glm::dvec3& byMm) const;
 
@@ -43,16 +42,16 @@ class PictureRays {
     glm::dvec3 originMm_;  // the eye
     CameraBasis axes_;
     bool isParallel_;
-    double halfHeight_;  // of the picture, at a distance of 1; of parallel rays in mm, everywhere
+    double halfHeight_;  // of the picture at a distance of 1; with parallel rays in mm at any depth
     double aspect_;
 };
 
-// The point of a line that is nearest to a ray, in units of `direction` from `pointMm`. Nothing where they
-// are as good as parallel, or the nearest point lies before the ray begins.
+// The point of a line nearest to a ray, in units of `direction` from `pointMm`. Nothing if they are nearly
+// parallel, or if the nearest point of the ray lies before its beginning.
 std::optional<double> nearestOnLine(const PictureRay& ray, const glm::dvec3& pointMm,
                                     const glm::dvec3& direction);
 
-// Where the ray meets the plane through that point. Nothing where it does not, or grazes it.
+// Where the ray meets the plane through `pointMm`. Nothing if it misses or grazes the plane.
 std::optional<glm::dvec3> meets(const PictureRay& ray, const glm::dvec3& pointMm, const glm::dvec3& normal);
 
 }  // namespace macula::app

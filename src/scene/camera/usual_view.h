@@ -1,4 +1,4 @@
-// From where a patient is looked at when nobody chose: by what was scanned, as far as that is known.
+// The default view direction of a volume, chosen by what was scanned as far as that is known.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,15 +11,15 @@
 
 namespace macula::app {
 
-// Why it is that one.
+// Why usualView chose its direction.
 enum class ViewReason {
-    headByCode,   // Body Part Examined (0018,0015) is a code of the head
-    headByShape,  // no body part is said, and what lies in the volume is as large as a head
+    headByCode,   // Body Part Examined (0018,0015) is of the head; 60 mm high or more
+    headByShape,  // no body part is given, and the matter in the volume is as large as a head
     shortScan,    // less than half as high as it is wide or deep: a thin band from the front
     body,         // anything else
 };
 
-// As in records: "head-by-code", "head-by-shape", "short-scan", "body".
+// The names in records: "head-by-code", "head-by-shape", "short-scan", "body".
 std::string_view nameOf(ViewReason reason);
 
 struct UsualView {
@@ -32,24 +32,24 @@ struct UsualView {
 // Less than half as high as it is wide or deep.
 bool isShort(const Volume& volume);
 
-// Shows heads from the three-quarter view, short scans obliquely, all else from the front, slightly turned.
-// Where the body part is not said, it looks at some 100 000 of the values.
+// Heads: three-quarter view; short scans: oblique; all others: from the front, slightly turned. Without a
+// body part it reads a grid of voxels, at most 95 along each axis.
 UsualView usualView(const Volume& volume);
 
-// The direction that was asked for, or else the usual one: what all who show a volume first ask.
+// The direction that was asked for, or else that of usualView.
 ViewDirection firstDirection(std::optional<ViewDirection> asked, const Volume& volume);
 
-// What there is to tell of a picture from there: from where, and why.
+// A sentence for the user: the direction of the view, and why.
 std::string sentenceOf(const UsualView& view);
 
-// Whether a code of Body Part Examined is of the head, as PS3.16 L lists them; blanks and small letters as
-// they may be.
+// Whether a code of Body Part Examined is of the head (PS3.16 Annex L), in any case; ignores blanks and all
+// else but letters.
 bool isOfHead(std::string_view bodyPart);
 
-// How far what lies in a volume reaches along the patient's axes, in mm: from the 1st to the 99th percentile
-// of the voxels above -300 HU, or of raw values above their mean. `cutAside`: the share of the voxels at its
-// four sides (not above and below) that are of it, so that more lies beside the volume. Nothing where values
-// do not tell matter from air (PET), or none is.
+// The extent of the matter in a volume along the patient's axes, in mm: from the 1st to the 99th percentile
+// of the voxels above -300 HU, or of raw values above their mean. `cutAside` is the share of matter among the
+// voxels at the four sides (not above and below): where it is high, the patient reaches beyond the volume.
+// Nothing where values do not tell matter from air (PET), or without any matter.
 struct MatterExtent {
     glm::dvec3 sizeMm{0.0};
     double cutAside = 0.0;

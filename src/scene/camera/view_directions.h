@@ -1,5 +1,5 @@
-// The directions that a patient is looked at from, as a person types them: anterior, posterior, left, right,
-// superior, inferior, oblique, three-quarter, turned.
+// The names of view directions as a user types them: anterior, posterior, left, right, superior, inferior,
+// oblique, three-quarter, turned.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace macula::app {
 
-// Nothing for a name that no direction has.
+// Nothing for an unknown name.
 std::optional<ViewDirection> viewDirectionOf(std::string_view name);
 
 std::string nameOf(ViewDirection direction);

@@ -1,4 +1,4 @@
-// What a user means by a name: a preset that the program carries, or a file.
+// Finds the preset file that a user names: one that the program carries, or a file on disk.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace macula::app {
 
-// Null when there is none of that name.
+// Null when no file has that name.
 const presets::EmbeddedFile* findBuiltIn(std::span<const presets::EmbeddedFile> files, std::string_view name);
 std::vector<std::string> namesOf(std::span<const presets::EmbeddedFile> files);
 
@@ -20,13 +20,13 @@ struct ChosenText {
     std::string where;  // for errors
 };
 
-// One of `files` by name, or a JSON file by its path. usage when it is neither, naming those there are;
-// `kind` is for that sentence: "clip".
+// One of `files` by name, or a JSON file by its path. Fails with usage when it is neither; the hint lists the
+// names, and the message says `kind`, such as "clip".
 Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, std::string_view kind,
                               const std::string& nameOrFile);
 
-// What may be told of that choice in a picture or a report: a built-in name, else "custom", as the name of a
-// user's file may say whose it is.
+// The name to show in a picture or a report: a built-in name, else "custom", because the name of a user's
+// file may identify a person.
 std::string publicName(std::span<const presets::EmbeddedFile> files, const std::string& nameOrFile);
 
 // All files, each parsed by parse(text, where).

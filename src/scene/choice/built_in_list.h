@@ -1,4 +1,4 @@
-// All that the programs carry to choose from by name, and presets that become files.
+// All presets that the program carries, and unique names for presets that become files.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -23,15 +23,15 @@ struct BuiltIns {
 };
 Result<BuiltIns> builtIns();
 
-// Names and titles; of presets their number, modality, unit, source, and whether they are fitted, of
-// qualities samples and bounces.
+// Names and titles; for presets also number, modality, unit, source, and whether they are fitted; for
+// qualities also samples and bounces.
 nlohmann::ordered_json toJson(const BuiltIns& all);
 
-// What the values of a preset are: "HU", or "raw".
+// The unit of a preset's values: "HU", or "raw".
 std::string_view unitOf(const TransferFunction& preset);
 
-// The presets of a file, in its order: of the same name all but the first get "-2", "-3", so that each can be
-// a file of its own.
+// The presets of a file, in its order. Repeated names get "-2", "-3" and so on, so that each preset can be a
+// file of its own.
 std::vector<TransferFunction> withDifferentNames(std::span<const presets::ImportedPreset> imported);
 
 }  // namespace macula::app

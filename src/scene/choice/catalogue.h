@@ -23,13 +23,13 @@ struct Catalogue {
 // The built-in ones, Macula's own first.
 Result<Catalogue> builtInCatalogue();
 
-// Finds by name, presets by number too. usage when there is none; the hint lists the names.
+// Finds by name, presets by number too. Fails with usage when there is none; the hint lists the names.
 Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& catalogue, std::string_view name);
 Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name);
 
-// What a volume is shown with when nobody chose: presets::defaultTransfer, as in the `macula` command.
+// The default preset of a volume: presets::defaultTransfer, as in the `macula` command.
 std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume);
-// The lights that a look is shown with when nobody chose.
+// The default lights of a look.
 std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue, trace::Look look);
 
 }  // namespace macula::app

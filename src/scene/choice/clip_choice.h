@@ -12,11 +12,11 @@ namespace macula::app {
 // All built-in clips, by name.
 Result<std::vector<ClipPreset>> builtInClips();
 
-// A built-in name, or a JSON file; nothing typed leaves all of the volume. usage when it is neither;
+// A built-in name or a JSON file; empty text keeps all of the volume. usage when it is neither;
 // inputNotUsable when the file is malformed.
 Result<ClipPreset> chooseClip(const std::string& nameOrFile);
 
-// What may be told of the choice, as publicPresetName.
+// The name to show in a picture or a report, as publicPresetName; "none" without a clip.
 std::string publicClipName(const std::string& nameOrFile);
 std::string publicClipName(const ClipPreset& clip);
 

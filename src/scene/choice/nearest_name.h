@@ -1,4 +1,4 @@
-// What somebody may have meant by a name that does not exist.
+// Suggestions for a name that does not exist.
 #pragma once
 
 #include <string>
@@ -9,14 +9,14 @@
 
 namespace macula::app {
 
-// The name that takes the fewest changes to get to; empty when all take more than a third of what was typed.
+// The name at the smallest edit distance; empty if that is above a third of the typed length, rounded up.
 std::string nearestName(std::string_view typed, const std::vector<std::string>& names);
 
 // "Did you mean ct-bone? There are: ct-aaa, ct-bone."
 std::string choiceAmong(std::string_view typed, const std::vector<std::string>& names);
 
-// usage. `sentence` says that there is no such thing; the hint is choiceAmong, then `orElse`, what else may
-// be given: a sentence, or nothing.
+// A usage error. `sentence` says that there is no such thing; the hint is choiceAmong, then `orElse`, a
+// sentence on what else is accepted, which may be empty.
 Error noSuchName(std::string_view sentence, const std::string& typed, const std::vector<std::string>& names,
                  std::string_view orElse = {});
 

@@ -13,8 +13,8 @@ namespace macula::app {
 // usage when it is none of these; inputNotUsable when the file is malformed.
 Result<presets::ImportedPreset> choosePreset(const std::string& typed);
 
-// What may be told of that choice in a picture or a report: a built-in name, else "custom", as the name of a
-// user's file may say whose it is.
+// The name to show in a picture or a report: a built-in name, else "custom", because the name of a user's
+// file may identify a person.
 std::string publicPresetName(const std::string& typed);
 // The same of a preset that nobody typed, whether it is fitted to the volume or not.
 std::string publicPresetName(const TransferFunction& preset);

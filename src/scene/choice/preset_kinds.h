@@ -8,12 +8,12 @@
 
 namespace macula::app {
 
-// For people, by what the preset says of itself: "CT", "µCT", "MR", "DTI", "US", "PT", "CT, MR"; empty where
-// it says nothing. Micro-CT calls its modality CT and has raw numbers; diffusion has its name only.
+// The kind of images, for display, from the preset's modalities: "CT", "µCT", "MR", "DTI", "US", "PT", "CT,
+// MR"; empty without any. CT with raw values is micro-CT; MR titled "DTI-..." is DTI.
 std::string kindOf(const TransferFunction& preset);
 
-// Tells which presets are made for the values and the modality of a volume, as far as both say. What it is
-// shown with when nobody chose counts as one of them; that is asked of the voxels, once.
+// Whether a preset is made for the unit and the modality of a volume, where both state them. The volume's
+// default preset always fits; the constructor finds it from the voxels.
 class FitsVolume {
   public:
     explicit FitsVolume(const Volume& volume);

@@ -1,5 +1,5 @@
-// The preset that a study is drawn with, and what there is to say about it. All verbs that draw ask here, so
-// that none of them keeps quiet about what another tells.
+// The preset that a study is drawn with, and the notes on it. All commands that draw use these functions, so
+// that they report the same.
 #pragma once
 
 #include <string>
@@ -11,21 +11,21 @@
 
 namespace macula::app {
 
-// The preset as choosePreset finds it; `fit` stretches its range to the volume. Fails for a preset that could
-// only be drawn as something else.
+// The preset as choosePreset finds it; `fit` stretches its range to the volume. Fails also for an invalid
+// preset (validate).
 Result<presets::ImportedPreset> presetToDraw(const std::string& typed, bool fit);
 
-// What was changed when it was read, whether it is stretched to the volume, and whether it is made for it.
+// Sentences on what reading changed, on the stretch to the volume, and on a unit other than the volume's.
 std::vector<std::string> notesOf(const presets::ImportedPreset& preset, const Volume& volume);
 
-// The same to tell of a picture: that it is made for other units is a warning then, with presets that are
-// not.
+// The same for a picture. A unit other than the volume's is also a warning, with presets that suit the
+// volume, unless the preset is the volume's default.
 struct PresetNotes {
     std::vector<std::string> notes;
-    std::vector<std::string> warnings;  // those of them that change what is seen
+    std::vector<std::string> warnings;  // those of the notes that affect what is seen
 };
 PresetNotes notesToDraw(const presets::ImportedPreset& preset, const Volume& volume);
-// Adds them to those of the study.
+// Adds the notes and warnings of notesToDraw to those of the study.
 void tellOf(const presets::ImportedPreset& preset, StudyInput& study);
 
 struct StudyPreset {
@@ -33,8 +33,7 @@ struct StudyPreset {
     TransferFunction function;  // not yet stretched: the tracer does that
 };
 
-// The preset that was typed, or when nothing was the one for what the series shows. Its notes join those of
-// the study.
+// The preset that was typed, or the volume's default for empty text. Adds its notes to those of the study.
 Result<StudyPreset> choosePresetFor(StudyInput& study, const std::string& typed, bool fit = false);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Values that are typed as several numbers. What cannot be read is usage.
+// Parses typed values of several numbers. Each function fails with usage for any other text.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,8 +12,8 @@ namespace macula::app {
 // --size WIDTHxHEIGHT: in pixels, each from 1 to trace::kMaxPictureSide.
 Result<glm::ivec2> parseSize(const std::string& text);
 
-// --window CENTRE,WIDTH: as DICOM has them but exactly, black at centre - width / 2, white at centre + width
-// / 2; the width above 0.
+// --window CENTRE,WIDTH: as DICOM's LINEAR_EXACT, black at centre - width / 2, white at centre + width / 2;
+// the width above 0.
 Result<DisplayWindow> parseWindow(const std::string& text);
 
 // --background R,G,B: each from 0 to 1.

@@ -1,14 +1,13 @@
-// From a shape in mm, as a hand has made it in space, to a clip that a study is kept with.
+// From a clip shape in mm, as made in the headset, to a clip that a study can store.
 #pragma once
 
 #include "scene/clip/kept_box.h"
 
 namespace macula::app {
 
-// What is seen through `before` with this shape instead: its window of cut faces and what else is of a clip
-// stays, its mask is not looked at. Nothing where all of the volume is shown. A plane or a corner beyond the
-// volume's box goes to its border, which removes the same. usage where a turned box, or numbers, cannot be
-// kept.
+// The clip with this shape, shadows and cut faces; of `before` only a window that follows the series stays.
+// Ignores the mask. Nothing for no shape. A plane beyond the volume's box moves to its border, where it
+// removes the same. Fails with usage for a turned box, or numbers, that a study cannot store.
 Result<ClipChoice> clipOfShape(const Clip& shapeMm, const ClipChoice& before, const Volume& volume);
 
 }  // namespace macula::app

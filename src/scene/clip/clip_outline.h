@@ -8,11 +8,11 @@
 
 namespace macula::app {
 
-// The convex polygon in which the box meets the plane, from the plane's right to its down and on. Empty where
-// they do not meet or touch in less than an area, and when a number is not finite.
+// The convex polygon in which the box meets the plane, in order from the plane's right towards its down.
+// Empty if they do not meet in an area, or a number is not finite.
 std::vector<glm::dvec3> outlineMm(const Box& box, const slices::SlicePlane& plane);
 
-// That of keptBox; empty also where the faces cut nothing off, or leave nothing.
+// The outline of keptBox; empty also when that is all of the volume, or nothing.
 std::vector<glm::dvec3> keptOutlineMm(const ClipChoice& clip, const Volume& volume,
                                       const slices::SlicePlane& plane);
 

@@ -1,4 +1,4 @@
-// All that hides single voxels of a volume, as one mask: the table, scissors, segments.
+// One mask from all that hides single voxels of a volume: the table, scissors, segments.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@
 
 namespace macula::app {
 
-// Shows what every one of them shows; nothing of none. One by itself is that one, and costs nothing; several
-// become a bit for each voxel of the volume, and remarks are joined in their order. On all cores, for whoever
-// is not on a thread that draws. cancelled, or outOfMemory.
+// Shows the voxels that all masks show; nothing without masks. A single mask is returned as it is, at no
+// cost; several become one bit per voxel of the volume, with the remarks joined in order. Runs on all cores;
+// not for a thread that draws. Errors: cancelled, outOfMemory.
 Result<std::optional<Mask>> combinedMask(std::span<const Mask> masks, const Volume& volume,
                                          Progress& progress);
 

@@ -1,5 +1,5 @@
-// What is cut away of a volume besides its clip, from where somebody looked; and clips under a name. World
-// frame: patient LPS, mm.
+// Cuts made from a camera's view, in addition to a volume's clip; and named clips. World frame: patient LPS,
+// mm.
 #pragma once
 
 #include <cstddef>
@@ -14,20 +14,19 @@
 
 namespace macula::app {
 
-// A plane across the line of sight: what lies before it is removed. The plane is what counts; the rest says
-// how it goes on.
+// A plane across the line of sight that removes what lies before it. Only `plane` cuts; the other fields say
+// how it changes when the camera moves.
 struct EyeCut {
     HalfSpace plane;
-    // As it was asked for: from the middle of the volume's box along the normal; negative: to the eye. The
-    // plane is nearer where the box ends before that.
+    // The distance asked for, from the middle of the volume's box along the normal; negative: towards the
+    // eye. The plane is nearer where the box ends before that.
     double fromMiddleMm = 0.0;
     bool followsCamera = true;  // else it stays where it is in the patient
 
     bool operator==(const EyeCut&) const = default;
 };
 
-// An outline that was drawn over a picture: what lies behind it, along the rays of that camera, is removed;
-// or all else.
+// An outline drawn over a picture. Removes what lies behind it along the rays of `camera`, or all else.
 struct ScissorCut {
     Camera camera;
     SharedOutline outline;  // in half heights from the middle of the picture, right and up positive
@@ -51,7 +50,7 @@ inline constexpr std::size_t kMostNamedClips = 100;
 inline constexpr std::size_t kLongestClipNameBytes = 200;  // in UTF-8
 
 struct NamedClip {
-    std::string name;  // of a person's own: it may name anybody
+    std::string name;  // typed by a user; may identify a person
     ClipChoice clip = {};
     Cuts cuts = {};
 

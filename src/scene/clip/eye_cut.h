@@ -9,23 +9,23 @@
 
 namespace macula::app {
 
-// Across the view of that camera, so far from the middle of the volume's box. Where the box ends before that,
-// the plane leaves a voxel of it, and the depth stays as it was asked for: seen along another direction the
-// box may reach farther. usage for a camera that is none, or a distance that is no number.
+// Cuts across the view of `camera` at this distance from the middle of the volume's box. The plane leaves at
+// least a voxel of the box, while fromMiddleMm keeps the distance asked for: along another direction the box
+// may reach farther. usage for an invalid camera, or a distance that is not finite.
 Result<EyeCut> eyeCut(const Camera& camera, double fromMiddleMm, bool followsCamera, const Volume& volume);
 
-// The same direction, elsewhere; a distance that is no number changes nothing.
+// The cut at another distance; a distance that is not finite changes nothing.
 EyeCut at(EyeCut cut, double fromMiddleMm, const Volume& volume);
-// Through that point, or as near to it as leaves a voxel of the box.
+// The cut through `mm`, or as near to it as leaves a voxel of the box.
 EyeCut through(EyeCut cut, const glm::dvec3& mm, const Volume& volume);
 
-// From before all of the volume's box to a voxel before its end.
+// Distances from before all of the volume's box to a voxel before its end.
 ValueRange eyeCutRangeMm(const glm::dvec3& normal, const Volume& volume);
 
-// Planes that a clip has room for beside its own; without any, the cut from the eye is left out.
+// Whether the clip has room for one more plane; if not, the cut from the eye is left out.
 bool hasRoomForEyeCut(const ClipChoice& clip);
 
-// All of it that has a shape, in mm of the volume. The one place where the cut from the eye joins a clip.
+// The clip in mm of the volume, with the plane of the cut from the eye, which no other function adds.
 Clip clipFor(const ClipChoice& clip, const Cuts& cuts, const Volume& volume);
 
 }  // namespace macula::app

@@ -15,7 +15,7 @@ namespace macula::app {
 // As in StudyState::clip. Nothing: all of the volume is shown.
 using ClipChoice = std::optional<ClipPreset>;
 
-// Named for the side of the patient that it looks to. Low and high face of x, of y, of z.
+// Named after the side of the patient that it faces; low and high face of x, of y, of z.
 enum class Face { right, left, anterior, posterior, inferior, superior };
 
 inline constexpr std::array kFaces{Face::right,     Face::left,     Face::anterior,
@@ -36,16 +36,16 @@ char letterOf(Face face);            // 'R'
 double faceMm(const Box& box, Face face);
 void setFaceMm(Box& box, Face face, double mm);
 
-// Whether the half-space is bounded across one of the patient's axes, and so by a face.
+// Whether the plane is perpendicular to one of the patient's axes, and so counts as a face.
 bool isAlongAxis(const HalfSpace& plane);
 // Whether the clip keeps the inside of a box along the patient's axes.
 bool keepsBox(const Clip& clip);
 
-// How far one voxel reaches along each of the patient's axes, at most all of the volume.
+// The extent of one voxel along each of the patient's axes, at most that of the volume.
 glm::dvec3 voxelExtentMm(const Volume& volume);
 
-// What box and planes along the patient's axes leave of the volume's box (Volume::worldBox). Oblique planes,
-// boxes that are removed, corners and balls are not looked at. usage when nothing is left.
+// The part of the volume's box (Volume::worldBox) that the box and planes along the patient's axes leave.
+// Ignores oblique planes, removed or turned boxes, corners and balls. usage when nothing is left.
 Result<Box> keptBox(const ClipChoice& clip, const Volume& volume);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// What of a slice a clip removes, to be dimmed and outlined. In pixels of its picture.
+// The part of a slice that a clip removes, for dimming and outlines. In pixels of the slice's picture.
 #pragma once
 
 #include <span>
@@ -12,21 +12,21 @@ namespace macula::app {
 
 using Contour = std::vector<glm::dvec2>;  // closed
 
-// Within the picture, what the contours wind around is what box, planes, corner and ball of the clip remove
-// (shows); a ball is a polygon of kBallSides. Nothing where the frame is not usable.
+// Within the picture the contours wind around what box, planes, corner and ball of the clip remove (shows); a
+// ball is a polygon of kBallSides. Empty for an unusable frame.
 inline constexpr int kBallSides = 128;
 std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame& frame);
 
-// Where the border of each part meets the slice: of faces those of what is kept, within the picture and the
-// volume. The first and last point of a closed line are the same.
+// The lines where the border of each part meets the slice, within the volume but for a ball; faces are those
+// of keptBox. A closed line ends with its first point.
 std::vector<Contour> clipLines(const ClipChoice& clip, const Cuts& cuts, const Volume& volume,
                                const slices::SliceFrame& frame);
 
-// What of the slice is behind the outline of a scissor cut, whether that or the rest is removed. Empty where
-// nothing is; of a slice that is seen from its edge there may be several strips, none over another.
+// The part of the slice behind the outline of a scissor cut, whichever side the cut removes. Empty if there
+// is none; a slice seen edge-on may give several strips, which do not overlap.
 std::vector<Contour> behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame);
 
-// By the rule of winding, as painters fill.
+// Whether the contours enclose `px` by the nonzero winding rule.
 bool windAround(std::span<const Contour> contours, const glm::dvec2& px);
 
 }  // namespace macula::app

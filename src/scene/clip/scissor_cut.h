@@ -10,26 +10,26 @@
 
 namespace macula::app {
 
-// usage for a camera that is none, for fewer than three points or too many, numbers that are not finite, and
-// an outline that encloses nothing.
+// usage for an invalid camera, fewer than three or more than kMostOutlinePoints points, numbers that are not
+// finite, and an outline without width or height.
 Result<void> validate(const ScissorCut& cut);
 
-// The outline with as few points as keep it within `offHalfHeights` of what was drawn, and at most
-// kMostOutlinePoints.
+// The outline simplified by Douglas-Peucker to within `offHalfHeights` of what was drawn; the tolerance
+// doubles until at most kMostOutlinePoints are left.
 std::vector<glm::dvec2> simplified(const std::vector<glm::dvec2>& outline, double offHalfHeights);
 
-// A cut, ready to be asked for many points. A point is within the outline where it winds around it, however
-// often: a loop drawn twice encloses what it encloses.
+// A cut prepared for tests of many points. A point is within the outline by the nonzero winding rule: a loop
+// drawn twice still encloses its inside.
 class ScissorBlades {
   public:
     // The cut must be valid.
     explicit ScissorBlades(const ScissorCut& cut);
 
-    // By PictureRays::homogeneous of the point: what is not in front of the eye is not within the outline.
+    // By PictureRays::homogeneous of the point. A point not in front of the eye is not within the outline.
     bool removes(const glm::dvec3& homogeneous) const;
     bool removesPoint(const glm::dvec3& mm) const { return removes(rays_.homogeneous(mm)); }
 
-    // Of a straight way from one to the other: nothing of it is within the outline, for certain.
+    // True only if the outline encloses no point of the straight line between the two; tests bounding boxes.
     bool isClearOf(const glm::dvec3& fromHomogeneous, const glm::dvec3& toHomogeneous) const;
 
     const PictureRays& rays() const { return rays_; }
@@ -44,9 +44,9 @@ class ScissorBlades {
 
     PictureRays rays_;
     bool removesOutside_;
-    glm::dvec2 low_{0.0};  // around the outline
+    glm::dvec2 low_{0.0};  // bounding box of the outline
     glm::dvec2 high_{0.0};
-    std::vector<std::vector<Edge>> rows_;  // the edges that each strip of the outline's height meets
+    std::vector<std::vector<Edge>> rows_;  // the edges in each horizontal strip of the outline
 };
 
 }  // namespace macula::app

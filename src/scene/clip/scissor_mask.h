@@ -1,4 +1,4 @@
-// Which voxels of a volume the scissors leave.
+// The mask of the voxels that the scissors leave.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ namespace macula::app {
 
 inline constexpr std::string_view kCutWithScissors = "cut with scissors";  // Mask::remark
 
-// Without what is behind the outlines: a voxel goes where its middle is. `before` is what this has made of
-// cuts that came before these, or nothing: cuts may be asked for together or one after the other. Without
-// cuts it is `before` itself. What else is hidden joins in combinedMask. On all cores.
+// Hides the voxels whose centres the cuts remove. `before` is the result of this function for earlier cuts,
+// or nothing: cuts can be applied together or one after the other. Without cuts the result is `before`.
+// combinedMask adds what else is hidden. On all cores.
 //
-// usage for a cut that is not valid, and where nothing would be left; cancelled; outOfMemory.
+// Errors: usage for an invalid cut and when nothing would be left; cancelled; outOfMemory.
 Result<std::optional<Mask>> scissorMask(std::optional<Mask> before, std::span<const ScissorCut> scissors,
                                         const Volume& volume, Progress& progress);
 

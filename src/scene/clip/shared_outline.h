@@ -1,5 +1,5 @@
-// Points of an outline that nobody changes any more, and that copies share: a study has many, and each of the
-// steps that can be undone has them all.
+// Immutable points of an outline, shared by its copies: a study has many outlines, and each undo step holds
+// them all.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class SharedOutline {
     using Points = std::vector<glm::dvec2>;
 
     SharedOutline() = default;
-    // Implicit: an outline is written down as its points.
+    // Implicit, so that points can stand for an outline.
     SharedOutline(Points points)
         : points_(points.empty() ? nullptr : std::make_shared<const Points>(std::move(points))) {}
     SharedOutline(std::initializer_list<glm::dvec2> points) : SharedOutline(Points(points)) {}
@@ -32,7 +32,7 @@ class SharedOutline {
     const glm::dvec2& front() const { return points().front(); }
     const glm::dvec2& operator[](std::size_t i) const { return points()[i]; }
 
-    // The same for those that share their points; null without any.
+    // Equal for copies that share their points; null without points.
     const void* identity() const { return points_.get(); }
     bool operator==(const SharedOutline& b) const { return points_ == b.points_ || points() == b.points(); }
 

@@ -1,4 +1,4 @@
-// How a volume is drawn, and what of it.
+// How a volume is drawn, and which part of it.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,27 +15,27 @@
 
 namespace macula::app {
 
-// Complete where it has a transfer function and lights.
+// Complete once it has a transfer function and lights.
 struct Drawing {
     std::shared_ptr<const TransferFunction> transferFunction{};
     std::shared_ptr<const trace::LightRig> lights{};
     std::shared_ptr<const Clip> clip{};            // null: all of the volume is shown
-    std::shared_ptr<const Additions> additions{};  // to the volume and of it; null: there are none
+    std::shared_ptr<const Additions> additions{};  // second volume, segment colours; null: none
     trace::Settings settings{};
     std::optional<BackgroundColour> background{};  // nothing: nearly black in a window, black in a file
-    std::string remarks{};                         // what has to be said of pictures of it; no patient data
+    std::string remarks{};                         // text shown with its pictures; no patient data
 
     bool operator==(const Drawing&) const = default;
 };
 
-// The light of the background where a window shows it: FrameInput::background.
+// The linear light of a window's background (FrameInput::background) when the drawing has none.
 inline constexpr glm::vec3 kWindowBackground{0.0025f};
 glm::vec3 backgroundInWindow(const Drawing& drawing);
 
-// Whether faces of its clip show the values themselves.
+// Whether the faces of its clip show the values through a window (Clip::greyFaces).
 bool hasGreyFaces(const Drawing& drawing);
 
-// The settings of a drawing with those that light does not depend on at their defaults.
+// The settings of a drawing, with those that do not affect the light at their defaults.
 trace::Settings settingsOfLight(const Drawing& drawing);
 
 }  // namespace macula::app

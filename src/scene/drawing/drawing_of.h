@@ -1,4 +1,4 @@
-// From what was chosen to what is drawn.
+// From the state of a study to its drawing.
 #pragma once
 
 #include <memory>
@@ -15,26 +15,25 @@
 
 namespace macula::app {
 
-// The settings that a state is drawn with: a ray cast is shaded where the preset asks for it and somebody did
-// not say no, and a projection is seen through the window that somebody set, or else that of the series.
-// Without a volume, there is no window.
+// The settings that a state is drawn with: a ray cast is shaded if both the preset and the state ask for it,
+// and a projection has the window of the state, or else that of the series. Without a volume no window is
+// set.
 trace::Settings settingsOf(const StudyState& state, const SeriesWindows& seriesWindows, const Volume* volume);
 
-// The drawing of the volume that is open, or none. `clip` is what clipOf makes of the state: made once for
-// each change, as it may be as large as the volume. What is not chosen is taken from the catalogue and from
-// the volume. Remarks say what has to be known of pictures of it: "shaded", "W 400 L 40 HU", what the
-// mask leaves out, "clipped", and each number that is not what it is by default, "exposure 3", or in the
-// preset that an edited one was copied from: "roughness 0.2"; but for
-// gradients, which change with the width of the curve.
+// The drawing of the open volume, or of none. `clip` is clipOf the state, made once per change because it may
+// be as large as the volume. Without lights the catalogue's default for the look is used. Remarks say what a
+// user must know about pictures of it: "shaded", "W 400 L 40 HU", "hues kept", what the mask leaves out,
+// "clipped", each setting that is not at its default ("exposure 3"), and for a path-traced look each number
+// of an edited preset that its original does not have ("roughness 0.2"), but for gradients, which change with
+// the width of the curve.
 Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const SeriesWindows& seriesWindows,
                   const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Clip> clip);
 
-// What has to be said of a picture with these additions in that look: nothing of a projection, which does not
-// draw them.
+// The remark on these additions for a picture of that look; empty for a projection, which does not draw them.
 std::string remarkOf(const Additions& additions, trace::Look look);
 
-// Puts them into the drawing, with the remark. Null: there are none. A projection keeps them, though it does
-// not draw them: so they are there when the look changes back.
+// Sets the additions and appends their remark. Null: there are none. A projection keeps them undrawn, so that
+// they are there when the look changes back.
 void setAdditions(Drawing& drawing, std::shared_ptr<const Additions> additions);
 
 // The clip of the state with `mask`, if anything is hidden; else null.

@@ -1,4 +1,4 @@
-// What there is to say of a picture in which nothing is seen.
+// Messages for a picture in which nothing is visible.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace macula::app {
 
-// The range of the values, and built-in presets that would show something of them. The volume must be
+// The range of the values, and up to six built-in presets that show some of them. The volume must be
 // stored16.
 std::string whyNothingIsVisible(const Volume& volume);
-// Of a projection, which knows no preset: the range, and the window that it is seen through.
+// For a projection, which has no preset: the range of the values, and the window.
 std::string whyNothingIsVisible(const Volume& volume, const DisplayWindow& window);
 
 }  // namespace macula::app

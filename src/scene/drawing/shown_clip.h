@@ -1,4 +1,4 @@
-// What is shown of a study: the clip that was chosen, and without the table where that was asked for.
+// The part of a study that is shown: its clip, without the table if that is asked for.
 #pragma once
 
 #include <memory>
@@ -18,27 +18,27 @@ namespace macula::app {
 
 inline constexpr std::string_view kTableLeftOut = "table left out";  // Mask::remark
 
-// Without the table and what else lies beside the patient; nothing where none of that was found. Shares the
-// life of what was found: a map may be as large as the volume.
+// Hides the table and what else lies beside the patient; nothing if none of that was found. Shares ownership
+// of `found`, as its map may be as large as the volume.
 std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found);
 
 struct ShownClip {
     Clip clip;
-    bool tableRemoved = false;       // asked for, and something was: where it was not sure, nothing went
-    std::vector<std::string> notes;  // about the table, and what a state has that is not drawn
+    bool tableRemoved = false;       // only if something was removed
+    std::vector<std::string> notes;  // on the table, and on what of the state is not drawn
 };
 
-// What becomes of a table when nobody said: it is shown, or it is left out where it is sure
-// (segment::Confidence::high) that nothing of the patient goes with it.
+// What happens to a table when the user did not decide: it is shown, or it is removed if segment::Confidence
+// is high that it holds nothing of the patient.
 enum class UnaskedTable { stays, goesWhereSure };
 
-// Fails as segment::findPatient where the table is to be removed. Of a state its cuts are in it too: fails as
-// scissorMask and combinedMask.
+// Fails as segment::findPatient if the table is to be removed. A state's clip includes its cuts, and can also
+// fail as scissorMask and combinedMask.
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress);
-// Segments of the state are not hidden or coloured, and its second volume is not there; notes say so, but for
-// whoever took them out of the state to draw them: app::additionChoice. `unasked` is of a state that does not
-// leave the table out; where it is not found out what is table, a note says so, and all is shown.
+// Ignores the segments and the second volume of the state, with notes that say so; callers that draw them
+// take them out of the state first (app::additionChoice). `unasked` is for a state that does not leave the
+// table out. If the search for a table in HU fails or is not sure, a note says so, and all is shown.
 Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress,
                             UnaskedTable unasked = UnaskedTable::stays);
 

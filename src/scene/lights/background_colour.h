@@ -1,5 +1,4 @@
-// What lies behind the patient in a picture: a colour as it is displayed, which no exposure and no tone map
-// changes.
+// The background of a picture: a display colour that exposure and tone map do not change.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,7 +13,7 @@ namespace macula::app {
 using BackgroundColour = glm::u8vec3;  // display-encoded (IEC 61966-2-1)
 
 inline constexpr BackgroundColour kBlackBackground{0, 0, 0};
-inline constexpr std::string_view kTransparent = "transparent";  // of what has an alpha channel instead
+inline constexpr std::string_view kTransparent = "transparent";  // for an alpha channel instead
 
 // "black", "white", "grey", or "#rrggbb". Fails with usage.
 Result<BackgroundColour> backgroundOf(std::string_view text);
@@ -23,7 +22,7 @@ Result<BackgroundColour> backgroundOf(std::string_view text);
 std::string hexOf(BackgroundColour colour);
 std::optional<BackgroundColour> colourOfHex(std::string_view text);
 
-// Linear, as the displays of PathTracer and Compositor want it.
+// The linear colour that PathTracer and Compositor take for display.
 glm::vec3 lightOf(BackgroundColour colour);
 
 }  // namespace macula::app

@@ -11,8 +11,8 @@
 
 namespace macula::app {
 
-// Nothing where all of the volume is left. What cuts nothing off is no part of it. inputNotUsable when
-// nothing is left, or more than Clip::kMostPlanes planes cut; `where` is for the error.
+// Returns no clip where the cropping keeps all of the volume; drops what cuts nothing off. Error:
+// inputNotUsable, naming `where`, if nothing is left or more than Clip::kMostPlanes planes cut.
 Result<std::optional<ClipPreset>> clipOf(const dicom::Cropping& cropping, const Volume& volume,
                                          const std::string& where);
 

@@ -6,16 +6,16 @@
 
 namespace macula::app {
 
-// Over all points of the curves, at each whole value where they span enough of them; colours with the albedo
-// in them, opacities of a layer of layerMmOf. The function is fitted to its volume already. Steps become as
-// steep as entries lie close. The gradient opacity is left out.
+// Samples the curves from their first to their last point, at each whole value if these span 16 to 65535.
+// Colours include the albedo; opacities are of a layer of layerMmOf(). `function` is already fitted to its
+// volume. A step becomes a ramp between two entries. The gradient opacity is left out.
 dicom::Palette paletteOf(const TransferFunction& function);
 
-// In which matter of its opacities is as dense as it is drawn: the denser, the thinner.
+// Thickness of the layer that the palette's opacities are of: unitDistanceMm / density.
 double layerMmOf(const TransferFunction& function);
 
-// Curves with as few points as come within a level of 65535 of each entry. A palette without colours is from
-// black to white, one without alpha from clear to opaque. `layerMm` is what its opacities are of.
+// Fits curves of few points that stay within a level of 65535 of each entry. A palette without colours goes
+// from black to white, one without alpha from clear to opaque. Its opacities are of a layer of `layerMm`.
 TransferFunction transferOf(const dicom::Palette& palette, double layerMm);
 
 }  // namespace macula::app

@@ -15,15 +15,15 @@
 
 namespace macula::app {
 
-// Nothing of the patient is in it but UIDs of images, where they lie and what class they are.
+// Its only patient data: UIDs of images, series and frame of reference, classes of images, and one path.
 struct PresentedImages {
     dicom::PresentedSeries series;
-    std::filesystem::path middleFile;  // patient and study are taken from it
+    std::filesystem::path middleFile;  // the object takes patient and study from it
     std::string middleSopInstanceUid;
-    std::optional<double> suvFactor = {};  // dicom::Stack::suvFactor: the object has values of the images
+    std::optional<double> suvFactor = {};  // dicom::Stack::suvFactor: SUV divided by it is the images' value
 };
 
-// Of the stack that is shown. usage when it has no images, no frame of reference or no UID.
+// Describes the stack that is shown. Error: usage if it lacks images, a frame of reference or UIDs.
 Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom::Stack& stack);
 
 struct PresentationWish {
@@ -34,7 +34,7 @@ struct PresentationWish {
     bool isDeidentified = false;
 };
 
-// Sentences: what other programs will show otherwise. Fails as presentationOf and
+// Returns sentences on what other programs will show differently. Errors: those of presentationOf and
 // dicom::writePresentationState; nothing is written then.
 Result<std::vector<std::string>> writePresentation(const std::filesystem::path& path,
                                                    const PresentationWish& wish);

@@ -1,4 +1,4 @@
-// What was chosen, as a DICOM presentation state says it.
+// A StudyState as a DICOM presentation state.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@
 namespace macula::app {
 
 struct SaidState {
-    dicom::VolumePresentation presentation;  // its series is still to be put in
-    std::vector<std::string> leftOut;        // sentences: what other programs will show otherwise
+    dicom::VolumePresentation presentation;  // the caller fills in its `series`
+    std::vector<std::string> leftOut;        // sentences: what other programs will show differently
 };
 
-// Needs a preset and a camera; the volume in 16 bits. The state as a whole goes into
-// VolumePresentation::ownState, so that Macula draws the same picture; `isDeidentified` leaves out of it
-// digests of UIDs, by which a second volume and segmentations are found, and what a person has named or
-// written. usage without preset or camera, or for a camera that is none.
+// Needs a preset and a camera; the volume in 16 bits. VolumePresentation::ownState holds the whole state (up
+// to 200000 bytes), so that Macula draws the same picture. `isDeidentified` removes from it names and texts
+// that a person typed, and the digests of UIDs that a second volume and segmentations are found by. Error:
+// usage without preset, camera or positive aspect, or if the camera is not usable.
 Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, double aspectWidthOverHeight,
                                  bool isDeidentified = false);
 

@@ -1,4 +1,4 @@
-// What a Grayscale Softcopy Presentation State says, as slices of a volume can be shown.
+// A Grayscale Softcopy Presentation State, applied to slices of a volume.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@
 
 namespace macula::app {
 
-// What of a slice is to be seen, all of it as large as a pane can show it.
+// The part of a slice to show, scaled to fit the pane.
 struct SliceArea {
     slices::Orientation orientation = slices::Orientation::axial;  // of the pane
     glm::dvec3 centreMm{0.0};
@@ -27,20 +27,20 @@ struct SliceArea {
 struct SoftcopyOnSlices {
     SliceState slices;
     std::optional<SliceArea> area;   // nothing: all of the volume
-    std::vector<std::string> notes;  // sentences: what it has that is not shown, or otherwise
+    std::vector<std::string> notes;  // sentences: what of it is not shown, or shown differently
 };
 
-// On the images of the volume that the object is of: the cross-hair goes to the middle of what is seen of the
-// first of them, in the planes of the acquisition. Windows are of the volume's values only where the object
-// makes them as its images do. Of a file of many frames only those that it names are meant; all slices are
-// shown as the first is, which is told. Slices are never turned nor mirrored: of an object that does, the
-// area is left out. What is left out stays as in `usual`. inputNotUsable when it is of none of these images;
-// `where` is for the error. `isLowBright` as OpenedStudy has it.
+// Applies the object to its images in the stack. The cross-hair goes to the middle of the part shown of the
+// first image that it names, in the planes of the acquisition. A window applies only where the rescale of the
+// object and of its images gives the volume's values. Of a multi-frame file only the frames that it names
+// count; all slices are shown like the first image, and a note says so. Slices are never turned nor mirrored:
+// an object that asks for that loses its area. All else stays as in `usual`. Error: inputNotUsable if the
+// stack has none of its images; the error names `where`. `isLowBright` as in OpenedStudy.
 Result<SoftcopyOnSlices> softcopyOn(const dicom::SoftcopyState& said, const dicom::Stack& stack,
                                     const Volume& volume, bool isLowBright, SliceState usual,
                                     const std::string& where);
 
-// A file, on the study that is open. usage where that is of no DICOM folder.
+// Reads the file and applies it to the open study. Error: usage if that is not from a DICOM folder.
 Result<SoftcopyOnSlices> openSoftcopy(const std::filesystem::path& path, const OpenedStudy& study,
                                       SliceState usual);
 

@@ -1,4 +1,4 @@
-// What a DICOM presentation state says, as something to choose.
+// A StudyState from a DICOM presentation state.
 #pragma once
 
 #include <filesystem>
@@ -17,30 +17,30 @@ namespace macula::app {
 
 struct PresentedState {
     StudyState state;
-    bool isOwn = false;              // in the words of Macula, and so the same picture
-    double widthOverHeight = 0.0;    // of the view that another program wrote; 0: as the window is
-    std::vector<std::string> notes;  // sentences: what it has that is not shown, or otherwise
+    bool isOwn = false;              // read from Macula's own state, so the picture is the same
+    double widthOverHeight = 0.0;    // of the view that another program wrote; 0: that of the window
+    std::vector<std::string> notes;  // sentences: what of it is not shown, or shown differently
 };
 
-// As far as that can be said without the volume: look, camera, colours, windows, lights. What is not in the
-// object is as in `usual`, but for what hides voxels: nothing is hidden. The series is still to be checked.
-// inputNotUsable for a camera that is none; `where` is for the error.
+// Converts what needs no volume: look, camera, colours, windows, lights. What the object lacks stays as in
+// `usual`, except that nothing hides voxels. The caller then checks the series (completeFor). Error:
+// inputNotUsable for a camera that is not usable; the error names `where`.
 Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState usual,
                                const std::string& where);
 
-// Of the series that is open (StudyInput::seriesDigest) and the images of its volume (imagesOf; none: they
-// are not known, and not compared), and with what needs its volume: the clip, and what the values are.
-// inputNotUsable when it is of another series, or of none of these images, or its clip leaves nothing or is
-// of too many planes.
+// Checks that the object refers to the open series (StudyInput::seriesDigest) and to images of its volume
+// (imagesOf; empty: not compared), then sets what needs the volume: clip, unit and modality. Error:
+// inputNotUsable if it refers to another series or none of the images, or (a state that is not Macula's own)
+// if its clip leaves nothing or has too many planes, or the volume is in SUV.
 Result<void> completeFor(PresentedState& presented, const dicom::PresentationState& read,
                          const Volume& volume, std::string_view seriesDigest,
                          std::span<const dicom::ReferencedFrames> images, const std::string& where);
 
-// A picture of that aspect, where it is narrower than the view, becomes as wide as that: more is seen above
-// and below. Nothing else changes.
+// If a picture of that aspect is narrower than the view, enlarges the camera's field to the view's width;
+// more is then seen above and below. Changes nothing else.
 void widenFor(PresentedState& presented, double aspectWidthOverHeight);
 
-// A file, the first two of the above.
+// Reads the file, then calls stateOf and completeFor.
 Result<PresentedState> openPresentation(const std::filesystem::path& path, const Volume& volume,
                                         std::string_view seriesDigest,
                                         std::span<const dicom::ReferencedFrames> images,

@@ -14,9 +14,9 @@
 
 namespace macula::app {
 
-// What takes a point of the study to the point of the second volume.
+// How points of the study are mapped to the second volume.
 enum class BesideLink {
-    byHand,      // middle on middle, or wherever somebody moved it: positions cannot be compared
+    byHand,      // middle on middle, or moved by hand: positions are not comparable
     sameFrame,   // both name one frame of reference
     registered,  // registration::registerRigid
 };
@@ -61,28 +61,28 @@ inline constexpr double kUsualOpacity = 0.6;
 
 struct BesideState {
     std::string seriesDigest = {};  // of the second volume: see StudyInput::seriesDigest
-    // Which of the volumes of the series, from 0; nothing: its only one. Views of before this was kept name
-    // none. Counts only where there is no key: another file in the folder may move it.
+    // Index among the volumes of the series; none: the only one. Views of older versions have none. Used only
+    // without volumeKey, because another file in the folder may shift it.
     std::optional<std::size_t> volume = {};
-    std::string volumeKey = {};  // FoundVolumes::key; empty in views of before, and where there is no series
-    // Of the voxels and the geometry of both volumes (pairDigest): the place below is of these, and of no
-    // others under the same UIDs. Empty in views of before, whose place is no longer taken for true.
+    std::string volumeKey = {};  // FoundVolumes::key; empty in older views, and without a series
+    // pairDigest of the voxels and geometry of both volumes. secondFromStudy holds for these alone, not for
+    // others with the same UIDs. Empty in older views, whose secondFromStudy is not trusted.
     std::string pair = {};
     BesideLink link = BesideLink::byHand;
     glm::dmat4 secondFromStudy{1.0};  // mm LPS; rigid
     double boundMm = 0.0;             // of a registration: RigidRegistration::boundMm
-    bool isDoubtful = false;          // the same: RigidRegistration::isDoubtful
-    double rivalMm = 0.0;             // the same, where it has a rival: RigidRegistration::rivalMm; else 0
+    bool isDoubtful = false;          // RigidRegistration::isDoubtful
+    double rivalMm = 0.0;             // RigidRegistration::rivalMm if it has a rival, else 0
     BesideView view = BesideView::beside;
     std::optional<DisplayWindow> window = {};  // nothing: that of the series (seriesWindow)
-    bool linksWindow = false;                  // on slices the study's, whatever `window` is
+    bool linksWindow = false;                  // slices use the study's window instead of `window`
     double opacity = kUsualOpacity;            // over the study, 0 to 1
     slices::ColourTable colours = slices::ColourTable::hotIron;
-    bool in3d = false;  // and in the 3D picture, in one with the study
-    // That it has there; nothing: window, colours and opacity from above (secondCurve).
+    bool in3d = false;  // also drawn in the study's 3D picture
+    // For 3D; null: secondCurve of `window`, `colours` and `opacity`.
     std::shared_ptr<const TransferFunction> preset = {};
 
-    // Whether a point of the study is a point of the second volume.
+    // Whether positions in both volumes are comparable.
     bool isLinked() const { return link != BesideLink::byHand; }
     bool operator==(const BesideState& b) const;  // by value, the preset too
 };

@@ -44,6 +44,7 @@ bool isIn3d(const BesideState& state) {
 BesideState partIn3d(BesideState state) {
     const BesideState usual;
     state.view = usual.view;
+    state.linksWindow = usual.linksWindow;
     state.boundMm = usual.boundMm;
     state.rivalMm = usual.rivalMm;
     if (!state.preset) return state;

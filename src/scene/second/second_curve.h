@@ -13,29 +13,29 @@
 
 namespace macula::app {
 
-// What the second volume is drawn with where nobody chose a preset: the colours and the window that it has
-// over slices. The lowest quarter of the window is clear, so that what takes up nothing hides nothing; at its
-// end a millimetre is as opaque as `opacity` says.
+// The transfer function without a preset: the colours and the window used over slices. The lowest quarter of
+// the window is clear, so that regions without uptake hide nothing; at its upper end the opacity of a
+// millimetre is 0.95 * `opacity`.
 TransferFunction secondCurve(const Volume& second, const DisplayWindow& window, slices::ColourTable colours,
                              double opacity);
 
-// Whether the state shows it in 3D: it is linked, and not hidden.
+// Whether the state shows it in 3D: in3d is set, and it is linked and not hidden.
 bool isIn3d(const BesideState& state);
 
-// What of it the picture in 3D depends on; the rest is as by default. How it looks on slices does not matter
-// where a preset says what it looks like there.
+// The state with the defaults for what the 3D picture does not depend on: view, boundMm, rivalMm, and with a
+// preset window, opacity and colours too.
 BesideState partIn3d(BesideState state);
 
-// Whether both may be in one picture. Of another patient a second volume is on slices alone, where each pane
-// says whose it is.
+// Whether both may be in one picture. Only slices show a second volume of another patient; there each pane
+// names its patient.
 bool mayBeIn3d(const Identity& study, const Identity& second);
 
-// As the state shows it; its preset is fitted to the volume, which may take as long as reading all of its
-// voxels. `second` is stored16, and what the state is of.
+// The second volume as the state shows it. Fitting its preset may take as long as reading all voxels.
+// `second` is stored16, and the volume that the state names.
 SecondVolume secondIn3d(const BesideState& state, std::shared_ptr<const Volume> second);
 
-// What pictures have to say of it, without patient data: "with PT", and whether its place is in doubt, or
-// whose it is.
+// The remark for pictures, without patient data: "with PT", and whether the registration is doubtful, or the
+// patient is, or may be, another.
 std::string secondRemark(const Volume& second, const BesideState& state, SamePatient patient);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// A second volume in the same 3D picture, for who has no window.
+// A second volume in the same 3D picture, for programs without a window.
 #pragma once
 
 #include <filesystem>
@@ -14,27 +14,27 @@
 
 namespace macula::app {
 
-// What takes the study's places to the second volume's.
+// How points of the study are mapped to the second volume.
 enum class SecondLink {
     asItLies,  // both have the same coordinates: images of one examination, or of one frame of reference
     search,    // registration::registerRigid
 };
 
-// Empty: not given.
+// An empty `path` means no second volume.
 struct SecondWish {
     std::filesystem::path path;
     std::string series;  // as loadStudy
-    std::string preset;  // as choosePreset; nothing: the colours that it would have over slices
+    std::string preset;  // as choosePreset; empty: the colours used over slices
     SecondLink link = SecondLink::asItLies;
     dicom::ScanOptions how;
 
     bool isGiven() const { return !path.empty(); }
 };
 
-// usage when there is a series, a preset or a link, and no second volume.
+// Error: usage if a series, a preset or a link is given without a second volume.
 Result<void> check(const SecondWish& wish, bool linkIsGiven);
 
-// What a second volume is refused with that is the study's own.
+// The error for a second volume that is the study's own.
 Error secondIsTheStudy();
 
 struct SecondToDraw {
@@ -44,10 +44,10 @@ struct SecondToDraw {
     std::vector<std::string> warnings;  // those of them that change what is seen
 };
 
-// The volume of `study` is stored16. A view that was saved with this second volume (`beside`, or null) says
-// where it lies, unless it is searched, and what it is drawn with, unless a preset is given. Fails as
-// loadStudy, choosePreset and registerRigid; inputNotUsable where nothing of it lies in the study, it is
-// of another patient, or it is the study's own volume.
+// Loads the second volume for a `study` that is stored16. A saved view of both (`beside`, or null) sets its
+// look, unless `wish` has a preset, and, if pairDigest matches, its place, unless `wish` searches for it.
+// Errors: those of loadStudy, choosePreset and registerRigid; inputNotUsable if all of it lies outside the
+// study, it is of another patient, or it is the study's own volume.
 Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& study, const BesideState* beside,
                                   Progress& progress);
 

@@ -1,4 +1,4 @@
-// A second volume that is looked at together with a study: which it is, and where it lies.
+// The identity and the place of a second volume that is shown with a study.
 #pragma once
 
 #include <cstddef>
@@ -14,35 +14,35 @@
 
 namespace macula::app {
 
-// Among the volumes of its series, such as the phases of a heart; of what is of no folder, the only one.
+// Index among the volumes of its series, such as cardiac phases, and their number; without a folder 0 of 1.
 struct PlaceInSeries {
     std::size_t place = 0;
     std::size_t count = 1;
 };
 PlaceInSeries placeInSeries(const OpenedStudy& study);
 
-// "CT, 2020-03-04, series 3, volume 2 of 20": what is written over a pane whatever else is hidden, so it
-// holds no word that a person has typed.
+// "CT, 2020-03-04, series 3, volume 2 of 20": shown over a pane even if other text is hidden, so it contains
+// no word that a person typed.
 std::string plainTag(const OpenedStudy& study);
 
-// How they are linked before anybody registers: by their frame of reference, or by hand with the middle of
-// one on the middle of the other. Phases of one series share a window.
-// `pair` is pairDigest of both.
+// The link before any registration: by the frame of reference, or by hand with the middles of both volumes
+// aligned. Phases of one series share a window. `pair` is pairDigest of both.
 BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second, const std::string& pair);
 
-// A digest of the fingerprints of both: their voxels and their geometry. Images that were exported anew have
-// the UIDs of before, and may have other positions.
+// A digest of both fingerprints, so of voxels and geometry. Images that are exported anew keep their UIDs,
+// but may have other positions.
 std::string pairDigest(const std::string& studyFingerprint, const std::string& secondFingerprint);
 
-// Whether the state names this volume: what is registered of one phase says nothing of another. By UIDs and
-// attributes, and so a reason to open it, and none to believe where it lies.
+// Whether the state names this volume, by UIDs and attributes. That justifies opening it, not trusting its
+// place: a registration of one phase says nothing about another.
 bool names(const BesideState& state, const OpenedStudy& second);
-// And whether the place in it is of these two volumes (pairDigest).
+// Whether the state names this volume and its place is of this pair of volumes (pairDigest).
 bool isOf(const BesideState& state, const OpenedStudy& second, const std::string& pair);
-// `place` with the look of `before`: window, colours, opacity, preset, and where it is seen.
+// `place` with the window, colours, opacity, preset, in3d and view of `before`. BesideView::over becomes
+// beside where `place` has no link.
 BesideState withLookOf(BesideState place, const BesideState& before);
-// The volume of the folder that the state is of; nothing where there is none, or several and it names none of
-// them.
+// Index of the state's volume among `found`. Nothing if it is missing, or the series has several and the
+// state names none.
 std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState& state);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Which voxels are left in 3D by what was chosen for segments.
+// The mask of voxels that the choices for segments leave visible in 3D.
 #pragma once
 
 #include <memory>
@@ -17,9 +17,9 @@ namespace macula::app {
 
 using LoadedSegmentations = std::vector<std::shared_ptr<const LoadedSegmentation>>;
 
-// Shown is what is in a segment that is alone, where there is one, and in none that is hidden. Segments that
-// have no voxel in the volume, or whose segmentation is not among those loaded, count for nothing. Nothing
-// where all is shown. The segmentations are of that volume. cancelled, or outOfMemory.
+// Shows the voxels of segments that are `alone` (all voxels if there is none), except those of `hidden`
+// segments. Ignores segments without a voxel in the volume, or not in `loaded`. No mask if all is shown.
+// `loaded` is on the grid of `volume`. Errors: cancelled, outOfMemory.
 Result<std::optional<Mask>> segmentMask(std::span<const SegmentationChoice> choices,
                                         const LoadedSegmentations& loaded, const Volume& volume,
                                         Progress& progress);

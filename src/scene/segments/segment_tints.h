@@ -17,7 +17,7 @@
 
 namespace macula::app {
 
-// Which voxels have which of some colours, and not what these are: all that a TintBox depends on.
+// The voxels of each colour index, without the colours: all that a TintBox depends on.
 struct TintGeometry {
     struct Part {
         std::shared_ptr<const VoxelSet> voxels;
@@ -42,11 +42,11 @@ struct PlannedTints {
 Result<PlannedTints> plannedTints(std::span<const SegmentationChoice> choices,
                                   const LoadedSegmentations& loaded);
 
-// Of at least one part. cancelled, or outOfMemory.
+// `geometry` has at least one part. Errors: cancelled, outOfMemory.
 Result<std::shared_ptr<const TintBox>> tintBox(const TintGeometry& geometry, const Volume& volume,
                                                Progress& progress);
 
-// Both at once; nothing where none is coloured.
+// Calls plannedTints, then tintBox; nothing where no segment is coloured.
 Result<std::optional<SegmentTints>> segmentTints(std::span<const SegmentationChoice> choices,
                                                  const LoadedSegmentations& loaded, const Volume& volume,
                                                  Progress& progress);

@@ -70,7 +70,9 @@ std::vector<SegmentationChoice> withColoursIn3d(std::span<const SegmentationChoi
                                                 std::span<const ColouredIn3d> coloured) {
     std::vector<SegmentationChoice> all;
     for (SegmentationChoice choice : choices) {
-        if (choice.isShown) {
+        const bool isAsked = std::ranges::any_of(
+            coloured, [&](const ColouredIn3d& each) { return std::get<std::string>(each) == choice.digest; });
+        if (choice.isShown || isAsked) {
             for (SegmentChoice& segment : choice.segments) segment.isColouredIn3d = false;
         }
         choose(all, std::move(choice));

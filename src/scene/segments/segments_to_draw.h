@@ -1,4 +1,4 @@
-// Segments that a picture is drawn without, of alone, or with in colour, for who has no window.
+// Segments that a picture leaves out, shows alone or colours, for programs without a window.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@ namespace macula::app {
 
 struct SegmentWish {
     In3d in3d = In3d::alone;
-    bool isColoured = false;  // instead: it is there as it is, in its colour
+    bool isColoured = false;  // `in3d` is ignored then: the segment stays, in its colour
     std::string label;
 };
 
-// "keep:Liver", to draw nothing else, "hide:Liver", or "colour:Liver". usage for anything else.
+// "keep:Liver" draws nothing else; also "hide:Liver" and "colour:Liver". Error: usage for anything else.
 Result<SegmentWish> segmentWishFrom(const std::string& typed);
 
 struct SegmentsToDraw {
@@ -31,8 +31,8 @@ struct SegmentsToDraw {
     std::vector<std::string> notes;     // sentences, without patient data
 };
 
-// What was chosen in a view, and what is wished besides: of all segments of that label, in whichever case of
-// letters, in segmentations of the volume. usage when a wish is for none. Fails as loadSegments.
+// Adds `wishes` to the choices of a view. A wish applies to all segments with its label, in upper or lower
+// case, of the volume's segmentations. Errors: usage if there is no such segment; those of loadSegments.
 Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolume& volume,
                                       std::vector<SegmentationChoice> choices,
                                       std::span<const SegmentWish> wishes, const Volume& voxels,

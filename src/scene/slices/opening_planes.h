@@ -8,10 +8,10 @@
 namespace macula::app {
 
 struct OpeningPlanes {
-    // In the planes of the acquisition: those are turned so far against the patient's that planes of the
-    // patient would show parts of many images.
+    // In the planes of the acquisition, if they are tilted by more than 5 degrees to the patient's: planes of
+    // the patient would then show parts of many images.
     bool asAcquired = false;
-    // The orientation of the images, where a stack is so thin that the two others show strips.
+    // The images' orientation, if the stack is thinner than 0.4 of their shorter side: others show strips.
     std::optional<slices::Orientation> largest = {};
 
     bool operator==(const OpeningPlanes&) const = default;

@@ -25,14 +25,14 @@ inline constexpr std::size_t kLongestWindowName = 60;  // in UTF-8
 // Writes the windows as JSON and leaves out what the reader would refuse:
 //     { "windows": [ { "name": "Kidney", "center": 60, "width": 300, "function": "LINEAR", "unit": "HU" } ] }
 std::string toJson(const std::vector<OwnWindow>& windows);
-// inputNotUsable: the message tells the line or the key, the hint what was expected.
+// Error: inputNotUsable; the message names the line or the key, the hint what was expected.
 Result<std::vector<OwnWindow>> ownWindowsFromJson(std::string_view text);
 
-// Those for the values of a volume, in their order.
+// The windows for the unit of the volume, in the same order.
 std::vector<OwnWindow> ownWindowsFor(const std::vector<OwnWindow>& all, const Volume& volume);
 
-// With that one at the end, in place of the one of the same name and unit. Its name is cut where it is too
-// long, and blanks at its ends are left out. usage where nothing is left of it, or there are too many.
+// Appends the window, in place of one with the same name and unit. Its name is cut at kLongestWindowName and
+// trimmed. Error: usage if name or window is then not usable, or there are kMostOwnWindows already.
 Result<std::vector<OwnWindow>> withOwnWindow(std::vector<OwnWindow> all, OwnWindow added);
 
 }  // namespace macula::app

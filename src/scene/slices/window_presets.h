@@ -1,4 +1,4 @@
-// Windows that a person takes by a digit.
+// Windows that a person selects by a digit.
 #pragma once
 
 #include <optional>
@@ -15,9 +15,8 @@ struct WindowPreset {
     std::optional<DisplayWindow> window = {};  // nothing: that of the series, as in SliceState
 };
 
-// By ascending digits; 1 is the window of the series (seriesWindow), 9 all values. Of CT in HU and of PET in
-// SUV the customary ones stand between them, of anything else further windows of the series; of other PET all
-// of these.
+// Sorted by digit; 1 is the window of the series (seriesWindow), 9 all values. Those between are customary
+// ones for CT in HU and PET in SUV, else the further windows of the series; other PET has all of these.
 std::vector<WindowPreset> windowPresets(const Volume& volume);
 
 // Nothing where the volume has none with that digit.

@@ -1,8 +1,8 @@
-// BesideState as JSON:
-//   "beside": { "series": "<SHA-256>", "link": "registered", "secondFromStudy": [16 numbers, row by row],
-//               "boundMm": 0.8, "doubtful": true, "view": "over",
-//               "window": {as slices_json.h}, "opacity": 0.6, "colours": "hotIron" }
-// The transform is in patient LPS mm. Only "series" must be there.
+// BesideState as JSON, in patient LPS mm; only "series" is required, and "volume" counts from 1:
+//   "beside": { "series": "<SHA-256>", "volume": 2, "volumeKey": "…", "pair": "<SHA-256>",
+//               "link": "registered", "secondFromStudy": [16 numbers, row by row], "boundMm": 0.8,
+//               "doubtful": true, "rivalMm": 15, "view": "over", "window": {as slices_json.h},
+//               "linksWindow": true, "opacity": 0.6, "colours": "hotIron", "in3d": true, "preset": {…} }
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -15,10 +15,10 @@ class JsonNode;
 
 namespace macula::app {
 
-// Null where the reader would refuse it.
+// Null if the reader would refuse it.
 nlohmann::ordered_json toJson(const BesideState& state);
 
-// The node's document tells what is wrong with it.
+// Errors go to the status of the node's document. studyStateFromJson reads "preset".
 BesideState besideStateFrom(const JsonNode& node);
 
 }  // namespace macula::app

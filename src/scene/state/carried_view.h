@@ -1,5 +1,5 @@
-// What stays as it is when another volume of the same place takes the place of the one that is shown: a
-// person who goes through the phases of a heart compares them.
+// The slice settings that stay when another volume of the same place replaces the one that is shown, so that
+// a person can compare the phases of a heart.
 #pragma once
 
 #include "scene/state/study_state.h"
@@ -10,8 +10,8 @@ namespace macula::app {
 // The window that slices of the study are shown through: that of the state, else that of the series.
 DisplayWindow shownWindow(const OpenedStudy& study, const SliceState& slices);
 
-// How slices of `to` are shown after those of `from`, which are shown as `before`: where it stays in place,
-// at the same place, and phases through the same window, too. Else as `usual`.
+// How to show slices of `to` after those of `from`, shown as `before`: if staysInPlace, with the same
+// cross-hair, planes and slab, and phases also with the same window and inversion. Else as `usual`.
 SliceState carriedSlices(const OpenedStudy& from, const SliceState& before, const OpenedStudy& to,
                          const SliceState& usual);
 

@@ -7,7 +7,7 @@
 
 namespace macula::app {
 
-// One of `values`, by nameOf; `value` stays as it is where the key is missing.
+// Reads the name (nameOf) of one of `values`. A missing key leaves `value` as it is.
 template <class Values, class T>
 void readName(const JsonNode& object, const char* key, const Values& values, T& value) {
     const auto node = object.find(key);

@@ -1,5 +1,5 @@
-// The numbers that a person may turn, in two tables: options of `macula render`, keys of saved views and
-// remarks on pictures are made from them, and a test holds docs/parameters.md to them.
+// The numbers that a person can set, in two tables. They generate options of `macula render`, keys of saved
+// views and remarks on pictures; a test compares docs/parameters.md with them.
 #pragma once
 
 #include <array>
@@ -11,12 +11,12 @@
 
 namespace macula::app {
 
-// What has to be made again after a change, from the least to the most; each includes those before it.
+// What a change makes stale, from the least to the most; each includes those before it.
 enum class Stale {
     nothing,
-    display,  // the picture is as it was traced, and is only shown otherwise
+    display,  // only how the traced picture is displayed
     camera,   // samples and guides; the peripheral model stays
-    light,    // what light matter sends out: peripheral model and picture begin anew
+    light,    // the light from matter: peripheral model and picture start anew
     matter,   // what can be seen: tables, bricks on the device, outline
     volume,   // all
 };
@@ -24,7 +24,7 @@ enum class Stale {
 // A number of the settings, or of the preset.
 template <class Of>
 struct ParameterOf {
-    std::string_view id;      // JSON key; of a preset's, the key of a wish and of a record
+    std::string_view id;      // JSON key; of a MatterParameter, key in StateWish and RenderRecord
     std::string_view option;  // of the command
     std::string_view label;   // for people, within a sentence
     std::string_view unit;    // "degrees"; empty: a count or a factor

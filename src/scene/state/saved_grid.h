@@ -1,4 +1,4 @@
-// Where the voxels lay that a view was saved of: camera, clips and measurements are of these places.
+// The voxel grid that a view was saved with: its camera, clips and measurements refer to these places.
 #pragma once
 
 #include "base/volume.h"
@@ -14,8 +14,8 @@ struct SavedGrid {
 
 SavedGrid savedGridOf(const Volume& volume);
 
-// As many voxels, each in its place to a hundredth of a millimetre. Images that were exported anew keep their
-// UIDs, and may not.
+// Whether the volume has the same size, and each voxel lies within 0.01 mm of its place in `grid`. Images
+// that are exported anew keep their UIDs, but may move.
 bool liesAt(const Volume& volume, const SavedGrid& grid);
 
 }  // namespace macula::app

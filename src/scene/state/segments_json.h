@@ -2,9 +2,9 @@
 //   "segmentations": [
 //     { "object": "<SHA-256 of the SOP Instance UID>", "shown": true,
 //       "segments": [ { "number": 1, "visible": false, "rgb": [221, 130, 101], "opacity": 0.4,
-//                       "in3d": "alone" } ] } ]
-// Everything but "object" and "number" may be left out; "in3d" is "asIs", "alone" or "hidden". Labels are in
-// the segmentation, and not here: they may name anybody. Keys that are not known are refused.
+//                       "in3d": "alone", "colouredIn3d": true, "opacityIn3d": 0.5 } ] } ]
+// Only "object" and "number" are required; "in3d" is "asIs", "alone" or "hidden". Labels stay in the
+// segmentation, because they may identify a person. Unknown keys are refused.
 #pragma once
 
 #include <cstddef>
@@ -21,12 +21,12 @@ class JsonNode;
 namespace macula::app {
 
 inline constexpr std::size_t kMostSegmentations = 1000;
-inline constexpr std::size_t kMostSegments = 65535;  // of one
+inline constexpr std::size_t kMostSegments = 65535;  // of one segmentation
 
-// What the reader would refuse is left out: a text that cannot be read would lose all of a state.
+// Leaves out what the reader would refuse, because that would make the whole state unreadable.
 nlohmann::ordered_json segmentationsJson(std::span<const SegmentationChoice> choices);
 
-// The node's document tells what is wrong with it.
+// Errors go to the status of the node's document.
 std::vector<SegmentationChoice> segmentationsFrom(const JsonNode& node);
 
 }  // namespace macula::app

@@ -7,8 +7,8 @@
 //     { "kind": "angle", "pointsMm": [[x, y, z], [x, y, z], [x, y, z]], "normal": [x, y, z] },
 //     { "kind": "ellipse", "centreMm": [x, y, z], "right": [x, y, z], "down": [x, y, z],
 //       "radiiMm": [r, r], "normal": [x, y, z] } ]
-// in patient LPS mm. Of "slices" everything may be left out, and of a measurement its label. A window without
-// "function" is LINEAR (PS3.3 C.11.2.1.3). Keys that are not known are refused.
+// in patient LPS mm. All keys of "slices" are optional, and so is the label of a measurement. A window
+// without "function" is LINEAR (PS3.3 C.11.2.1.3). Unknown keys are refused.
 #pragma once
 
 #include <cstddef>
@@ -29,22 +29,22 @@ inline constexpr std::size_t kMostMeasurements = 1000;
 inline constexpr std::size_t kLongestLabelBytes = 200;  // in UTF-8
 inline constexpr double kThickestSlabMm = 1e4;
 
-// What is not as by default. What the reader would refuse, such as what is not finite, is left out too: a
-// text that cannot be read would lose all of a state. So is the explanation of a window, words of the file
-// that may name anybody.
+// Writes what differs from the default. Leaves out what the reader would refuse, such as numbers that are not
+// finite, because that would make the whole state unreadable; and the explanation of a window, which is text
+// from the file that may identify a person.
 nlohmann::ordered_json toJson(const SliceState& state);
 
-// Null where the reader would refuse it; without its explanation.
+// Null if the reader would refuse it. Without the window's explanation.
 nlohmann::ordered_json windowJson(const DisplayWindow& window);
 DisplayWindow windowFrom(const JsonNode& node);
 
-// A measurement as above, whatever it is like.
+// A measurement as above, even if the reader would refuse it.
 nlohmann::ordered_json toJson(const slices::Measurement& measurement);
-// Those that the reader takes, at most kMostMeasurements; labels are cut at kLongestLabelBytes.
+// The measurements that the reader accepts, at most kMostMeasurements; cuts labels at kLongestLabelBytes.
 nlohmann::ordered_json measurementsJson(std::span<const slices::Measurement> measurements);
 
-// The node's document tells what is wrong with it. Directions are made unit vectors, and `down`
-// perpendicular to `right`; those that are so already stay the same, to the bit.
+// Errors go to the status of the node's document. Directions are normalised, and `down` is made perpendicular
+// to `right`; exact ones keep every bit.
 SliceState sliceStateFrom(const JsonNode& node);
 std::vector<slices::Measurement> measurementsFrom(const JsonNode& node);
 

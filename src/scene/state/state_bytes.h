@@ -1,4 +1,4 @@
-// How much memory states take that share what is large in them.
+// The memory of several states that share their large parts.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@ namespace macula::app {
 class StateBytes {
   public:
     void add(const StudyState& state);
-    void remove(const StudyState& state);  // that was added
-    // Of all states together; what several of them share counts once.
+    void remove(const StudyState& state);  // must have been added
+    // Of all added states together; a part that several of them share counts once.
     std::size_t total() const { return own_ + shared_; }
 
   private:

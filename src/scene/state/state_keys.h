@@ -1,4 +1,4 @@
-// What the text of a StudyState may have.
+// The keys of the text of a StudyState.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace macula::app {
 
-// The outermost keys that toJson(StudyState) writes where there is something to write. Who stores the text
-// over an older one removes those of them that it lacks: what is not in it was not chosen.
+// The outermost keys that toJson(StudyState) writes where there is something to write. A store that updates
+// an older text removes those of them that the new text lacks: they are no longer set.
 std::vector<std::string> stateKeys();
 
 }  // namespace macula::app

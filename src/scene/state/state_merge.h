@@ -1,4 +1,4 @@
-// One study, changed in two windows: what is kept of both.
+// Merges the changes that two windows made to one study.
 #pragma once
 
 #include <optional>
@@ -9,15 +9,15 @@ namespace macula::app {
 
 struct MergedState {
     std::string json;  // as toJson(StudyState)
-    // Whether it has measurements or clips with a name that `mine` has not.
+    // Whether it has measurements or named clips that `mine` lacks.
     bool holdsMore = false;
 };
 
-// Texts of toJson(StudyState): `mine` was made of `base`, and `theirs` is what is kept now. What only one of
-// them has changed is as they have it; what both have changed is as in `mine`, but for measurements and clips
-// with a name, of which those are in it that either has added or changed. One that either has removed, and
-// the other has left as it was, is gone. `mine` itself where nobody else has changed anything, or `theirs` is
-// no state. Nothing: together they are more than a state may hold.
+// Three-way merge of texts of toJson(StudyState): `mine` was made from `base`, `theirs` is stored now. A key
+// that one side changed comes from that side; one that both changed comes from `mine`. Measurements and named
+// clips are merged one by one: those that either side added or changed are kept, and those that one side
+// removed and the other left unchanged are dropped. Returns `mine` itself if nobody else changed anything or
+// `theirs` is no state; nothing if the result is more than a state may hold.
 std::optional<MergedState> mergedState(std::string_view base, std::string_view mine, std::string_view theirs);
 
 }  // namespace macula::app

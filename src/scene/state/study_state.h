@@ -1,5 +1,5 @@
-// All that a person can choose about how a study is shown, as one value with a text. The window is driven by
-// it, and saves and opens it as a view. Camera and clips are in patient LPS, mm.
+// All that a person can choose about how a study is shown, as one value with a JSON text. The state drives
+// the window, which saves and opens it as a view. Camera and clips are in patient LPS, mm.
 #pragma once
 
 #include <array>
@@ -53,10 +53,10 @@ constexpr std::string_view nameOf(Layout layout) {
 
 // How slices are shown, the same in all panes.
 struct SliceState {
-    // Nothing: that of the series. The text of a state keeps all but its explanation.
+    // None: that of the series. The text of a state omits its explanation.
     std::optional<DisplayWindow> window = {};
     slices::Slab slab = {};
-    bool isInverted = false;  // white and black change places
+    bool isInverted = false;  // swaps white and black
     bool asAcquired = false;  // in the planes of the acquisition; else in those of the patient
     std::optional<glm::dvec3> crosshairMm = {};  // nothing: the middle of the volume
 
@@ -64,56 +64,56 @@ struct SliceState {
 };
 
 struct StudyState {
-    // Which volume: see StudyInput::seriesDigest. Empty: whichever is open.
+    // StudyInput::seriesDigest of the volume. Empty: whichever is open.
     std::string seriesDigest = {};
-    std::optional<SavedGrid> grid = {};  // of a view that was saved; nothing: whatever the series is of
-    // Nothing: what the volume is shown with when nobody chose (presets::defaultTransfer). A fit to the
-    // volume is part of it, and is made when it is drawn.
+    std::optional<SavedGrid> grid = {};  // of a saved view; none: any grid of the series
+    // Null: the default of the volume (presets::defaultTransfer). The preset may ask for a fit to the volume,
+    // which is made when it is drawn.
     std::shared_ptr<const TransferFunction> preset = {};
     std::optional<ClipPreset> clip = {};  // nothing: all of the volume is shown
-    bool leavesTableOut = false;          // and what else lies beside the patient; of CT
+    bool leavesTableOut = false;          // and other things beside the patient; CT only
     // Nothing: the default lights of the look.
     std::shared_ptr<const trace::LightRig> lights = {};
-    // Look, shading and the parameters. Seed and threshold of noise are of a picture and not of a
-    // state; `window` is in `windows`.
+    // Look, shading and the parameters. Seed and noise threshold belong to a picture, not to a state;
+    // `windows` replaces its `window`.
     trace::Settings settings = {.shading = trace::Shading::headlight};
-    // The windows of projections that somebody set, by look. Nothing: that of the series.
+    // The windows that a person set for projections, by look. None: that of the series.
     std::array<std::optional<DisplayWindow>, trace::kLooks.size()> windows = {};
     std::optional<Camera> camera = {};  // nothing: one that fits what is visible
     bool showsMarks = true;             // cube and scale over the picture in 3D
-    // Behind the patient in 3D. Nothing: nearly black in a window, black in a file.
+    // The background in 3D. None: nearly black in a window, black in a file.
     std::optional<BackgroundColour> background = {};
     Layout layout = Layout::fourPanes;
     SliceState slices = {};
     std::vector<slices::Measurement> measurements = {};
-    Cuts cuts = {};                                      // of what the clip leaves
-    std::vector<NamedClip> namedClips = {};              // to go back to; not shown
-    std::vector<SegmentationChoice> segmentations = {};  // kept by `choose`
+    Cuts cuts = {};                                      // applied to what the clip leaves
+    std::vector<NamedClip> namedClips = {};              // saved for later, not applied
+    std::vector<SegmentationChoice> segmentations = {};  // kept in order by `choose`
     std::optional<BesideState> beside = {};              // nothing: no second volume
-    // A JSON object of what a newer Macula has written and this one does not know. It is written back.
+    // JSON object of the keys that a newer Macula wrote and this one does not know; toJson writes them back.
     std::string otherKeys = {};
 
     // Compares by value, preset and lights too.
     bool operator==(const StudyState& b) const;
 };
 
-// What has to be made again of the picture in 3D when one follows the other: nothing for layout, slices,
-// measurements and a second volume that is on slices alone.
+// What a change from `before` to `after` makes stale in the 3D picture: nothing for layout, slices,
+// measurements and a second volume that only slices show.
 Stale staleAfter(const StudyState& before, const StudyState& after);
 
-// Readable text; reading it gives an equal state. Holds no name of a patient: presets, clips and lights that
-// a person named may.
+// Indented JSON; reading it gives an equal state. Contains no name of a patient, unless a person typed one as
+// the name of a preset, clip or lights, or as a label.
 std::string toJson(const StudyState& state);
 
-// inputNotUsable: the message tells the line or the key, the hint what was expected. `where` is for the
-// error. Of the outermost object keys that are not known are kept.
+// Error: inputNotUsable; the message names the line or the key, the hint what was expected; the error names
+// `where`. Unknown keys of the outermost object are kept.
 Result<StudyState> studyStateFromJson(std::string_view text, const std::string& where);
 
-// A view that was saved. Fails as readText and studyStateFromJson.
+// Reads a saved view. Errors: those of readText and studyStateFromJson.
 Result<StudyState> readStudyState(const std::filesystem::path& path);
 
-// inputNotUsable when the state was saved of another series than that (StudyInput::seriesDigest), or of other
-// places than those of the volume; `where` is for the error.
+// Error: inputNotUsable if the state was saved for another series (StudyInput::seriesDigest) or for voxels at
+// other places than the volume's; the error names `where`.
 Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const Volume& volume,
                          const std::string& where);
 

@@ -1,4 +1,4 @@
-// How often the values of a volume are, to be shown behind a curve.
+// The histogram of a volume's values, for display behind a curve.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,7 @@
 
 namespace macula::app {
 
-// Of equal bins. A bin holds the values from its lower edge up to, and without, its upper one; the last holds
-// that, too.
+// Bins of equal width. A bin includes its lower edge and excludes its upper one; the last includes both.
 struct Bins {
     ValueRange range;  // in units: from the lowest edge to the highest; not empty
     std::size_t count = 1;
@@ -24,29 +23,28 @@ struct Histogram {
     std::vector<std::uint64_t> counts;  // one for each bin
     std::uint64_t below = 0;            // values outside of all bins
     std::uint64_t above = 0;
-    std::size_t stride = 1;  // of the voxels as they are stored, each so many-th was counted
+    std::size_t stride = 1;  // every stride-th voxel in storage order was counted
 
     double edge(std::size_t bin) const;  // the lower one, in units
 };
 
-// Bins over all values of the volume, each over the same number of stored ones, so that none is high only
-// because more of them fall into it; at most 16384. Nothing when all of the volume is padding.
+// Bins over all values of the volume, at most 16384. For stored16 each covers as many stored values as the
+// others, so that none is high only because it covers more. Nothing when all of the volume is padding.
 std::optional<Bins> binsOf(const Volume& volume);
 
-// About so many voxels say as much as all 300 million of a large volume.
+// This many voxels represent even a volume of 300 million.
 inline constexpr std::size_t kMostCounted = 2'000'000;
 
-// Padding is left out. All voxels are counted where there are at most `most`; else they are taken with a
-// stride that has no divisor with the length of an axis in common: no row or column is preferred. Fails with
-// `cancelled` only.
+// Leaves padding out. Counts all voxels if there are at most `most`; else every stride-th, with a stride
+// coprime to the length of each axis, so that no row or column is preferred. Fails with `cancelled` only.
 Result<Histogram> histogramOf(const Volume& volume, const Bins& bins, const CancelToken& token = {},
                               std::size_t most = kMostCounted);
 
-// The edge of a bin below which at least that fraction, 0 to 1, of what was counted lies.
+// The lowest bin edge with at least that fraction, 0 to 1, of the counted values below it, or the last edge.
 double percentile(const Histogram& histogram, double fraction);
 
-// For `columns` of equal width over the range `shown`: of the highest bin that the column touches,
-// log(1 + count) as a part of that of the highest bin of all, 0 to 1.
+// Heights from 0 to 1 for `columns` of equal width over the range `shown`: log(1 + count) of the highest bin
+// that the column touches, divided by that of the highest bin of all.
 std::vector<double> logHeights(const Histogram& histogram, const ValueRange& shown, std::size_t columns);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Presets that somebody has changed: each is a copy, with a name of its own.
+// Copies of presets for editing, each with a name of its own.
 #pragma once
 
 #include <set>
@@ -8,14 +8,13 @@
 
 namespace macula::app {
 
-// The same curves as a preset of one's own: titled "CT-Bone (edited)", "(edited 2)" and so on, named after
-// that ("ct-bone-edited"), not as any of `taken` nor as the preset itself, and without its number. Who wrote
-// it and under which licence stays in the document as it is, and so does `source`; `id` and `sha256`, which
-// are true of the original only, go. `derivedFrom` names the original, and `provenance` says that it was
-// edited. See presets/schema.
+// A copy titled "CT-Bone (edited)", "(edited 2)" and so on, with a name after that ("ct-bone-edited") that
+// neither `taken` nor the preset has, and without its number. The document keeps author, licence and
+// `source`, and loses `id` and `sha256`, which are true of the original only. `derivedFrom` names the
+// original, and `provenance` says that it was edited. See presets/schema.
 TransferFunction ownCopy(const TransferFunction& function, const std::set<std::string>& taken);
 
-// The name of the preset that this one was copied from by ownCopy; empty for any other. Reads the document.
+// The name of the preset that ownCopy made this one from, read from the document; empty for any other.
 std::string copiedFrom(const TransferFunction& function);
 
 }  // namespace macula::app

@@ -1,11 +1,11 @@
-// Whether two transfer functions are one to who looks at the picture.
+// Whether two transfer functions are the same to a user.
 #pragma once
 
 #include "pipeline/volume/transfer_function.h"
 
 namespace macula::app {
 
-// Whether both draw the same, whatever else is in the files that they come from.
+// Whether both are equal in everything but the document (TransferFunction::document).
 bool isSame(const TransferFunction& a, const TransferFunction& b);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// An axis of values on a screen: which are shown, and where.
+// The axis of values of a plot: its range, and the pixel of each value.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace macula::app {
 
-// Values of a volume from those of a preset; the same numbers where there is no fit.
+// Maps the values of a preset to those of a volume, and back; the identity without a fit.
 struct ValueMap {
     double scale = 1.0;  // above 0
     double offset = 0.0;
@@ -19,12 +19,12 @@ struct ValueMap {
     double presetFrom(double shown) const { return (shown - offset) / scale; }
 };
 
-// Pixels are logical, from the left end. The range is never empty, and within some billions.
+// Pixels are logical, from the left end. The range is never empty, and within 4e9 of 0.
 struct ValueAxis {
     ValueRange shown{0.0, 1.0};  // in units of the volume
     double lengthPx = 1.0;
 
-    // A range with some room at either end.
+    // `range` with some room at either end.
     static ValueAxis over(const ValueRange& range, double lengthPx);
 
     double unitsPerPx() const { return (shown.high - shown.low) / lengthPx; }
@@ -32,11 +32,11 @@ struct ValueAxis {
     double valueAt(double px) const { return shown.low + px * unitsPerPx(); }
     bool contains(double value) const { return shown.low <= value && value <= shown.high; }
 
-    // What is at `about` stays where it is. A factor above 1 shows more. Not finite: as it was.
+    // Keeps `about` at its pixel. A factor above 1 shows more. Arguments that are not finite change nothing.
     ValueAxis zoomed(double factor, double about) const;
     ValueAxis panned(double byUnits) const;
 
-    // 1, 2 or 5 times a power of ten, at least so many pixels apart.
+    // The distance of ticks: 1, 2 or 5 times a power of ten, at least `leastPx` wide.
     double tickStep(double leastPx) const;
     std::vector<double> ticks(double leastPx) const;
 };

@@ -1,4 +1,4 @@
-// Where the voxels of a volume lie, as JSON.
+// The grid of a volume as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -11,10 +11,10 @@ namespace macula::app {
 // size, spacingMm, orientation, worldFromVoxel (rows; patient LPS mm).
 nlohmann::ordered_json gridToJson(const glm::ivec3& size, const glm::dmat4& worldFromVoxel);
 
-// Where columns, rows and slices run to: "LPS".
+// The patient directions of increasing column, row and slice: "LPS".
 std::string orientationOf(const glm::dmat4& worldFromVoxel);
 
-// The axes are not perpendicular, by more than 0.05 degrees: slices of a tilted gantry.
+// Whether two axes are more than 0.05 degrees off a right angle, as with a tilted gantry.
 bool isSheared(const glm::dmat4& worldFromVoxel);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// From a series of segmentation objects to a label map.
+// Loads a DICOM segmentation as a label map.
 #pragma once
 
 #include "base/label_map.h"
@@ -13,12 +13,12 @@ bool isSegmentationSeries(const dicom::Series& series);
 
 struct SegmentationInput {
     LabelMap map;
-    bool onItsSeries = false;  // on the grid of the series it was drawn on; else on one of its own
-    bool hasImages = false;    // that series is there, and is a volume
+    bool onItsSeries = false;  // on the grid of the series it was drawn on; else on its own grid
+    bool hasImages = false;    // the scan has a volume of that series
 };
 
-// The `number`th of its segmentations, from 1; 0 means the only one. On the grid of the images it was drawn
-// on, when the folder has them and they are a volume.
+// Loads segmentation `number` of the series, from 1; 0 is the only one. Uses the grid of the images it was
+// drawn on where the scan has them as a volume and it fits. usage for a wrong `number`.
 Result<SegmentationInput> loadSegmentation(const dicom::Scan& scan, const dicom::Series& series,
                                            std::size_t number, Progress& progress);
 

@@ -1,4 +1,4 @@
-// A volume or segmentations as one file that other programs read, and what there is to say of it.
+// Exports a volume or a segmentation for other programs, and reports on the export.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 namespace macula::app {
 
 struct ExportedVolume {
-    formats::VolumeFileInfo file;  // as it is read again
+    formats::VolumeFileInfo file;  // read back from the written file
     std::string seriesDigest;
     std::string unit;
     std::optional<ValueRange> valueRange;
@@ -27,7 +27,7 @@ struct ExportedVolume {
     std::vector<std::string> notes;  // of the study
 };
 
-// Adds to the notes and warnings of the study what other programs may show otherwise.
+// Adds to notes and warnings that other programs may show a sheared volume (isSheared) skewed.
 void noteWhatOthersMisread(StudyInput& study);
 
 // Fails as formats::writeVolumeFile.
@@ -48,10 +48,10 @@ struct ExportedSegmentation {
     std::vector<std::string> notes;
 };
 
-// Sentences about the grid that the segmentation is on, and those of its map; without patient data.
+// Sentences without patient data: whether the map is on a grid of its own, and the messages of the map.
 std::vector<std::string> notesOf(const SegmentationInput& input);
 
-// `seriesUid` is only told as a digest. Fails as formats::writeVolumeFile.
+// Reports `seriesUid` only as a digest. Fails as formats::writeVolumeFile.
 Result<ExportedSegmentation> exportSegmentation(const SegmentationInput& input, const std::string& seriesUid,
                                                 const std::filesystem::path& file, Progress& progress);
 nlohmann::ordered_json toJson(const ExportedSegmentation& exported);

@@ -1,4 +1,4 @@
-// What a file that is one volume holds, as JSON.
+// The header of a volume file as JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -8,8 +8,8 @@
 
 namespace macula::app {
 
-// Format, grid, and what was assumed; with `volume`, which may be null where memory does not suffice for it,
-// its unit and range of values too.
+// Format, grid and assumptions; also unit and range of values, unless `volume` is null because it does not
+// fit in memory.
 nlohmann::ordered_json toJson(const formats::VolumeFileInfo& info, const Volume* volume);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Text as people search it: "muller" finds "MÜLLER".
+// Folds text for search: "muller" finds "MÜLLER".
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 namespace macula::app {
 
-// UTF-8 in lower case and without diacritics, for Latin, Greek and Cyrillic letters; wide Latin letters and
-// blanks are plain ones. All else is kept, bytes that are no UTF-8 too.
+// UTF-8 in lower case and without diacritics, for Latin, Greek and Cyrillic letters; full-width ASCII and
+// spaces become plain. Keeps all else, also bytes that are not UTF-8.
 std::string foldedForSearch(std::string_view utf8);
 
-// The words of what was typed, folded; blanks, commas, ^ and = separate them, as they do parts of names.
+// The folded words of `typed`; blanks, commas, ^ and = separate them, as in names of patients.
 std::vector<std::string> searchWords(std::string_view typed);
 
-// Whether each of `words` is somewhere in a text that was folded; true without words.
+// Whether the folded text contains each of `words`; true without words.
 bool holdsAll(std::string_view folded, const std::vector<std::string>& words);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// A small picture of a series, to know it by.
+// A small picture of a series.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +19,13 @@ struct Thumbnail {
     std::vector<std::uint8_t> grey;  // row by row from the top, 0 is black
 };
 
-// The middle image of a stack, which alone is decoded, with rows and columns as they were acquired; at most
-// kThumbnailPx wide and high. Seen through its own first window (PS3.3 C.11.2), else from the first to the
-// last hundredth of its values; MONOCHROME1 is drawn inverted, and padding black. Fails as dicom::loadFrame
-// does; throws nothing.
+// Decodes only the middle image of a stack, with rows and columns as acquired; at most kThumbnailPx wide and
+// high. Uses the first window of the image (PS3.3 C.11.2) unless it has a real world value mapping; else the
+// 1st to 99th percentile. MONOCHROME1 is inverted, padding black. Fails as dicom::loadFrame; throws nothing.
 Result<Thumbnail> thumbnailOf(const dicom::Stack& stack, const CancelToken& cancel = {});
 
-// Shrinks a picture of columns x rows to square pixels, each the mean of what it covers; never finer than the
-// finer of the two spacings. Spacings that are not positive and finite count as equal.
+// Shrinks a picture to square pixels, each the mean of the area it covers; never finer than the finer of the
+// two spacings. Spacings that are not positive and finite count as equal.
 Thumbnail shrunk(std::span<const std::uint8_t> grey, int columns, int rows, double columnSpacingMm,
                  double rowSpacingMm);
 

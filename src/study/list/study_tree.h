@@ -1,4 +1,4 @@
-// What a folder holds, as rows that a person picks from: patients, their studies, series and volumes.
+// The contents of a folder as rows to choose from: patients, their studies, series and volumes.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ namespace macula::app {
 
 inline constexpr std::size_t kNoRow = static_cast<std::size_t>(-1);
 
-// Texts are for the screen only, as those of Identity. They come from files: what shows them keeps them from
-// steering it.
+// Texts are for the screen only, as those of Identity. They come from files: the view must show them as plain
+// text.
 struct StudyRow {
     enum class Kind {
         patient,
@@ -23,7 +23,7 @@ struct StudyRow {
         series,
         stack,  // of a series that has several
         presentation,
-        leftOut,  // files that are in none of the others, or why
+        leftOut,  // files that are in no other row, or why
     };
 
     // What a presentation state shows: a volume in 3D, or on slices.
@@ -38,19 +38,18 @@ struct StudyRow {
     std::vector<std::size_t> children = {};  // in the order shown
 
     std::string title = {};
-    std::string titleOfFile = {};           // its end, of text of a file: it is in no language of ours
+    std::string titleOfFile = {};           // the end of `title` that is text of a file, not to be translated
     std::vector<std::string> details = {};  // lines; lengths have their unit
-    std::size_t detailOfFile = kNoRow;      // the line of `details` that is such text
+    std::size_t detailOfFile = kNoRow;      // the index in `details` of a line that is such text
     // A sentence where a series or stack has no volume, or a presentation state cannot be shown; else empty.
     std::string whyNot = {};
-    std::vector<std::string> messages = {};  // sentences, each with what to do
-    // What opening the row opens, in FoundVolumes::volumes(): of a stack, and of a series that has one
-    // volume.
+    std::vector<std::string> messages = {};  // sentences, each with the advised action
+    // The volume that the row opens, in FoundVolumes::volumes(): of a stack, or of a series with only one.
     std::optional<std::size_t> volume = {};
     std::optional<Presentation> presentation = {};  // what opening the row shows
-    // Whose middle image stands for the row; the FoundVolumes own it. Null where there is no image.
+    // Its middle image is the thumbnail of the row. Owned by the FoundVolumes; null without an image.
     const dicom::Stack* picture = nullptr;
-    std::string searched = {};  // foldedForSearch, with that of the rows above
+    std::string searched = {};  // foldedForSearch of title and facts, with that of the rows above
 };
 
 struct StudyTree {
@@ -63,14 +62,13 @@ enum class Names {
     hidden,  // "Patient 1"; no description or other text that may name somebody; dates of studies stay
 };
 
-// Patients as in the scan, their newest study first, series as in the scan; presentation states below theirs,
-// the newest first. All series are listed, but for
-// those that dicom::key::kUidPerSlice asks about, which are one row; what was left out of the scan comes
-// last.
+// Patients and series in the order of the scan, studies and presentation states newest first, these below
+// their series. Lists all series but those that dicom::key::kUidPerSlice asks about, which share one row.
+// Files that were left out of the scan come last.
 StudyTree studyTree(const FoundVolumes& found, Names names = Names::shown);
 
-// Which rows are shown for what was typed: those that have all words, be it with the rows above them; what
-// is below these; and what is above. All of them when no word was typed.
+// The rows to show for a search: those that hold all words, counting the words of the rows above them; all
+// rows below these, and those above. All rows without a word.
 std::vector<bool> rowsThatMatch(const StudyTree& tree, std::string_view typed);
 
 }  // namespace macula::app

@@ -19,12 +19,12 @@ struct FoundVolume {
     const dicom::Stack* stack = nullptr;
 };
 
-// Never changed after it was made. What it tells may name a patient.
+// Immutable. Its texts may name a patient.
 class FoundVolumes {
   public:
     enum class Extent {
         whole,
-        soFar,  // a glimpse of a scan that goes on: series without stacks, and no volumes
+        soFar,  // of a scan that still runs: series without stacks, and no volumes
     };
     explicit FoundVolumes(dicom::Scan scan, Extent extent = Extent::whole);
     FoundVolumes(const FoundVolumes&) = delete;
@@ -34,7 +34,7 @@ class FoundVolumes {
     const dicom::Scan& scan() const { return scan_; }
     const std::vector<FoundVolume>& volumes() const { return volumes_; }         // in the order of the scan
     const std::string& key(std::size_t index) const { return keys_.at(index); }  // volumeKeys
-    // One line each, which tells apart patients and studies where there are several.
+    // One line each; with the patient and the date of the study where there are several.
     std::vector<std::string> titles() const;
 
     struct Choice {
@@ -43,14 +43,14 @@ class FoundVolumes {
     };
     // The best volume. inputNotUsable when there is none; the error's place is `folder`.
     Result<Choice> best(const std::filesystem::path& folder) const;
-    // The best volume but for those that failed, of the patient of the first of them where there is one;
-    // nothing where none is left.
+    // The best volume except `failed`, which is not empty; of the patient of its first where possible.
+    // Nothing when none is left.
     std::optional<std::size_t> bestWithout(const std::vector<std::size_t>& failed) const;
     bool areOfOnePatient(std::size_t a, std::size_t b) const;  // indices
     // The best volume of the series with that UID, or of that number in the list of `macula info`;
     // inputNotUsable when there is none, or when several studies have one.
     Result<Choice> ofSeries(const std::string& wanted, const std::filesystem::path& folder) const;
-    // The volume that `file` belongs to, and no other: beside it may lie those of another patient.
+    // The volume that `file` belongs to, never another: the folder may hold other patients. inputNotUsable.
     Result<Choice> holding(const std::filesystem::path& file) const;
 
   private:
@@ -62,14 +62,14 @@ class FoundVolumes {
     std::vector<std::string> keys_;
 };
 
-// Those of a scan, which must outlive them: stacks that can be volumes, in its order.
+// The stacks of a scan that can be volumes, in its order. The scan must outlive them.
 std::vector<FoundVolume> volumesOf(const dicom::Scan& scan);
 
-// Its images, by UID, each once; of a file of many frames those that are in it. None where an image has no
+// The images of a stack by UID, each once, with the frames of a multi-frame file. Empty where an image has no
 // UID.
 std::vector<dicom::ReferencedFrames> imagesOf(const dicom::Stack& stack);
 
-// The UID that all of its images name; empty where they do not all name the same one.
+// The frame of reference UID that all images share; empty where they differ or have none.
 std::string frameOfReferenceOf(const dicom::Stack& stack);
 
 Identity identityOf(const FoundVolume& volume);

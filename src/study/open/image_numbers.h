@@ -1,4 +1,4 @@
-// The numbers by which a person finds the images of a volume again on another workstation.
+// Image numbers, by which another workstation finds the images of a volume.
 #pragma once
 
 #include <span>
@@ -8,12 +8,12 @@
 
 namespace macula::app {
 
-// The InstanceNumber (0020,0013) of each of the `slices` slices of a volume, in their order; 0 for a slice
-// that is interpolated. Empty where no slice has a number of its own: a number is missing or below 1, two
-// images share one (as frames of one file do), or the volume lacks slices of the stack.
+// The InstanceNumber (0020,0013) of each of the `slices` slices of a volume, in their order; 0 for an
+// interpolated slice. Empty when a number is missing or below 1, when two images share one (as frames of one
+// file do), or when the volume lacks slices of the stack.
 std::vector<int> imageNumbersOf(const dicom::Stack& stack, int slices);
 
-// Whether the numbers are those of the slices, from 1, so that they say nothing besides.
+// Whether each number, but for 0, equals the place of its slice from 1, and so adds no information.
 bool countAsSlices(std::span<const int> imageNumbers);
 
 }  // namespace macula::app

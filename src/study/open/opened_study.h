@@ -1,4 +1,4 @@
-// What a person opens: a folder, a file, or nothing.
+// Opens a folder, a file, or the built-in phantom.
 #pragma once
 
 #include <filesystem>
@@ -17,10 +17,10 @@ namespace macula::app {
 
 class FoundVolumes;
 
-// What came out of a folder. All strings are for the screen; they may name a patient.
+// An opened source. All strings are for the screen; they may name a patient.
 struct OpenedStudy {
-    std::shared_ptr<const Volume> volume;  // stored16, to be drawn; null when there is only a question
-    // The same in floats, as the file has it, where 16 bits do not hold all of its values; else null.
+    std::shared_ptr<const Volume> volume;  // stored16, for drawing; null when joinQuestion is set
+    // The same in float32, as loaded, where 16 bits cannot hold all of its values; else null.
     std::shared_ptr<const Volume> inFloats = {};
     std::string seriesDigest = {};  // see StudyInput
     Identity identity = {};
@@ -32,36 +32,35 @@ struct OpenedStudy {
     std::vector<std::string> volumeTitles = {};
     std::size_t volumeIndex = 0;
     std::vector<int> imageNumbers = {};    // of its slices: see imageNumbersOf()
-    bool isLowBright = false;              // low values are shown white: MONOCHROME1, and PET by custom
+    bool isLowBright = false;              // low values are drawn white: MONOCHROME1, and PET by custom
     std::string joinQuestion = {};         // see dicom::ScanOptions
-    std::string frameOfReferenceUid = {};  // PS3.3 C.7.4.1; empty: not known
-    std::string stateAsLeft = {};          // ModelKeeper::stateOf; empty: nobody knows how it was left
+    std::string frameOfReferenceUid = {};  // PS3.3 C.7.4.1; empty: unknown
+    std::string stateAsLeft = {};          // ModelKeeper::stateOf; empty: no state was kept
 
-    // What slices show and what is measured: no value is another than in the file.
+    // The volume for slices and measurements, with values that are not rounded to 16 bits.
     const std::shared_ptr<const Volume>& measured() const { return inFloats ? inFloats : volume; }
 };
 
-// A folder, or the DICOMDIR in it, of which the best series is meant; an image, of which its own series in
-// its folder is meant; or a file that is a volume by itself (formats/volume_file.h). Nothing is the built-in
-// phantom.
+// A folder or its DICOMDIR: the best series is opened. An image: its own series, of the files in its folder.
+// A volume file (formats/volume_file.h): that volume. Nothing: the built-in phantom.
 using StudySource = std::optional<std::filesystem::path>;
 
-// Told of a folder while it is opened: what was found so far, now and then, and all of it before the volume
-// is decoded. Called on threads that read, one at a time.
+// Receives, while a folder is opened, what was found so far: now and then during the scan, and all of it
+// before the volume is decoded. Calls come from reading threads and that of openStudy, and never overlap.
 using FoundSoFar = std::function<void(std::shared_ptr<const FoundVolumes>)>;
 
 struct OpenOptions {
     bool join = false;  // see dicom::ScanOptions
     FoundSoFar foundSoFar = {};
-    // Of a folder that series, wherever `source` leads to: as FoundVolumes::ofSeries. Empty: not given.
+    // The series to open (FoundVolumes::ofSeries), also where `source` is an image. Empty: not given.
     std::string series = {};
-    // A folder whose volumes are of several patients is an error that lists them (whichPatient), where no
-    // series is given: for who has nobody to look at the name of who is shown.
+    // Without a series, a folder with volumes of several patients is an error that lists them (whichPatient):
+    // for callers whose user cannot check the name of the patient on screen.
     bool asksWhichPatient = false;
 };
 
-// Scans, chooses the series and decodes it; of a folder the best one that can be decoded, and says which
-// could not. Blocks; a file at a time sees a cancellation. Throws nothing.
+// Scans, chooses a series and decodes it: of a folder the best one that can be decoded, and messages report
+// those that could not. Blocks; checks for cancellation after each file. Throws nothing.
 Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenOptions& how = {});
 // Decodes another volume of the folder.
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,

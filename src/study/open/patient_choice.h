@@ -1,4 +1,4 @@
-// What is asked where a folder is of several patients, and nobody said which is meant.
+// The error for a folder with several patients where the caller named no series.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace macula::app {
 
-// inputNotUsable with the choice: the series of each patient, by the numbers that `macula info` has too and
-// FoundVolumes::ofSeries takes. Patients have numbers, and no names. Nothing where all volumes are of one.
+// inputNotUsable with a list: the series of each patient, by their numbers in `macula info`, which
+// FoundVolumes::ofSeries takes. It numbers patients and names none. Nothing where all volumes are of one.
 std::optional<Error> whichPatient(const FoundVolumes& found, const std::filesystem::path& folder);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// Which volume of a folder a presentation state is of.
+// Finds the volume of a folder that a presentation state shows.
 #pragma once
 
 #include <cstddef>
@@ -14,10 +14,9 @@ struct PresentedVolume {
     std::string whyNot = {};                // a sentence; empty where there is a volume
 };
 
-// Of the series that the object refers to, the volume that has most of its images, or frames of them. The
-// series must be of the patient whom the object is of, unless the object names nobody: then it has made UIDs
-// anew (dicom::uidFrom), which are of one series only. `patient` is Study::patient of the study that the
-// object lies in.
+// Of the series that the object refers to, chooses the volume with the most of its images or frames. Object
+// and series must be of one patient, unless the object is deidentified: it then refers by new UIDs
+// (dicom::uidFrom), which fit one series only. `patient` is Study::patient of the study of the object.
 PresentedVolume presentedVolume(const dicom::OtherObject& object, int patient, const FoundVolumes& found);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// A study that is read for a picture, with what its segmentations need.
+// Reads a study for a picture, with the folder for its segmentations.
 #pragma once
 
 #include <filesystem>
@@ -13,21 +13,21 @@
 
 namespace macula::app {
 
-// Which study, as somebody asked for it. Empty: not given.
+// The study to read. Empty fields: not given.
 struct StudyPlace {
     std::filesystem::path path;
     std::string series;                  // as loadStudy
-    std::filesystem::path presentation;  // of whose series it is, where no series is given
+    std::filesystem::path presentation;  // a presentation state: its series, where `series` is empty
     dicom::ScanOptions how;
 };
 
-// Whether there may be segmentations: in a folder of DICOM files, and in no volume file or phantom.
+// Whether `path` may have segmentations: a DICOM folder may; a volume file and the phantom have none.
 bool mayHoldSegmentations(const std::filesystem::path& path);
 
 struct ReadStudy {
     StudyInput input;
-    std::string series;                         // that was meant, as chooseVolume takes it
-    std::shared_ptr<const FoundVolumes> found;  // the folder; null where its segmentations are not needed
+    std::string series;                         // for chooseVolume; may be empty
+    std::shared_ptr<const FoundVolumes> found;  // the folder; null unless segmentations are needed
     dicom::ScanOptions how;
 };
 

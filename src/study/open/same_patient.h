@@ -8,16 +8,16 @@
 
 namespace macula::app {
 
-// As far as the images tell. Different when ID, name, date of birth or sex is in both and differs. One when
-// both are of one study, or all four agree and there is an ID or a name. Else nobody can know, as with files
-// without names; what is written where nobody is named (dicom::isPlaceholder) is as if it were empty.
+// Compares the images' attributes. no: ID, name, date of birth or sex is in both and differs. yes: both are
+// of one study, or all four agree and there is an ID or a name, or both are of nobody. Else unknown, as for
+// files without names; placeholders (dicom::isPlaceholder) count as empty.
 enum class SamePatient { yes, no, unknown };
 SamePatient samePatient(const Identity& a, const Identity& b);
-// What differs, in words and without values: {"ID", "date of birth"}.
+// The names of the attributes that differ, without values: {"ID", "date of birth"}.
 std::vector<std::string> whatDiffers(const Identity& a, const Identity& b);
 
 enum class Age { earlier, sameDay, later, unknown };
-// Of the second against the study, by the dates of the studies.
+// Whether `second` is earlier or later than `study`, by the dates of the studies.
 Age ageOf(const Identity& study, const Identity& second);
 
 // The day of the study as YYYYMMDD; empty where the images name none.

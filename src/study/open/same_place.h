@@ -1,22 +1,22 @@
-// Whether two volumes lie in one place: in one frame of reference, or voxel on voxel.
+// Whether two volumes share a frame of reference or a grid.
 #pragma once
 
 #include "study/open/opened_study.h"
 
 namespace macula::app {
 
-// Whether both name the same frame of reference, and may be the same patient's. Copies that were made anew
-// for a patient's name keep it.
+// Whether both name the same frame of reference and are not known to be of different patients. A copy with
+// another name of the patient keeps the UID.
 bool shareFrameOfReference(const OpenedStudy& study, const OpenedStudy& second);
 
-// Whether both have their voxels at the same places of one patient: one grid, in one frame of reference or of
-// one series.
+// Whether both have the same grid (to 0.001 mm), in one frame of reference or series, and are not known to be
+// of different patients.
 bool shareGrid(const OpenedStudy& a, const OpenedStudy& b);
 
-// Whether `to` is another volume than `from`, and shares its grid. What is opened again comes as it was left.
+// Whether `to` is another volume than `from` on the same grid. A volume that is opened again is not.
 bool staysInPlace(const OpenedStudy& from, const OpenedStudy& to);
 
-// Whether both are phases of one series on one grid, so that one window is right for all of them.
+// Whether both are phases of one series, with one grid and unit, so that one window suits all of them.
 bool arePhases(const OpenedStudy& a, const OpenedStudy& b);
 
 }  // namespace macula::app

@@ -1,5 +1,5 @@
-// Which of the volumes of its series a volume is, by what its images say of themselves: another file in the
-// folder, of another phase or of no volume at all, changes nothing of that. Its place in the list may change.
+// Identifies a volume within its series by attributes of its images. Other files in the folder, of another
+// phase or no volume, do not change the key; they may change the place of the volume in the list.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace macula::app {
 
-// Of each: a digest of the frame of reference, the orientation, and all attributes that tell images of a
-// series apart (rules/split.json: times, phases, echoes, kernels) and that are the same in all of the
-// volume's images. Where several volumes of the series have all of that in common, those after the first of
-// them have a number too. Looks at each image once: FoundVolumes::key() has them at hand.
+// For each: a digest of modality, frame of reference, orientation, and all attributes that split a series
+// (rules/split.json: times, phases, echoes, kernels) and that all images of the volume share. Of volumes of
+// one series with equal digests, the second gets "-2", and so on. Reads each image once; FoundVolumes::key()
+// keeps the result.
 std::vector<std::string> volumeKeys(std::span<const FoundVolume> volumes);
 
 }  // namespace macula::app

@@ -1,4 +1,4 @@
-// The segmentations of a folder, and which of them can be shown on a volume of it.
+// Finds the segmentations of a folder, and which of them can be shown on one of its volumes.
 #pragma once
 
 #include <string>
@@ -13,19 +13,19 @@ namespace macula::app {
 
 // Strings are for the screen; they may name a patient.
 struct FoundSegmentation {
-    dicom::Segmentation header;  // as far as it could be read
-    std::string digest;          // SHA-256 of its SOP Instance UID
-    std::string title;           // what it calls itself, or its series
-    std::string whyNot = {};     // why it cannot be shown, a sentence; empty: it can
-    // It was drawn on another series, in the same coordinate system: a sentence; may be empty.
+    dicom::Segmentation header;  // default where the file cannot be read
+    std::string digest;          // SHA-256 of its SOP Instance UID, or of its path without one
+    std::string title;           // its content label and the description of its series
+    std::string whyNot = {};     // a sentence: why it cannot be shown; empty: it can
+    // A sentence where it was drawn on another series of the same coordinate system; else empty.
     std::string note = {};
 
     bool canBeShown() const { return whyNot.empty(); }
 };
 
-// Reads headers alone. A segmentation is of the volume when it has the patient and the frame of reference of
-// it; where one of both names none, when it says that it was drawn on the series. In the order of the scan,
-// those that can be shown first. cancelled.
+// Reads headers alone. A segmentation fits the volume when both have the same patient and frame of reference;
+// where either names no frame of reference, when it refers to the series of the volume. In the order of the
+// scan, those that can be shown first, copies once. Error: cancelled.
 Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& found, const FoundVolume& volume,
                                                          Progress& progress);
 

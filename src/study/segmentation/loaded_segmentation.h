@@ -1,4 +1,4 @@
-// A segmentation on the voxels of a volume.
+// A segmentation on the grid of a volume.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@ namespace macula::app {
 
 struct LoadedSegment {
     Segment segment;
-    std::shared_ptr<const VoxelSet> voxels;  // of the volume; none where it lies outside
-    // Voxels that it was drawn on, times the volume of one; nothing where it has none, or where nobody knows.
+    std::shared_ptr<const VoxelSet> voxels;  // in the grid of the volume; empty where it lies outside
+    // Of the voxels as drawn. Nothing where it has none, or where the thickness of its only slice is unknown.
     std::optional<double> volumeMl;
     std::optional<glm::dvec3> centroidMm;
 
@@ -28,20 +28,20 @@ struct LoadedSegment {
 struct LoadedSegmentation {
     std::string digest;
     std::vector<LoadedSegment> segments;  // by number
-    std::vector<std::string> notes;       // sentences on what was done to it, without patient data
-    bool isResampled = false;             // drawn on other voxels: the nearest of them counts
-    bool hasFractions = false;            // what is half or more counts
+    std::vector<std::string> notes;       // sentences on how it was loaded, without patient data
+    bool isResampled = false;             // drawn on another grid: each voxel takes the nearest one
+    bool hasFractions = false;            // fractional: a voxel belongs to a segment from one half on
 
     const LoadedSegment* segment(std::uint16_t number) const;  // null when there is none
 };
 
-// On the voxels of the volume where it was drawn on these; else the nearest voxel counts, and a note says so.
-// `stack` is that of the volume. Fails as dicom::loadSegmentVoxels.
+// Keeps the voxels of a segmentation on the grid of the volume; from another grid takes the nearest voxel,
+// and a note says so. `stack` is that of the volume. Fails as dicom::loadSegmentVoxels.
 Result<std::shared_ptr<const LoadedSegmentation>> loadSegments(const FoundSegmentation& found,
                                                                const Volume& volume,
                                                                const dicom::Stack& stack, Progress& progress);
 
-// sRGB: what the file recommends, else one of a row of colours that are told apart.
+// sRGB: the colour that the file recommends, else by number one of seven of Okabe and Ito.
 std::array<std::uint8_t, 3> usualRgb(const Segment& segment);
 
 }  // namespace macula::app

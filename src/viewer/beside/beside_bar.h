@@ -1,4 +1,4 @@
-// How the second volume is shown: a bar that is there while there is one.
+// A tool bar for how the second volume is shown.
 #pragma once
 
 #include <QToolBar>
@@ -19,8 +19,8 @@ class BesideStudy;
 class ElidingLabel;
 class ViewerSession;
 
-// Whose it is, in columns or colours, how it is linked, and its window. All of it is the session's state; it
-// is proposed, and shown as the state has it. Hidden without a second volume.
+// Shows the second volume's tag, view, link, colours and window as the session's state has them, and proposes
+// changes to it. Hidden while there is no second volume.
 class BesideBar : public QToolBar {
     Q_OBJECT
 
@@ -31,7 +31,7 @@ class BesideBar : public QToolBar {
     void showState();
 
   signals:
-    // Something was chosen from a list: letters are keys of pictures again, and change no list.
+    // A person chose from a list; the window returns the keyboard focus to a picture.
     void listLeft();
 
   private:
@@ -54,11 +54,11 @@ class BesideBar : public QToolBar {
     QSlider* opacity_ = nullptr;
     QCheckBox* oneWindow_ = nullptr;
     QCheckBox* in3d_ = nullptr;
-    QComboBox* presets_ = nullptr;  // of the second volume in 3D; the first item: its colours over slices
-    std::vector<std::shared_ptr<const TransferFunction>> listed_;  // from the second item on
+    QComboBox* presets_ = nullptr;  // of the second volume in 3D; item 0: its slice colours
+    std::vector<std::shared_ptr<const TransferFunction>> listed_;  // the presets of items 1, 2, ...
     QDoubleSpinBox* black_ = nullptr;  // ends of the window, in the unit of the second volume
     QDoubleSpinBox* white_ = nullptr;
-    bool isShowing_ = false;  // the state, and proposes nothing
+    bool isShowing_ = false;  // controls follow the state and propose nothing
 };
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// Opens a second volume for the study that is shown, and finds out where it lies.
+// Opens a second volume beside the study and registers it.
 #pragma once
 
 #include <QObject>
@@ -19,10 +19,10 @@
 
 namespace macula::viewer {
 
-// Holds one second volume, for as long as the study is open. How it is linked and shown is the session's
-// state, and can be undone; this proposes it. A volume of the same frame of reference lies where it is; any
-// other is registered in the background, and until then, or when that fails, is linked by hand. Of another
-// patient it is shown only when somebody says so. Lives on the UI thread.
+// Holds at most one second volume while the study is open, and proposes its link and view to the session,
+// which can undo them. A volume with the study's frame of reference is linked by it; any other is registered
+// in the background and linked by hand until that succeeds. A volume of another patient is shown only after a
+// person confirms it. Lives on the UI thread.
 class BesideStudy : public QObject {
     Q_OBJECT
 
@@ -30,29 +30,29 @@ class BesideStudy : public QObject {
     // The session outlives it.
     explicit BesideStudy(ViewerSession& session, QObject* parent = nullptr);
 
-    // Errors come by `failed`: there has to be a study.
+    // Errors arrive by `failed`. Without a study the second overload does nothing.
     void open(app::StudySource source, bool join = false);
     void open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index);
-    // What open() ends with when all went well.
+    // open() ends with this when it succeeds.
     void offer(const app::OpenedStudy& second);
-    void close();   // and take it out of the state
-    void cancel();  // reading or registering; what was opened stays
+    void close();   // and removes it from the state
+    void cancel();  // reading or registering; an open volume stays
     bool isWorking() const { return loader_.loading() || registration_.running(); }
     bool isRegistering() const { return registration_.running(); }
 
-    // Null: there is none.
+    // Null without a second volume.
     const std::shared_ptr<const SecondSeries>& second() const { return second_; }
-    // Null unless the second volume is the one that the state is about.
+    // Null unless the state describes this second volume.
     const app::BesideState* state() const;
-    bool canShareFrame() const;  // both name one frame of reference
-    // How it was left was of other voxels or positions under the same UIDs: it was placed anew.
+    bool canShareFrame() const;  // both volumes name the same frame of reference
+    // The stored link was for other voxels or positions under the same UIDs, and was discarded.
     bool isPlacedAnew() const { return isPlacedAnew_; }
 
     void registerNow();
-    void linkByFrame();  // nothing where they do not share one
-    void linkByHand();   // from where it is
+    void linkByFrame();  // does nothing unless canShareFrame()
+    void linkByHand();   // starts at its current position
     void setView(app::BesideView view);
-    // The second volume in the place of the study, and back to how it was shown.
+    // Shows the second volume in the study's place, or returns to the view before that.
     void flip();
 
     void acceptPatient();  // answers askedAboutPatient
@@ -61,11 +61,11 @@ class BesideStudy : public QObject {
   signals:
     void began(const QString& stage);
     void progressed(const QString& stage, double fraction);
-    void ended();  // whatever became of it
+    void ended();  // after success, failure or cancellation
     void failed(const macula::Error& error);
     void askedAboutPatient(const QStringList& differs);
     void askedToJoin(const QString& path, const QString& question);  // open(path, true) is yes
-    void secondChanged();                                            // another one, or none
+    void secondChanged();                                            // second() is another volume, or null
 
   private:
     void onStudyShown();
@@ -83,8 +83,8 @@ class BesideStudy : public QObject {
     std::shared_ptr<const SecondSeries> second_;
     bool isPlacedAnew_ = false;
     std::shared_ptr<app::PartDigests> digests_ = std::make_shared<app::PartDigests>();  // of both volumes
-    std::optional<app::OpenedStudy> asked_;             // of another patient: nobody has answered yet
-    app::BesideView before_ = app::BesideView::beside;  // the last flip
+    std::optional<app::OpenedStudy> asked_;             // of another patient, awaiting an answer
+    app::BesideView before_ = app::BesideView::beside;  // the view before the last flip
 };
 
 }  // namespace macula::viewer

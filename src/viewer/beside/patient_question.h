@@ -1,4 +1,4 @@
-// What is asked before another patient's images come beside a study.
+// The question before a volume of another patient is shown beside the study.
 #pragma once
 
 #include <QString>
@@ -9,8 +9,8 @@ class QWidget;
 
 namespace macula::viewer {
 
-// Waits for nobody; `open` is called when a person wants it all the same. `differs` are names of attributes,
-// without values: "ID". Says no by itself when Enter or Esc is pressed.
+// Returns at once; later calls `open` if the person agrees, else `leave`. `differs` names attributes, without
+// values: "ID". Enter and Esc decline.
 void askAboutPatient(QWidget* parent, const QStringList& differs, std::function<void()> open,
                      std::function<void()> leave);
 

@@ -1,4 +1,4 @@
-// Slices of the study, and beside them those of the second volume in the same planes.
+// Slices of the study beside slices of the second volume in the same planes.
 #pragma once
 
 #include <QSplitter>
@@ -8,7 +8,7 @@
 
 namespace macula::viewer {
 
-// The study is at the left, always. Zoom and place are the same in both. Lives on the UI thread.
+// The study is always at the left. Both panes share zoom and position. Lives on the UI thread.
 class SlicePair : public QSplitter {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ class SlicePair : public QSplitter {
     bool showsBoth() const { return showsBoth_; }
     void setBoth(bool both);
     void showNames(bool shown);
-    void setSecond(const std::shared_ptr<const SecondSeries>& second);  // null: there is none
+    void setSecond(const std::shared_ptr<const SecondSeries>& second);  // null: no second volume
 
   private:
     SliceView* study_;

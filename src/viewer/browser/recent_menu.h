@@ -1,4 +1,4 @@
-// What was opened since the program was started, to open it again.
+// A menu that reopens folders and files opened in this run.
 #pragma once
 
 #include <QMenu>
@@ -7,16 +7,16 @@
 
 namespace macula::viewer {
 
-// Nothing of it is kept between runs: the names of folders may be those of patients (docs/privacy.md).
+// It is not kept between runs, because folder names may contain patient names (docs/privacy.md).
 class RecentMenu : public QMenu {
     Q_OBJECT
 
   public:
     explicit RecentMenu(QWidget* parent = nullptr);
 
-    void add(const std::filesystem::path& path);  // it becomes the first; the eleventh goes
+    void add(const std::filesystem::path& path);  // puts it first and drops the eleventh
     void clearAll();
-    void showNames(bool shown);  // without names the menu cannot be opened
+    void showNames(bool shown);  // the menu is disabled while names are hidden
 
   signals:
     void chosen(const QString& path);

@@ -1,4 +1,4 @@
-// The studies, series and volumes of the folder that is open, to pick from.
+// A list of the studies, series and volumes in the open folder.
 #pragma once
 
 #include <QLabel>
@@ -19,39 +19,38 @@
 
 namespace macula::viewer {
 
-// A tree with a search above it. One click selects; a double click or Enter chooses. It names what is open: a
-// choice changes it only once it is told that the other volume is. Small pictures are made one after another
-// beside the UI thread, of the rows that are seen, and of nothing while the browser is hidden.
+// A tree with a search field above it. One click selects; a double click or Enter chooses. A choice changes
+// the open volume's mark only after setShown. Thumbnails are made in the background, one at a time, for
+// visible rows only, and not while the browser is hidden.
 class StudyBrowser : public QWidget {
     Q_OBJECT
 
   public:
     explicit StudyBrowser(QWidget* parent = nullptr);
 
-    // So wide that most descriptions of series have room beside their pictures.
+    // Wide enough for most series descriptions beside their thumbnails.
     QSize sizeHint() const override { return {340, 400}; }
 
-    // Null: there is no folder. `open` is in FoundVolumes::volumes(); without it no row is selected until a
-    // person selects one, and the browser says that nothing of the folder is open. The search starts anew
-    // with a folder, but for one that was shown while it was being read (FoundVolumes::isWhole): that is the
-    // same one.
+    // Null: no folder. `open` is an index into FoundVolumes::volumes(); without it no row is selected until a
+    // person selects one, and the browser says that the open volume is not in the folder. The search is
+    // cleared, unless the new list continues a folder that is still being read (FoundVolumes::isWhole).
     void setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open);
     const std::shared_ptr<const app::FoundVolumes>& found() const { return found_; }
     void setShown(std::optional<std::size_t> open);
-    // Without names no text of the files is shown that may name a patient; pictures are, and text that a
-    // machine has drawn into its images is seen in them.
+    // Hidden names remove all file text that may name a patient. Thumbnails stay, with any text burnt into
+    // the images.
     void showNames(bool shown);
-    // Volumes that something is kept of between runs.
+    // Indices of the volumes that have data stored between runs.
     void setStored(std::set<std::size_t> volumes);
     void focusSearch();
-    std::optional<std::size_t> selectedOther() const;  // a volume that is not the one that is open
+    std::optional<std::size_t> selectedOther() const;  // a volume other than the open one
 
   signals:
-    void chosen(std::size_t index);       // another volume than the one that is open
-    void besideAsked(std::size_t index);  // the same, to be shown beside it
-    // A volume, open or not, as the presentation state of that row says.
+    void chosen(std::size_t index);       // a volume other than the open one
+    void besideAsked(std::size_t index);  // the same, to show beside the open one
+    // A person chose the presentation state of that row; its volume may not be open.
     void presentationChosen(const macula::app::StudyRow::Presentation& presentation);
-    // A presentation state that cannot be shown, and why: a sentence as in app::StudyRow::whyNot.
+    // The chosen presentation state cannot be shown; the sentence is app::StudyRow::whyNot.
     void presentationRefused(const std::string& whyNot);
 
   protected:
@@ -78,14 +77,14 @@ class StudyBrowser : public QWidget {
     QLineEdit* search_;
     QTreeView* tree_;
     QLabel* nothing_;
-    QLabel* reading_;    // the folder is not read to its end
-    QLabel* elsewhere_;  // what is open is of another folder
+    QLabel* reading_;    // the folder is still being read
+    QLabel* elsewhere_;  // the open volume is in another folder
     StudyTreeModel* model_;
 
     std::shared_ptr<const app::FoundVolumes> found_;
     bool namesShown_ = true;
-    std::vector<std::string> words_;  // that were searched
-    std::vector<bool> expanded_;      // of each row, when nothing is searched
+    std::vector<std::string> words_;  // of the search
+    std::vector<bool> expanded_;      // of each row, without a search
     bool isLayingOut_ = false;
 
     QTimer picturesAreDue_;

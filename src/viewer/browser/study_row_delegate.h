@@ -1,11 +1,11 @@
-// How a row of the study browser is painted.
+// Paints the rows of the study browser.
 #pragma once
 
 #include <QStyledItemDelegate>
 
 namespace macula::viewer {
 
-// Lines of text, beside a picture where the row has one. Of a StudyTreeModel.
+// For a StudyTreeModel: lines of text beside the row's thumbnail, if it has one.
 class StudyRowDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -1,4 +1,4 @@
-// The rows of a folder as Qt shows them.
+// The Qt item model of the study browser.
 #pragma once
 
 #include <QAbstractItemModel>
@@ -12,35 +12,35 @@
 
 namespace macula::viewer {
 
-// One column. A row is known by its place in StudyTree::rows, whatever is shown of them.
+// One column. A row keeps its index in StudyTree::rows, whichever rows are shown.
 class StudyTreeModel : public QAbstractItemModel {
     Q_OBJECT
 
   public:
     enum Role {
         detailsRole = Qt::UserRole,  // QStringList, below the title
-        whyNotRole,                  // QString, empty for what can be opened
+        whyNotRole,                  // QString, empty if the row can be opened
         isOpenRole,                  // bool
-        hasPictureRole,              // bool: there is an image, be it made or not
+        hasPictureRole,              // bool: the row has a thumbnail, made or not yet
         pictureRole,                 // QImage, null until it is made
         lineCountRole,               // int: title, details and whyNot
     };
 
     explicit StudyTreeModel(QObject* parent = nullptr);
 
-    // Shows all rows, of which none is open, stored or has a picture.
+    // Shows all rows, and clears open, stored and thumbnails.
     void setTree(app::StudyTree tree);
-    // The same folder in other words: what is open and stored, and pictures, stay.
+    // Replaces the texts of the same folder; open, stored and thumbnails stay.
     void setTexts(app::StudyTree tree);
     const app::StudyTree& tree() const { return tree_; }
     void setRowsShown(std::vector<bool> shown);  // one for each row
     bool isShown(std::size_t row) const { return shown_[row]; }
 
-    // In FoundVolumes::volumes().
+    // An index into FoundVolumes::volumes().
     void setOpen(std::optional<std::size_t> volume);
     std::optional<std::size_t> open() const { return open_; }
     void setStored(std::set<std::size_t> volumes);
-    // A null picture: it cannot be made.
+    // Null: the thumbnail cannot be made.
     void setPicture(const dicom::Stack* stack, const QImage& picture);
     bool isAsked(const dicom::Stack* stack) const { return pictures_.contains(stack); }
 
@@ -65,9 +65,9 @@ class StudyTreeModel : public QAbstractItemModel {
 
     app::StudyTree tree_;
     std::vector<bool> shown_;
-    std::vector<std::size_t> top_;                    // of those shown, as the two below
+    std::vector<std::size_t> top_;                    // of the rows shown, as the two below
     std::vector<std::vector<std::size_t>> children_;  // of each row
-    std::vector<int> places_;                         // among the children of its parent
+    std::vector<int> places_;                         // of each row, among the children of its parent
     std::optional<std::size_t> open_;
     std::set<std::size_t> stored_;
     std::unordered_map<const dicom::Stack*, QImage> pictures_;

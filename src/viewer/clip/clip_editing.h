@@ -1,4 +1,4 @@
-// What hands do with a clip in the pictures, and what of it the pictures show.
+// Edits the clip by dragging in the pictures, and holds what they show of it.
 #pragma once
 
 #include <QObject>
@@ -11,7 +11,7 @@
 
 namespace macula::viewer {
 
-// Handles are there while the clip panel is open, or while somebody asks for them. Proposes clips to the
+// Handles are shown while the clip panel is open, or after setHandlesAskedFor(true). Proposes clips to the
 // session, which outlives it.
 class ClipEditing : public QObject {
     Q_OBJECT
@@ -25,25 +25,25 @@ class ClipEditing : public QObject {
     void setPanelOpen(bool open);
     void setHandlesAskedFor(bool asked);
 
-    // A drag, one step until the session's endDrag. What the clip refuses leaves it where it is.
+    // Moves a handle to `mm` (patient LPS); a refused move does nothing. One undo step until endDrag.
     void drag(const app::ClipHandle& handle, const glm::dvec3& mm);
 
-    // A cut across the line of sight through the cross-hair, or none any more. usage without a study, or
-    // where the clip has no room for a plane.
+    // Cuts across the line of sight through the cross-hair, or removes that cut. usage without a study, or
+    // when the clip has no plane left.
     Result<void> setEyeCut(bool cuts);
     void setFollowsCamera(bool follows);
-    void dragEyeCut(double fromMiddleMm);  // a drag likewise
-    // Deeper by so many steps; from before all of the volume where there is no cut yet.
+    void dragEyeCut(double fromMiddleMm);  // joined into one undo step likewise
+    // Moves the cut deeper by `steps`. A new cut starts in front of the whole volume.
     Result<void> stepEyeCut(double steps);
-    // The camera that pictures are seen from has come to rest: a cut that follows it goes along.
+    // Call when the camera has come to rest: a cut that follows it turns with it.
     void setCamera(const Camera& camera);
 
-    // Fails as validate, and with usage where there are too many cuts.
+    // Fails as app::validate does, and with usage without a study or at kMostScissorCuts.
     Result<void> addScissorCut(app::ScissorCut cut);
     void removeScissorCuts();
 
   signals:
-    void changed();  // what the pictures show of it
+    void changed();  // what the pictures show of the clip
 
   private:
     Result<app::EyeCut> newEyeCut() const;

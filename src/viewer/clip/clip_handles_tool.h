@@ -12,8 +12,8 @@
 
 namespace macula::viewer {
 
-// Faces and planes go along their normal, centre and corner across the line of sight; the radius is taken at
-// the right of the ball. They lie over the picture, whatever is before them. Session and editing outlive it.
+// Faces and planes move along their normal, centre and corner across the line of sight; the radius handle is
+// right of the ball. Nothing hides a handle. Session and editing outlive it.
 class ClipHandlesTool : public QObject, public PictureTool {
   public:
     ClipHandlesTool(ViewerSession& session, ClipEditing& editing, QObject* parent = nullptr)
@@ -31,7 +31,7 @@ class ClipHandlesTool : public QObject, public PictureTool {
   private:
     struct Held {
         app::PlacedHandle handle;
-        glm::dvec3 grabbedMm;  // less this, the handle is where it was
+        glm::dvec3 grabbedMm;  // the pointer's offset: minus this, the old position
     };
     bool isUsable() const { return editing_.hasHandles() && session_.hasStudy(); }
     std::vector<app::PlacedHandle> handles(const app::PictureRays& rays) const;

@@ -1,4 +1,4 @@
-// What of a volume is shown, chosen by name, by faces in mm, and at the cross-hair.
+// A panel that clips the volume: by name, by faces in mm, and at the cross-hair.
 #pragma once
 
 #include <QComboBox>
@@ -17,8 +17,8 @@
 
 namespace macula::viewer {
 
-// Shows the clip of the session's state, and proposes others. A button that would change nothing a person
-// could mean is disabled, and its tool tip says why. The session outlives it.
+// Shows the clip of the session's state, and proposes others. A button is disabled while its edit fails, and
+// its tool tip says why. The session outlives it.
 class ClipPanel : public QWidget {
     Q_OBJECT
 
@@ -30,12 +30,12 @@ class ClipPanel : public QWidget {
 
   private:
     using Edited = Result<app::ClipChoice>;
-    // A button, and what it would choose now; that is asked only while a study is open.
+    // A button and its edit, which is called only while a study is open.
     struct Tool {
         QPushButton* button;
         QString what;
         std::function<Edited()> edit;
-        bool showsAll = false;  // cuts go too
+        bool showsAll = false;  // also removes the cuts
     };
 
     void makeClips();
@@ -73,7 +73,7 @@ class ClipPanel : public QWidget {
     QDoubleSpinBox* thickness_ = nullptr;
     QDoubleSpinBox* radius_ = nullptr;
     QComboBox* corners_ = nullptr;
-    app::ClipChoice lastOwn_;  // of this study: the list brings it back
+    app::ClipChoice lastOwn_;  // of this study; the list can restore it
 };
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// What is cut from where somebody looks: a plane before the eye, and the scissors.
+// Controls for cuts along the line of sight: a plane before the eye, and the scissors.
 #pragma once
 
 #include <QCheckBox>

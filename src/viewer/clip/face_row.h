@@ -1,4 +1,4 @@
-// One face of what a clip keeps: a slider, a number, and a button that opens it.
+// One face of the clip's box: a slider, a number, and a button that opens it.
 #pragma once
 
 #include <QLabel>
@@ -12,7 +12,7 @@
 
 namespace macula::viewer {
 
-// What it shows is set from outside, and tells nobody; what a hand does is told, and shown once it is set.
+// Setters emit nothing. A person's input is emitted, and the row's owner sets the result with showMm.
 class FaceRow : public QWidget {
     Q_OBJECT
 
@@ -20,14 +20,14 @@ class FaceRow : public QWidget {
     explicit FaceRow(app::Face face, QWidget* parent = nullptr);
 
     app::Face face() const { return face_; }
-    // From face to face of the volume; the slider goes on by `stepMm`. All are finite, and low < high.
+    // The volume's two faces on this axis; the slider moves by `stepMm`. All are finite, and low < high.
     void setRangeMm(double lowMm, double highMm, double stepMm);
     void showMm(double mm);
     void setUsable(bool usable, const QString& whyNot);
 
   signals:
     void moveBegan();
-    void moved(double mm);  // patient LPS, while a hand moves
+    void moved(double mm);  // patient LPS, while a person drags or types
     void moveEnded();
     void openAsked();
 

@@ -1,4 +1,4 @@
-// Clips of this study under a name.
+// A list of named clips of this study.
 #pragma once
 
 #include <QLabel>
@@ -12,8 +12,8 @@
 
 namespace macula::viewer {
 
-// Shows those of the session's state, and proposes others: what is clipped and cut now can be kept under a
-// name and gone back to. Names are unlike each other. The session outlives it.
+// Shows the named clips of the session's state, and proposes others: a person saves the current clip and cuts
+// under a unique name and restores them later. The session outlives it.
 class NamedClips : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ class NamedClips : public QWidget {
     const std::vector<app::NamedClip>& clips() const { return session_.state().namedClips; }
     std::optional<std::size_t> chosen() const;
     std::optional<std::size_t> indexOf(const std::string& name) const;
-    std::optional<std::string> typedName();  // nothing, and said why, where it is none
+    std::optional<std::string> typedName();  // nothing, with a message, if it is not usable
     void save();
     void apply();
     void rename();

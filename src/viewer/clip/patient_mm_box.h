@@ -1,4 +1,4 @@
-// Coordinates of a patient as a person reads and types them.
+// Patient coordinates as text to read and to type.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -8,14 +8,14 @@
 
 namespace macula::viewer {
 
-// As many as tell a tenth of a step, and at least one. The step is positive.
+// The decimals that resolve a tenth of `stepMm`, from 1 to 6. The step is positive.
 int decimalsForMm(double stepMm);
 
 // Along an axis of patient LPS: "R 45.0" for -45 mm on axis 0. The side is a letter and never a sign, which
 // other programs read the other way round.
 QString patientText(int axis, double mm, int decimals, const QLocale& locale);
-// The letter may stand behind, may be small, and "mm" may follow; without a letter the number has its sign in
-// LPS. Nothing for any other text.
+// Reads patientText. The letter may follow the number or be lower case, and "mm" may follow; without a letter
+// the sign is that of LPS. Nothing for any other text.
 std::optional<double> patientMm(int axis, const QString& text, const QLocale& locale);
 
 // Its value is in patient LPS, mm.

@@ -1,4 +1,4 @@
-// The scissors: an outline that is drawn over the 3D picture.
+// The scissors: an outline drawn over the 3D picture.
 #pragma once
 
 #include <QObject>
@@ -12,8 +12,8 @@
 
 namespace macula::viewer {
 
-// While they are out, the left button draws, and when it goes up what lies behind the outline is removed;
-// with Shift, all else. The editing outlives it.
+// While the scissors are out, the left button draws. Its release removes everything behind the outline, or
+// with Shift everything else. The editing outlives it.
 class ScissorTool : public QObject, public PictureTool {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ class ScissorTool : public QObject, public PictureTool {
         : QObject(parent), editing_(editing) {}
 
     bool isOut() const { return isOut_; }
-    void setOut(bool out);  // puts away what is being drawn
+    void setOut(bool out);  // discards an unfinished outline
 
     bool press(const PicturePlace& place) override;
     void move(const PicturePlace& place) override;
@@ -34,12 +34,12 @@ class ScissorTool : public QObject, public PictureTool {
     std::vector<ToolMark> marks(const PictureGeometry& picture) const override;
 
   signals:
-    void drawn();  // the outline is another one
+    void drawn();  // the outline has changed
     void taken(bool out);
     void refused(const macula::Error& error);
 
   private:
-    // In half heights of the picture that it was begun over.
+    // In units of half the height of `picture`, over which it was begun.
     struct Outline {
         PictureGeometry picture;
         std::vector<glm::dvec2> points;

@@ -1,4 +1,4 @@
-// Which voxels the scissors leave, found while the window goes on.
+// Computes in the background which voxels the scissors leave.
 #pragma once
 
 #include <QObject>
@@ -15,20 +15,20 @@
 
 namespace macula::viewer {
 
-// Keeps the mask of app::scissorMask for what was wanted last. Until it is found the one before holds, and a
-// cut that comes after others takes no more time than alone. Lives on the UI thread.
+// Keeps the app::scissorMask of the cuts wanted last. The old mask stays until the new one is made, and cuts
+// appended to those of the mask are computed alone. Lives on the UI thread.
 class VoxelCutting : public QObject {
     Q_OBJECT
 
   public:
     explicit VoxelCutting(QObject* parent);
 
-    void setVolume(std::shared_ptr<const Volume> volume);  // nothing is cut of it yet; tells nobody
+    void setVolume(std::shared_ptr<const Volume> volume);  // without cuts; no `changed`
     void want(const std::vector<app::ScissorCut>& scissors);
-    const std::optional<Mask>& mask() const { return made_.mask; }           // nothing: nothing is cut
+    const std::optional<Mask>& mask() const { return made_.mask; }           // nothing: no cuts
     const std::vector<app::ScissorCut>& madeOf() const { return made_.of; }  // of the mask
     bool running() const { return job_.running(); }
-    // What is being cut is refused: see `refused`.
+    // Refuses the cuts being computed: see `refused`.
     void cancel();
 
   signals:
@@ -36,7 +36,7 @@ class VoxelCutting : public QObject {
     void progressed(const QString& stage, double fraction);
     void ended();
     void changed();  // the mask
-    // What was wanted is not to be had; these cuts are.
+    // The wanted cuts failed or were cancelled; `had` are those of the mask.
     void refused(const std::vector<macula::app::ScissorCut>& had);
     void failed(const macula::Error& error);
 

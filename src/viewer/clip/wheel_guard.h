@@ -1,4 +1,4 @@
-// For controls in a panel that scrolls.
+// Guards controls in a scrolling panel against the wheel.
 #pragma once
 
 #include <QEvent>
@@ -7,8 +7,8 @@
 
 namespace macula::viewer {
 
-// The wheel changes what has the focus, and scrolls past all else: a clip that changes by the way would show
-// less of a patient than somebody thinks.
+// The wheel changes only the control that has the focus, and otherwise scrolls the panel: an accidental
+// change of the clip could hide part of the patient unnoticed.
 class WheelGuard : public QObject {
   public:
     using QObject::QObject;

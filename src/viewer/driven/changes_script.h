@@ -1,4 +1,4 @@
-// A hand made of code that never rests: changes whatever a person can change, in quick turns.
+// A scripted user without rest: changes everything that a person can change, in quick turns.
 #pragma once
 
 #include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
@@ -18,17 +18,17 @@
 namespace macula::viewer {
 
 struct ChangesScriptOptions {
-    app::StudySource study;  // in turns with the phantom; none: the phantom alone
+    app::StudySource study;  // alternates with the phantom; nothing: only the phantom
     double seconds = 300.0;
     std::uint32_t seed = 1;
 };
 
-// Begins when the first picture of the study is there. Every 0.1 to 2 s, sometimes 12 s, it chooses another
-// preset, clip, light or look, opens the other study, gives the window another size, or drags. What it does
-// is a function of the seed. At the end a JSON object goes to standard output: how often it did what, which
-// pictures came, how long the user interface was deaf, and the memory of the process after a fifth of the
-// time and at the end, both with the phantom at rest. `finished` carries the exit code: 0; 3 or 4 when
-// anything failed on the way; 1 when no picture came for a minute.
+// Begins with the first picture of the study. Every 0.1 to 2 s, sometimes 12 s, it chooses another preset,
+// clip, light or look, opens the other study, resizes the window, or drags. The seed determines all of it. At
+// the end a JSON object goes to standard output: the count of each change, the pictures shown, the longest
+// stall of the user interface, and the memory of the process after a fifth of the time and at the end, both
+// with the phantom at rest. `finished` carries the exit code: 0; 3 or 4 after an error; 1 when no picture
+// came for a minute.
 class ChangesScript : public QObject {
     Q_OBJECT
 

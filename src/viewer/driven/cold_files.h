@@ -1,4 +1,4 @@
-// Files that no memory of the system holds: what a study is opened with for the first time.
+// Drops files from the system's cache, so that a study opens as it does the first time.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,13 @@ namespace macula::viewer {
 struct ColdFiles {
     std::size_t files = 0;
     std::uint64_t bytes = 0;
-    // Of them, still in the cache of the system after it was asked to let go (posix_fadvise, DONTNEED): pages
-    // that another program has mapped, or has not written yet. What is beneath, a disc's own cache, is not
-    // known.
+    // Bytes still cached after posix_fadvise(DONTNEED): pages that another program has mapped or not written
+    // yet. The disc's own cache is unknown. A file whose state is unknown counts in full.
     std::uint64_t bytesStillCached = 0;
 };
 
-// A file, or all below a folder; links are not followed. Needs no rights but to read. What cannot be read is
-// left out.
+// Drops a file, or all files below a folder. Does not follow links, needs only read rights, and leaves out
+// unreadable files.
 ColdFiles dropFromCache(const std::filesystem::path& path);
 
 }  // namespace macula::viewer

@@ -1,5 +1,5 @@
-// A hand made of code: mouse, wheel and keys go through Qt's event system into widgets and the native window,
-// as those of a person do.
+// A scripted user: sends mouse, wheel and key events through Qt's event system to widgets and the native
+// window.
 #pragma once
 
 #include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
@@ -19,7 +19,7 @@ class DrivenHand : public QObject {
   public:
     explicit DrivenHand(MainWindow& window, QObject* parent = nullptr);
 
-    // A widget or a native window, with a place in it.
+    // A drag along a path in a widget or native window.
     struct Drag {
         QObject* target = nullptr;
         std::function<QPointF(double share)> path;  // share of the time, 0 to 1
@@ -27,31 +27,31 @@ class DrivenHand : public QObject {
         Qt::MouseButton button = Qt::LeftButton;
         Qt::KeyboardModifiers modifiers = Qt::NoModifier;
     };
-    // Goes on by itself, as often as a usual mouse tells; one at a time. Ends where the target is gone.
+    // Sends moves at the rate of a mouse. Does nothing while isBusy(); ends if the target is deleted.
     void drag(Drag drag);
     void drag(QObject& target, QPointF from, QPointF to, Qt::MouseButton button = Qt::LeftButton,
               Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     // Once around its middle, clockwise from the right; the radius is a share of its shorter side.
     void dragAround(QObject& target, double radiusShare);
-    // One notch after the other; negative ones are towards the person.
+    // Sends one notch after the other; negative turns towards the person.
     void turnWheel(QWidget& target, int notches);
     bool isBusy() const { return dragging_.target != nullptr || notches_ != 0; }
 
     void click(QWidget& target, QPointF at);
-    // In the 3D picture, where all shortcuts of the window are taken too.
+    // Sends the key to the 3D picture, where the window's shortcuts also work.
     void press(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     void press(QWidget& target, int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
     void type(QWidget& target, const QString& text);
-    // Of a menu or a bar, by the name of the object.
+    // Triggers an action of a menu or tool bar by its object name.
     void trigger(const char* action);
-    // Of the window, by the name of the object. Null where there is none.
+    // Finds a child of the window by object name; a missing one gives null and an entry in missing().
     template <class T>
     T* find(const char* name) {
         T* found = window_.findChild<T*>(QString::fromLatin1(name));
         if (found == nullptr) missing_ << QString::fromLatin1(name);
         return found;
     }
-    // What was to be used, and was not there or could not be: what was measured then is less than it says.
+    // Objects that were not found or not usable: the measurements then cover less than they claim.
     const QStringList& missing() const { return missing_; }
 
     static QPointF middleOf(const QObject& target);
@@ -63,7 +63,7 @@ class DrivenHand : public QObject {
 
     MainWindow& window_;
     Drag dragging_;
-    QPointer<QObject> target_;  // of the drag, or of the wheel
+    QPointer<QObject> target_;  // of the drag or the wheel
     QElapsedTimer since_;
     QTimer moves_;
     QTimer turns_;

@@ -1,4 +1,4 @@
-// What a hand made of code does, one thing after the other, and how long the user interface was deaf in each.
+// Runs the steps of a scripted user one by one, and measures how long the user interface stalled in each.
 #pragma once
 
 #include <QElapsedTimer>
@@ -15,10 +15,10 @@ namespace macula::viewer {
 
 struct DrivenStep {
     QString name;
-    std::function<void()> begin = {};   // empty: nothing but waiting
-    std::function<bool()> isDone = {};  // asked again and again; empty: at once
-    int patienceMs = 30'000;            // then it goes on, and the step counts as not done
-    int restMs = 150;                   // after it is done: what it set going is counted in it
+    std::function<void()> begin = {};   // empty: only waits
+    std::function<bool()> isDone = {};  // polled every 20 ms; empty: done at once
+    int patienceMs = 30'000;            // after that the step ends and counts as not done
+    int restMs = 150;                   // after it is done, still measured as part of it
 };
 
 struct MeasuredStep {
@@ -29,7 +29,7 @@ struct MeasuredStep {
     bool isDone = true;
 };
 
-// Nothing is measured between two steps: who listens to `ended` may take its time. Lives on the UI thread.
+// Nothing is measured between two steps, so a slot of `ended` may take long. Lives on the UI thread.
 class DrivenSteps : public QObject {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ class DrivenSteps : public QObject {
     explicit DrivenSteps(std::vector<DrivenStep> steps, QObject* parent = nullptr);
 
     void start();  // `finished` follows, once
-    void stop();   // nothing follows
+    void stop();   // no signal follows
     const std::vector<MeasuredStep>& measured() const { return measured_; }
 
   signals:
@@ -59,7 +59,7 @@ class DrivenSteps : public QObject {
     qint64 doneAtMs_ = -1;
 };
 
-// The longest of all, 0 of none; and an array of { "step", "ms", "longestUiStallMs", "done" }.
+// The longest stall of all steps, 0 without steps; and a JSON array with an object for each step.
 double longestStallMs(const std::vector<MeasuredStep>& steps);
 QJsonArray toJson(const std::vector<MeasuredStep>& steps);
 

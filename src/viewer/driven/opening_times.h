@@ -1,4 +1,4 @@
-// How soon a study can be looked at, after the program has begun.
+// Measures how soon after the start of the program a study can be seen.
 #pragma once
 
 #include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
@@ -10,7 +10,7 @@
 
 namespace macula::viewer {
 
-// Listens to the window, and notes when each of these came first.
+// Listens to the window and notes when each event of toJson() first occurred.
 class OpeningTimes : public QObject {
     Q_OBJECT
 
@@ -18,9 +18,9 @@ class OpeningTimes : public QObject {
     explicit OpeningTimes(MainWindow& window, QObject* parent = nullptr);
 
     void start() { clock_.start(); }  // before the window is shown
-    // Milliseconds since then, -1 for what has not come: "windowMs", "studyReadMs" (decoded), "sliceMs",
-    // "pictureMs" (any of the volume), "modelMs" (splats fit to be shown), and how that model came
-    // ("modelOrigin"). "renderThread" is where its time went until then, or until now (times_report.h).
+    // Milliseconds since start(), -1 for an event that has not occurred: "windowMs", "studyReadMs" (decoded),
+    // "sliceMs", "pictureMs" (of the volume), "modelMs" (splats fit to be shown), and its origin
+    // ("modelOrigin"). "renderThread": its stages until modelMs, or until now (times_report.h).
     QJsonObject toJson() const;
 
   private:

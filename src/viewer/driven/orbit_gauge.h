@@ -1,4 +1,4 @@
-// How well the picture follows while a hand turns the volume.
+// Measures how well the picture follows while a hand turns the volume.
 #pragma once
 
 #include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h

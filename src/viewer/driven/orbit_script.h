@@ -1,4 +1,4 @@
-// A hand made of code: orbits, takes screenshots, and measures how well the picture followed.
+// A scripted user that orbits, takes screenshots, and measures how well the picture followed.
 #pragma once
 
 #include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
@@ -17,21 +17,20 @@
 namespace macula::viewer {
 
 struct OrbitScriptOptions {
-    QString screenshotFolder;    // empty: none are taken
-    double waitSeconds = 0.0;    // before it: the model learns
+    QString screenshotFolder;    // empty: no screenshots
+    double waitSeconds = 0.0;    // before the orbit, while the model learns
     double turnSeconds = 8.0;    // once around the patient
-    double seconds = 8.0;        // of orbiting; longer where the picture has hardly followed by then
-    double restSeconds = 300.0;  // after it, at most
+    double seconds = 8.0;        // of orbiting; longer if few pictures have followed by then
+    double restSeconds = 300.0;  // after the orbit, at most
     double timeoutSeconds = 300.0;
 };
 
-// Begins some time after the first full picture of the study is there, ends when the picture has converged or
-// the time for that is over. The drag goes through the event system into the native window, as that of a
-// mouse does. At the end a JSON object goes to standard output: how soon the study was there, what followed
-// the hand, each picture in motion (what it was, its size, when it was on screen and how long after the
-// input), and how soon it was sharp again (-1: not before the rest was over). `finished` carries the exit
-// code: 0; 3 when the study could not be opened; 4 when the device could not be used; 1 when no picture came
-// in time or a screenshot could not be written.
+// Begins waitSeconds after the first full picture of the study, and ends when the picture has converged or
+// restSeconds are over. The drag goes through the event system into the native window, as a mouse drag does.
+// At the end a JSON object goes to standard output: the opening times, each picture in motion (its kind, its
+// size, when it was on screen and how long after the input), and how soon it was sharp again (-1: not within
+// restSeconds). `finished` carries the exit code: 0; 3 when the study could not be opened; 4 when the device
+// could not be used; 1 when no picture came in time or a screenshot could not be written.
 class OrbitScript : public QObject {
     Q_OBJECT
 
@@ -82,10 +81,10 @@ class OrbitScript : public QObject {
     };
     std::vector<Followed> followed_;
     QElapsedTimer resting_;
-    app::OnScreen atRest_ = app::OnScreen::nothing;  // on screen since
+    app::OnScreen atRest_ = app::OnScreen::nothing;  // on screen since atRestSinceMs_
     double atRestSinceMs_ = 0.0;
-    double longestPreviewMs_ = 0.0;  // a small picture, after the hand stopped
-    double firstTracedMs_ = -1.0;    // after that, until a denoised one with all pixels began to show
+    double longestPreviewMs_ = 0.0;  // a reduced picture, after the hand stopped
+    double firstTracedMs_ = -1.0;    // from then until a denoised picture with all pixels
     bool hasConverged_ = false;
     hybrid::ModelNews modelInMotion_{};
     std::uint64_t lastSequence_ = 0;

@@ -1,5 +1,5 @@
-// The bench of the window: how soon a study is there, how deaf the user interface is over a day's work, and
-// how well the picture follows.
+// The bench of the window: how soon a study is open, how long the user interface stalls over a day's work,
+// and how well the picture follows.
 #pragma once
 
 #include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
@@ -20,15 +20,14 @@ namespace macula::viewer {
 
 struct SessionScriptOptions {
     app::StudySource study;
-    bool opensOnly = false;  // ends once slice, picture and model are there
+    bool opensOnly = false;  // ends once slice, picture and model have arrived
     SessionWork work;
-    double modelSeconds = 60.0;  // for the preview to be sharp enough to be shown, at most
+    double modelSeconds = 60.0;  // at most, for the preview to be sharp enough to show
 };
 
-// The files of the study are taken out of the system's cache first. `finished` carries the exit code: 0, that
-// of the error when the study could not be opened or the device used, or no picture came in time; kExitFault
-// when a step was not done, or something to be used was not there: then less was measured than the report
-// says.
+// First drops the files of the study from the system's cache. `finished` carries the exit code: 0; that of
+// the error when the study could not be opened or the device used, or no picture came in time; kExitFault
+// when a step was not done or an object was missing, so that the report is incomplete.
 class SessionScript : public QObject {
     Q_OBJECT
 
@@ -60,16 +59,16 @@ class SessionScript : public QObject {
     bool isDone_ = false;
 };
 
-// How long ago this process was started; -1 where the system does not say.
+// The age of this process; -1 if the system does not tell it.
 double processAgeMs();
 
-// The table of what the bench wants and what was measured, for a person. `resumed` is the report of the same
-// study opened again by another process, as it was left; empty: it was not.
+// A table of targets and measurements, for a person. `resumed` is the report of another process that opened
+// the same study again as it was left; empty: none.
 QString sessionTable(const QJsonObject& session, const QJsonObject& resumed);
 
 // Opens the study again in another process, with these arguments of the command line, and prints both: JSON
-// to standard output, the table to standard error. Returns the exit code, which is `code` where that is not
-// 0.
+// to standard output, the table to standard error. Returns `code` if that is not 0, else the exit code of the
+// reopening.
 int reportSession(int code, const QJsonObject& session, const QStringList& arguments);
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// A day's work in the window: what the bench drives it through.
+// The steps of a day's work, through which the bench drives the window.
 #pragma once
 
 #include <vector>
@@ -10,16 +10,16 @@
 namespace macula::viewer {
 
 struct SessionWork {
-    QSize volumePixels{1280, 720};  // of the 3D picture while it is turned, three slices beside
+    QSize volumePixels{1280, 720};  // of the 3D picture while it turns, beside three slices
     double orbitSeconds = 8.0;
     double turnSeconds = 8.0;  // once around the patient
 };
 
-// Begins with a study on screen, and ends with it shown as when first opened. All of these outlive the steps.
+// Begins with a study on screen, and ends with it as first opened. The arguments outlive the steps.
 std::vector<DrivenStep> sessionSteps(MainWindow& window, DrivenHand& hand, OrbitGauge& orbit,
                                      const SessionWork& work);
 
-// The panel of that name ("studies-panel") is shown or hidden, by its action.
+// Shows or hides the panel of that object name ("studies-panel") by its action.
 void showPanel(DrivenHand& hand, const char* name, bool shown);
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// Takes a picture of the whole screen at each station of a day's work, to be looked at and for the guide.
+// Takes a screenshot at each station of a day's work, for inspection and for the guide.
 #pragma once
 
 #include "viewer/window/main_window.h"  // before Qt, see vulkan_window.h
@@ -15,15 +15,15 @@
 namespace macula::viewer {
 
 struct StationsScriptOptions {
-    QString folder;               // of the pictures; made where it is not there
+    QString folder;               // of the pictures; made if missing
     QString until;                // the last station; empty: all
-    double waitSeconds = 30.0;    // for a converged picture, at each station that shows one; at most
-    double beginSeconds = 300.0;  // for the first one
+    double waitSeconds = 30.0;    // at most, for a converged picture at each station with one
+    double beginSeconds = 300.0;  // at most, for the first one
 };
 
-// The window takes all of the screen. "FOLDER/NAME.png" of: open, studies, presets, transfer, clip, scissors,
-// segments, measure, volume, save, movie, settings, settings-keys, keys; and beside and fusion, where the
-// folder has another volume of the same patient. `finished` carries the exit code, as that of SessionScript;
+// The window fills the screen. Writes "FOLDER/NAME.png" for: open, studies, presets, transfer, clip,
+// scissors, segments, measure, volume, save, movie, settings, settings-keys, keys; and beside and fusion, if
+// the folder has another volume of the same patient. `finished` carries the exit code as in SessionScript;
 // the names go to standard output as a JSON array.
 class StationsScript : public QObject {
     Q_OBJECT
@@ -56,7 +56,7 @@ class StationsScript : public QObject {
     StationsScriptOptions options_;
     DrivenHand hand_;
     std::unique_ptr<DrivenSteps> steps_;
-    bool isConverged_ = false;  // the picture on screen
+    bool isConverged_ = false;  // the picture on screen has converged
     bool hasPicture_ = false;
     bool hasSecond_ = false;
     QJsonArray names_;

@@ -1,4 +1,4 @@
-// Measures how long the user interface was deaf.
+// Measures how long the event loop of the user interface was blocked.
 #pragma once
 
 #include <QElapsedTimer>
@@ -7,8 +7,8 @@
 
 namespace macula::viewer {
 
-// A timer on the UI thread that should fire every few milliseconds; when it comes late, the event loop was
-// held up by something else, and clicks would have waited as long.
+// A timer on the UI thread fires every 5 ms; when it is late, other work held up the event loop, and clicks
+// would have waited as long.
 class UiHeartbeat : public QObject {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ class UiHeartbeat : public QObject {
     // The processor time of this thread in that hold-up; for the rest of it the thread waited, for a core or
     // for something else. 0 on systems other than Linux.
     double ownWorkInItMs() const { return ownWorkInItMs_; }
-    // How often it was held up for longer than a person notices.
+    // How often a hold-up was longer than a person notices.
     static constexpr double kNoticedMs = 50.0;
     long noticed() const { return noticed_; }
     long beats() const { return beats_; }
@@ -34,7 +34,7 @@ class UiHeartbeat : public QObject {
     QElapsedTimer sinceLast_;
     double longestMs_ = 0.0;
     double ownWorkInItMs_ = 0.0;
-    double ownWorkMs_ = 0.0;  // of this thread, ever, at the last beat
+    double ownWorkMs_ = 0.0;  // processor time of this thread at the last beat
     long noticed_ = 0;
     long beats_ = 0;
 };

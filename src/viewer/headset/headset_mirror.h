@@ -1,4 +1,4 @@
-// What the left eye sees in the headset, in the window.
+// Mirrors the left eye of the headset in the window.
 #pragma once
 
 #include <QImage>
@@ -13,7 +13,7 @@ namespace macula::viewer {
 
 class MirrorPicture;
 
-// Whose study it is stands above it only where somebody has asked for that: others look over a shoulder.
+// Patient and study are shown above it only on request, because others may watch the screen.
 class HeadsetMirror : public QWidget {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ class HeadsetMirror : public QWidget {
 
     void setNames(const QString& names);  // of patient and study
     void setRunning(bool runs);
-    void setPicture(const QImage& leftEye);  // null: none
+    void setPicture(const QImage& leftEye);  // null: no picture
     void setNote(const QString& note);
 
     bool showsNames() const;

@@ -1,4 +1,4 @@
-// The study of the window in a headset, beside the window: on a thread and a device of its own.
+// Shows the window's study in a headset, on a thread and a device of its own.
 #pragma once
 
 #include <QImage>
@@ -16,36 +16,35 @@
 
 namespace macula::viewer {
 
-// What is to be shown, and what may be chosen there.
+// The study to show, and the presets that can be chosen there.
 struct HeadsetWish {
     std::shared_ptr<const Volume> volume = {};
     app::Drawing drawing = {};  // complete
     std::vector<std::shared_ptr<const TransferFunction>> presets = {};
-    std::filesystem::path pictures = {};  // where those that are taken go; empty: none can be
+    std::filesystem::path pictures = {};  // folder of pictures taken there; empty: none can be taken
 };
 
-// What hands have chosen in the room, or somebody in the window.
+// A choice made in the headset or in the window.
 struct HeadsetChoice {
     std::shared_ptr<const TransferFunction> transferFunction = {};
     std::shared_ptr<const Clip> clip = {};  // null: all of the volume is shown
 };
 
-// One session at a time. Everything may go wrong there - no software of a headset, no headset, one that is
-// unplugged - and is told in a sentence; the window goes on, and another session can be begun. Lives on the
-// UI thread.
+// One session at a time. Any failure - no runtime, no headset, a headset unplugged - is reported by `failed`;
+// the window goes on, and another session can start. Lives on the UI thread.
 class HeadsetShow : public QObject {
     Q_OBJECT
 
   public:
     explicit HeadsetShow(QObject* parent);
-    ~HeadsetShow() override;  // ends the session, and waits for that
+    ~HeadsetShow() override;  // ends the session and waits for its end
 
-    // Nothing happens while a session is there.
+    // Does nothing while a session runs.
     void start(HeadsetWish wish);
-    void stop();     // `ended` is told when it has
-    void abandon();  // the same, and what is chosen there counts no more: it is of another study
+    void stop();     // `ended` follows
+    void abandon();  // stops, and ignores later choices there, which are of another study
     bool isRunning() const { return job_.running(); }
-    // What was chosen in the window meanwhile.
+    // Passes the window's choice to the headset.
     void propose(HeadsetChoice choice);
 
   signals:
@@ -54,7 +53,7 @@ class HeadsetShow : public QObject {
     void chosen(const macula::viewer::HeadsetChoice& choice);
     void noted(const QString& sentence);
     void failed(const macula::Error& error);
-    void ended(const QString& figures);  // whatever it ended by; empty where it failed
+    void ended(const QString& figures);  // after any end; empty on failure
 
   private:
     struct Shared;

@@ -1,4 +1,4 @@
-// What is written in a headset, in the language of the window.
+// The texts of the headset in the language of the window.
 #pragma once
 
 #include <memory>

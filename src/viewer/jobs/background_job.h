@@ -1,4 +1,4 @@
-// Work that nobody waits for.
+// Runs work on a thread of its own, without blocking the UI thread.
 #pragma once
 
 #include <QObject>
@@ -17,8 +17,8 @@
 
 namespace macula::viewer {
 
-// One piece of work at a time, on a thread of its own; a new one takes the place of the one before, of which
-// nothing is told any more. All members are called, and all is told, on the thread that `home` lives on.
+// One job at a time, on a thread of its own; a new job replaces the one before, which reports nothing more.
+// Call all members on the thread of `home`, which also gets all callbacks.
 template <class Value>
 class BackgroundJob {
   public:
@@ -38,7 +38,7 @@ class BackgroundJob {
         threads_.clear();
     }
 
-    // What `work` throws, and a thread that cannot be made, are told as an error: there is no memory.
+    // Reports outOfMemory when `work` throws or no thread can be made.
     void start(Work work) {
         cancel();
         const std::uint64_t id = ++lastId_;
@@ -58,19 +58,19 @@ class BackgroundJob {
                 tell([this, id, outcome = outcomeOf(work, progress)] { finish(id, outcome); });
             });
         } catch (const std::exception&) {
-            // In its turn, as if it had begun: who starts it has not told that yet.
+            // Posted as if the job had begun: the caller has not yet announced the start.
             tell([this, id] { finish(id, noMemory()); });
         }
     }
 
-    // Nothing is told of it any more. Whether there was anything to cancel.
+    // The job reports nothing more. Returns whether one was running.
     bool cancel() {
         for (const Thread& thread : threads_) thread.token.cancel();
         return std::exchange(current_, 0) != 0;
     }
 
     bool running() const { return current_ != 0; }
-    bool atRest() const { return threads_.empty(); }  // cancelled ones have noticed, too
+    bool atRest() const { return threads_.empty(); }  // cancelled jobs have ended, too
 
   private:
     struct Thread {
@@ -83,8 +83,7 @@ class BackgroundJob {
         return {ErrorCode::outOfMemory, "There is not enough memory.", {}, "Close other programs."};
     }
 
-    // Libraries' own exceptions stop in the files that called them: what comes here is that there is no
-    // memory.
+    // Libraries' own exceptions are caught by their callers: what arrives here means no memory.
     static Result<Value> outcomeOf(const Work& work, Progress& progress) {
         try {
             return work(progress);
@@ -96,7 +95,7 @@ class BackgroundJob {
     void tell(std::function<void()> call) { post(home_, std::move(call)); }
 
     void finish(std::uint64_t id, const Result<Value>& outcome) {
-        // Posting this was the last thing its thread did: joining it takes no time.
+        // Posting this was the thread's last action: joining takes no time.
         threads_.remove_if([id](const Thread& thread) { return thread.id == id; });
         if (id != current_) return;
         current_ = 0;
@@ -105,7 +104,7 @@ class BackgroundJob {
 
     QObject* home_;
     Listener listener_;
-    std::list<Thread> threads_;  // the current one, and cancelled ones that have not noticed yet
+    std::list<Thread> threads_;  // the current one, and cancelled ones that still run
     std::uint64_t current_ = 0;
     std::uint64_t lastId_ = 0;
 };

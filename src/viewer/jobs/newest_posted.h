@@ -1,4 +1,4 @@
-// Values for the UI thread of which only the newest matters.
+// Passes values to the UI thread, where only the newest matters.
 #pragma once
 
 #include <QObject>
@@ -12,9 +12,8 @@
 
 namespace macula::viewer {
 
-// Called on any threads; `take` is called on the one that `home` lives on. At most one value waits: a newer
-// one takes its place, so that a thread that is busy is not given the same work again and again. Copies are
-// one.
+// Any thread may call it; `take` runs on the thread of `home`. At most one value waits: a newer one replaces
+// it, so that a busy thread does not repeat the same work. Copies share the waiting value.
 template <class Value>
 class NewestPosted {
   public:
@@ -26,7 +25,7 @@ class NewestPosted {
 
     void operator()(Value value) const {
         const std::lock_guard lock(state_->mutex);
-        if (std::exchange(state_->waiting, std::move(value))) return;  // it is asked for already
+        if (std::exchange(state_->waiting, std::move(value))) return;  // a call of take is posted already
         post(home_, [state = state_] {
             std::optional<Value> newest;
             {

@@ -1,5 +1,5 @@
-// What keys and mouse do in the window, in one table: viewport, menus and help are made from it, and a test
-// holds docs/window.md to it.
+// The table of the window's keys and mouse actions: viewport, menus and help are made from it, and a test
+// compares docs/window.md with it.
 #pragma once
 
 #include <QKeySequence>
@@ -82,7 +82,7 @@ enum class KeyAction {
 
 struct KeyRow {
     KeyAction action;
-    const char* hand;      // what else does it, in words; the keys, where they are more than one
+    const char* hand;      // the mouse action, or several keys, in words
     const char* sequence;  // the key, as QKeySequence reads it; empty: see `hand`
     const char* does;
 };
@@ -174,21 +174,21 @@ inline constexpr std::array kLayouts{LayoutRow{app::Layout::fourPanes, "&Four Pa
                                      LayoutRow{app::Layout::coronal, "C&oronal Alone", "F8"},
                                      LayoutRow{app::Layout::sagittal, "Sa&gittal Alone", "F9"}};
 
-// Studies, transfer function, clip, presets, lights.
+// The keys of the panels: studies, transfer function, clip, presets, lights.
 inline constexpr std::array kPanelKeys{"F2", "F3", "F4", "F10", "F12"};
 
-// Empty for what only a hand does.
+// Empty for an action without a single key.
 QKeySequence keyOf(KeyAction action);
 // "Ctrl+1" and so on, in the order of trace::kLooks.
 QKeySequence keyOf(trace::Look look);
 QKeySequence keyOf(const LayoutRow& row);
-// All keys of a row that names several in words.
+// All keys of the action, also of rows that name several in words.
 std::vector<QKeySequence> keysOf(KeyAction action);
-// What is pressed in a help text: "Drop a folder or a file, Ctrl+O".
+// The input as a help text has it: "Drop a folder or a file, Ctrl+O".
 QString pressedFor(const KeyRow& row);
-// The same with the keys that a person has chosen, in the language of the window.
+// The same with the person's own keys, in the language of the window.
 QString chosenFor(const KeyRow& row);
-// Of keys without Ctrl or Alt, which act on the picture only.
+// The action of a key that acts on the picture only. Ignores modifiers.
 std::optional<KeyAction> actionOf(const QKeyEvent& event);
 std::optional<ViewDirection> viewDirectionOf(KeyAction action);
 

@@ -1,4 +1,4 @@
-// What the left button does on a slice.
+// The action of the left button on a slice.
 #pragma once
 
 namespace macula::viewer {

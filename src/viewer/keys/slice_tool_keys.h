@@ -1,4 +1,4 @@
-// The tools of slices and their keys, in one table: tool bar, slices and help are made from it.
+// The table of the slice tools and their keys, from which tool bar, slices and help are made.
 #pragma once
 
 #include <QCoreApplication>
@@ -19,7 +19,7 @@ struct SliceToolRow {
     const char* does;
 };
 
-// Titles and what they do are translated in the context of this name.
+// The translation context of `title` and `does`.
 inline constexpr const char* kSliceToolContext = "SliceTool";
 
 inline constexpr std::array kSliceTools{

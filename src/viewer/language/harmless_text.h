@@ -1,12 +1,11 @@
-// Text of files, such as a patient's name, made safe to be painted.
+// Makes text of files, such as a patient's name, safe to paint.
 #pragma once
 
 #include <QString>
 
 namespace macula::viewer {
 
-// One line, without characters that turn the direction of what follows: they could make one name look like
-// another.
+// Returns one line without bidirectional control characters, which could make one name look like another.
 QString harmless(const QString& text);
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// The language that the window speaks.
+// The language of the window.
 #pragma once
 
 #include <QString>
@@ -12,20 +12,20 @@ enum class Language { english, german };
 struct LanguageRow {
     Language language;
     const char* code;   // ISO 639-1, as options and settings write it
-    const char* title;  // in the language itself: who cannot read the others finds it
+    const char* title;  // in the language itself, for readers of no other
 };
 inline constexpr std::array kLanguages{LanguageRow{Language::english, "en", "English"},
                                        LanguageRow{Language::german, "de", "Deutsch"}};
 
-// Nothing for a language that there is not.
+// Nothing for an unknown code.
 std::optional<Language> languageOf(const QString& code);
 QString codeOf(Language language);
 
-// The first of those that the desktop asks for; English where there is none of them.
+// The first language that the desktop asks for and kLanguages has; else English.
 Language desktopLanguage();
 
-// Texts, and how numbers are written, from now on: widgets that are there already keep theirs, so it comes
-// before them. May be called again. On the UI thread; needs a QCoreApplication.
+// Sets the language of texts and numbers. Existing widgets keep theirs, so call it before making them. May be
+// called again. On the UI thread; needs a QCoreApplication.
 void useLanguage(Language language);
 
 }  // namespace macula::viewer

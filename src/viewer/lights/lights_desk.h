@@ -1,4 +1,4 @@
-// All that the window has of lights: panel, handles in the picture, files, and the exposure that suits it.
+// Joins the lights of the window: panel, handles in the picture, files, and metering of the exposure.
 #pragma once
 
 #include <QFileDialog>
@@ -16,9 +16,9 @@ namespace macula::viewer {
 
 class LightsPanel;
 
-// What it needs of the window. `ask` opens the dialog and remembers its folder; `folder` is where it begins.
+// The window's services. `ask` opens a dialog and remembers its folder; `folder` is where one begins.
 struct LightsHost {
-    std::function<app::ViewPicture()> seen;  // what the 3D picture shows now, at any size
+    std::function<app::ViewPicture()> seen;  // the current 3D picture, at any size
     std::function<void(QFileDialog*, std::function<void(const QString&)>)> ask;
     std::function<QString()> folder;
     std::string device = {};  // as in gpu::chooseDevice

@@ -1,4 +1,4 @@
-// What hands do with the lights, in the panel and in the picture.
+// Edits the lights, from the panel and in the picture.
 #pragma once
 
 #include <QObject>
@@ -12,8 +12,8 @@
 
 namespace macula::viewer {
 
-// Which light is chosen, and how the rig that is seen changes: a rig of the list is never changed, the first
-// edit makes an own one of the state. Proposes rigs to the session, which outlives it.
+// Holds which light is chosen, and proposes changed rigs to the session, which outlives it. A rig of the
+// catalogue never changes: the first edit gives the state a rig of its own.
 class LightsEditing : public QObject {
     Q_OBJECT
 
@@ -22,25 +22,25 @@ class LightsEditing : public QObject {
 
     // A study is open, and its look has lights.
     bool isUsable() const;
-    // That of the state, or the default one of its look. Never null.
+    // The rig of the state, or the default rig of its look. Never null.
     std::shared_ptr<const trace::LightRig> rig() const;
-    std::size_t chosen() const;  // 0 where there is no light
+    std::size_t chosen() const;  // 0 without a light
     void choose(std::size_t light);
     const trace::SoftLight* light() const;  // the chosen one; null: the rig has none
 
-    // Handles lie over the picture while the panel is open.
+    // Handles are shown over the picture while the panel is open.
     bool hasHandles() const { return isPanelOpen_ && isUsable(); }
     void setPanelOpen(bool open);
 
-    // What the rig is turned by, seen by that eye. Nothing for a camera that is none.
+    // The rig's frame and rotation as seen by that camera. Nothing for an unusable camera.
     std::optional<app::LightStand> stand(const Camera& camera) const;
     void setCamera(const Camera& camera) { camera_ = camera; }
 
-    // The chosen light takes these numbers; a drag, until the session's endDrag.
+    // Replaces the chosen light; one undo step until the session's endDrag.
     Result<void> drag(const trace::SoftLight& light);
-    void strengthen(double factor);        // likewise, and ends by itself after a pause
-    Result<void> setSky(double radiance);  // likewise; what was black becomes grey
-    // To what the state had when the drag began; null: the default lights.
+    void strengthen(double factor);        // likewise, and the step ends after a pause
+    Result<void> setSky(double radiance);  // likewise; a black sky becomes grey
+    // Back to the rig of the state when the drag began; null: the default lights.
     void dragBack(const std::shared_ptr<const trace::LightRig>& lights);
     // One step each.
     Result<void> add();  // a light from above the viewer's left shoulder, and chooses it
@@ -49,7 +49,7 @@ class LightsEditing : public QObject {
     void use(std::shared_ptr<const trace::LightRig> rig);
 
   signals:
-    void changed();  // what panel and picture show of it
+    void changed();  // what panel and picture show of the lights
 
   private:
     Result<void> propose(Result<trace::LightRig> rig, bool isDrag);

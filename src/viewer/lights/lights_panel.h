@@ -1,4 +1,4 @@
-// Where the light comes from, in numbers.
+// A panel with the numbers of the lights.
 #pragma once
 
 #include <QColorDialog>
@@ -15,7 +15,7 @@
 
 namespace macula::viewer {
 
-// Shows the rig that is seen, one light of it, and what all have in common. The editing outlives it.
+// Shows the current rig, its chosen light, and the settings of all its lights. The editing outlives it.
 class LightsPanel : public QWidget {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ class LightsPanel : public QWidget {
     LightsPanel(ViewerSession& session, LightsEditing& editing, QWidget* parent = nullptr);
     ~LightsPanel() override;
 
-    // The exposure is being found, or is not: then it may be asked for.
+    // The exposure can be asked for only while `isMetering` is false.
     void setMetering(bool isMetering);
     void tell(const Error& error);  // below the controls
 
@@ -31,7 +31,7 @@ class LightsPanel : public QWidget {
     void saveAsked();
     void openAsked();
     void meteringAsked();  // an exposure that suits the picture
-    void lookedAt();       // what is asked next depends on the camera of now
+    void lookedAt();       // emitted before an edit that needs the current camera
 
   private:
     QWidget* makeRig();
@@ -39,7 +39,7 @@ class LightsPanel : public QWidget {
     QWidget* makeAll();
     QDoubleSpinBox* makeNumber(const QString& name, const QString& title, const QString& suffix,
                                const QString& does);
-    void tryTo(const Result<void>& done);  // says what was refused
+    void tryTo(const Result<void>& done);  // shows the error
     void changeLight(const std::function<void(trace::SoftLight&)>& edit);
     void setParameter(const char* id, double value);
     void askColour();

@@ -10,9 +10,9 @@
 
 namespace macula::viewer {
 
-// Each light is a handle on the dome over the picture (light_direction.h): in the middle it shines from the
-// viewer, on the dotted circle from the sides, beyond it from behind. Dragged, it moves there; Shift and the
-// wheel change how strong the chosen one is. Session and editing outlive it.
+// Each light is a handle on the dome over the picture (light_direction.h): in the middle the light shines
+// from the viewer, on the dotted circle from the side, beyond it from behind. A drag moves the light; Shift
+// and the wheel change the strength of the chosen one. Session and editing outlive it.
 class LightsTool : public QObject, public PictureTool {
   public:
     LightsTool(ViewerSession& session, LightsEditing& editing, QObject* parent = nullptr)
@@ -33,7 +33,7 @@ class LightsTool : public QObject, public PictureTool {
 
     ViewerSession& session_;
     LightsEditing& editing_;
-    std::optional<glm::dvec2> grabbed_;  // less this, the light is where it was
+    std::optional<glm::dvec2> grabbed_;  // the pointer's offset: minus this, the old place
     glm::dvec2 pressedAt_{0.0};
 };
 

@@ -1,4 +1,4 @@
-// The peripheral model of the window to a file, while the window goes on.
+// Writes the window's peripheral model to a file in the background.
 #pragma once
 
 #include <QObject>
@@ -11,7 +11,7 @@
 
 namespace macula::viewer {
 
-// First the render thread is asked for it, then it is written. One at a time. Lives on the UI thread.
+// Waits for the model from the render thread, then writes it. One at a time. Lives on the UI thread.
 class ModelExport : public QObject {
     Q_OBJECT
 
@@ -21,10 +21,10 @@ class ModelExport : public QObject {
     struct Wish {
         std::filesystem::path path;
         bool displayColours = false;
-        std::shared_ptr<const Volume> volume{};  // whose it is, and how it was drawn, when it was asked for
+        std::shared_ptr<const Volume> volume{};  // volume and drawing when it was asked for
         app::Drawing drawing{};
     };
-    // `number` is FrameInput::modelWishes of the question.
+    // `number` is FrameInput::modelWishes of the request.
     void expect(Wish wish, std::uint64_t number);
     void onTaken(const app::ModelTaken& taken);
     void cancel();
@@ -39,8 +39,8 @@ class ModelExport : public QObject {
   private:
     void forgetStudy();
 
-    Wish wish_;                   // its volume and drawing only while the model is expected
-    std::uint64_t expected_ = 0;  // 0: nothing
+    Wish wish_;                   // has volume and drawing only while the model is expected
+    std::uint64_t expected_ = 0;  // 0: none
     BackgroundJob<std::size_t> job_;
 };
 

@@ -1,4 +1,4 @@
-// A turntable or a way of the camera that is drawn to a folder while the window goes on, and made a video.
+// Draws a turntable or a camera path to a folder in the background, and encodes it as a video.
 #pragma once
 
 #include <QObject>
@@ -15,12 +15,11 @@ namespace macula::viewer {
 struct MovieWish {
     app::ViewSequence sequence;
     double picturesPerS = 25.0;
-    bool wantsVideo = false;  // where there is an encoder
+    bool wantsVideo = false;  // if there is an encoder
 };
 
-// One at a time; another one takes the place of the one before. When drawing
-// is stopped nothing of it is left; when encoding is, the pictures are. Lives on the UI thread, and so do its
-// signals.
+// One at a time; a new one cancels the one before. Cancelling while drawing leaves no files; cancelling while
+// encoding leaves the pictures. Lives on the UI thread, and so do its signals.
 class MovieExport : public QObject {
     Q_OBJECT
 
@@ -43,7 +42,7 @@ class MovieExport : public QObject {
     void finish(const QString& aboutVideo);
 
     std::string preferredDevice_;
-    // Of the last wish; the volume and names are the job's alone, and go with it.
+    // Of the last wish; volume and names are kept by the job only.
     QString folder_;
     double picturesPerS_ = 0.0;
     bool wantsVideo_ = false;

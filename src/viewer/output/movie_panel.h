@@ -1,4 +1,4 @@
-// What a movie is to be: a turntable or a way of the camera, how long, how large, how good.
+// The options of a movie: turntable or camera path, duration, size and quality.
 #pragma once
 
 #include <QCheckBox>
@@ -17,13 +17,13 @@
 
 namespace macula::viewer {
 
-// Keeps the views of the way until another study comes. Draws nothing: who has the window asks it when
-// `drawAsked` comes. Lives on the UI thread.
+// Keeps the views of the path until another study is shown. Draws nothing: the owner draws on `drawAsked`.
+// Lives on the UI thread.
 class MoviePanel : public QWidget {
     Q_OBJECT
 
   public:
-    // `camera`: that of the window now; nothing where there is no study.
+    // `camera` returns the window's current camera; nothing without a study.
     explicit MoviePanel(std::function<std::optional<Camera>()> camera, QWidget* parent = nullptr);
 
     bool isTurntable() const { return kinds_->currentIndex() == 0; }
@@ -36,22 +36,22 @@ class MoviePanel : public QWidget {
     bool withLetters() const { return letters_->isChecked(); }
     bool withNames() const { return names_->isChecked(); }  // of patient and study
     bool wantsVideo() const { return video_->isEnabled() && video_->isChecked(); }
-    // Whether the machine can make one: where it cannot, the panel says so before anything is drawn.
+    // Whether the machine can encode a video; if not, the panel says so before drawing.
     void setHasEncoder(bool hasEncoder);
 
-    // Of what is chosen, from that camera; nothing for a way without views. Its time is seconds().
+    // The chosen path, for a turntable from that camera; nothing for a path without views. Lasts seconds().
     std::optional<app::CameraPath> pathFrom(const Camera& camera) const;
-    // Once around: the last picture would be the first again.
+    // Whole turns: the picture after the last is the first again.
     bool isClosed() const;
 
     const app::CameraPath& views() const { return views_; }
-    void setViews(app::CameraPath views);  // as they are in a file; empty: none
-    void addView();                        // of now, kSecondsPerView after the one before
+    void setViews(app::CameraPath views);  // as read from a file; empty: none
+    void addView();                        // the current view, kSecondsPerView after the one before
     static constexpr double kSecondsPerView = 2.0;
 
   signals:
     void drawAsked();
-    void openAsked();  // a way from a file
+    void openAsked();  // a path from a file
     void saveAsked();  // to one
 
   private:
@@ -73,7 +73,7 @@ class MoviePanel : public QWidget {
     QCheckBox* letters_ = nullptr;
     QCheckBox* names_ = nullptr;
     QCheckBox* video_ = nullptr;
-    QLabel* noEncoder_ = nullptr;  // says that there is none
+    QLabel* noEncoder_ = nullptr;  // shown without an encoder
     QLabel* count_ = nullptr;
     QListWidget* list_ = nullptr;
     QPushButton* remove_ = nullptr;

@@ -1,4 +1,4 @@
-// What is written over pictures of a sequence.
+// Texts over the pictures of a sequence.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace macula::viewer {
 
-// `lines` in the left upper corner, and the sides of the patient in the middle of each edge; both may be
-// empty. Sizes go with the picture's height. Needs a QGuiApplication; any thread may call it.
+// Puts `lines` in the upper left corner, and the sides of the patient at the middle of each edge; both may be
+// empty. Sizes scale with the picture's height. Needs a QGuiApplication; any thread may call it.
 std::vector<app::Stamp> stampsOf(const std::vector<std::string>& lines, const app::EdgeLetters& letters,
                                  const glm::ivec2& sizePx);
 

@@ -1,4 +1,4 @@
-// How large and how good a picture is to be.
+// Asks for the size and the quality of a picture to save.
 #pragma once
 
 #include <QCheckBox>
@@ -14,7 +14,7 @@
 
 namespace macula::viewer {
 
-// A choice of usual sizes, or any; and one of the qualities. What it says holds once it is accepted.
+// Offers usual sizes or any other, and a quality. Its values hold once it is accepted.
 class PictureDialog : public QDialog {
     Q_OBJECT
 
@@ -22,18 +22,18 @@ class PictureDialog : public QDialog {
     // `onScreenPx` is the first choice.
     explicit PictureDialog(QSize onScreenPx, QWidget* parent = nullptr);
 
-    // Instead of what it begins with by itself; a quality that there is not changes nothing.
+    // Replaces the defaults; an unknown quality changes nothing.
     void beginWith(const QString& quality, bool isDeidentified);
 
-    // Only what the look has may be chosen: a lens of path-traced ones, fog of all but projections.
+    // Enables only the effects of the look: a lens for path-traced looks, fog for all but projections.
     void offerEffectsOf(trace::Look look);
 
-    // Says that the view in 3D is drawn all the same.
+    // Shows a note that the 3D view is drawn although it is hidden.
     void tellThat3dIsHidden();
 
     QSize sizePx() const;
     std::string quality() const;          // by name: app::EffortWish
-    app::PictureEffects effects() const;  // sharp is what the middle of the picture shows
+    app::PictureEffects effects() const;  // the lens focuses on the middle of the picture
     bool isDeidentified() const { return deidentified_->isChecked(); }
     bool hasOverlays() const { return overlays_->isChecked(); }  // cube, scale, letters
 

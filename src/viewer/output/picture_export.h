@@ -1,4 +1,4 @@
-// A picture that is drawn to a file while the window goes on.
+// Draws a picture to a file in the background.
 #pragma once
 
 #include <QObject>
@@ -12,8 +12,8 @@
 
 namespace macula::viewer {
 
-// One at a time; another one takes the place of the one before, of which nothing is written. Lives on the UI
-// thread, and so do its signals.
+// One at a time; a new one cancels the one before, which writes nothing. Lives on the UI thread, and so do
+// its signals.
 class PictureExport : public QObject {
     Q_OBJECT
 

@@ -1,5 +1,4 @@
-// What is laid over a picture that is saved: the cube, the scale, and the letters at the edges. Nothing of it
-// says who is shown.
+// Overlays of a saved picture: cube, scale, and the letters at the edges. None of them names the patient.
 #pragma once
 
 #include <vector>
@@ -9,9 +8,9 @@
 
 namespace macula::viewer {
 
-// As large in the picture as on a screen of usual size. Pictures that are too small for cube and scale have
-// letters alone; a camera that is none has nothing. `isCalibrated` as in Provenance, of the volume. Needs a
-// QGuiApplication; any thread may call it.
+// Scaled as on a screen of usual size. Pictures too small for cube and scale get only letters; an unusable
+// camera gets nothing. `isCalibrated` as in Provenance, of the volume. Needs a QGuiApplication; any thread
+// may call it.
 std::vector<app::Stamp> overlaysOf(const Camera& camera, const glm::ivec2& sizePx, bool isCalibrated);
 
 }  // namespace macula::viewer

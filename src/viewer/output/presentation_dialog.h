@@ -1,4 +1,4 @@
-// Whose a presentation state is to be.
+// Asks whether a presentation state is to be de-identified.
 #pragma once
 
 #include <QCheckBox>
@@ -6,7 +6,7 @@
 
 namespace macula::viewer {
 
-// What it says holds once it is accepted.
+// Its value holds once it is accepted.
 class PresentationDialog : public QDialog {
     Q_OBJECT
 

@@ -1,4 +1,4 @@
-// Presentation states that are written and read while the window goes on.
+// Writes and reads presentation states in the background.
 #pragma once
 
 #include <QObject>
@@ -16,8 +16,7 @@
 
 namespace macula::viewer {
 
-// One of each at a time; another one takes the place of the one before. Lives on the UI thread, and so do its
-// signals.
+// One of each at a time; a new one replaces the one before. Lives on the UI thread, and so do its signals.
 class PresentationFiles : public QObject {
     Q_OBJECT
 
@@ -27,18 +26,18 @@ class PresentationFiles : public QObject {
     void save(const std::filesystem::path& path, app::PresentationWish wish);
     void cancelSaving() { saving_.cancel(); }
     bool saving() const { return saving_.running(); }
-    // For the volume that is open, of these images (app::imagesOf); what the file does not say is as in
-    // `usual`. All of its view is seen in a picture of that aspect; 0: not known.
+    // Opens one for the open volume of these images (app::imagesOf); `usual` supplies what the file omits.
+    // Its whole view fits a picture of that aspect; 0: not known.
     void open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
               std::string seriesDigest, std::vector<dicom::ReferencedFrames> images, app::StudyState usual,
               double aspectWidthOverHeight = 0.0);
-    // One of slices, for the study that is open; what the file does not say is as in `usual`.
+    // Opens one of slices for the open study; `usual` supplies what the file omits.
     void openOnSlices(const std::filesystem::path& path, app::OpenedStudy study, app::SliceState usual);
-    // What is being opened is of a study that is not on screen any more: nothing is told of it.
+    // Cancels what is being opened, for example when another study is shown; no signal follows.
     void cancelOpening();
 
   signals:
-    // `notes` are what other programs will show otherwise, and what is shown otherwise here.
+    // `notes` say what other programs will show differently (saved), or what is shown differently here.
     void saved(const QString& path, const QStringList& notes);
     void opened(const macula::app::StudyState& state, const QStringList& notes);
     void openedOnSlices(const macula::app::SoftcopyOnSlices& shown, const QStringList& notes);

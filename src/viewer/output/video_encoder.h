@@ -1,4 +1,4 @@
-// Pictures of a folder as a video, by the encoder of the machine: ffmpeg, where it is installed.
+// Encodes the pictures of a folder as a video with ffmpeg, if that is installed.
 #pragma once
 
 #include <QObject>
@@ -12,11 +12,11 @@ struct VideoWish {
     QString folder;  // with frame-0001.png and so on: app::frameName
     int frames = 0;
     double picturesPerS = 25.0;
-    QString fileName;  // in that folder, .mp4; not there yet
+    QString fileName;  // in that folder, .mp4; must not exist
 };
 
-// The first kind of video that the encoder has. A process of its own that is given words, and no shell. Lives
-// on the UI thread.
+// Tries H.264 and then MPEG-4, until the encoder has one. Runs it as a process without a shell. Lives on the
+// UI thread.
 class VideoEncoder : public QObject {
     Q_OBJECT
 
@@ -24,13 +24,13 @@ class VideoEncoder : public QObject {
     explicit VideoEncoder(QObject* parent = nullptr);
     ~VideoEncoder() override;  // ends the process
 
-    // The program of that name in PATH; empty: there is none.
+    // The program of that name in PATH; empty if there is none.
     static QString find(const QString& program = QStringLiteral("ffmpeg"));
-    // What it is called with, for the kind of video with that index; empty: there are no more.
+    // The arguments for the codec of index `kind`; empty if there are no more.
     static QStringList argumentsFor(const VideoWish& wish, std::size_t kind);
 
     void start(const QString& program, const VideoWish& wish);
-    void cancel();  // nothing of the video is left, and nothing is told
+    void cancel();  // leaves no file and emits nothing
     bool running() const { return process_ != nullptr; }
 
   signals:

@@ -1,5 +1,4 @@
-// What stands in the lower right corner of the picture in 3D: a cube that says from where the patient is
-// seen, and a bar that says how long something is.
+// The marks in the lower right corner of the 3D picture: a cube for the direction of view, and a scale bar.
 #pragma once
 
 #include <QPointF>
@@ -14,26 +13,26 @@
 
 namespace macula::viewer {
 
-// The picture that the marks are of.
+// The picture that the marks describe.
 struct MarkedPicture {
     Camera camera;
     QSize pixels;              // device pixels
     double pixelRatio = 1.0;   // of the screen
-    bool isCalibrated = true;  // as in Provenance, of the volume: else a second line says so
+    bool isCalibrated = true;  // Provenance of the volume; if false, a second line says so
 
     bool operator==(const MarkedPicture&) const = default;
 };
 
-// The bar of the picture. With parallel rays it is true everywhere; seen by an eye at the depth of what the
-// camera turns around, and there only. Nothing where the picture has no scale.
+// The scale bar. With parallel rays it holds everywhere, in perspective only at the depth of the camera's
+// target. Nothing for a picture without a scale.
 std::optional<ScaleBar> scaleBarOf(const MarkedPicture& picture);
 
-// Null where the picture is so small that they would cover what is looked at, or for a camera that is none.
-// Needs a QGuiApplication.
+// Null for a picture so small that the marks would cover its subject, or for an unusable camera. Needs a
+// QGuiApplication.
 std::shared_ptr<const app::PictureText> paintCubeAndScale(const MarkedPicture& picture);
 
-// The side of the cube at a place in the picture: -1 to 1, right and up are positive. Nothing beside the
-// cube, and where there is none.
+// The side of the cube at a place in the picture: -1 to 1, right and up are positive. Nothing beside the cube
+// or without a cube.
 std::optional<ViewDirection> cubeSideAt(const MarkedPicture& picture, QPointF place);
 
 }  // namespace macula::viewer

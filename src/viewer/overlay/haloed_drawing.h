@@ -1,4 +1,4 @@
-// Lines and letters that read on white as on black.
+// Lines and letters that are legible on white and on black.
 #pragma once
 
 #include <QColor>
@@ -8,10 +8,10 @@
 
 namespace macula::viewer {
 
-// In the colour, on something dark that is wider. The painter must smooth edges.
+// Draws the path in `ink` over a wider dark line. The painter must use antialiasing.
 void drawHaloed(QPainter& painter, const QPainterPath& path, const QColor& ink, double widthPx);
 
-// With the painter's font, its base line beginning there.
+// Draws text in the painter's font; its base line begins at `at`.
 void drawHaloedText(QPainter& painter, const QPointF& at, const QString& text, const QColor& ink);
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// The pixels of what stands over a 3D picture, put together.
+// An atlas of the pixels drawn over a 3D picture.
 #pragma once
 
 #include <QImage>
@@ -10,22 +10,22 @@
 
 namespace macula::viewer {
 
-// What is painted on something transparent, as boxes that cover it and little more: runs of rows, and runs
-// that go on in the next row together. Gaps of up to `closePx` between runs count as painted.
+// Boxes that closely cover what is painted on a transparent image: the runs of each row, merged with equal
+// runs of the next row. Gaps of up to `closePx` count as painted.
 std::vector<VkRect2D> coveredBoxes(const QImage& painted, int closePx);
-// The same pixels, opaque on something dark, as RGBA.
+// The same pixels on an opaque dark ground, as RGBA.
 QImage opaque(const QImage& painted);
 
-// Images one below the other; each is a box of its own, or several.
+// Images one below the other; each has one box or several.
 class MarkAtlas {
   public:
-    // Goes on with those of `others`, which may be null, for a picture of so many device pixels; of 0 x 0:
-    // for any.
+    // Begins with the images of `others`, which may be null, for a picture of `pixels` device pixels; 0 x 0:
+    // of any size.
     MarkAtlas(const std::shared_ptr<const app::PictureText>& others, QSize pixels);
 
-    VkRect2D add(const QImage& image);  // its box; QImage::Format_RGBA8888
+    VkRect2D add(const QImage& image);  // returns its box; Format_RGBA8888
     void place(const VkRect2D& box, VkOffset2D at);
-    // Only what is painted covers the picture.
+    // Covers the picture only where `painted` is not transparent.
     void placeShape(const QImage& painted, VkOffset2D at, int closePx);
 
     std::shared_ptr<const app::PictureText> take();

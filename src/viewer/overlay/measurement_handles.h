@@ -1,4 +1,4 @@
-// Where a measurement is taken hold of.
+// The handles of a measurement.
 #pragma once
 
 #include <cstddef>
@@ -10,11 +10,11 @@
 
 namespace macula::viewer {
 
-// In patient LPS mm. Of an ellipse: right, left, lower and upper end, and its centre.
+// Handles in patient LPS mm. Those of an ellipse: right, left, lower and upper end, then centre.
 std::vector<glm::dvec3> handlesOf(const slices::Measurement& measurement);
 
-// With that handle moved to where the plane of the measurement is nearest to `mm`. An end of an ellipse takes
-// the opposite one along, its centre all of it. As it was where it would lose its extent.
+// Moves that handle to the point of the measurement's plane nearest to `mm`. An ellipse's end also moves the
+// opposite end, its centre the whole. Unchanged if the measurement would lose its extent.
 slices::Measurement withHandleAt(const slices::Measurement& measurement, std::size_t handle,
                                  const glm::dvec3& mm);
 
@@ -23,11 +23,11 @@ std::vector<glm::dvec3> outlineOf(const slices::Measurement& measurement);
 
 struct Hit {
     std::size_t measurement = 0;
-    std::optional<std::size_t> handle = {};  // nothing: the line
+    std::optional<std::size_t> handle = {};  // nothing: its line
     bool operator==(const Hit&) const = default;
 };
-// The nearest handle of those that are `shown` within `radiusPx` of a place in the picture; if there is none,
-// the nearest line. Of measurements alike in that, the later one, which lies above.
+// The nearest handle of a `shown` measurement within `radiusPx` of a place in the picture; without one, the
+// nearest line. Of equally near ones the later, which lies above.
 std::optional<Hit> hitAt(std::span<const slices::Measurement> measurements, const std::vector<bool>& shown,
                          const slices::SliceFrame& frame, const glm::dvec2& px, double radiusPx);
 

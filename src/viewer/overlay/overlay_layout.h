@@ -1,4 +1,4 @@
-// Where the texts over a slice stand, and which of them there is room for.
+// Lays out the texts over a slice, and omits those without room.
 #pragma once
 
 #include <QColor>
@@ -16,13 +16,13 @@
 
 namespace macula::viewer {
 
-inline const QColor kNoteInk(255, 190, 90);  // of notes and warnings, and of what they are about
+inline const QColor kNoteInk(255, 190, 90);  // of notes and warnings, and of what they refer to
 
-// By importance. Sides, notes and tags always stand, in however small a pane; of the others those go first
-// that are named last here.
+// By importance. Notes and tags are always placed, side letters as in placeSides. The scale, names and facts
+// go first for lack of room, in that order.
 enum class OverlayPart { side, note, tag, fact, name, scale };
 
-// A line of text and where it begins, on its base line.
+// A line of text, and the start of its base line.
 struct PlacedText {
     QPointF at;
     QString text;
@@ -33,8 +33,8 @@ struct PlacedText {
     QRectF box() const;
 };
 
-// In the middle of each side of the picture. Where two would come upon each other, neither stands: a P above
-// an A turns the patient round.
+// At the middle of each side. Opposite letters are omitted together in a pane too small for both: a P above
+// an A would turn the patient round.
 struct SideLetters {
     std::optional<PlacedText> left = {};
     std::optional<PlacedText> right = {};
@@ -44,28 +44,28 @@ struct SideLetters {
 SideLetters placeSides(const app::EdgeLetters& sides, const QSize& size, const QFont& font, double scale);
 
 struct OverlayLayout {
-    std::vector<PlacedText> texts;        // what comes later lies above; none overlaps a letter of a side
+    std::vector<PlacedText> texts;        // later ones lie above; none overlaps a side letter
     std::optional<QRectF> scaleBar = {};  // its height is that of the ticks
 };
 
-// Of what measurements say nothing: they stand where they were taken. `scale`: of fonts, as a person has
-// chosen it; letters shrink to their usual size before lines of text go.
+// Leaves out the texts of measurements, which stay beside them. `scale`: the person's font scale; letters
+// shrink to their usual size before lines are omitted.
 OverlayLayout layOut(const SliceOverlay& overlay, const QSize& size, const QFont& font, double scale);
 
-// The font of lines in a pane of that size.
+// The font of text lines in a pane of that size.
 QFont overlayFont(const QFont& font, const QSize& size, double scale);
 
-// How many of so many names stand in a picture of that size: they leave the rest of it free.
+// How many of `names` lines fit a picture of that size: up to a fifth of its height, at least one.
 qsizetype namesIn(const QSize& size, const QFont& font, qsizetype names);
 
-// The upper left corner of a block of text that is wanted there: above or below it in steps of a line, as
-// near as the pane has room that `others` leave free; where it is wanted if there is none.
+// The upper left corner of a block of text: the free place nearest to `wanted`, below or above it in steps of
+// a line, in the pane and clear of `others`; `wanted` itself if there is none.
 QPointF freePlace(const QRectF& wanted, const QSize& pane, double linePx,
                   const std::vector<PlacedText>& others);
 
-// In as many lines as it takes, up to four for each text: half of a warning, of a date or of a number says
-// something else. They break after a comma where that is enough, else at spaces; what is longer by itself,
-// and what is left after the last line, ends in an ellipsis.
+// Wraps each text to up to four lines, since half a warning, date or number says something else. Lines break
+// after commas if that is enough, else at spaces; a longer word, and the rest after line four, end in an
+// ellipsis.
 QStringList wrapped(const QStringList& texts, const QFont& font, double roomPx);
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// Text that stands in a corner of the 3D picture, painted by Qt.
+// Text in a corner of the 3D picture, painted by Qt.
 #pragma once
 
 #include <QSize>
@@ -11,16 +11,16 @@
 namespace macula::viewer {
 
 struct LinesOver {
-    std::vector<std::string> names = {};  // whose picture it is; what matters least comes last
-    std::vector<std::string> notes = {};  // what has to be known of it
+    std::vector<std::string> names = {};  // patient and study, the least important last
+    std::vector<std::string> notes = {};  // warnings about the picture
 
     bool operator==(const LinesOver&) const = default;
 };
 
-// For a picture of so many device pixels on a screen of `pixelRatio`. Letters have a dark rim, and the
-// picture is seen between them. A name that is too long is cut in its middle; a note goes on in the next
-// line. In a low picture the last names go, but never the first one, nor a note. Null when there is nothing
-// to say, or no room for a letter. Needs a QGuiApplication.
+// For a picture of `pixels` device pixels on a screen of `pixelRatio`. Letters have a dark rim on a
+// transparent ground. A long name is elided in the middle; a long note wraps. A low picture omits the last
+// names, but never the first name or a note. Null without text, or without room for a letter. Needs a
+// QGuiApplication.
 std::shared_ptr<const app::PictureText> paintText(const LinesOver& lines, QSize pixels, double pixelRatio);
 
 }  // namespace macula::viewer

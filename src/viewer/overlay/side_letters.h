@@ -9,9 +9,9 @@
 
 namespace macula::viewer {
 
-// With letters above what else is of a picture of so many device pixels on a screen of `pixelRatio`, where
-// slices have theirs: see placeSides. `others` itself, which may be null, where none has room or none is
-// told. Needs a QGuiApplication.
+// Adds letters above `others`, for a picture of `pixels` device pixels on a screen of `pixelRatio`, placed as
+// on slices: see placeSides. Returns `others`, which may be null, if no letter is known or fits. Needs a
+// QGuiApplication.
 std::shared_ptr<const app::PictureText> withSideLetters(const std::shared_ptr<const app::PictureText>& others,
                                                         const app::EdgeLetters& sides, QSize pixels,
                                                         double pixelRatio);

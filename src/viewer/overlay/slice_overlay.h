@@ -1,4 +1,4 @@
-// What is drawn over the picture of a slice.
+// The overlay on the picture of a slice.
 #pragma once
 
 #include <QPainter>
@@ -24,17 +24,17 @@ struct SliceOverlay {
     slices::SliceFrame frame;  // of the picture below, in device pixels
     double pixelRatio = 1.0;   // device pixels to a logical one
     std::optional<glm::dvec3> crosshairMm = {};
-    QStringList tags = {};   // upper left: which study it is, and of which day
-    QStringList names = {};  // below them; what matters least comes last
+    QStringList tags = {};   // upper left: study and date
+    QStringList names = {};  // below them, the least important last
     QStringList notes = {};  // upper right
     QStringList facts = {};  // lower left; likewise
     std::vector<ShownMeasurement> measurements = {};
-    std::vector<slices::PictureLine> interpolatedEdges = {};  // of slices in which no image was taken
-    bool isCalibrated = true;                                 // as in Provenance, all that is in the picture
+    std::vector<slices::PictureLine> interpolatedEdges = {};  // of slices where no image was taken
+    bool isCalibrated = true;                                 // Provenance of all that the picture shows
 };
 
-// `size` of the pane in logical pixels, which the painter must have. What stands where, and what goes in a
-// small pane: overlay_layout.h.
+// `size` of the pane in the painter's logical pixels. overlay_layout.h says where each text is, and what a
+// small pane omits.
 void paintOverlay(QPainter& painter, const QSize& size, const SliceOverlay& overlay);
 
 }  // namespace macula::viewer

@@ -7,26 +7,25 @@
 
 namespace macula::viewer {
 
-// Parallel planes through a volume, slices::stepMm apart. Where voxel planes are parallel to them, each lies
-// in the middle of one, so that what is seen is what was taken, and the first is that of voxel 0; else they
-// go along the normal.
+// Parallel planes through a volume, slices::stepMm apart. Where voxel planes are parallel to them, slice i is
+// the middle of voxel plane i, so that the picture shows acquired values; else the planes are spaced along
+// the normal.
 class SliceSteps {
   public:
-    // As acquired: turned with the planes in which the images were taken, so that panes stay perpendicular.
+    // `asAcquired` turns the planes with those of the images, so that the three panes stay perpendicular.
     SliceSteps(const Volume& volume, slices::Orientation orientation, bool asAcquired);
 
     int count() const { return count_; }  // at least 1
-    // From one slice to the next along the normal; negative where voxels are counted against it.
+    // From one slice to the next along the normal; negative where voxel indices decrease along it.
     double stepMm() const { return stepMm_; }
     int nearest(const glm::dvec3& mm) const;
     // The point of that slice that is nearest to `mm`.
     glm::dvec3 onSlice(int index, const glm::dvec3& mm) const;
     slices::SlicePlane plane(int index, const glm::dvec3& centreMm) const;
 
-    // Whether each is a plane in which an image was taken, or would have been: its index is that of the
-    // voxel.
+    // Whether each slice is a plane of the images, taken or missing: its index is then the voxel index.
     bool areAcquired() const { return areAcquired_; }
-    // Whether they are those of the patient's axes.
+    // Whether they are planes of the patient's axes.
     bool areStraight() const { return areStraight_; }
 
   private:
@@ -42,7 +41,7 @@ class SliceSteps {
     bool areStraight_ = true;
 };
 
-// Between the outermost voxels.
+// The middle between the outermost voxels, patient LPS mm.
 glm::dvec3 middleMm(const Volume& volume);
 
 }  // namespace macula::viewer

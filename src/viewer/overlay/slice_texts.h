@@ -1,4 +1,4 @@
-// What is written over a slice.
+// Texts over a slice.
 #pragma once
 
 #include <QColor>
@@ -14,13 +14,13 @@
 namespace macula::viewer {
 
 QString nameOf(slices::Orientation orientation);  // "Axial"
-// Of the lines that mark its plane in other panes, as is custom: axial red, sagittal yellow, coronal green.
+// The usual colour of its plane's lines in other panes: axial red, sagittal yellow, coronal green.
 QColor colourOf(slices::Orientation orientation);
-// Whose planes the vertical and the horizontal line of a cross-hair mark.
+// The planes that the vertical and the horizontal line of a cross-hair mark.
 slices::Orientation verticalOf(slices::Orientation orientation);
 slices::Orientation horizontalOf(slices::Orientation orientation);
 
-// Sides of the patient at the sides of the picture.
+// The patient's sides at the edges of the picture.
 app::EdgeLetters edgeLetters(const slices::SlicePlane& plane);
 
 // "Axial S 123.4 mm, slice 45 of 95": how far the plane is from the patient's origin, and in which direction;
@@ -33,18 +33,17 @@ QString planeText(slices::Orientation orientation, const SliceSteps& steps, int 
 // `text` with the numbers behind it.
 QString withNumbers(const QString& text, int slice, int count, std::optional<int> imageNumber);
 QString slabText(const slices::Slab& slab);  // "MIP 10 mm"; empty for the plane alone
-// By which a report names the slice, and which is often counted from the other end; nothing where no image
-// was taken, or the numbers are those of the slices.
+// The number by which a report names the slice, often counted from the other end; nothing where no image was
+// taken, or where all numbers equal those of the slices.
 std::optional<int> imageNumber(const app::OpenedStudy& study, int slice);
 std::optional<int> imageNumber(const app::OpenedStudy& study, const SliceSteps& steps, int slice);
 QString pointText(const glm::dvec3& mm);  // "L 12.3 P 45.6 S 78.9 mm"
-// "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, what is interpolated, and what lies outside,
-// in words.
+// "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, interpolated and outside points in words.
 QString probeText(const Volume& volume, const glm::dvec3& mm);
 
-// "12.3 mm, not calibrated": behind a size that is an estimate.
+// "12.3 mm, not calibrated": marks an estimated size.
 QString notCalibrated(const QString& text);
-// "5 cm"; of what is not calibrated "≈ 5 cm, not calibrated".
+// "5 cm"; uncalibrated "≈ 5 cm, not calibrated".
 QString sizeText(const QString& size, bool isCalibrated);
 
 // Whether no image was taken where the slice is.

@@ -1,4 +1,4 @@
-// Marks that tools lay over the 3D picture: handles of what is seen there, and lines of dots.
+// Marks that tools draw over the 3D picture: handles, and lines of dots.
 #pragma once
 
 #include <QSize>
@@ -15,7 +15,7 @@ enum class MarkKind {
     drawnDot,    // of a line that is being drawn
     handle,      // moves along a line
     freeHandle,  // moves anywhere
-    heldHandle,  // is pointed at, or held
+    heldHandle,  // pointed at or held
 };
 
 struct ToolMark {
@@ -25,11 +25,11 @@ struct ToolMark {
     bool operator==(const ToolMark&) const = default;
 };
 
-inline constexpr std::size_t kMostToolMarks = 400;  // each is a copy of its own when the picture is shown
+inline constexpr std::size_t kMostToolMarks = 400;  // each is copied separately
 
-// With marks above what else is of a picture of so many device pixels on a screen of `pixelRatio`; later
-// marks lie above earlier ones. What is outside of the picture, no number, or beyond kMostToolMarks is left
-// out. `others` itself, which may be null, where no mark is left. Needs a QGuiApplication.
+// Adds marks above `others`, for a picture of `pixels` device pixels on a screen of `pixelRatio`; later marks
+// lie above earlier ones. Leaves out marks outside the picture, not finite, or beyond kMostToolMarks. Returns
+// `others`, which may be null, if no mark is left. Needs a QGuiApplication.
 std::shared_ptr<const app::PictureText> withToolMarks(const std::shared_ptr<const app::PictureText>& others,
                                                       std::span<const ToolMark> marks, QSize pixels,
                                                       double pixelRatio);

@@ -1,4 +1,4 @@
-// Where the keyboard focus goes from a widget, where Qt itself does not know or goes astray.
+// Moves the keyboard focus where Qt does not, or chooses wrongly.
 #pragma once
 
 #include <QObject>
@@ -9,18 +9,18 @@ class QWidget;
 
 namespace macula::viewer {
 
-// The widget that Tab goes to from `from`, or Shift + Tab; null where there is no other. For a native window,
-// whose keys pass no widget.
+// The next widget for Tab, or for Shift + Tab; null if there is no other. For native windows, whose keys do
+// not go through widgets.
 QWidget* nextInTabOrder(const QWidget& from, bool forward);
 
-// Keeps the focus near a control that was greyed while it had it. Qt gives it to whatever comes next in the
-// window, such as a list, which then takes the letters that are meant for pictures.
+// Keeps the focus near a control that is disabled while it has the focus. Qt would pass it to the next
+// widget, such as a list, which then takes the letters meant for pictures.
 class FocusOfGreyed : public QObject {
     Q_OBJECT
 
   public:
-    // `toPicture` gives the focus to a picture, where no button beside the greyed one can be used. The window
-    // must outlive it.
+    // `toPicture` focuses a picture when no button beside the disabled one is usable. The window must outlive
+    // it.
     FocusOfGreyed(QMainWindow& window, std::function<void()> toPicture);
 
   private:

@@ -1,11 +1,11 @@
-// The edge of a pane, which tells that it has the keyboard focus.
+// The edge of a pane, which shows the keyboard focus.
 #pragma once
 
 #include <QWidget>
 
 namespace macula::viewer {
 
-// A margin around `content`, which may be a native window: nothing is painted over it.
+// A margin around `content`. Nothing is painted over `content`, which may be a native window.
 class PaneFrame : public QWidget {
     Q_OBJECT
 

@@ -20,8 +20,8 @@ inline constexpr std::array kPanes{Pane::axial, Pane::volume, Pane::coronal, Pan
 
 app::Layout layoutOf(Pane pane);  // the pane alone
 
-// Panes are put into their places once and only hidden and shown from then on: the volume's is a native
-// window, which would lose its surface to another parent. The one with the keyboard focus has a frame.
+// Panes are placed once and only hidden and shown afterwards: the volume's is a native window, which would
+// lose its surface under another parent. The pane with the keyboard focus has a frame.
 class PaneGrid : public QWidget {
     Q_OBJECT
 
@@ -35,26 +35,25 @@ class PaneGrid : public QWidget {
     explicit PaneGrid(const Widgets& widgets, QWidget* parent = nullptr);
     ~PaneGrid() override;
 
-    // Shows these panes. The focus goes to one of them where a pane that is hidden now had it. Not to be
-    // taken for the layout of this widget.
+    // Shows these panes, and moves the focus from a pane that is now hidden to one of them. Not
+    // QWidget::setLayout.
     void setLayout(app::Layout layout);
     app::Layout shownLayout() const { return shown_; }
     bool isShown(Pane pane) const;
 
-    // Asks for the pane alone, or for all four where it is alone. Nothing changes before setLayout.
+    // Emits layoutAsked for the pane alone, or for all four if it is alone. Changes nothing itself.
     void maximize(Pane pane);
 
-    void focusPane(Pane pane);  // nothing where it is not shown
-    // The one with the keyboard focus, in it or in a window that it contains.
+    void focusPane(Pane pane);  // does nothing unless it is shown
+    // The pane with the keyboard focus, in itself or in a window that it contains.
     std::optional<Pane> activePane() const { return active_; }
 
-    // Where the panes meet, as shares of width and height from the top left; each row and column keeps the
-    // smallest size of its panes.
+    // The point where the panes meet, as shares of width and height from the top left; each row and column
+    // keeps the minimum size of its panes.
     QPointF cross() const { return cross_; }
-    void setCross(QPointF shares);  // (0.5, 0.5) is the middle; what is no number is taken as that
+    void setCross(QPointF shares);  // a NaN counts as 0.5, the middle
 
-    // The larger share of four panes for this one; null: equal shares. Not once a person has dragged the
-    // lines.
+    // Enlarges this pane among the four; nothing: equal shares. Ignored once a person has dragged the lines.
     void favour(std::optional<Pane> pane);
 
   signals:
@@ -80,7 +79,7 @@ class PaneGrid : public QWidget {
     QSplitter* bottom_ = nullptr;
     app::Layout shown_ = app::Layout::fourPanes;
     QPointF cross_{0.5, 0.5};
-    bool isDragged_ = false;  // the cross, by a person
+    bool isDragged_ = false;  // a person has dragged the cross
     std::optional<Pane> active_;
 };
 

@@ -1,4 +1,4 @@
-// What is done with slices: a slim bar of tools, and of how they are shown.
+// A slim tool bar for slices: tools, and how slices are shown.
 #pragma once
 
 #include <QToolBar>
@@ -17,8 +17,8 @@ namespace macula::viewer {
 class ViewerSession;
 enum class Glyph;
 
-// Slab, inversion, planes and layout are the session's: they are proposed to it, and shown as it has them.
-// Tool and cine are of the window. Stands at the left, or wherever its orientation fits.
+// Shows slab, inversion, planes and layout as the session has them, and proposes changes to it. Tool and cine
+// belong to the window. May stand at the left or in any other tool bar area.
 class ToolBox : public QToolBar {
     Q_OBJECT
 
@@ -27,13 +27,13 @@ class ToolBox : public QToolBar {
     explicit ToolBox(ViewerSession& session, QWidget* parent = nullptr);
 
     SliceTool tool() const { return tool_; }
-    void setTool(SliceTool tool);  // tells nobody
-    void setCine(bool plays);      // tells nobody
+    void setTool(SliceTool tool);  // emits nothing
+    void setCine(bool plays);      // emits nothing
 
   signals:
     void toolChosen(macula::viewer::SliceTool tool);  // by a person
     void cineToggled(bool plays);                     // by a person
-    void thicknessEntered();  // with Enter: what is typed next is meant for the pictures
+    void thicknessEntered();                          // after Enter: return the focus to the pictures
 
   private:
     void addTools();

@@ -1,4 +1,4 @@
-// What somebody points at in 3D, looked for while the window goes on.
+// Finds in the background the anatomy at a place in the 3D picture.
 #pragma once
 
 #include <QObject>
@@ -10,14 +10,14 @@
 
 namespace macula::viewer {
 
-// One at a time; a new one takes the place of the one before. Lives on the UI thread, and so do its signals.
+// One search at a time; a new one replaces the one before. Lives on the UI thread, and so do its signals.
 class AnatomyPick : public QObject {
     Q_OBJECT
 
   public:
     explicit AnatomyPick(QObject* parent = nullptr);
 
-    // See app::firstMatterMm. Nothing is told where there is nothing.
+    // See app::firstMatterMm. Emits nothing if there is no matter.
     void start(std::shared_ptr<const Volume> volume, app::Drawing drawing, const Camera& camera,
                const glm::dvec2& place, double aspectWidthOverHeight);
     void cancel() { job_.cancel(); }

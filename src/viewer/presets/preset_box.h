@@ -10,16 +10,16 @@
 
 namespace macula::viewer {
 
-// Those of one's own and those that are made for the volume. The others are in the menu and the gallery; here
-// one of them is seen only when it was chosen there. Tool tips of entries are the names that --preset takes.
+// Lists the person's own presets and the built-in ones that fit the volume. Others are in the menu and the
+// gallery; the box shows one only after it was chosen there. Tool tips are the names that --preset takes.
 class PresetBox : public QComboBox {
     Q_OBJECT
 
   public:
     explicit PresetBox(const PresetLibrary& library, QWidget* parent = nullptr);
 
-    void fillAnew();  // as the library is now; nothing is chosen
-    // Tells nobody. What is in no list, as it was edited, is named.
+    void fillAnew();  // from the library; chooses nothing
+    // Does not emit chosen. Shows the title of an edited preset, which no entry has.
     void choose(const TransferFunction* function);
 
   signals:

@@ -1,4 +1,4 @@
-// Two presets of the same view, beside each other.
+// Compares two presets in the same view.
 #pragma once
 
 #include <QDialog>
@@ -21,8 +21,8 @@ namespace macula::viewer {
 class ComparisonJob;
 class WorkBar;
 
-// Two pictures of one size: with a line between them that a hand moves, left of which is the first, or each
-// as a whole.
+// Two pictures of one size: over each other, with the first left of a line that a person drags, or side by
+// side.
 class PictureCurtain : public QWidget {
     Q_OBJECT
 
@@ -37,7 +37,7 @@ class PictureCurtain : public QWidget {
     QSize sizeHint() const override;
 
   signals:
-    void partMoved(double part);  // by a hand
+    void partMoved(double part);  // by a person
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -45,7 +45,7 @@ class PictureCurtain : public QWidget {
     void mouseMoveEvent(QMouseEvent* event) override;
 
   private:
-    QRect place() const;  // of a picture, when both lie over each other
+    QRect place() const;  // of the picture, when both are over each other
 
     QImage first_;
     QImage second_;
@@ -53,20 +53,20 @@ class PictureCurtain : public QWidget {
     double part_ = 0.5;
 };
 
-// Draws both beside the window, as still pictures; closing it cancels. To be shown with open() or show().
+// Draws both in the background as still pictures; closing cancels. Show it with open() or show().
 class PresetComparison : public QDialog {
     Q_OBJECT
 
   public:
     struct Side {
         QString title;
-        app::ViewPicture picture;  // both of one size; no file is written
+        app::ViewPicture picture;  // both of one size; writes no file
     };
 
     PresetComparison(const Side& first, const Side& second, const std::string& preferredDevice,
                      QWidget* parent = nullptr);
 
-    ~PresetComparison() override;  // waits for nothing
+    ~PresetComparison() override;  // does not wait for the drawing
 
     PictureCurtain& curtain() { return *curtain_; }
     bool isDrawing() const;

@@ -5,8 +5,7 @@
 
 namespace macula::viewer {
 
-// A heading has a row for itself; a preset is a picture with two lines below it. Colours are those of the
-// palette.
+// A heading fills a row; a preset is a picture with two lines below it. Uses the colours of the palette.
 class PresetDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

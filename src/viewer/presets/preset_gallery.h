@@ -1,4 +1,4 @@
-// All presets as pictures of the volume that is open, to choose from and to keep.
+// A gallery of all presets as pictures of the open volume, to use and to manage them.
 #pragma once
 
 #include <QImage>
@@ -26,14 +26,14 @@ class QVBoxLayout;
 
 namespace macula::viewer {
 
-// A grid in groups with a filter above it. One click selects, a double click or Enter uses. Pictures are
-// drawn one after another beside the UI thread, on the host, of the rows that are seen; of nothing while the
-// gallery is hidden. Session and library outlive it.
+// A grid in groups with a filter above it. One click selects, a double click or Enter uses. The host draws
+// the pictures in the background, one at a time, for visible rows only, and none while the gallery is hidden.
+// Session and library outlive it.
 class PresetGallery : public QWidget {
     Q_OBJECT
 
   public:
-    // What is shown now, with the camera.
+    // Returns the current state with its camera.
     using StateNow = std::function<app::StudyState()>;
 
     PresetGallery(ViewerSession& session, PresetLibrary& library, StateNow stateNow,
@@ -48,17 +48,17 @@ class PresetGallery : public QWidget {
 
   signals:
     void useAsked(const macula::viewer::LibraryPreset& preset);
-    void compareAsked(const macula::viewer::LibraryPreset& preset);  // with what is shown
+    void compareAsked(const macula::viewer::LibraryPreset& preset);  // with the current preset
     void exportAsked(const macula::viewer::LibraryPreset& preset);
     void importAsked();
-    void failed(const macula::Error& error);  // while nobody sees the gallery
+    void failed(const macula::Error& error);  // while the gallery is hidden
 
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
     struct Drawn {
-        std::shared_ptr<const app::CoarseVolume> coarse;  // for the pictures that follow
+        std::shared_ptr<const app::CoarseVolume> coarse;  // for the next pictures
         QImage picture;
     };
 
@@ -97,8 +97,8 @@ class PresetGallery : public QWidget {
     QLabel* nothing_;
     QLabel* note_;
     QPushButton* undo_;
-    QString trouble_;  // what could not be done last
-    QString removed_;  // the title of the preset that can be put back
+    QString trouble_;  // the last error
+    QString removed_;  // the title of the preset that Undo restores
 
     std::vector<std::string> words_;  // of the filter
     std::set<PresetGroup> folded_{PresetGroup::others};

@@ -1,4 +1,4 @@
-// All presets that somebody can choose, and what becomes of those of their own.
+// The library of all presets, built-in and own.
 #pragma once
 
 #include <QObject>
@@ -19,16 +19,15 @@
 
 namespace macula::viewer {
 
-// One that can be chosen.
+// A preset that can be chosen.
 struct LibraryPreset {
     app::PresetRef ref;
     std::shared_ptr<const TransferFunction> function;  // never null
     std::shared_ptr<const app::OwnPreset> own;         // null: built in, and never changed
 };
 
-// Presets of one's own are read from the store once and written to it after each change, on the keeper's
-// thread; what is on screen waits for neither. Where nothing is kept they live as long as this. Lives on the
-// UI thread.
+// The keeper's thread reads own presets from the store once and writes them after each change; the UI does
+// not wait. Without a store they live as long as this object. Lives on the UI thread.
 class PresetLibrary : public QObject {
     Q_OBJECT
 
@@ -42,32 +41,32 @@ class PresetLibrary : public QObject {
     std::vector<LibraryPreset> builtIn() const;
     std::vector<LibraryPreset> own() const;
     std::optional<LibraryPreset> find(const app::PresetRef& ref) const;
-    // Whether it is made for images such as those that are open; without a study all are.
+    // Whether the preset suits the open images; true without a study.
     bool fits(const TransferFunction& function) const;
-    // Which of them this is; empty: none, as it was edited.
+    // The preset that equals `function`; empty for an edited one.
     app::PresetRef refOf(const TransferFunction& function) const;
-    // What has to be known about how presets are kept; empty where all is well.
+    // A note about problems with storing presets; empty without problems.
     QString note() const;
 
-    // Of the session's state, which `state` is with its camera.
+    // `state` is the session's state with the camera.
     Result<app::PresetRef> saveCurve(const QString& title, const app::StudyState& state);
     Result<app::PresetRef> saveSeen(const QString& title, const app::StudyState& state);
     Result<app::PresetRef> saveCopy(const QString& title, const app::PresetRef& ref);
     Result<void> rename(const app::PresetRef& own, const QString& title);
-    // Nothing where the name can be given; `own`: the preset that has it now.
+    // Empty if the name is allowed; `own`: the preset to rename, whose present name is allowed.
     QString whyNameIsRefused(const QString& title, const app::PresetRef& own = {}) const;
     QString freeTitle(const QString& title) const;
-    // False where it is none of one's own.
+    // False unless it is an own preset.
     bool remove(const app::PresetRef& own);
-    QString removedTitle() const;  // of the one that was removed last; empty: there is nothing to put back
+    QString removedTitle() const;  // of the last one removed; empty: nothing to put back
     void putBackRemoved();
     void setFavourite(const app::PresetRef& ref, bool isFavourite);
     void noteUsed(const app::PresetRef& ref);
 
-    // All of a file, in any format that is known, become one's own; ends with imported or failed.
+    // Adds all presets of a file in any known format to the own ones; ends with imported or failed.
     void importFile(const std::string& path);
     bool isImporting() const { return import_.running(); }
-    // As --preset reads it: the curve, and nothing else that was seen.
+    // Writes a file that --preset reads: the curve, without the saved view.
     Result<void> exportTo(const std::string& path, const app::PresetRef& ref) const;
 
   signals:
@@ -76,7 +75,7 @@ class PresetLibrary : public QObject {
     void failed(const macula::Error& error);
 
   private:
-    // Reached from another thread as long as the library lives.
+    // Lets another thread reach the library while it lives.
     struct Mailbox {
         std::mutex mutex;
         PresetLibrary* library = nullptr;
@@ -87,7 +86,7 @@ class PresetLibrary : public QObject {
     void onStored(const Result<app::StoredPresets>& stored);
     void write();
     void tellChange();
-    // What is shown of it goes on under the name that it has now; one step of the session.
+    // If `before` is shown, shows the preset `now` instead, as one undo step.
     void showAs(const QString& what, const std::shared_ptr<const TransferFunction>& before,
                 const app::PresetRef& now);
     void onImported(const Result<presets::ImportedPresets>& read);
@@ -96,11 +95,11 @@ class PresetLibrary : public QObject {
     app::PresetShelf shelf_;
     std::weak_ptr<app::ModelKeeper> keeper_;
     bool isKept_ = false;
-    QString storeNote_;  // what went wrong with reading and writing
+    QString storeNote_;  // errors of reading and writing
     std::shared_ptr<const app::OwnPreset> removed_;
     std::shared_ptr<Mailbox> mailbox_ = std::make_shared<Mailbox>();
     BackgroundJob<presets::ImportedPresets> import_;
-    std::optional<app::FitsVolume> fitsVolume_;  // that of the session
+    std::optional<app::FitsVolume> fitsVolume_;  // for the session's volume
 };
 
 }  // namespace macula::viewer

@@ -34,22 +34,22 @@ class PresetListModel : public QAbstractListModel {
     static constexpr int isHeadingRole = Qt::UserRole;
     static constexpr int isExpandedRole = Qt::UserRole + 1;
     static constexpr int isFavouriteRole = Qt::UserRole + 2;
-    static constexpr int isShownRole = Qt::UserRole + 3;  // it is what the volume is shown with
+    static constexpr int isShownRole = Qt::UserRole + 3;  // the preset in use
     static constexpr int aboutRole = Qt::UserRole + 4;    // a line below the title
 
     explicit PresetListModel(QObject* parent = nullptr);
 
-    // All rows anew. Groups that are folded have a heading only; empty ones have none.
+    // Replaces all rows. A folded group has only its heading; an empty group has none.
     void setRows(std::vector<PresetRow> rows, std::set<PresetGroup> expanded,
                  std::set<app::PresetRef> favourites);
     void setShown(const app::PresetRef& ref);
     const std::vector<PresetRow>& rows() const { return rows_; }
     bool isExpanded(PresetGroup group) const { return expanded_.contains(group); }
 
-    // Pictures are of a function, and stay when rows change.
+    // Pictures belong to a function, and stay when rows change.
     void forgetPictures();
     bool hasPicture(const TransferFunction& function) const { return pictures_.contains(&function); }
-    void setPicture(std::shared_ptr<const TransferFunction> function, QImage picture);  // null: there is none
+    void setPicture(std::shared_ptr<const TransferFunction> function, QImage picture);  // null: failed
 
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
@@ -65,7 +65,7 @@ class PresetListModel : public QAbstractListModel {
     std::set<app::PresetRef> favourites_;
     app::PresetRef shown_;
     struct Picture {
-        std::shared_ptr<const TransferFunction> function;  // its address is not used for another
+        std::shared_ptr<const TransferFunction> function;  // keeps the address unique
         QImage image;
     };
     std::map<const TransferFunction*, Picture> pictures_;

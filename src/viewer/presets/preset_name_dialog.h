@@ -9,13 +9,12 @@
 
 namespace macula::viewer {
 
-// Can be accepted only with a name that is not refused; says why one is. To be opened with open(), so that
-// nothing waits.
+// Accepts only an allowed name, and says why another is refused. Open it with open(), which does not block.
 class PresetNameDialog : public QDialog {
     Q_OBJECT
 
   public:
-    // Empty: the name can be given.
+    // Returns an empty text for an allowed name.
     using WhyRefused = std::function<QString(const QString&)>;
 
     PresetNameDialog(const QString& title, const QString& what, const QString& proposed,

@@ -1,4 +1,4 @@
-// The picture at rest, traced until its noise is far below what can be seen.
+// Traces the picture at rest until its noise is far below what can be seen.
 #pragma once
 
 #include <QObject>
@@ -11,7 +11,7 @@
 
 namespace macula::viewer {
 
-// What counts as converged, and whether the model waits for it.
+// What counts as converged, and whether training of the model waits for it.
 struct RestGoal {
     std::uint32_t sampleLimit = 512;
     double noiseTarget = app::kUnseenNoise;
@@ -20,17 +20,17 @@ struct RestGoal {
     bool operator==(const RestGoal&) const = default;
 };
 
-// From the word to start until the picture is final, somebody stops it, or another picture is wanted. Draws
-// nothing: who has the viewport connects it. Lives on the UI thread.
+// Runs from start() until the picture is final, cancel(), or another picture is wanted. Draws nothing: the
+// viewport's owner connects it. Lives on the UI thread.
 class ConvergeNow : public QObject {
     Q_OBJECT
 
   public:
-    // Half of the noise that a picture is left at by itself: four times its samples. So many at most.
+    // Half the usual noise target, which takes four times the samples; and the most samples.
     static constexpr double kNoiseTarget = 0.5 * app::kUnseenNoise;
     static constexpr std::uint32_t kSampleLimit = 1u << 16;
 
-    // `usual` is what counts as converged otherwise. `nowS`: a clock, in seconds.
+    // `usual` is the goal while it does not run. `nowS`: a clock, in seconds.
     explicit ConvergeNow(const RestGoal& usual, QObject* parent = nullptr, std::function<double()> nowS = {});
 
     void start();
@@ -38,14 +38,14 @@ class ConvergeNow : public QObject {
     bool running() const { return isRunning_; }
 
     void onFrame(const app::FrameShown& frame);
-    // Another picture is wanted from now on.
+    // Call when another picture is wanted; ends the run.
     void onOtherPicture();
 
   signals:
     void goalChanged(const macula::viewer::RestGoal& goal);
     void began();
     void progressed(const QString& stage, double fraction);
-    void ended(const QString& told);  // a sentence; empty when somebody stopped it
+    void ended(const QString& told);  // a sentence; empty after cancel()
 
   private:
     void end(const QString& told);
@@ -55,7 +55,7 @@ class ConvergeNow : public QObject {
     std::function<double()> nowS_;
     bool isRunning_ = false;
     double startedS_ = 0.0;
-    double startedAt_ = -1.0;  // the first fraction that was known; below 0: none yet
+    double startedAt_ = -1.0;  // the first known fraction; below 0: none yet
 };
 
 }  // namespace macula::viewer

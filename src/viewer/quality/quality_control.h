@@ -1,4 +1,4 @@
-// One slider from fast to accurate: how frames in motion are made.
+// One slider from fast to accurate for frames in motion.
 #pragma once
 
 #include <QCheckBox>
@@ -12,9 +12,9 @@
 
 namespace macula::viewer {
 
-// A button that tells the stop, and opens the slider. Its stops are those of the front; until somebody
-// chooses one, the window does by itself what there is time for. What a stop costs is told for this machine
-// and this window. Lives on the UI thread.
+// A button that names the stop and opens the slider. Its stops are those of the quality front; until a person
+// chooses one, the quality is automatic. Shows what a stop costs on this machine in this window. Lives on the
+// UI thread.
 class QualityControl : public QToolButton {
     Q_OBJECT
 
@@ -22,17 +22,17 @@ class QualityControl : public QToolButton {
     explicit QualityControl(app::QualityFront front, QWidget* parent = nullptr);
 
     const app::QualityFront& front() const { return front_; }
-    // How many times as long this machine takes as the one that measured; nothing: not known yet.
+    // The frame time of this machine relative to the measuring one; nothing: not known yet.
     void setSlowness(std::optional<double> slowness);
     std::optional<double> slowness() const { return slowness_; }
     void setView(const app::WindowView& view);
-    void setBounces(int bounces);  // of what is shown: the slider leaves them alone
+    void setBounces(int bounces);  // of the current picture; the slider does not change them
 
-    // Nothing: by itself.
+    // Nothing: automatic.
     std::optional<std::size_t> stop() const { return stop_; }
     void setStop(std::optional<std::size_t> stop);
-    void step(int by);  // towards the accurate end; the first one leaves what the window does by itself
-    QString words() const { return words_->text(); }  // that say what the stop costs
+    void step(int by);  // towards the accurate end; the first step ends automatic
+    QString words() const { return words_->text(); }  // the cost of the stop
 
   signals:
     void changed(const macula::app::LiveQuality& quality);

@@ -1,4 +1,4 @@
-// The segmentations of the study that is open: found, loaded, and brought to slices and to 3D.
+// Finds and loads the segmentations of the open study, and makes them ready for slices and 3D.
 #pragma once
 
 #include <QObject>
@@ -20,9 +20,9 @@
 
 namespace macula::viewer {
 
-// Looks at the session: headers are read when a study is shown, and voxels once a segmentation is. What was
-// loaded is kept as long as the study. All reading is in the background, one segmentation at a time. Lives on
-// the UI thread.
+// Follows the session: reads headers when a study is shown, and voxels once a segmentation is shown. Keeps
+// what it loaded as long as the study. Reads in the background, one segmentation at a time. Lives on the UI
+// thread.
 class SegmentationKeeper : public QObject {
     Q_OBJECT
 
@@ -34,27 +34,26 @@ class SegmentationKeeper : public QObject {
     bool isFinding() const { return finding_.running(); }
     bool isLoading() const { return loading_.running(); }
     bool isAtRest() const { return !isFinding() && !isLoading() && !masking_.running(); }
-    const app::LoadedSegmentation* loaded(std::string_view digest) const;  // null: not, or not yet
+    const app::LoadedSegmentation* loaded(std::string_view digest) const;  // null: not loaded
     const app::LoadedSegmentations& allLoaded() const { return loaded_; }
-    QString trouble(std::string_view digest) const;  // why it could not be loaded; empty: nothing went wrong
+    QString trouble(std::string_view digest) const;  // why loading failed; empty without error
 
-    // What the mask is of that was made last.
+    // The choices of the last mask that was made.
     const std::vector<app::In3dOf>& madeIn3d() const { return made_; }
 
-    // What is over slices now; null: nothing.
+    // The segments over slices now; null: none.
     const std::shared_ptr<const slices::ShownSegments>& shown() const { return shown_; }
-    // What has to be known of the study because of them; empty: nothing.
+    // A note on the segmentations of the study; empty: none.
     QString note() const;
 
-    // Of loading: what is not there yet is not shown any more.
+    // Stops loading, and hides the segmentations that are not loaded.
     void cancel();
 
   signals:
     void listChanged();                                      // found(), loaded() or trouble()
     void shownChanged();                                     // shown()
-    void maskMade(const std::optional<macula::Mask>& mask);  // of what is left in 3D; nothing: all of it
-    // The mask that was asked for is not to be had: the one before stays, and what is chosen becomes that of
-    // it.
+    void maskMade(const std::optional<macula::Mask>& mask);  // of the voxels shown in 3D; nothing: all
+    // The wanted mask failed: the old one stays, and the session's state is corrected to it.
     void refused(const macula::Error& error);
     void began();
     void progressed(const QString& stage, double fraction);
@@ -73,7 +72,7 @@ class SegmentationKeeper : public QObject {
     void showOnSlices();
     void mask();
     void onRefused(const Error& error);
-    const dicom::Stack* stack() const;  // of the volume that is open; null: it is of no folder
+    const dicom::Stack* stack() const;  // of the open volume; null if it is of no folder
 
     ViewerSession& session_;
     Found found_;
@@ -81,10 +80,10 @@ class SegmentationKeeper : public QObject {
     std::map<std::string, QString, std::less<>> troubles_;  // by digest
     std::string isBeingLoaded_;                             // digest
     std::shared_ptr<const slices::ShownSegments> shown_;
-    std::vector<app::In3dOf> masked_;  // what the last mask was asked for
-    std::vector<app::In3dOf> making_;  // of that, what is there to be made
-    std::vector<app::In3dOf> made_;    // the last that was
-    std::size_t maskedOf_ = 0;         // and of how many loaded ones
+    std::vector<app::In3dOf> masked_;  // the choices wanted for the last mask
+    std::vector<app::In3dOf> making_;  // of these, the loaded ones
+    std::vector<app::In3dOf> made_;    // those of the last finished mask
+    std::size_t maskedOf_ = 0;         // loaded segmentations at that time
     BackgroundJob<Found> finding_;
     BackgroundJob<Loaded> loading_;
     BackgroundJob<std::optional<Mask>> masking_;

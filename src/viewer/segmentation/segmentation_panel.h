@@ -1,4 +1,4 @@
-// The segmentations of the study, to choose what of them is seen, and how.
+// A panel that chooses which segmentations of the study are seen, and how.
 #pragma once
 
 #include <QColor>
@@ -17,19 +17,19 @@
 
 namespace macula::viewer {
 
-// Shows what the keeper has found and what the session's state says of it, and proposes other states. Both
-// outlive it.
+// Shows the segmentations that the keeper found, as the session's state has them, and proposes other states.
+// Both outlive it.
 class SegmentationPanel : public QWidget {
     Q_OBJECT
 
   public:
     SegmentationPanel(ViewerSession& session, SegmentationKeeper& keeper, QWidget* parent = nullptr);
 
-    void showNames(bool shown);         // what a segmentation calls itself may name the patient
-    void setColour(const QColor& rgb);  // of the segment that is selected; nothing without one
+    void showNames(bool shown);         // a segmentation's texts may name the patient
+    void setColour(const QColor& rgb);  // of the selected segment, if there is one
 
   private:
-    // A row of the tree; without a number the segmentation itself. 0 is a segment.
+    // A row of the tree; without a number the segmentation itself. Number 0 is a segment.
     struct Row {
         std::string digest;
         std::optional<std::uint16_t> number = {};
@@ -58,7 +58,7 @@ class SegmentationPanel : public QWidget {
     std::optional<Row> selected() const;  // a segment that can be shown
     app::SegmentChoice choice(const Row& row) const;
     std::optional<Segment> segment(const Row& row) const;
-    const app::LoadedSegment* loaded(const Row& row) const;  // null: not there yet
+    const app::LoadedSegment* loaded(const Row& row) const;  // null: not loaded yet
     bool isCalibrated() const;                               // the volume, as in Provenance; also without one
     QColor colour(const Row& row) const;
 

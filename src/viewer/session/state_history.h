@@ -1,4 +1,4 @@
-// The states of a study, in the order in which a person went through them.
+// The undo history of a study's states.
 #pragma once
 
 #include <QString>
@@ -11,8 +11,8 @@
 
 namespace macula::viewer {
 
-// States share what is large in them, so a step is small. The oldest are forgotten after kMostSteps, and
-// where all of them together take more than that; the one before the present always stays.
+// States share their large members, so a step is small. The oldest are dropped beyond kMostSteps or
+// kMostHistoryBytes; the state before the present one always stays.
 inline constexpr std::size_t kMostSteps = 200;
 inline constexpr std::size_t kMostHistoryBytes = std::size_t(64) << 20;
 
@@ -21,14 +21,14 @@ class StateHistory {
     StateHistory() { count(); }
     const app::StudyState& now() const { return states_[place_].state; }
 
-    void begin(app::StudyState state);  // and nothing before it
-    // Whether it is another one than before. With `joins`, it takes the place of the last step where that was
-    // made of the same `what` by such a push, and none has ended it.
+    void begin(app::StudyState state);  // without earlier states
+    // Returns whether the state changed. With `joins`, it replaces the last step if that was such a push with
+    // the same `what`, and nothing has ended joining since.
     bool push(const QString& what, app::StudyState state, bool joins = false);
-    // What comes of itself, and is no step: the state takes the place of that of now. Whether it is another.
+    // Replaces the present state without a step. Returns whether it changed.
     bool amend(app::StudyState state);
-    // What is not to be had is taken out of every step: those that `edit` makes the same as the one before
-    // are none. Whether the state of now is another.
+    // Edits every state, to remove a choice that failed, and drops steps that `edit` made equal to the one
+    // before. Returns whether the present state changed.
     bool correct(const std::function<void(app::StudyState&)>& edit);
     void endJoining() { joining_ = false; }
 
@@ -53,7 +53,7 @@ class StateHistory {
     std::deque<Step> states_{Step{}};
     app::StateBytes bytes_;  // of states_
     std::size_t place_ = 0;
-    bool joining_ = false;  // the last step goes on
+    bool joining_ = false;  // a push may join the last step
 };
 
 }  // namespace macula::viewer

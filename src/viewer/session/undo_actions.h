@@ -1,4 +1,4 @@
-// Undo and redo of what was chosen for a study, for menus and tool bars.
+// Undo and redo actions for menus and tool bars.
 #pragma once
 
 #include <QAction>
@@ -8,7 +8,7 @@ namespace macula::viewer {
 
 class ViewerSession;
 
-// They say what they would undo, and can be used only where there is something.
+// Their texts name the step; they are disabled without one.
 class UndoActions : public QObject {
     Q_OBJECT
 

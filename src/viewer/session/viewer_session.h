@@ -1,5 +1,5 @@
-// What every panel looks at: the study that is open, and all that was chosen for it, as one value that is
-// never changed, only followed by another.
+// The model of all panels: the open study and all choices for it, as one immutable value that each change
+// replaces.
 #pragma once
 
 #include <QObject>
@@ -16,12 +16,11 @@
 
 namespace macula::viewer {
 
-// Panels read state(), and propose another one:
+// Panels read state(), and propose a changed one:
 //
 //     session.change(tr("Preset"), [&](app::StudyState& next) { next.preset = chosen; });
 //
-// Who shows something of it listens to `changed`. Nothing here draws, and nothing waits. Lives on the UI
-// thread.
+// Views of the state listen to `changed`. Nothing here draws or blocks. Lives on the UI thread.
 class ViewerSession : public QObject {
     Q_OBJECT
 
@@ -29,54 +28,53 @@ class ViewerSession : public QObject {
     explicit ViewerSession(app::Catalogue catalogue, QObject* parent = nullptr);
 
     const app::Catalogue& catalogue() const { return catalogue_; }
-    // The presets that a person owns stand in the catalogue behind the built-in ones.
+    // Appends the person's own presets to the built-in ones in the catalogue.
     void setOwnPresets(std::span<const std::shared_ptr<const TransferFunction>> own);
     std::span<const std::shared_ptr<const TransferFunction>> builtInPresets() const;
     bool hasStudy() const { return study_.volume != nullptr; }
-    const app::OpenedStudy& study() const { return study_; }  // its volume is null before the first
+    const app::OpenedStudy& study() const { return study_; }  // its volume is null before the first study
     const app::StudyState& state() const { return history_.now(); }
 
-    // Whether the study that is shown came after another volume of the same place (app::staysInPlace), which
-    // panes go on looking at.
+    // Whether the study replaced another volume of the same place (app::staysInPlace), so that panes keep
+    // their view.
     bool keepsPlace() const { return keepsPlace_; }
 
-    // A study takes the place of the one before, in this state; there is nothing to undo.
+    // Replaces the study, in this state, and clears the undo history.
     void show(app::OpenedStudy study, app::StudyState state);
-    // The same as when nobody has seen it: with the preset of its modality.
+    // The same with the default state: the preset of its modality.
     void show(app::OpenedStudy study);
 
     using Edit = std::function<void(app::StudyState&)>;
-    // One step, `what` in a word or two for the menu: "Preset". Nothing happens where the edit changes
-    // nothing.
+    // One undo step; `what` names it for the menu: "Preset". An edit without effect makes no step.
     void change(const QString& what, const Edit& edit);
-    // The same while a hand moves: until `endDrag`, or a change of something else, all is one step.
+    // The same during a drag: all edits until `endDrag` or another `what` are one step.
     void drag(const QString& what, const Edit& edit);
     void endDrag();
-    // What comes of itself, such as of the camera, which is no part of what can be undone: no step.
+    // A change that follows from something else, such as the camera, and makes no step.
     void follow(const Edit& edit);
-    // What was asked for and is not to be had: `edit` takes it out of all steps, and who made a step of
-    // nothing else has made none.
+    // Removes a choice that failed: `edit` takes it out of all steps, and steps left without a change are
+    // dropped.
     void correct(const Edit& edit);
 
     bool canUndo() const { return history_.canUndo(); }
     bool canRedo() const { return history_.canRedo(); }
-    QString undoText() const { return history_.undoText(); }  // what would be undone; empty: nothing
+    QString undoText() const { return history_.undoText(); }  // the step to undo; empty: none
     QString redoText() const { return history_.redoText(); }
     void undo();
     void redo();
 
   signals:
-    void studyShown();  // another one, with its state
-    // Of the same study. `before` is valid while the signal is told.
+    void studyShown();  // another study, with its state
+    // A change of the same study's state. `before` is valid during the signal.
     void changed(const macula::app::StudyState& before);
-    void presetsChanged();  // those of the catalogue
+    void presetsChanged();  // in the catalogue
 
   private:
     void push(const QString& what, const Edit& edit, bool joins);
     void tellOfChange(const std::function<bool()>& change);
 
     app::Catalogue catalogue_;
-    std::size_t builtInPresets_ = 0;  // the first so many of the catalogue
+    std::size_t builtInPresets_ = 0;  // this many, first in the catalogue
     app::OpenedStudy study_;
     bool keepsPlace_ = false;
     StateHistory history_;

@@ -1,4 +1,4 @@
-// Which keys a person has chosen instead of the usual ones of viewer/keys/keys.h.
+// The keys that a person chose instead of those in viewer/keys/keys.h.
 #pragma once
 
 #include <QAction>
@@ -13,24 +13,24 @@ class QMainWindow;
 
 namespace macula::viewer {
 
-// One thing that a key does.
+// An action with a configurable key.
 struct KeyEntry {
-    QString id;  // its usual key, as files have it, which no other has; "#" and the action's name without one
+    QString id;     // unique: its usual key as files have it, else "#" and the action's name
     QString title;  // "File: Save Picture…"
     QKeySequence usual;
-    bool isOfPicture = false;  // only while a picture has the focus: one key, without Ctrl or Alt
+    bool isOfPicture = false;  // works while a picture has the focus: one key, no modifiers
 };
 
-// Code asks for usual keys and gives them to actions; the book knows the actions of a window by them, and
-// gives each the one that was chosen. So whatever is added to a menu can be changed without being listed
-// anywhere. One book for the program; on the UI thread.
+// Code gives actions their usual keys; the book identifies the actions of a window by them, and replaces each
+// by the chosen key. So a new menu action is configurable without being listed. One book for the program; on
+// the UI thread.
 class KeyBook : public QObject {
     Q_OBJECT
 
   public:
     static KeyBook& ofProgram();
 
-    // By KeyEntry::id; the portable text of a key, empty for none. What is no key is left out.
+    // From KeyEntry::id to the portable text of a key, empty for no key. Invalid texts are left out.
     void setOwn(const QMap<QString, QString>& own);
     const QMap<QString, QString>& own() const { return own_; }
 
@@ -41,10 +41,10 @@ class KeyBook : public QObject {
     // handles the key: it is no shortcut of the action.
     static void showPictureKey(QAction& action, const QKeySequence& usual);
 
-    // All that can be changed, in the order of menus, then of tool bars. Those that it has not seen before
-    // have their usual keys.
+    // All configurable entries, in the order of menus, then of tool bars. `usual` of an action not seen
+    // before is its present key.
     static QList<KeyEntry> entriesOf(const QMainWindow& window);
-    // Gives actions the keys that are chosen.
+    // Gives the window's actions the chosen keys.
     void applyTo(QMainWindow& window) const;
 
   signals:
@@ -56,10 +56,10 @@ class KeyBook : public QObject {
     QMap<QString, QString> own_;
 };
 
-// Why the entry cannot have this key: a sentence; nothing where it can. `own` is what is chosen for others.
+// Says in a sentence why the entry cannot have this key; nothing if it can. `own`: all chosen keys.
 std::optional<QString> troubleWith(const QKeySequence& key, const KeyEntry& entry, const QList<KeyEntry>& all,
                                    const QMap<QString, QString>& own);
-// Without those that trouble is with, as after a file was edited by hand.
+// `own` without invalid keys, such as from a file edited by hand.
 QMap<QString, QString> withoutTrouble(const QMap<QString, QString>& own, const QList<KeyEntry>& all);
 QKeySequence keyIn(const QMap<QString, QString>& own, const KeyEntry& entry);
 

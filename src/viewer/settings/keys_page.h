@@ -1,4 +1,4 @@
-// Where a person sees which key does what, and takes another one.
+// The settings page that shows and changes the keys.
 #pragma once
 
 #include <QKeySequenceEdit>
@@ -15,7 +15,7 @@
 
 namespace macula::viewer {
 
-// Changes nothing but its own list of chosen keys: who asked for it takes that.
+// Changes only its own list of chosen keys, which the caller reads from own().
 class KeysPage : public QWidget {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ class KeysPage : public QWidget {
     KeysPage(QList<KeyEntry> entries, QMap<QString, QString> own, QWidget* parent = nullptr);
 
     const QMap<QString, QString>& own() const { return own_; }
-    QString trouble() const { return trouble_->text(); }  // with the key that was taken last; empty: none
+    QString trouble() const { return trouble_->text(); }  // with the last key tried; empty: none
 
   private:
     void makeList();

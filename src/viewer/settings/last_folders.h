@@ -1,4 +1,4 @@
-// Where file dialogs begin.
+// The start folders of file dialogs.
 #pragma once
 
 #include <QMap>
@@ -8,32 +8,32 @@
 
 namespace macula::viewer {
 
-// What a dialog is about.
+// The kind of files of a dialog.
 enum class FolderKind { studies, pictures, movies, models, views, presets, measurements, presentations };
 
-// Remembers, for each kind by itself, the folder that was used last. Of studies the folder of one may be
-// named for its patient: what is kept between runs is the folder that such a folder lies in.
+// Remembers the last folder of each kind. The folder of a study may be named for its patient, so its parent
+// folder is kept between runs instead.
 class LastFolders {
   public:
-    // `kept`: toKeep() of an earlier run. What is no name of a kind stays as it is.
+    // `kept`: toKeep() of an earlier run. Unknown kinds stay as they are.
     explicit LastFolders(QMap<QString, QString> kept = {}) : kept_(std::move(kept)) {}
 
-    // Where a dialog begins: the folder of its kind that was used last, and is still there; else one of the
-    // person's own, such as that for pictures. Never the working directory.
+    // The start folder: the last one of its kind that still exists, else a standard folder such as Pictures.
+    // Never the working directory.
     QString of(FolderKind kind) const;
-    // A dialog has ended in that folder.
+    // Records the folder in which a dialog ended.
     void use(FolderKind kind, const QString& folder);
-    // A study was opened from there, a folder or a file.
+    // Records the folder or file from which a study was opened.
     void sawStudy(const QString& path);
 
     const QMap<QString, QString>& toKeep() const { return kept_; }
 
   private:
-    QString beside(const QString& folder) const;  // studies, where it lies in one
+    QString beside(const QString& folder) const;  // the nearest folder outside all studies
 
     QMap<FolderKind, QString> used_;  // in this run
     QMap<QString, QString> kept_;
-    QStringList studies_;  // folders of theirs
+    QStringList studies_;  // folders of studies
 };
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// What a person wants of the program, whatever is open.
+// The settings of the program, independent of the study.
 #pragma once
 
 #include <QJsonObject>
@@ -22,34 +22,33 @@ struct Settings {
     double fontScale = 1.0;
     QString sessionFolder = {};        // empty: session::defaultFolder()
     std::optional<int> keepDays = {};  // nothing: for ever
-    int modelCapMb = 2000;             // all stored models together
+    int modelCapMb = 2000;             // for all stored models together
     QString quality =
-        QStringLiteral("high");           // of pictures that are saved: a name, see app::builtInQualities
-    bool deidentifies = false;            // DICOM pictures that are saved, unless somebody says otherwise
-    bool showsNames = true;               // over the picture, when the window opens
-    QMap<QString, QString> keys = {};     // that were chosen: see KeyBook
+        QStringLiteral("high");        // the quality of saved pictures, by its name in app::builtInQualities
+    bool deidentifies = false;         // the default for saved DICOM pictures
+    bool showsNames = true;            // over the picture, when the window opens
+    QMap<QString, QString> keys = {};  // chosen keys: see KeyBook
     QMap<QString, QString> folders = {};  // see LastFolders
-    QString windowPlace = {};             // see WindowPlace; empty: as the program has it
-    QJsonObject others = {};              // of a later version: written again as they are
+    QString windowPlace = {};             // see WindowPlace; empty: the default
+    QJsonObject others = {};              // of a later version: written back unchanged
 
     bool operator==(const Settings&) const = default;
 };
 
-// $XDG_DATA_HOME/macula/settings.json, or where the desktop has such files.
+// $XDG_DATA_HOME/macula/settings.json, or the desktop's folder for such files.
 std::filesystem::path settingsFile();
 
-// A value that is none of its kind counts as not there. Fails where the text is no JSON object.
+// An invalid value counts as missing. Fails if the text is not a JSON object.
 Result<Settings> settingsFromJson(const std::string& text);
 std::string toJson(const Settings& settings);
 
-// `stored` with what a person has changed from `before` to `after`: all else may have been changed by another
-// window meanwhile. Each key is one thing.
+// `stored` with the changes from `before` to `after`, because another window may have changed the rest. Each
+// entry of `keys` and `folders` counts by itself.
 Settings withChanges(Settings stored, const Settings& before, const Settings& after);
 
-// Where there is no file, settings as nobody has changed them.
+// The default settings if there is no file.
 Result<Settings> readSettings(const std::filesystem::path& file);
-// Makes the folder. A file that cannot be read as settings is kept beside it, with ".damaged" behind its
-// name.
+// Makes the folder. Renames an unreadable old file by appending ".damaged".
 Result<void> writeSettings(const Settings& settings, const std::filesystem::path& file);
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// Where a person says what the program is like, whatever is open.
+// The dialog for the program's settings.
 #pragma once
 
 #include <QCheckBox>
@@ -13,12 +13,12 @@
 
 namespace macula::viewer {
 
-// What it says holds once it is accepted.
+// Its values hold once it is accepted.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
   public:
-    // Not kept: what is chosen ends with the program, and the dialog says so.
+    // Without `isKept` the settings last until the program ends, and the dialog says so.
     SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isKept, QWidget* parent = nullptr);
 
     Settings settings() const;

@@ -1,4 +1,4 @@
-// Where a window stood on the desktop, and how large it was.
+// Stores and restores the position and size of a window.
 #pragma once
 
 #include <QObject>
@@ -9,7 +9,7 @@ class QWidget;
 
 namespace macula::viewer {
 
-// Tells `keep` where the window is whenever it is asked to close, as text for placeWindow.
+// Calls `keep` with the window's place, as text for placeWindow, whenever the window is asked to close.
 class WindowPlace : public QObject {
     Q_OBJECT
 
@@ -24,8 +24,8 @@ class WindowPlace : public QObject {
     std::function<void(const QString&)> keep_;
 };
 
-// Puts a window that is not shown yet there: on a screen that exists, and no larger than it. False where the
-// text is none of a place.
+// Places a window before it is shown: on an existing screen, and no larger than that. False for an invalid
+// text.
 bool placeWindow(QWidget& window, const QString& place);
 
 }  // namespace macula::viewer

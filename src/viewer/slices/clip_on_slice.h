@@ -15,9 +15,9 @@
 
 namespace macula::viewer {
 
-// In device pixels of the picture.
+// Contours are in device pixels of the picture.
 struct ClipOnSlice {
-    std::vector<app::Contour> removed;  // winding: by box, planes, corner and ball
+    std::vector<app::Contour> removed;  // filled by winding: box, planes, corner and ball
     struct Scissors {
         std::vector<app::Contour> behind;
         bool removesOutside = false;
@@ -32,15 +32,15 @@ struct ClipOnSlice {
     bool isNothing() const { return removed.empty() && scissors.empty() && lines.empty() && handles.empty(); }
 };
 
-// Of what was chosen; without handles unless they are asked for.
+// From the state's clip and cuts; has handles only `withHandles`.
 ClipOnSlice clipOnSlice(const app::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
                         bool withHandles);
 
-// What is dimmed in a pane, as one picture that lies over the slice: it is the same for as long as cuts,
-// slice and size are, while the cross-hair and the pointer move.
+// Caches the dimmed area of a pane as one image over the slice, while clip, slice and size stay the same and
+// only cross-hair or pointer move.
 class ClipDimming {
   public:
-    // `size` in logical pixels. Null where nothing is dimmed, or there is no memory for it.
+    // `size` in logical pixels. A null image if nothing is dimmed or memory is short.
     const QImage& imageFor(const ClipOnSlice& clip, const QSize& size, double pixelRatio);
 
   private:
@@ -51,7 +51,7 @@ class ClipDimming {
     QImage image_;
 };
 
-// `size` of the pane in logical pixels, which the painter must have.
+// `size` of the pane in the painter's logical pixels.
 void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, const slices::SliceFrame& frame,
                double pixelRatio, ClipDimming& dimming);
 
@@ -60,7 +60,7 @@ std::optional<app::PlacedHandle> handleAt(const std::vector<app::PlacedHandle>& 
                                           const slices::SliceFrame& frame, const glm::dvec2& px,
                                           double radiusPx);
 
-// Says where a handle can be moved to: along a direction of the picture, y downwards; of none, anywhere.
+// A cursor for motion along a direction of the picture, y downwards; zero: in any direction.
 Qt::CursorShape cursorAlong(const glm::dvec2& along);
 Qt::CursorShape cursorOf(const app::PlacedHandle& handle, const slices::SlicePlane& plane);
 

@@ -1,21 +1,21 @@
-// The words of a measurement, typed where it lies.
+// Edits the label of a measurement beside it.
 #pragma once
 
 #include <QLineEdit>
 
 namespace macula::viewer {
 
-// A line that goes by itself: Enter and a click elsewhere take what was typed, Esc leaves it as it was. In
-// UTF-8 no longer than a label may be.
+// A line edit that deletes itself: Enter or loss of focus accepts the text, Esc keeps the old one. Cuts the
+// text to app::kLongestLabelBytes of UTF-8.
 class LabelEditor : public QLineEdit {
     Q_OBJECT
 
   public:
-    // Within `pane`, as near to `place` as it fits; has the keyboard.
+    // Within `pane`, as near to `place` as it fits; takes the keyboard focus.
     LabelEditor(QWidget* pane, QPoint place, const QString& text);
 
   signals:
-    void accepted(const QString& text);  // once at most; it differs from the text of before
+    void accepted(const QString& text);  // at most once; differs from the old text
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;

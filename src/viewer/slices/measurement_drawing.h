@@ -1,4 +1,4 @@
-// A measurement while a hand draws it.
+// A measurement that a person is drawing.
 #pragma once
 
 #include <cstddef>
@@ -10,12 +10,12 @@
 
 namespace macula::viewer {
 
-// A distance and an ellipse have two points, ends and opposite corners; an angle has three. Each is set where
-// the button goes down; the second also where it goes up after a drag. All points lie in `plane`, patient LPS
+// A distance and an ellipse have two points, ends and opposite corners; an angle has three. A press of the
+// button sets a point; a release after a drag also sets the second. All points lie in `plane`, patient LPS
 // mm.
 class MeasurementDrawing {
   public:
-    // `tool` measures. Points that are not farther than `leastMm` apart are one.
+    // `tool` must measure. Points within `leastMm` of each other count as one.
     MeasurementDrawing(SliceTool tool, const slices::SlicePlane& plane, const glm::dvec3& firstMm,
                        double leastMm);
 
@@ -26,8 +26,8 @@ class MeasurementDrawing {
     const slices::SlicePlane& plane() const { return plane_; }
     std::size_t pointsSet() const { return pointsMm_.size(); }
     bool isComplete() const { return pointsMm_.size() == pointsNeeded(); }
-    // With the pointer in the place of the next point: of an angle of one point, its first leg as a distance.
-    // Nothing while it has no extent.
+    // The measurement with the pointer as its next point; an angle with one point gives its first leg as a
+    // distance. Nothing while it has no extent.
     std::optional<slices::Measurement> soFar() const;
 
   private:

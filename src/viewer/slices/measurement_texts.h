@@ -1,4 +1,4 @@
-// What is written beside measurements, counted once.
+// Caches the texts beside measurements.
 #pragma once
 
 #include <QString>
@@ -8,11 +8,11 @@
 
 namespace macula::viewer {
 
-// Values within an ellipse take milliseconds, and a pane is painted often.
+// The values within an ellipse take milliseconds, and a pane is painted often.
 class MeasurementTexts {
   public:
     QString of(const slices::Measurement& measurement, const Volume& volume);
-    // Must be called before another volume is asked for.
+    // Call it before of() gets another volume.
     void forget() { known_.clear(); }
 
   private:
@@ -20,7 +20,7 @@ class MeasurementTexts {
         slices::Measurement measurement;
         QString text;
     };
-    std::vector<Known> known_;  // the one counted last stands last
+    std::vector<Known> known_;  // the latest is last
 };
 
 }  // namespace macula::viewer

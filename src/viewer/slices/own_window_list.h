@@ -1,4 +1,4 @@
-// The windows of one's own that all panes of slices share.
+// The person's own display windows, which all slice panes share.
 #pragma once
 
 #include <QObject>
@@ -12,16 +12,16 @@
 
 namespace macula::viewer {
 
-// Kept in a session::Store between runs, which nobody waits for; where there is none they last for the run.
-// What is kept are the changes, made to what the store holds by then: another window may have kept some too,
-// and what could not be read once is not overwritten. Lives on the UI thread.
+// Kept in a session::Store between runs, in the background; without a store they last for the run. Each
+// change is applied to the store's present content, which another program window may have changed; content
+// that cannot be read is copied before it is replaced. Lives on the UI thread.
 class OwnWindowList : public QObject {
     Q_OBJECT
 
   public:
-    // `folder` of the store; nothing: none. They come a moment later.
+    // `folder` of the store; nothing: no store. The windows arrive later, with `changed`.
     explicit OwnWindowList(std::optional<std::filesystem::path> folder, QObject* parent = nullptr);
-    ~OwnWindowList() override;  // keeps what is not kept yet, and waits for that
+    ~OwnWindowList() override;  // writes the remaining changes and waits for that
 
     const std::vector<app::OwnWindow>& all() const { return windows_; }
     std::vector<app::OwnWindow> fitting(const Volume& volume) const {
@@ -43,7 +43,7 @@ class OwnWindowList : public QObject {
     using Edits = std::vector<Edit>;
     struct Kept {
         std::vector<app::OwnWindow> windows;
-        std::optional<Error> leftOut;  // of those that did not fit any more
+        std::optional<Error> leftOut;  // why an added window did not fit any more
     };
 
     static Kept edited(std::vector<app::OwnWindow> windows, const Edits& edits);
@@ -55,8 +55,8 @@ class OwnWindowList : public QObject {
 
     std::optional<std::filesystem::path> folder_;
     std::vector<app::OwnWindow> windows_;
-    Edits toKeep_;   // once what was kept is read, or written
-    Edits keeping_;  // by the job
+    Edits toKeep_;   // to write after the running read or write
+    Edits keeping_;  // being written
     std::optional<BackgroundJob<std::string>> reading_;
     std::optional<BackgroundJob<Kept>> writing_;
 };

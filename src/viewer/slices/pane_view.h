@@ -1,4 +1,4 @@
-// Which part of its plane a pane shows: zoom and place, the pane's own.
+// Zoom and position of a pane in its plane.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,13 +10,13 @@
 namespace macula::viewer {
 
 struct PaneView {
-    glm::dvec3 centreMm{0.0};  // in the middle of the pane, or above it along the normal
+    glm::dvec3 centreMm{0.0};  // in the middle of the pane, or off its plane along the normal
     double mmPerPx = 1.0;      // logical pixels, as below
 
     bool operator==(const PaneView&) const = default;
 };
 
-// The slice through the middle of the volume fits, so that slices do not change their size as they go by.
+// Fits the slice through the middle of the volume, so that all slices keep one scale.
 PaneView fittedView(const Volume& volume, const SliceSteps& steps, const glm::ivec2& sizePx);
 
 // Where a volume lies in the space of a pane: paneFromVoxel is an affine transform of voxel indices.
@@ -25,20 +25,20 @@ struct PlacedGrid {
     glm::ivec3 size{1};
 };
 
-// The view, moved in its plane until the middle of the pane lies in one of the volumes: the nearest of those
-// that the plane meets. So no picture is dragged out of its pane.
+// Moves the view in its plane until the middle of the pane lies in the nearest volume that the plane meets.
+// So a drag cannot move the picture out of its pane.
 PaneView withinReach(const PaneView& view, const slices::SlicePlane& plane,
                      std::span<const PlacedGrid> volumes);
 
-// The picture follows a hand that went so far.
+// Moves the picture by so many logical pixels.
 PaneView panned(const PaneView& view, const slices::SlicePlane& plane, const glm::dvec2& byPx);
 
-// Closer by `factor`, and what lies `fromMiddlePx` off the middle of the pane stays there. Never farther than
-// a quarter, nor closer than 64 times, of `fittedMmPerPx`.
+// Magnifies by `factor`, with the point `fromMiddlePx` off the middle of the pane fixed. Limits the scale to
+// 1/4 to 64 times that of `fittedMmPerPx`.
 PaneView zoomed(const PaneView& view, const slices::SlicePlane& plane, const glm::dvec2& fromMiddlePx,
                 double factor, double fittedMmPerPx);
 
-// The picture of that slice on a screen that has `pixelRatio` device pixels to a logical one.
+// The frame of that slice on a screen with `pixelRatio` device pixels to a logical one.
 slices::SliceFrame frameOf(const PaneView& view, const SliceSteps& steps, int slice, const glm::ivec2& sizePx,
                            double pixelRatio);
 

@@ -1,4 +1,4 @@
-// A second volume as panes show it: whose it is, in words, with its voxels.
+// A second volume as panes show it: its voxels, and texts that identify it.
 #pragma once
 
 #include <QString>
@@ -11,23 +11,23 @@
 
 namespace macula::viewer {
 
-// Made once for a study and a second volume, and never changed.
+// Immutable; made once for a study and a second volume.
 struct SecondSeries {
     app::OpenedStudy study;     // the second
     DisplayWindow usualWindow;  // seriesWindow
-    QString tag;                // "Prior: CT, 2020-03-04, series 3"; names nobody
-    QString studyTag;           // "Current: …", of the study that is open
+    QString tag;                // "Prior: CT, 2020-03-04, series 3"; without names
+    QString studyTag;           // "Current: …", of the open study
     QStringList lines;          // as app::linesOf; may name a patient
-    QString patientNote;        // empty: both are of one patient
+    QString patientNote;        // empty: the same patient
     std::string pair;           // app::pairDigest of the study and the second
 };
 
 SecondSeries secondSeries(const app::OpenedStudy& study, app::OpenedStudy second, std::string pair);
 
-// How it is linked, in a sentence that is written over pictures of it.
+// The state of the link as a note over its pictures.
 QString linkText(const app::BesideState& state);
 
-// "0 to 6.1 SUV, 75 % of the highest" of activity, else as app::windowText.
+// "0 to 6.1 SUV, 75 % of the highest" for activity, else as app::windowText.
 QString secondWindowText(const Volume& second, const DisplayWindow& window);
 
 }  // namespace macula::viewer

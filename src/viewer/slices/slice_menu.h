@@ -1,5 +1,4 @@
-// What a right click on a slice offers: all of it in the pane, windows, also of one's own, and the label of a
-// measurement.
+// The context menu of a slice: fit, windows, own windows, and the label of a measurement.
 #pragma once
 
 #include <QMenu>
@@ -11,17 +10,17 @@
 namespace macula::viewer {
 
 struct SliceMenuOf {
-    ViewerSession* session = nullptr;  // of a study that is open
-    OwnWindowList* own = nullptr;      // null: none are kept
-    DisplayWindow window = {};         // that slices are seen through now
-    std::function<void()> editLabel;   // of the measurement that is meant; empty: none is
-    std::function<void()> fit = {};    // the pane that was clicked; empty: nothing fits it
+    ViewerSession* session = nullptr;  // with an open study
+    OwnWindowList* own = nullptr;      // null: no own windows
+    DisplayWindow window = {};         // the current window
+    std::function<void()> editLabel;   // of the measurement there; empty: none
+    std::function<void()> fit = {};    // fits the pane that was clicked; empty: no entry
 };
 
-// Goes when it is closed.
+// Deletes itself when it is closed.
 QMenu* makeSliceMenu(const SliceMenuOf& of, QWidget* parent);
 
-// Asks for a name, and keeps the window under it.
+// Asks for a name, and keeps the window under that name.
 void askToKeepWindow(const SliceMenuOf& of, QWidget* parent);
 
 }  // namespace macula::viewer

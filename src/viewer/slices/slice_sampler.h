@@ -1,4 +1,4 @@
-// Makes the picture of a slice, away from the UI thread.
+// Makes the pictures of slices on a thread of its own.
 #pragma once
 
 #include <QImage>
@@ -20,11 +20,11 @@
 
 namespace macula::viewer {
 
-// Whose voxels are in a picture.
+// The volume of a picture.
 enum class SliceShows {
     study,
     second,        // the second volume, at the same place
-    secondByHand,  // the same, and nobody knows where it is in the study
+    secondByHand,  // the same, with an unknown position in the study
 };
 
 // A second volume in colours over the picture.
@@ -40,26 +40,26 @@ struct SliceOver {
 };
 
 struct SliceWish {
-    std::uint64_t study = 0;  // counted by who asks
+    std::uint64_t study = 0;  // number of the study, counted by the caller
     std::shared_ptr<const Volume> volume;
     slices::SliceFrame frame;  // where the pane is, in the world of the study
     slices::Slab slab;
     DisplayWindow window;
     bool isInverted = false;
-    std::shared_ptr<const slices::ShownSegments> segments = {};  // over it; null: none
-    // What the picture is shown with: handed through.
+    std::shared_ptr<const slices::ShownSegments> segments = {};  // over the picture; null: none
+    // Passed through to the picture.
     QString positionText;
     bool isInterpolated = false;  // no image was taken there
     bool isLowBright = false;     // the display of the images shows low values white
     double pixelRatio = 1.0;
     glm::dvec3 crosshairMm{0.0};
-    // Of a second volume, if there is one.
+    // For a second volume, if there is one.
     glm::dmat4 volumeFromPane{1.0};  // rigid: from the world of the study to that of `volume`
     SliceShows shows = SliceShows::study;
     std::optional<SliceOver> over = {};
-    QStringList tags = {};         // whose picture it is, whatever else is hidden
-    QStringList names = {};        // the same, of a second volume, with names
-    QStringList secondNotes = {};  // what has to be known of it
+    QStringList tags = {};         // identify the picture; never hidden
+    QStringList names = {};        // of a second volume, with names
+    QStringList secondNotes = {};  // notes about the second volume
 
     bool operator==(const SliceWish&) const = default;
 };
@@ -67,27 +67,27 @@ struct SliceWish {
 struct SlicePicture {
     SliceWish of;
     QImage grey;           // of the frame's size; null when there was no memory for it
-    QImage segments = {};  // over it; null where none is seen
-    QImage colours = {};   // of a second volume, over both; null where nothing is
+    QImage segments = {};  // over it; null without segments
+    QImage colours = {};   // of a second volume, over both; null without one
 };
 
-// One wish at a time on a thread of its own; of those that come meanwhile the newest is next. Values are
-// sampled again only where they are others: a window is a matter of grey.
+// Makes one wish at a time; of those that come meanwhile only the newest is next. Samples again only for
+// another volume, frame or slab: a new window only changes the greys.
 class SliceSampler {
   public:
-    // `made` is called on the thread of this, once for each wish that is not replaced or given up.
+    // Calls `made` on its thread, once for each wish that is not replaced or given up.
     explicit SliceSampler(std::function<void(SlicePicture)> made);
     SliceSampler(const SliceSampler&) = delete;
     SliceSampler& operator=(const SliceSampler&) = delete;
-    ~SliceSampler();  // gives up what it does
+    ~SliceSampler();  // gives up the current wish
 
-    // Any wish of an earlier study is given up. Without a volume it only lets go of the one before.
+    // Gives up wishes of other studies. Without a volume it only releases the old one.
     void publish(SliceWish wish);
 
   private:
     void run();
     SlicePicture make(const SliceWish& wish);
-    void paintSegments(const SliceWish& wish);  // keeps them
+    void paintSegments(const SliceWish& wish);  // into segments_
 
     struct Sampled;
     const slices::SampledSlice* sampled(std::optional<Sampled>& kept,
@@ -105,11 +105,11 @@ class SliceSampler {
     app::Latest<SliceWish> wishes_;
     std::atomic<std::uint64_t> study_{0};
     std::atomic<bool> ends_{false};
-    std::optional<Sampled> last_;      // of the thread, as those below
-    std::optional<Sampled> lastOver_;  // the same, of what lies over it
-    SliceWish painted_;                // the wish that `segments_` are of
+    std::optional<Sampled> last_;      // used by the thread, as those below
+    std::optional<Sampled> lastOver_;  // the same, of the volume over it
+    SliceWish painted_;                // the wish of `segments_`
     QImage segments_;
-    std::jthread thread_;  // the last: it uses the rest
+    std::jthread thread_;  // last member: the thread uses the others
 };
 
 }  // namespace macula::viewer

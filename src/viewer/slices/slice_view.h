@@ -32,10 +32,10 @@ namespace macula::viewer {
 // Whether a pane shows the second volume when it is beside the study.
 enum class PaneRole { study, second };
 
-// Shows the slice that the cross-hair of the session lies in, through its window, with its measurements;
-// proposes others of them. Zoom and place are its own. Pictures are made on another thread: until the next is
-// there the one before stays, and all that is written, drawn and pointed at is of the one on screen. What is
-// between two voxel planes is shown as the nearer one where panes go along voxels. Lives on the UI thread.
+// Shows the slice through the session's cross-hair, with its window and measurements, and proposes changes of
+// these. Zoom and position are its own. Another thread makes the pictures: the old picture stays until the
+// next, and overlay and pointer refer to the picture on screen. Where planes follow voxel planes, a
+// cross-hair between two planes shows the nearer one. Lives on the UI thread.
 class SliceView : public QWidget {
     Q_OBJECT
 
@@ -47,41 +47,41 @@ class SliceView : public QWidget {
 
     slices::Orientation orientation() const { return orientation_; }
     SliceTool tool() const { return tool_; }
-    void setTool(SliceTool tool);  // gives up what is being drawn
+    void setTool(SliceTool tool);  // ends an unfinished gesture
 
-    // Whose pictures these are: written over each, unless hidden.
+    // Lines that identify the study, over each picture unless hidden.
     void setLines(const QStringList& lines);
     void showNames(bool shown);
-    // What the clip removes, dimmed; and where it is taken hold of.
+    // Dims what the clip removes; optionally with its handles.
     void showClip(bool shown, bool withHandles);
-    // Over the slices of the study that is open; null: none.
+    // Segments over the slices of the open study; null: none.
     void setSegments(std::shared_ptr<const slices::ShownSegments> segments);
 
-    // Null: there is none. How it is shown is the session's (app::BesideState).
+    // Null: no second volume. The session says how to show it (app::BesideState).
     void setSecond(std::shared_ptr<const SecondSeries> second);
-    void setPaneView(const PaneView& view);  // as a pane beside it has it
+    void setPaneView(const PaneView& view);  // as in the pane beside it
 
-    // All of that is seen, as large as the pane allows, until a hand zooms or pans; of its own orientation.
-    // Nothing where there is no study, or the area is none.
+    // Shows that whole area as large as the pane allows, until a person zooms or pans. Does nothing without a
+    // study, for another orientation, or for an unusable area.
     void showArea(const app::SliceArea& area);
-    void fit();                   // the volume fits the pane, and stays so until a hand zooms or pans
-    void applyWindow(int digit);  // of app::windowPresets; nothing where there is none
-    // Of one's own; null: none are kept. They outlive it.
+    void fit();                   // fits the volume, until a person zooms or pans
+    void applyWindow(int digit);  // of app::windowPresets; an unknown one does nothing
+    // The own windows; null: none. The list outlives it.
     void setOwnWindows(OwnWindowList* own) { own_ = own; }
-    void applyOwnWindow(int number);    // from 1; nothing where there is none
-    void editLabel(std::size_t index);  // of the measurements of the state, which is shown here
-    void moveBy(int slices);            // along the normal: of axial ones to the head
-    void setCine(bool on);  // goes to and fro through all slices, one step to undo; ends when hidden
+    void applyOwnWindow(int number);    // from 1; an unknown one does nothing
+    void editLabel(std::size_t index);  // an index into the state's measurements, shown here
+    void moveBy(int slices);            // along the normal: for axial slices to the head
+    void setCine(bool on);              // runs to and fro, one undo step; ends when hidden
     bool isCineOn() const { return cine_.isActive(); }
 
-    // Of the picture on screen; nothing before the first.
+    // The frame of the picture on screen; nothing before the first.
     std::optional<slices::SliceFrame> shownFrame() const;
     QString positionText() const;    // as positionText
-    QStringList tags() const;        // whose it is, where there is a second volume: names nobody
-    QStringList notes() const;       // what has to be known of it: slab, inverted, interpolated
-    QString probedText() const;      // of what the pointer is on; empty outside of the pane
+    QStringList tags() const;        // identify the volume beside another; without names
+    QStringList notes() const;       // warnings: slab, inverted, interpolated
+    QString probedText() const;      // the value under the pointer; empty outside the pane
     QString overProbedText() const;  // the same, of a second volume in colours
-    bool isUpToDate() const;         // it is of what is chosen
+    bool isUpToDate() const;         // the picture on screen shows the current state
     std::optional<std::size_t> selected() const { return selected_; }  // of the measurements of the state
 
     QSize sizeHint() const override { return {360, 360}; }
@@ -91,7 +91,7 @@ class SliceView : public QWidget {
     void maximizeAsked();
     void cineChanged(bool on);
     void pictureShown();
-    void viewChanged(const macula::viewer::PaneView& view);  // by a hand, or to fit
+    void viewChanged(const macula::viewer::PaneView& view);  // by a person, or by fitting
 
   protected:
     bool event(QEvent* event) override;
@@ -121,15 +121,15 @@ class SliceView : public QWidget {
 
     const Volume& volume() const { return *session_.study().measured(); }
     glm::dvec3 crosshairMm() const;
-    DisplayWindow window() const;  // of what the pane is to show
+    DisplayWindow window() const;  // of the volume that the pane is to show
     DisplayWindow studyWindow() const;
     int slice() const { return steps_->nearest(crosshairMm()); }
     slices::SlicePlane plane() const { return steps_->plane(slice(), view_.centreMm); }
-    glm::dvec3 worldAt(const QPointF& place) const;  // of the picture on screen, which must be
+    glm::dvec3 worldAt(const QPointF& place) const;  // needs a picture on screen
     bool isShownHere(const slices::Measurement& measurement) const;
 
     const app::BesideState* beside() const;
-    bool wantsSecond() const;  // in the place of the study
+    bool wantsSecond() const;  // instead of the study
     const Volume& wantedVolume() const;
     DisplayWindow secondWindow() const;
     bool secondIsInverted() const;
@@ -142,7 +142,7 @@ class SliceView : public QWidget {
     void goTo(int slice, const QString& what);
     void cineStep();
     void zoomAt(const QPointF& place, double factor);
-    void look(const PaneView& view);  // by a hand: never beside all volumes
+    void look(const PaneView& view);  // by a person: limited by withinReach
     std::vector<PlacedGrid> placedVolumes() const;
     void press(const QPointF& place);
     void dragTo(const QPointF& place);
@@ -178,12 +178,12 @@ class SliceView : public QWidget {
     PaneRole role_;
     std::unique_ptr<SliceSampler> sampler_;
 
-    std::uint64_t study_ = 0;          // counts those that were shown
+    std::uint64_t study_ = 0;          // counts the studies shown
     DisplayWindow usualWindow_;        // of the study: seriesWindow
     std::optional<SliceSteps> steps_;  // nothing: no study
     PaneView view_;
-    std::optional<PaneView> told_;  // by viewChanged
-    bool isFitted_ = true;          // no hand has zoomed or panned
+    std::optional<PaneView> told_;  // the view last emitted by viewChanged
+    bool isFitted_ = true;          // not zoomed or panned since
     std::shared_ptr<const SecondSeries> second_;
     std::optional<SliceWish> wanted_;
     std::optional<SlicePicture> shown_;
@@ -197,14 +197,14 @@ class SliceView : public QWidget {
     Qt::MouseButton dragButton_ = Qt::NoButton;
     QPointF pressedAt_;
     QPointF lastAt_;
-    bool hasDragged_ = false;  // since the button went down
+    bool hasDragged_ = false;  // since the press
     std::optional<QPointF> hoverAt_;
-    int wheelRest_ = 0;  // eighths of a degree that made no notch yet
-    QTimer wheelEnds_;   // what is turned or stepped until then is one step to undo
+    int wheelRest_ = 0;  // eighths of a degree, less than a notch
+    QTimer wheelEnds_;   // wheel and key steps until then are one undo step
 
     std::optional<MeasurementDrawing> drawing_;
     std::optional<std::size_t> selected_;
-    std::size_t heldHandle_ = 0;  // of the selected one, in Drag::handle
+    std::size_t heldHandle_ = 0;  // of the selected measurement, in Drag::handle
     bool showsClip_ = true;
     bool hasClipHandles_ = false;
     std::optional<app::ClipHandle> heldClip_;  // in Drag::clip

@@ -1,4 +1,4 @@
-// What a panel says below its controls.
+// Messages of a panel below its controls.
 #pragma once
 
 #include <QLabel>
@@ -6,7 +6,7 @@
 
 namespace macula::viewer {
 
-// The label takes room only while there is something to say.
+// Shows the label only while the text is not empty.
 inline void say(QLabel& label, const QString& text) {
     label.setText(text);
     label.setVisible(!text.isEmpty());

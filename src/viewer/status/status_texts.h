@@ -1,4 +1,4 @@
-// What the status line says of the picture on screen and of its peripheral model.
+// Texts of the status line about the picture on screen and its peripheral model.
 #pragma once
 
 #include <QString>
@@ -15,27 +15,26 @@
 
 namespace macula::viewer {
 
-// Of a preset, a clip or lights.
+// The title of a preset, a clip or lights, else its name.
 QString titleOr(const std::string& title, const std::string& name);
 
-// Whose picture it is, in the language of the window: a line each, as linesOf has them.
+// Lines that identify patient and study, as linesOf, in the language of the window.
 std::vector<std::string> linesToShow(const app::Identity& identity);
-// Of a 3D picture so drawn: `names`, and the remark that something of another series is in it, also where
-// nobody is named.
+// The lines over a 3D picture: `names`, and a note when it shows another series, even if `names` is empty.
 LinesOver linesOver(std::vector<std::string> names, const app::Drawing& drawing);
-// What is on screen, how it was made, and how far it has come.
+// Names the picture on screen, how it was made, and its progress.
 QString fidelityText(const app::FrameShown& frame);
 
-// What the peripheral model is doing; empty where there is nothing to say. At a first start
+// The state of the peripheral model; empty if there is none to report. At a first start
 // (app::DeviceReady::isFirstStart) the device compiles kernels, and the text says that it takes longer.
 QString modelText(const hybrid::ModelNews& model, bool isFirstStart);
 
 // The tool tip of modelText: it says what the model began with, why it takes longer, or why there is none and
-// what is shown instead. Empty where there is nothing to say.
+// what is shown instead. Often empty.
 QString aboutModel(const hybrid::ModelNews& model, bool isFirstStart);
 
-// A preset that was made for another kind of values, or of images, than those of the volume: what its colours
-// mean there. Empty where it fits.
+// A warning that the preset was made for another kind of values or images than the volume's. Empty if it
+// fits.
 QString presetWarning(const TransferFunction& preset, const Volume& volume);
 
 }  // namespace macula::viewer

@@ -11,18 +11,18 @@
 
 namespace macula::viewer {
 
-// A label that gives way: what does not fit is cut short with an ellipsis and told by the tool tip, so that a
-// long device name never widens the window and with it the picture.
+// A label that elides text without room and shows it in the tool tip, so that a long device name never widens
+// the window and its picture.
 class ElidingLabel : public QLabel {
     Q_OBJECT
 
   public:
     explicit ElidingLabel(const QString& what, QWidget* parent = nullptr);
 
-    // `more` is told by the tool tip only.
+    // Only the tool tip shows `more`.
     void setFullText(const QString& text, const QString& more = {});
     QString fullText() const { return full_; }
-    // The labels beside it give way first, until it has most of their parent's width.
+    // Makes the labels beside it elide first, until it has most of their parent's width.
     void keepLongest();
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -40,8 +40,7 @@ class ElidingLabel : public QLabel {
     QString more_;
 };
 
-// Whether what is on screen is as good as it gets, in a word; why not, in the tool tip. Nothing without a
-// picture.
+// Shows in a word whether the picture is final; the tool tip says why not. Empty without a picture.
 class FidelityBadge : public QLabel {
     Q_OBJECT
 
@@ -57,8 +56,7 @@ class FidelityBadge : public QLabel {
     bool isFinal_ = false;
 };
 
-// One sentence about what went wrong and one about what to do, until it is dismissed. Never in the way of
-// anything else.
+// Shows an error and a hint until it is dismissed. Never blocks anything else.
 class MessageBar : public QWidget {
     Q_OBJECT
 
@@ -80,7 +78,7 @@ class MessageBar : public QWidget {
     bool isError_ = false;
 };
 
-// What work in the background is doing, how far it is, and a way out.
+// Shows background work: its stage, its progress, and a cancel button.
 class WorkBar : public QWidget {
     Q_OBJECT
 

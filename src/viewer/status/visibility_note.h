@@ -1,4 +1,4 @@
-// An empty picture, explained.
+// Explains an empty picture.
 #pragma once
 
 #include <QString>
@@ -9,8 +9,8 @@
 
 namespace macula::viewer {
 
-// Why nothing of the volume, or no difference in it, can be seen as it is drawn: which values it has, and
-// which presets would show something. Empty where something can be seen, whatever a clip leaves of it.
+// Says why the drawing shows nothing of the volume, or no difference in it: which values it has, and which
+// presets would show something. Empty if something is visible; ignores the clip.
 QString visibilityNote(const app::Drawing& drawing, const Volume& volume, const app::Catalogue& catalogue);
 
 }  // namespace macula::viewer

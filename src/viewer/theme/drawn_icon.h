@@ -1,4 +1,4 @@
-// Icons that are drawn when they are shown: sharp at any size and scale, in the colours of the palette.
+// Icons drawn at the time of display: sharp at any size and scale, in the palette's colours.
 #pragma once
 
 #include <QIcon>
@@ -27,7 +27,7 @@ enum class Glyph {
     cine,  // the last
 };
 
-// In the text colour of buttons; of chosen text while it is checked.
+// In the text colour of buttons; in that of selected text while checked.
 QIcon drawnIcon(Glyph glyph);
 
 }  // namespace macula::viewer

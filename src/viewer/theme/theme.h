@@ -1,4 +1,4 @@
-// The look of the window: dark and calm, as a reading room is.
+// The dark theme of the window, made for a reading room.
 #pragma once
 
 #include <QPalette>
@@ -19,19 +19,19 @@ struct ThemeChoice {
     bool operator==(const ThemeChoice&) const = default;
 };
 
-// A scale beyond its range is taken as the nearest in it, one that is no number as 1.
+// Clamps the scale to its range; a NaN becomes 1.
 ThemeChoice usable(ThemeChoice choice);
 
-// The application's style, palette and fonts. No style sheet: with one, palettes and fonts of widgets do not
-// go to what is in them. May be called again: scales do not add up.
+// Sets the application's style, palette and fonts. Uses no style sheet, because child widgets would no longer
+// inherit palettes and fonts. May be called again: scales do not add up.
 void applyTheme(QApplication& application, ThemeChoice choice);
 
-// Times the letters over pictures: patients' names, measurements and sides have a size of their own, which
-// is never smaller. Of the theme that was applied last, 1 before.
+// The factor for letters over pictures: names, measurements and sides have a size of their own, which never
+// gets smaller. From the last applied theme; 1 before.
 double fontScaleOverPictures();
 
-// Of the theme that was applied last, the dark one before; for what a palette has no role for. On the UI
-// thread. Who keeps a colour listens to QEvent::StyleChange.
+// The colours of the last applied theme (dark before), for uses without a palette role. On the UI thread. A
+// widget that keeps a colour must handle QEvent::StyleChange.
 const ThemeColours& themeColours();
 
 QPalette paletteOf(const ThemeColours& colours);

@@ -6,31 +6,31 @@
 
 namespace macula::viewer {
 
-// 0xRRGGBB. Text has a contrast of at least 7:1 on what it stands on, text that cannot be used now and lines
-// 3:1 (WCAG 2.1, 1.4.6 and 1.4.11); see textPairs and linePairs.
+// 0xRRGGBB. Text has a contrast of at least 7:1 to its ground; disabled text and lines have 3:1 (WCAG 2.1,
+// 1.4.6 and 1.4.11); see textPairs and linePairs.
 struct ThemeColours {
-    QRgb window;  // also what surrounds pictures
-    QRgb field;   // lists and what is typed into
+    QRgb window;  // also around pictures
+    QRgb field;   // lists and text fields
     QRgb otherRow;
     QRgb button;
     QRgb tip;
     QRgb text;
-    QRgb faintText;  // in a field that is empty
+    QRgb faintText;  // in an empty field
     QRgb disabledText;
     QRgb link;
-    QRgb line;       // around a control, and what can be dragged
+    QRgb line;       // around a control, and of drag handles
     QRgb accent;     // keyboard focus, check marks
-    QRgb selection;  // behind what is chosen
+    QRgb selection;  // behind selected text
     QRgb selectionText;
     QRgb onAccent;  // a check mark
     QRgb error;     // behind barText
     QRgb note;
     QRgb barText;
-    QRgb finalBadge;  // around the badge of a picture: nothing will change any more
+    QRgb finalBadge;  // around the badge of a final picture
     QRgb preliminaryBadge;
 };
 
-// Of a dark room: nothing is bright beside a picture.
+// For a dark room: nothing beside a picture is bright.
 inline constexpr ThemeColours kDarkColours{.window = 0x1b1d20,
                                            .field = 0x24272b,
                                            .otherRow = 0x2a2e33,
@@ -77,7 +77,7 @@ struct ColourPair {
     QRgb back;
 };
 
-// Text that is read, on what it stands on.
+// Text and its ground.
 constexpr std::array<ColourPair, 11> textPairs(const ThemeColours& c) {
     return {{{"text on the window", c.text, c.window},
              {"text in a field", c.text, c.field},
@@ -92,7 +92,7 @@ constexpr std::array<ColourPair, 11> textPairs(const ThemeColours& c) {
              {"a note", c.barText, c.note}}};
 }
 
-// Lines and marks, and text of what cannot be used now.
+// Lines, marks and disabled text, and their ground.
 constexpr std::array<ColourPair, 14> linePairs(const ThemeColours& c) {
     return {{{"disabled text on the window", c.disabledText, c.window},
              {"disabled text in a field", c.disabledText, c.field},

@@ -1,5 +1,5 @@
-// Qt's Fusion style, with what it draws too dark for a dark window: edges of controls, marks, and the frame
-// of the keyboard focus.
+// Qt's Fusion style with lighter edges of controls, marks and focus frames, which are too dark in a dark
+// window.
 #pragma once
 
 #include <QIcon>

@@ -1,4 +1,4 @@
-// Colours of transfer functions, sRGB-encoded from 0 to 1, as Qt has them.
+// Converts sRGB-encoded colours of transfer functions (0 to 1) to and from QColor.
 #pragma once
 
 #include <QColor>

@@ -1,4 +1,4 @@
-// How the matter of a preset scatters light, in numbers, to be read and typed.
+// Number fields for how the matter of a preset scatters light.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -13,20 +13,20 @@
 
 namespace macula::viewer {
 
-// A row for each of app::matterParameters(). Tells what somebody wants, and shows what it is given.
+// One row for each of app::matterParameters(). Emits edits, and shows only what it is given.
 class MatterFields : public QWidget {
     Q_OBJECT
 
   public:
     explicit MatterFields(QWidget* parent = nullptr);
 
-    // Of the volume's values, and how those of the preset lie on them: a gradient is of the volume's.
+    // Unit of the volume's values, and their map from preset values: gradients are shown in volume values.
     void setUnit(const QString& unit, int decimals, const app::ValueMap& map);
     void showMatter(const TransferFunction& function);
 
   signals:
-    void changed(const app::MatterParameter& parameter, double value);  // of the preset, within its range
-    void ended();  // of changes one after the other, the last has been told
+    void changed(const app::MatterParameter& parameter, double value);  // in preset values, within its range
+    void ended();                                                       // a series of changes has ended
 
   private:
     struct Row {
@@ -34,7 +34,7 @@ class MatterFields : public QWidget {
         QDoubleSpinBox* box = nullptr;
     };
     void addRow(const app::MatterParameter& parameter);
-    double scaleOf(const app::MatterParameter& parameter) const;  // of what is shown
+    double scaleOf(const app::MatterParameter& parameter) const;  // factor from preset to shown value
 
     std::vector<Row> rows_;
     app::ValueMap map_;

@@ -1,4 +1,4 @@
-// The selected point of a transfer function in numbers, to be read and typed.
+// Number fields for the selected point of a transfer function.
 #pragma once
 
 #include <QDoubleSpinBox>
@@ -13,16 +13,16 @@ class QColorDialog;
 
 namespace macula::viewer {
 
-// Tells what somebody wants, and shows what it is given.
+// Emits edits, and shows only what it is given.
 class PointFields : public QWidget {
     Q_OBJECT
 
   public:
     explicit PointFields(QWidget* parent = nullptr);
 
-    // Of the volume's values, their unit behind the number; may be empty.
+    // The unit of the volume's values, shown behind the number; may be empty.
     void setUnit(const QString& unit, int decimals);
-    void setUnitDistance(double mm);  // what the opacity is of
+    void setUnitDistance(double mm);  // thickness for which the opacity holds
     void setStep(double units);       // of the arrows beside the value
 
     struct Point {
@@ -30,17 +30,17 @@ class PointFields : public QWidget {
         std::optional<double> opacity = {};     // of a point of the opacity
         std::optional<glm::dvec3> colour = {};  // of a colour point, sRGB-encoded
     };
-    void showPoint(const std::optional<Point>& point);  // nothing: none is selected
+    void showPoint(const std::optional<Point>& point);  // nothing: no point is selected
 
-    // A dialog beside the window's work, for the colour that is shown; the point has it while it is chosen.
+    // Opens a non-blocking dialog for the shown colour; the point takes each colour tried.
     void askColour();
-    void dropDialog();  // what it was for is gone; its last colour stays
+    void dropDialog();  // closes the dialog; its last colour stays
 
   signals:
     void valueChanged(double value);
     void opacityChanged(double opacity);
     void colourChanged(const glm::dvec3& colour);
-    void ended();  // of changes one after the other, the last has been told
+    void ended();  // a series of changes has ended
 
   private:
     void showColour(const std::optional<glm::dvec3>& colour);

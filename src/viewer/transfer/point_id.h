@@ -1,4 +1,4 @@
-// One point of a transfer function, by its place.
+// Identifies a point of a transfer function by curve and index.
 #pragma once
 
 #include <cstddef>

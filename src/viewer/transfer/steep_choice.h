@@ -1,4 +1,4 @@
-// Which of a preset's two pairs of curves is edited: that of flat matter, or that of steep matter.
+// Chooses which of a preset's two pairs of curves is edited: for flat or for steep matter.
 #pragma once
 
 #include <QComboBox>
@@ -7,22 +7,21 @@
 
 namespace macula::viewer {
 
-// A preset without curves of steep matter has one pair, and the choice waits. Tells what somebody wants, and
-// shows what it is given.
+// Without curves for steep matter the choice is disabled. Emits edits, and shows only what it is given.
 class SteepChoice : public QWidget {
     Q_OBJECT
 
   public:
     explicit SteepChoice(QWidget* parent = nullptr);
 
-    // Without curves of steep matter the others are chosen again, and nobody is told.
+    // Without curves for steep matter it chooses the flat ones, and does not emit `chosen`.
     void showCurves(bool hasSteep);
     bool isSteep() const { return which_->currentIndex() == 1; }
     void chooseSteep() { which_->setCurrentIndex(1); }
 
   signals:
-    void chosen();                   // the other pair
-    void steepWanted(bool isThere);  // curves of steep matter: to be there, or to go
+    void chosen();                   // a person chose the other pair
+    void steepWanted(bool isThere);  // add or remove curves for steep matter
 
   private:
     QComboBox* which_;

@@ -1,5 +1,5 @@
-// The picture of a transfer function that a hand can change: opacity over a histogram, colours, and the axis
-// of values below. Mouse, keys and painting have files of their own.
+// An editable plot of a transfer function: opacity over a histogram, colours, and the axis of values below.
+// Mouse, keys and painting have files of their own.
 #pragma once
 
 #include <QPixmap>
@@ -16,32 +16,32 @@
 
 namespace macula::viewer {
 
-// Shows one function and changes none: what a hand does is told as the function that it asks for, and whoever
-// listens gives it back by setFunction, or does not. Values on screen are of the volume, those of the
-// function its own (app::ValueMap). Without a function it is empty.
+// Shows a function but does not change it: an edit emits the wanted function, and the listener may return it
+// by setFunction. Shown values are the volume's; the function has its own (app::ValueMap). Empty without a
+// function.
 class TransferCurve : public QWidget {
     Q_OBJECT
 
   public:
     explicit TransferCurve(QWidget* parent = nullptr);
 
-    // `unit` of the volume's values, may be empty. A point that is there no more is not selected any more.
+    // `unit` of the volume's values may be empty. Deselects a point that no longer exists.
     void setFunction(TransferFunction function, const app::ValueMap& map, const QString& unit);
     void clear();
-    // What is in the volume; nothing: not known, or nothing but padding.
+    // The volume's histogram; nothing: unknown, or only padding.
     void setHistogram(std::optional<app::Histogram> histogram);
 
-    // From the first point, or the first of the values that are not rare, to the last.
+    // Spans all points and all values that are not rare.
     void fitAxis();
-    bool isAxisFitted() const { return isAxisFitted_; }  // nobody has zoomed since
+    bool isAxisFitted() const { return isAxisFitted_; }  // not zoomed since fitAxis
     const app::ValueAxis& axis() const { return axis_; }
     const app::ValueMap& valueMap() const { return map_; }
 
-    // The function of what is going on with mouse or keys is no longer that which is shown.
+    // Ends a mouse or key edit, because another function is shown.
     void cancelDrag();
     std::optional<PointId> selected() const { return selected_; }
     void select(std::optional<PointId> point);
-    // Where its handle is, in logical pixels of this widget; outside of it, when the axis does not show it.
+    // The point's handle in logical pixels of this widget; outside it when the axis does not reach the point.
     QPointF placeOf(const PointId& point) const;
     QRectF plotRect() const;   // opacity 1 at its top, 0 at its bottom
     QRectF stripRect() const;  // colours
@@ -52,9 +52,9 @@ class TransferCurve : public QWidget {
     QSize minimumSizeHint() const override;
 
   signals:
-    void edited(const macula::TransferFunction& function);   // at once
-    void dragged(const macula::TransferFunction& function);  // a hand moves,
-    void dragEnded();                                        // and has let go
+    void edited(const macula::TransferFunction& function);   // a complete edit
+    void dragged(const macula::TransferFunction& function);  // during a drag
+    void dragEnded();                                        // the drag ended
     void selectionChanged();
     void colourAsked();  // for the selected colour point
 
@@ -81,10 +81,10 @@ class TransferCurve : public QWidget {
         Hand hand = Hand::point;
         Qt::MouseButton button = Qt::LeftButton;
         QPointF from;
-        TransferFunction base;  // all of a drag is one edit of it, so that rounding does not add up
+        TransferFunction base;  // the whole drag edits this, so that rounding does not add up
         app::ValueAxis axis;
         PointId point = {};
-        QPointF grabbedAt = {};  // the handle, from the pointer
+        QPointF grabbedAt = {};  // offset of the handle from the pointer
     };
 
     bool hasFunction() const { return !function_.opacity.empty() && !function_.colour.empty(); }
@@ -108,7 +108,7 @@ class TransferCurve : public QWidget {
     void endNudge();
     void describe();
 
-    void invalidate();  // all that is kept of the picture
+    void invalidate();  // drops the cached background
     QPixmap paintedBackground() const;
     void paintHistogram(QPainter& painter) const;
     void paintScales(QPainter& painter) const;

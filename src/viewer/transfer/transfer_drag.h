@@ -1,4 +1,4 @@
-// A hand in the picture that shifts and widens the transfer function.
+// Shifts and widens the transfer function by a drag in the picture.
 #pragma once
 
 #include <QObject>
@@ -11,8 +11,7 @@
 
 namespace macula::viewer {
 
-// From the first movement to end() all is one step of the session's history. What is edited is the copy that
-// the editor edits. Lives on the UI thread.
+// All moves up to end() are one undo step. Edits the same copy as the editor. Lives on the UI thread.
 class TransferDrag : public QObject {
     Q_OBJECT
 
@@ -20,18 +19,18 @@ class TransferDrag : public QObject {
     // Both outlive this.
     TransferDrag(ViewerSession& session, const TransferFunctionEditor& editor, QObject* parent = nullptr);
 
-    // Since the last time, in heights of the picture: to the right shifts towards larger values, one height
-    // by as much as the curve is wide; up widens, four times for a height.
+    // Movement since the last call, in heights of the picture: right shifts towards larger values, by the
+    // curve's width for one height; up widens, four times for one height.
     void drag(QPointF byHeights);
     void end();
 
   signals:
-    void told(const QString& what);  // for the status line; empty: it is over
+    void told(const QString& what);  // for the status line; empty: the drag has ended
 
   private:
     ViewerSession& session_;
     const TransferFunctionEditor& editor_;
-    std::optional<TransferFunctionEditor::Edited> base_;  // as it was when the hand began
+    std::optional<TransferFunctionEditor::Edited> base_;  // at the start of the drag
     QPointF moved_;                                       // since then
     bool isRefused_ = false;
 };

@@ -1,4 +1,4 @@
-// Where a person changes what is seen of a study, and in which colour.
+// The panel that edits the transfer function: opacity and colour by value.
 #pragma once
 
 #include <QLabel>
@@ -23,9 +23,9 @@
 
 namespace macula::viewer {
 
-// Edits the preset of the session's state. A preset that was chosen is never changed: the first edit makes a
-// copy (app::ownCopy), and what is a copy is edited further. A drag is one step of the session's history.
-// Lives on the UI thread; values are counted in the background, and so is what a preset is fitted to.
+// Edits the preset of the session's state. A chosen preset never changes: the first edit makes a copy
+// (app::ownCopy), which later edits change. A drag is one undo step. Lives on the UI thread; the histogram,
+// and the foreground that some presets are fitted to, are computed in the background.
 class TransferFunctionEditor : public QWidget {
     Q_OBJECT
 
@@ -36,28 +36,28 @@ class TransferFunctionEditor : public QWidget {
 
     TransferCurve& curve() { return *curve_; }
     bool isCounting() const { return job_.running(); }
-    // What is edited: the preset of the state, or the copy that its first change makes; and how its values
-    // lie on the volume. Nothing without a study, and as long as that is being counted.
+    // The copy that is edited, or would be after the first edit, and the map of its values to the volume's.
+    // Nothing without a study, or before the map is known.
     struct Edited {
         TransferFunction function;
         app::ValueMap map;
     };
     std::optional<Edited> edited() const;
-    QString line() const { return line_->text(); }  // which preset it is, or why there is none
+    QString line() const { return line_->text(); }  // names the preset, or says why there is none
 
   signals:
-    void saveAsked();  // of the preset in the session's state
+    void saveAsked();  // save the preset of the session's state
 
   private:
     using Preset = std::shared_ptr<const TransferFunction>;
-    // What an edited copy goes back to.
+    // The preset to which a reset returns.
     struct Chosen {
-        Preset inState;   // null: nobody chose, and the volume decides
+        Preset inState;   // null: not chosen; the volume decides
         Preset function;  // never null
     };
     struct Seen {
         std::optional<app::Histogram> histogram;
-        std::optional<ValueRange> foreground;  // the volume's part of a fit to it; nothing: nobody asked
+        std::optional<ValueRange> foreground;  // the volume's range for a fit; nothing: not asked for
     };
     using SeenResult = std::shared_ptr<const Seen>;
 
@@ -71,7 +71,7 @@ class TransferFunctionEditor : public QWidget {
     Chosen chosenFor(const Preset& preset) const;
     Preset inCatalogue(const std::string& name) const;
     std::set<std::string> takenNames(const Preset& original) const;
-    // How the preset lies on the volume; nothing as long as that is not known.
+    // The map of preset values to the volume's; nothing until it is known.
     std::optional<app::ValueMap> mapFor(const TransferFunction& function) const;
 
     void makeButtons();
@@ -79,8 +79,8 @@ class TransferFunctionEditor : public QWidget {
     void propose(const TransferFunction& function, bool isDrag);
     void changeSelected(std::optional<double> value, std::optional<double> opacity,
                         const std::optional<glm::dvec3>& colour);
-    // Swaps the curves of steep matter to the front while these are edited, so that all editing is of one
-    // pair; called again, it swaps them back.
+    // Swaps the curves for steep matter to the front while these are edited, so that all code edits one pair;
+    // a second call swaps them back.
     TransferFunction edits(const TransferFunction& function) const;
     void changeSide();
     void changeSteep(bool isThere);
@@ -100,11 +100,11 @@ class TransferFunctionEditor : public QWidget {
     QPushButton* reset_ = nullptr;
     QPushButton* save_ = nullptr;
 
-    Preset byDefault_;              // what the volume is shown with when nobody chose; null: not asked yet
-    std::optional<Chosen> chosen_;  // nothing: no study
-    TransferFunction own_;          // what is edited: the copy, though nobody may have changed it yet
-    bool isCopy_ = false;           // it is in the state
-    std::map<std::string, Chosen> chosenByCopy_;  // by the name of the copy, of this study
+    Preset byDefault_;                            // the volume's default preset; null: not asked yet
+    std::optional<Chosen> chosen_;                // nothing: no study
+    TransferFunction own_;                        // the edited copy, perhaps not changed yet
+    bool isCopy_ = false;                         // own_ is in the state
+    std::map<std::string, Chosen> chosenByCopy_;  // by the copy's name, for this study
     SeenResult seen_;
     QString trouble_;  // why values could not be counted
     bool isProposing_ = false;

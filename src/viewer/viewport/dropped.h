@@ -1,4 +1,4 @@
-// What somebody drops on the window.
+// Files and folders dropped on the window.
 #pragma once
 
 #include <QString>
@@ -9,13 +9,12 @@ class QMimeData;
 namespace macula::viewer {
 
 struct Dropped {
-    QString path;   // of the one folder or file; empty: see `count`
-    int count = 0;  // of files and folders; only one can be opened
+    QString path;   // of the single folder or file; else empty
+    int count = 0;  // files and folders; only one can be opened
 };
 
-// Whether anything that could be opened is dropped, and that as a copy: who accepts a move makes the file
-// manager delete what was dropped. Whether it is a folder is for the loader to find out: asking a slow disk
-// from here would freeze the window.
+// Accepts a drop of local files or folders as a copy only, because after an accepted move the file manager
+// deletes them. Leaves it to the loader whether it is a folder: a slow disk would freeze the window here.
 bool acceptDrop(QDropEvent& event);
 
 Dropped droppedBy(const QMimeData* data);

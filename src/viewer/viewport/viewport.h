@@ -1,4 +1,4 @@
-// A widget that shows a volume, path traced, and lets a hand walk around it.
+// A widget that shows a volume, path traced, with a camera that orbits it.
 #pragma once
 
 #include "live/frame/render_thread.h"  // before Qt, see vulkan_window.h
@@ -21,28 +21,27 @@
 
 namespace macula::viewer {
 
-// The Vulkan instance with what the window system of this application needs. deviceNotUsable where it cannot
-// show Vulkan pictures. Needs a QGuiApplication.
+// The Vulkan instance with the extensions of the window system. deviceNotUsable if that cannot show Vulkan
+// pictures. Needs a QGuiApplication.
 Result<gpu::Instance> createInstanceForWindows();
 
 // Owns the render thread and the state that its inputs are made from. Each setter publishes a new input and
-// returns at once; what comes of it arrives as signals. Lives on the UI thread.
+// returns at once; results arrive as signals. Lives on the UI thread.
 class Viewport : public QWidget {
     Q_OBJECT
 
   public:
-    // `preferredDevice` as in gpu::chooseDevice.
-    // `keeper` keeps models between runs; null: nobody does.
+    // `preferredDevice` as in gpu::chooseDevice. `keeper` keeps models between runs; null: they are not kept.
     Viewport(gpu::Instance instance, std::string preferredDevice,
              std::shared_ptr<app::SceneKeeper> keeper = nullptr, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    // Shows a new study, with a camera that looks from `from` and fits what is visible. Volume, drawing and
+    // Shows a new study, with a camera that looks from `from` and fits its visible part. Volume, drawing and
     // names change at once, so that no volume is ever drawn under another's name. The old picture and its
     // orientation letters leave the screen before the first picture of the new study comes. A null volume
     // shows nothing. After an error that left a picture on screen the window is hidden until the next change
-    // of study, drawing or camera. `names` are lines that say whose it is: they stand over each of its
-    // pictures, unless they are hidden. A drag ends.
+    // of study, drawing or camera. `names` identify patient and study over each picture, unless hidden. Ends
+    // a drag.
     void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, app::Drawing drawing,
                   std::optional<ViewDirection> from);
     void showNames(bool shown);
@@ -52,48 +51,48 @@ class Viewport : public QWidget {
     // What counts as converged at rest, and whether the model waits for it: see app::FrameInput.
     void setRestGoal(const RestGoal& goal);
     void setLiveQuality(const app::LiveQuality& quality);  // of frames in motion
-    // Asks for the model that is drawn now: it comes as app::ModelTaken with the number that is returned.
+    // Asks for the current model, which arrives as app::ModelTaken with the returned number.
     std::uint64_t askForModel(bool withTraining);
-    // Whether the peripheral model, splats, is shown while a hand moves; if not, small traced pictures are.
+    // Whether motion shows the peripheral model (splats), or else small traced pictures.
     void setUsesModel(bool uses);
-    // Whether the fovea lies where somebody points, or in the middle of the picture.
+    // Whether the fovea follows the pointer, or stays in the middle of the picture.
     void setGazeFollowsPointer(bool follows);
     void setPictureSizeHint(QSize pixels);
-    // Asked in this order before the camera moves; null is none of them. They outlive this or are taken away.
+    // Tools get input in this order before the camera; null entries are ignored. The caller owns them.
     void setTools(std::vector<PictureTool*> tools);
-    void updateToolMarks();  // what they show has changed
+    void updateToolMarks();  // call when their marks have changed
     PictureGeometry geometry() const;
-    // Cube and scale over each picture: of the camera that it was seen by, whatever is asked for meanwhile.
+    // Shows cube and scale over each picture, for the camera of that picture.
     void showMarks(bool shown);
-    // Whether rays are parallel; as much is shown of what the camera turns around.
+    // Switches between parallel rays and perspective; keeps the extent shown at the camera's target.
     void setParallel(bool isParallel);
 
     void showFrom(ViewDirection from);
-    void showFrom(const Camera& camera);  // as near as a turntable comes to it: see app::orbitCameraOf
-    void centreOn(const glm::dvec3& mm);  // turns around that from now on
-    void fit();                           // what is visible, from the side where the camera is
+    void showFrom(const Camera& camera);  // the nearest turntable camera: app::orbitCameraOf
+    void centreOn(const glm::dvec3& mm);  // the new centre of rotation, patient LPS
+    void fit();                           // fits the visible part, from the present side
     // Arrows, +, -, [, ], F, N (names), B (marks), O and the letters of the standard views. False for any
     // other key.
     bool handleKey(const QKeyEvent& event);
 
     const app::OrbitCamera& camera() const { return camera_; }
-    // The side from which what is visible fits the picture; nothing once somebody has moved the camera, or
-    // has chosen parallel rays.
+    // The side of a camera that still fits the visible part; nothing after the camera was moved, or with
+    // parallel rays.
     std::optional<ViewDirection> framedFrom() const {
         return untouched_ && !camera_.isParallel ? std::optional(framedFrom_) : std::nullopt;
     }
     // The side from which this study was shown first.
     ViewDirection firstFrom() const { return firstFrom_; }
     std::uint64_t study() const { return input_.study; }  // as in FrameShown
-    // Those on screen, which are painted into each picture; empty without one.
+    // The orientation letters on screen, painted into each picture; empty without one.
     const app::EdgeLetters& letters() const { return letters_; }
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
-    // What was told of the picture on screen, of this study; null without one.
+    // The facts of this study's picture on screen; null without one.
     const app::FrameShown* frameOnScreen() const { return shown_ ? &*shown_ : nullptr; }
-    // The picture on screen and its camera, as its marks were painted for; nothing without a picture.
+    // The picture on screen and the camera of its marks; nothing without a picture.
     std::optional<MarkedPicture> pictureOnScreen() const;
-    // That which is asked for: the picture is not of one before. Pictures are drawn from before the volume.
+    // Whether the picture on screen has the current camera (for parallel rays: see standingBefore).
     bool isCameraOnScreen() const {
         const auto picture = input_.volume ? pictureOnScreen() : std::nullopt;
         return picture && picture->camera == standingBefore(toCamera(camera_), input_.volume->worldBox());
@@ -102,39 +101,39 @@ class Viewport : public QWidget {
 
   signals:
     void rendered(const macula::app::RenderEvent& event);
-    void otherPictureWanted();  // of another study, drawn otherwise, or from elsewhere
+    void otherPictureWanted();  // another study, drawing or camera
     void resized();             // the picture
     void namesToggled(bool shown);
-    void marksAsked(bool shown);  // by key: who owns the state shows them
+    void marksAsked(bool shown);  // by key: the owner of the state calls showMarks
     void parallelChanged(bool isParallel);
-    // What is shown there is meant: -1 to 1, right and up are positive.
+    // The place in the picture: -1 to 1, right and up are positive.
     void doubleClicked(QPointF place);
-    void cameraRested();                      // where a hand, a key or a view has put it
+    void cameraRested();                      // at the end of a drag, key or view change
     void windowDragged(QPointF byHeights);    // with the right button, in projections: see app::dragged
-    void transferDragged(QPointF byHeights);  // since the last time: to the right, and down
+    void transferDragged(QPointF byHeights);  // since the last signal: right and down are positive
     void dropped(const macula::viewer::Dropped& what);
     void keyNotHandled(QKeyEvent* event);
 
   private:
     void connectWindow();
     void setCamera(const app::OrbitCamera& camera);
-    void publishChange();  // of what is to be seen
+    void publishChange();  // of study, drawing or camera
     void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
     PicturePlace placeAt(QPointF place, bool withShift) const;
     bool grab(QPointF place, bool withShift);
-    bool moveFocus(const QKeyEvent& event);  // whether it was Tab
+    bool moveFocus(const QKeyEvent& event);  // returns whether it was Tab
     void onPointed(QPointF place);
     void endHold();  // of a tool
     void onWheel(double notches, bool withShift);
-    std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if that is there
+    std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if it is shown
     void turnToSide(QPointF place);
     void fly(double notches);
     bool handleRoll(const QKeyEvent& event);
-    void nudge();               // an interaction without an end: a key, a notch of the wheel
+    void nudge();               // an input without an end event: a key, a wheel notch
     std::uint64_t publish();    // its number
-    bool isCalibrated() const;  // the volume; also without one
+    bool isCalibrated() const;  // the volume; true without one
     double sceneDiagonalMm() const;
-    std::vector<glm::dvec3> outlineMm() const;  // of what is to fit
+    std::vector<glm::dvec3> outlineMm() const;  // of what the camera fits
     void onOutline(const app::OutlineFound& found);
     void onRendered(const app::RenderEvent& event);
     void setLetters(const app::EdgeLetters& letters);
@@ -151,8 +150,8 @@ class Viewport : public QWidget {
     std::vector<std::string> names_;  // of the study
     bool namesShown_ = true;
     std::vector<PictureTool*> tools_;
-    PictureTool* holder_ = nullptr;  // of them, that which holds something
-    // What input_.text was made of.
+    PictureTool* holder_ = nullptr;  // the tool that holds
+    // The sources of input_.text.
     LinesOver textLines_;
     QSize textPx_;
     double textPixelRatio_ = 0.0;
@@ -167,7 +166,7 @@ class Viewport : public QWidget {
         bool operator==(const Marked&) const = default;
     };
     std::shared_ptr<const app::PictureText> paintStanding(const Marked& marked) const;
-    std::optional<Marked> marked_;                      // what input_.marks was made of
+    std::optional<Marked> marked_;                      // the sources of input_.marks
     std::shared_ptr<const app::PictureText> standing_;  // letters, cube and scale: a part of it
     std::optional<app::FrameShown> shown_;              // the picture on screen
 
@@ -179,7 +178,7 @@ class Viewport : public QWidget {
     bool gazeFollowsPointer_ = true;
     ViewDirection firstFrom_ = ViewDirection::anterior;
     ViewDirection framedFrom_ = ViewDirection::anterior;
-    bool untouched_ = true;  // nobody moved the camera since it was framed
+    bool untouched_ = true;  // the camera was not moved since it was framed
     std::shared_ptr<const std::vector<glm::dvec3>>
         outline_;  // of the study as it was last drawn; null before
 

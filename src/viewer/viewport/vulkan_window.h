@@ -1,4 +1,4 @@
-// The native window that pictures are shown in, and the hand on the mouse.
+// The native window that shows pictures and receives the mouse.
 #pragma once
 
 // Before Qt: its own Vulkan header hides the functions that ours in pipeline/gpu need.
@@ -20,10 +20,10 @@ class VulkanWindow : public QWindow {
     Q_OBJECT
 
   public:
-    // Of windowOrZoom the picture decides. `transfer` shifts and widens what is seen; `tool` is what a grab
-    // has taken.
+    // The look decides between window and zoom. `transfer` shifts and widens the transfer function; `tool` is
+    // a drag that a Grab took.
     enum class Drag { orbit, pan, zoom, windowOrZoom, roll, transfer, tool };
-    // Asked when the left button goes down, where. Whether what follows is for it and for no camera.
+    // Called when the left button goes down. Returns whether it takes the drag, instead of the camera.
     using Grab = std::function<bool(QPointF place, bool withShift)>;
 
     // `instance` must outlive the window.
@@ -35,7 +35,7 @@ class VulkanWindow : public QWindow {
 
     void setGrab(Grab grab) { grab_ = std::move(grab); }
 
-    // Of a drag whose button goes up elsewhere nobody is told. Nothing without a drag.
+    // Ends a drag whose release the window does not get. Does nothing without a drag.
     void endDrag();
 
   signals:
@@ -47,20 +47,20 @@ class VulkanWindow : public QWindow {
     void hidden();
     void resized();
 
-    // Where somebody points who drags nothing, or begins to: -1 to 1, right and up are positive.
+    // The pointer moved without a drag, or a drag began: -1 to 1, right and up are positive.
     void pointed(QPointF place);
     void doubleClicked(QPointF place);  // with the left button; likewise
-    void clicked(QPointF place);        // with the left button, which did not move; likewise
+    void clicked(QPointF place);        // with the left button, without motion; likewise
     void dragBegan();
     void dragged(macula::viewer::VulkanWindow::Drag drag, QPointF byPixels);  // logical pixels, y downwards
     void dragEnded();
-    // Of a drag that was grabbed, in the place of dragBegan and dragged; dragEnded follows. Where it ends in
-    // another way than by its button, toolReleased does not come.
+    // For a grabbed drag, instead of dragBegan and dragged; dragEnded follows. A drag that ends without its
+    // button's release emits no toolReleased.
     void toolMoved(QPointF place, bool withShift);
     void toolReleased(QPointF place, bool withShift);
-    void wheelTurned(double notches, bool withShift);  // positive: away from the user
+    void wheelTurned(double notches, bool withShift);  // positive: away from the person
     void flyTurned(double notches);                    // the same with Alt
-    void keyPressed(QKeyEvent* event);                 // not accepted: it is offered to the main window
+    void keyPressed(QKeyEvent* event);                 // if not accepted, it goes to the main window
     void dropped(const macula::viewer::Dropped& what);
 
   protected:
@@ -90,7 +90,7 @@ class VulkanWindow : public QWindow {
     QPointF last_;
     QPointF pressedAt_;
     bool hasMoved_ = false;       // farther than a click
-    bool holdsTransfer_ = false;  // the key for it is down
+    bool holdsTransfer_ = false;  // the transfer key is down
 };
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// Where all comes together that hides single voxels in 3D.
+// Joins all masks that hide single voxels in 3D.
 #pragma once
 
 #include <QObject>
@@ -14,9 +14,9 @@
 
 namespace macula::viewer {
 
-// A mask for each part; a voxel is shown where every part shows it. One part by itself is there at once;
-// several are joined in the background, and until then the mask before stays. Who hides something new is a
-// part more. Lives on the UI thread.
+// One mask for each part; a voxel is shown if every part shows it. A single mask applies at once; several are
+// joined in the background, and the old mask stays until then. A new feature that hides voxels adds a part.
+// Lives on the UI thread.
 class HiddenVoxels : public QObject {
     Q_OBJECT
 
@@ -25,13 +25,13 @@ class HiddenVoxels : public QObject {
 
     explicit HiddenVoxels(QObject* parent = nullptr);
 
-    void setVolume(std::shared_ptr<const Volume> volume);  // of which nothing is hidden; tells nobody
+    void setVolume(std::shared_ptr<const Volume> volume);  // hides nothing; emits nothing
     void set(Part part, std::optional<Mask> mask);         // nothing: the part hides nothing
     const std::optional<Mask>& mask() const { return mask_; }
     bool isJoining() const { return job_.running(); }
 
   signals:
-    void changed();  // the mask, or it was set again
+    void changed();  // the mask, or the same mask was set again
     void failed(const macula::Error& error);
 
   private:

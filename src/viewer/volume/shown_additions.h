@@ -1,4 +1,4 @@
-// What of a session is in the 3D picture beside the volume: a second volume, and segments in colour.
+// The additions to the volume in the 3D picture: a second volume, and coloured segments.
 #pragma once
 
 #include <QObject>
@@ -19,8 +19,8 @@ namespace macula::viewer {
 
 class SegmentationKeeper;
 
-// Follows the session, and makes both in the background: until they are there, what was there before stays.
-// What is not to be had is not chosen any more. Lives on the UI thread.
+// Follows the session, and makes both in the background; the old ones stay until then. A choice that fails is
+// taken out of the session's state. Lives on the UI thread.
 class ShownAdditions : public QObject {
     Q_OBJECT
 
@@ -28,12 +28,12 @@ class ShownAdditions : public QObject {
     // Both outlive it.
     ShownAdditions(ViewerSession& session, const SegmentationKeeper& segments, QObject* parent = nullptr);
 
-    // Null: there are none.
+    // Null without additions.
     const std::shared_ptr<const Additions>& additions() const { return additions_; }
     bool isAtRest() const { return !joining_.running() && !colouring_.running(); }
 
-    void forget();  // all of a study that is not shown any more; tells nobody
-    void setSecond(std::shared_ptr<const SecondSeries> second);  // null: there is none
+    void forget();  // drops everything of the old study; emits nothing
+    void setSecond(std::shared_ptr<const SecondSeries> second);  // null: no second volume
 
   signals:
     void changed();  // additions()
@@ -53,20 +53,20 @@ class ShownAdditions : public QObject {
     ViewerSession& session_;
     const SegmentationKeeper& segments_;
     std::shared_ptr<const SecondSeries> second_;
-    // Its volume as it is drawn, once made: another curve is no other volume to the device.
+    // Its volume as drawn, made once: another curve must not upload another volume.
     std::shared_ptr<const Volume> drawn_;
     std::optional<app::BesideState> wantedSecond_;
-    app::BesideState joiningOf_;  // what the last job was asked for
-    app::BesideState madeOf_;     // what made_.second is of
+    app::BesideState joiningOf_;  // the state of the last job
+    app::BesideState madeOf_;     // the state of made_.second
     std::vector<app::ColouredIn3d> wantedTints_;
-    std::vector<app::ColouredIn3d> makingTints_;  // those of them that are loaded
-    std::vector<app::ColouredIn3d> madeTints_;    // what made_.tints are of
+    std::vector<app::ColouredIn3d> makingTints_;  // the loaded ones of wantedTints_
+    std::vector<app::ColouredIn3d> madeTints_;    // the choices of made_.tints
     std::size_t tintsOf_ = 0;                     // loaded segmentations
-    // Voxels are gone through for another geometry alone: colours are a table beside it.
+    // Only another geometry needs a pass over the voxels: colours are in a table.
     std::vector<SegmentTints::Colour> wantedColours_;
     app::TintGeometry makingGeometry_;
     app::TintGeometry boxOf_;
-    std::shared_ptr<const TintBox> box_;  // the last one, though none of it may be shown
+    std::shared_ptr<const TintBox> box_;  // the last one, even if it is not shown
     Additions made_;
     std::shared_ptr<const Additions> additions_;
     BackgroundJob<SecondVolume> joining_;

@@ -1,4 +1,4 @@
-// What of the volume of a session is shown in 3D, and how.
+// What 3D shows of the session's volume, and how.
 #pragma once
 
 #include <QObject>
@@ -18,9 +18,9 @@ class ShownAdditions;
 class TableRemoval;
 class VoxelCutting;
 
-// Follows the session: clip, what hides single voxels, and what is beside the volume, which are looked for in
-// the background. Make it before whoever else listens to the session: it is the first to know of a study.
-// Lives on the UI thread.
+// Follows the session: clip, masks of hidden voxels, and additions, some of them computed in the background.
+// Create it before other listeners of the session, because it must learn of a study first. Lives on the UI
+// thread.
 class ShownVolume : public QObject {
     Q_OBJECT
 
@@ -29,14 +29,14 @@ class ShownVolume : public QObject {
     explicit ShownVolume(ViewerSession& session, QObject* parent = nullptr);
 
     app::Drawing drawing() const { return drawingOf(session_.state(), clip_); }
-    // As another state of the study would be drawn, with the voxels hidden that are hidden now.
+    // The drawing of another state of the study, with the voxels that are hidden now.
     app::Drawing drawingOf(const app::StudyState& other) const;
     bool hidesSomething() const { return clip_ != nullptr; }
 
-    // The state of the session, with the table as it was asked for: it may still be searched.
+    // The session's state with the table's removal as requested, even while the search still runs.
     app::StudyState state() const;
-    // Another state of the study that is open, as one step of undo; its camera is for who has one. usage when
-    // none is open, inputNotUsable when it was saved of another series, or its text could not be read again.
+    // Takes over another state of the open study as one undo step, without its camera. usage without a study,
+    // inputNotUsable when it was saved of another series, or when its JSON text could not be read again.
     Result<void> take(const app::StudyState& state);
 
     TableRemoval& table() { return *table_; }
@@ -54,7 +54,7 @@ class ShownVolume : public QObject {
     void onChanged(const app::StudyState& before);
     void updateClip();
     void onHidden();
-    void onNotHidden();  // what was asked for
+    void onNotHidden();  // corrects the state to the voxels that are hidden
 
     ViewerSession& session_;
     TableRemoval* table_;
@@ -62,7 +62,7 @@ class ShownVolume : public QObject {
     HiddenVoxels* hidden_;
     SegmentationKeeper* segments_;
     ShownAdditions* additions_;
-    // What the voxels are hidden by that are hidden now.
+    // The choices behind the voxels that are hidden now.
     struct HiddenBy {
         bool leavesTableOut = false;
         std::vector<app::ScissorCut> scissors = {};

@@ -1,4 +1,4 @@
-// Opens a folder without keeping anybody waiting.
+// Opens studies in the background.
 #pragma once
 
 #include <QObject>
@@ -22,9 +22,9 @@ class StudyLoader : public QObject {
   public:
     explicit StudyLoader(QObject* parent = nullptr);
 
-    // Who knows how studies were left; null: nobody does.
+    // The keeper of the states in which studies were left; null: none.
     void setKeeper(std::shared_ptr<app::ModelKeeper> keeper) { keeper_ = std::move(keeper); }
-    // What else takes long and is done to what was opened, on the thread that opens it; null: nothing.
+    // Further slow work on the opened study, on the loading thread; null: none.
     using Prepare = std::function<void(const app::OpenedStudy&)>;
     void setPrepare(Prepare prepare) { prepare_ = std::move(prepare); }
 
@@ -33,14 +33,14 @@ class StudyLoader : public QObject {
     void cancel();  // `cancelled` follows
     const app::StudySource& source() const {
         return source_;
-    }  // that was opened last; nothing: a volume found
+    }  // the source opened last; nothing for a found volume
     bool loading() const { return job_.running(); }
-    bool atRest() const { return job_.atRest(); }  // cancelled ones have noticed, too
+    bool atRest() const { return job_.atRest(); }  // cancelled jobs have ended, too
 
   signals:
     void began();
     void progressed(const QString& stage, double fraction);
-    // What the folder holds, so far; then all of it, before a volume of it is there.
+    // The content of the folder so far; finally all of it, before a volume is loaded.
     void found(std::shared_ptr<const macula::app::FoundVolumes> found);
     void loaded(const macula::app::OpenedStudy& study);
     void askedToJoin(const QString& path, const QString& question);  // open(path, true) is yes
@@ -53,7 +53,7 @@ class StudyLoader : public QObject {
 
     BackgroundJob<app::OpenedStudy> job_;
     app::StudySource source_;
-    std::uint64_t opening_ = 0;  // the number of the last; of others nothing more is told
+    std::uint64_t opening_ = 0;  // the number of the last; others emit nothing
     std::shared_ptr<app::ModelKeeper> keeper_;
     Prepare prepare_;
 };

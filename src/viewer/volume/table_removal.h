@@ -1,4 +1,4 @@
-// The table of a CT, hidden or shown.
+// Hides the table of a CT.
 #pragma once
 
 #include <QAction>
@@ -16,9 +16,8 @@
 
 namespace macula::viewer {
 
-// The action that hides the table, and the search that it begins. What was found is kept as long as the
-// volume, so that the table comes and goes at once after the first time. Nothing is hidden of a volume before
-// somebody asks for it. Lives on the UI thread.
+// The action that hides the table, and the search that it starts. Keeps the result as long as the volume, so
+// that the table toggles at once after the first time. Hides nothing until asked. Lives on the UI thread.
 class TableRemoval : public QObject {
     Q_OBJECT
 
@@ -26,16 +25,16 @@ class TableRemoval : public QObject {
     explicit TableRemoval(QObject* parent);
 
     QAction& action() { return action_; }
-    void setVolume(std::shared_ptr<const Volume> volume);  // ends a search, of which nothing is told any more
+    void setVolume(std::shared_ptr<const Volume> volume);  // ends a search; only `ended` follows
 
-    // As if somebody had checked the action, or had not.
+    // As if a person had checked or unchecked the action.
     void ask(bool removed);
     bool searching() const { return job_.running(); }
     void cancel();
 
-    // What of the volume is shown; nothing while all of it is.
+    // The voxels to show; nothing: all of them.
     std::optional<Mask> mask() const;
-    // What has to be known of it: what went, or why nothing did. Empty while nobody asks.
+    // Notes: what was removed, or why nothing was. Empty unless removal was asked for.
     QStringList notes() const;
 
   signals:
@@ -55,7 +54,7 @@ class TableRemoval : public QObject {
     BackgroundJob<Found> job_;
     std::shared_ptr<const Volume> volume_;
     Found found_;
-    bool asked_ = false;  // for what was found
+    bool asked_ = false;  // for removal, with found_ as its result
 };
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// The volume of a session in 3D, as a widget by itself: for windows of other programs too.
+// A 3D view of a session's volume as a widget, also for other programs.
 #pragma once
 
 #include "viewer/viewport/viewport.h"  // before Qt, see vulkan_window.h
@@ -14,14 +14,14 @@ namespace macula::viewer {
 
 struct ViewerWidgetOptions {
     std::string device = {};                        // as in gpu::chooseDevice
-    std::shared_ptr<app::SceneKeeper> keeper = {};  // of models between runs; null: nothing is written
+    std::shared_ptr<app::SceneKeeper> keeper = {};  // for models between runs; null: writes nothing
     std::optional<ViewDirection> firstView = {};    // nothing: app::usualView
     bool showsNames = true;                         // patient and study over the picture
 };
 
-// Shows the study of the session, and whatever panels that look at the same session choose. Others are
-// StudyBrowser, SliceView, TransferFunctionEditor and ClipPanel. Nothing is global, and nothing is written
-// but by the keeper. tests/consumer/qt_host is a program of it.
+// Shows the session's study as panels of the same session choose, such as StudyBrowser, SliceView,
+// TransferFunctionEditor and ClipPanel. Has no global state, and only the keeper writes files.
+// tests/consumer/qt_host is an example program.
 class ViewerWidget : public QWidget {
     Q_OBJECT
 
@@ -31,8 +31,8 @@ class ViewerWidget : public QWidget {
                  QWidget* parent = nullptr);
     ~ViewerWidget() override;
 
-    // All that was chosen, with the camera of now; and another one of the same study: see ShownVolume::take.
-    // app::toJson and app::studyStateFromJson make text of it, and the reverse.
+    // The session's state with the current camera; setState takes one of the same study: see
+    // ShownVolume::take. app::toJson and app::studyStateFromJson convert it to and from text.
     app::StudyState state() const;
     Result<void> setState(const app::StudyState& state);
 
@@ -41,7 +41,7 @@ class ViewerWidget : public QWidget {
 
   signals:
     void frameShown(const macula::app::FrameShown& frame);
-    void failed(const macula::Error& error);  // there is no picture, or something could not be hidden
+    void failed(const macula::Error& error);  // no picture, or voxels could not be hidden
 
   private:
     void onStudyShown();

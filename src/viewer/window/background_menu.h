@@ -1,4 +1,4 @@
-// What lies behind the patient in the 3D picture.
+// The menu of background colours of the 3D picture.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace macula::viewer {
 
-// The choice of the session, which can be undone: nearly black as when nobody chose, black, grey, white, or a
-// colour that a person picks. Lives on the UI thread, as long as the session at most.
+// Edits the session's background, which can be undone: nearly black (the default), black, grey, white, or a
+// picked colour. Lives on the UI thread; the session outlives it.
 class BackgroundMenu : public ChoiceMenu {
     Q_OBJECT
 

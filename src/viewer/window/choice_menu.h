@@ -1,4 +1,4 @@
-// Menus in which one of several things is chosen.
+// A menu with exclusive choices.
 #pragma once
 
 #include <QActionGroup>
@@ -15,10 +15,10 @@ class ChoiceMenu : public QMenu {
   public:
     ChoiceMenu(const QString& title, QWidget* parent);
 
-    // The first one is chosen. `name` is the object name of the action, for tests and scripts of a desktop.
+    // The first choice added is chosen. `name` is the action's object name, for tests and desktop scripts.
     QAction* addChoice(const QString& title, const QString& name);
     int chosen() const { return chosen_; }
-    void choose(int index);  // tells nobody; -1: none of them
+    void choose(int index);  // does not emit changed; -1: none
 
   signals:
     void changed(int index);  // by a person

@@ -1,11 +1,11 @@
-// What the Help menu shows.
+// The boxes of the Help menu.
 #pragma once
 
 class QWidget;
 
 namespace macula::viewer {
 
-// Neither waits for anybody.
+// Both return at once.
 void showKeys(QWidget* parent);
 void showAbout(QWidget* parent);
 

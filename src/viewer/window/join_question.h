@@ -1,4 +1,4 @@
-// Whether images that agree in all but identifiers made anew for each of them are one series.
+// The question whether images that differ only in identifiers made anew for each are one series.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@ class QWidget;
 
 namespace macula::viewer {
 
-// Asks, and returns at once. `join` is called when the answer is yes; what is on screen stays until then.
+// Asks, and returns at once. Calls `join` if the answer is yes; the study on screen stays until then.
 void askToJoin(QWidget* parent, const QString& question, std::function<void()> join);
 
 }  // namespace macula::viewer

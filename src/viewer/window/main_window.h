@@ -80,10 +80,10 @@ enum class Pane;
 struct HeadsetChoice;
 struct LibraryPreset;
 
-// What comes back of a study that was seen before, and is kept for the next time.
+// How much of a study's state is restored, and kept for the next time.
 enum class Restores {
     all,
-    work,  // measurements and how slices were shown: the rest is as it was asked for
+    work,  // measurements and slice display; options decide the rest
     nothing,
 };
 
@@ -94,41 +94,41 @@ struct MainWindowOptions {
     std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
     std::optional<ViewDirection> firstView = {};          // nothing: app::usualView
     app::Layout layout = app::Layout::fourPanes;
-    QSize pictureSize{960, 720};  // of the volume alone; with slices, of the window
+    QSize pictureSize{960, 720};  // of the 3D pane alone; with slices, of the window
     std::uint32_t sampleLimit = 512;
-    bool usesModel = true;  // of splats, while a hand moves
+    bool usesModel = true;  // shows splats in motion
     bool namesPatient =
-        true;  // over the picture, in the title and beside the presets, until somebody hides it
-    // Where models, and how studies were left, are kept for the next time. Nothing: nowhere.
+        true;  // over the picture, in the title and beside the presets, until a person hides the names
+    // Folder for models and the states of studies. Nothing: keeps none.
     std::optional<std::filesystem::path> sessions = {};
-    std::optional<int> keepDays = {};  // what was not opened for so long is deleted there; nothing: never
-    bool calibrates = false;           // measures in the background how fast this machine is, once
+    std::optional<int> keepDays = {};  // deletes what was unopened for longer; nothing: never
+    bool calibrates = false;           // measures this machine's speed once, in the background
     Restores restores = Restores::all;
-    bool choosesSize = false;  // pictureSize counts more than where the window was left
-    bool keepsLayout = false;  // as above, whatever a study was left with
+    bool choosesSize = false;  // pictureSize overrides the window's last place
+    bool keepsLayout = false;  // `layout` overrides that of a restored study
     Settings settings = {};
-    std::optional<std::filesystem::path> settingsFile = {};  // where they are kept; nothing: nowhere
-    bool showsInHeadset = false;                             // the first study that is shown
+    std::optional<std::filesystem::path> settingsFile = {};  // where to keep them; nothing: not kept
+    bool showsInHeadset = false;                             // shows the first study in a headset
 };
 
-// Menus, choices, the viewport, and what is known about the picture in it. Nothing here waits: folders are
-// read by a StudyLoader, pictures are made by the viewport's render thread.
+// Menus, choices, the viewport, and texts about its picture. Nothing here blocks: a StudyLoader reads
+// folders, the viewport's render thread makes pictures.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
   public:
     MainWindow(gpu::Instance instance, MainWindowOptions options);
-    ~MainWindow() override;  // waits until what was learnt is saved
+    ~MainWindow() override;  // waits until learnt models are saved
 
     void open(app::StudySource source);
-    // What open() ends with when all went well.
+    // open() ends with this when it succeeds.
     void showStudy(const app::OpenedStudy& study);
     void cancelLoading() { loader_.cancel(); }
     bool loading() const { return loader_.loading(); }
     SegmentationKeeper& segments() { return *segments_; }
     bool searchingTable() const { return table_->searching(); }
-    bool cutting() const;  // with the scissors
-    // Over the 3D picture.
+    bool cutting() const;  // the scissors' mask is being computed
+    // The scissors over the 3D picture.
     ScissorTool& scissors() { return *scissors_; }
     bool loaderAtRest() const { return loader_.atRest(); }
 
@@ -137,38 +137,38 @@ class MainWindow : public QMainWindow {
     PaneGrid& panes() { return *panes_; }
     BesideStudy& beside() { return *beside_; }  // the second volume
     SlicePair& pair(slices::Orientation orientation) { return *pairs_.at(std::size_t(orientation)); }
-    // What went wrong last; what is to be known about the study. Empty when there is nothing, or dismissed.
+    // The last error; the notes on the study. Empty without one, or after it was dismissed.
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
     QString notes() const { return notes_->isVisible() ? notes_->text() : QString(); }
-    QString description() const { return description_->fullText(); }  // of the study on screen
+    QString description() const { return description_->fullText(); }  // of the open study
     QString voxels() const { return volumeText_->fullText(); }        // of it
     QString rate() const { return pictureText_->fullText(); }   // pixels, and pictures per second in motion
-    QString fidelity() const { return fidelity_->fullText(); }  // how true the picture is
+    QString fidelity() const { return fidelity_->fullText(); }  // how the picture was made
     QString badge() const { return badge_->text(); }            // the same in a word
     const Settings& settings() const { return options_.settings; }
-    void takeSettings(const Settings& settings);  // uses them, and keeps them
+    void takeSettings(const Settings& settings);  // applies and stores them
     void tell(const Error& error) { messages_->showError(error); }
-    // Null where nothing is kept.
+    // Null if nothing is kept.
     app::ModelKeeper* keeper() { return keeper_.get(); }
-    QString modelState() const { return modelText_->fullText(); }  // what the peripheral model is doing
+    QString modelState() const { return modelText_->fullText(); }  // the state of the peripheral model
     bool hasStudy() const { return session_.hasStudy(); }
     ViewerSession& session() { return session_; }
-    // All that was chosen, with the camera of now; and another one of the same study. usage when none is
-    // open, inputNotUsable when it was saved of another series.
+    // The session's state with the current camera; setState takes one of the same study. usage without a
+    // study, inputNotUsable for a state of another series.
     app::StudyState state() const;
     Result<void> setState(const app::StudyState& state);
     bool hidesSomething() const { return shown_->hidesSomething(); }
-    // What was chosen and measured, before the program is ended: returns once it is kept, or false after some
-    // seconds in which it was not.
+    // Stores choices and measurements before the program ends. Returns true once stored, false after some
+    // seconds without success.
     bool keepStateNow();
-    bool isWriting() const { return !unfinishedWork().isEmpty(); }  // a picture, a movie: quitting asks
+    bool isWriting() const { return !unfinishedWork().isEmpty(); }  // a picture or movie; quitting asks
 
   signals:
     void frameShown(const macula::app::FrameShown& frame);
     void studyShown();
     void loadingCancelled();
     void failed(const macula::Error& error);
-    void headsetEnded();  // or could not be begun
+    void headsetEnded();  // or could not begin
 
   protected:
     bool event(QEvent* event) override;
@@ -195,7 +195,7 @@ class MainWindow : public QMainWindow {
     void addBesideToView(QMenu& view);
     void askForBeside(int mode);  // a QFileDialog::FileMode
     void showBeside();
-    QStringList besideNotes() const;  // what is to be known of the second volume
+    QStringList besideNotes() const;  // notes on the second volume
     void makeMenus();
     void makeFileMenu();
     void makeEditMenu();
@@ -230,10 +230,10 @@ class MainWindow : public QMainWindow {
     const app::Catalogue& catalogue() const { return session_.catalogue(); }
     const app::OpenedStudy& study() const { return session_.study(); }
     void onChanged(const app::StudyState& before);
-    void redraw();      // what was chosen has changed
+    void redraw();      // call after a choice has changed
     void showChosen();  // in menus and lists
     std::shared_ptr<app::ModelKeeper> makeKeeper();
-    // Empty: nothing comes back.
+    // Nothing: the state is not restored.
     std::optional<app::StudyState> stateAsLeft(const app::OpenedStudy& study);
     app::StudyState stateToKeep() const;
     void connectKeeping();
@@ -247,11 +247,11 @@ class MainWindow : public QMainWindow {
     void askWhereToSaveView();
     void connectExport();
     void connectQuit();
-    QStringList unfinishedWork() const;  // that quitting would lose: sentences
+    QStringList unfinishedWork() const;  // sentences: work that quitting would lose
     void connectPick();
     void addPresentationsTo(QMenu& file);
     void askForPresentation();
-    void openPresentation(const std::filesystem::path& path);  // of the 3D view of what is open
+    void openPresentation(const std::filesystem::path& path);  // a 3D view of the open study
     void connectListedPresentations();
     void showListed(const app::StudyRow::Presentation& listed);
     void showOnSlices(const app::SoftcopyOnSlices& shown, const QStringList& notes);
@@ -274,16 +274,16 @@ class MainWindow : public QMainWindow {
     void onRendered(const app::RenderEvent& event);
     void onFrame(const app::FrameShown& frame);
     void onModel(const hybrid::ModelNews& model);
-    // Title, task bar, tool bar and status line: of the study that is open, whatever panes there are.
+    // Updates title, task bar, tool bar and status line for the open study.
     void showStudyTexts();
-    void tellOfPicture();  // in 3D, in the status line
+    void tellOfPicture();  // writes the status line of the 3D picture
     void tellOfFrame(const app::FrameShown& frame);
     void explainTabs();
     void showPanes();  // of the state
     void favourPane(std::optional<slices::Orientation> orientation);
-    void focusPicture();  // the pane that had the keyboard last, or one that is shown
+    void focusPicture();  // the pane that last had the focus, or a shown one
     void showNames(bool shown);
-    void setCine(bool plays);  // of the slices that are looked at
+    void setCine(bool plays);  // for the active slice pane, else for a shown one
     void askWhereToSavePreset();
     void askWhereToSaveMeasurements();
     void tellOfFile(const Result<void>& written, const QString& told);
@@ -294,29 +294,28 @@ class MainWindow : public QMainWindow {
 
     MainWindowOptions options_;
     StudyLoader loader_;
-    // What is open, and what was chosen for it. The camera is the viewport's. Its preset need not be the one
-    // asked for.
+    // The open study and its choices. The viewport has the camera. Its preset may differ from the option.
     ViewerSession session_;
-    QStringList studyNotes_;  // what is to be known about it
-    QString presetNote_;      // and about the preset that was chosen for it
-    QString visibilityNote_;  // and why nothing of it can be seen
-    QString pictureNote_;     // and about what the device shows of it
-    QString deviceNote_;      // and about the device
+    QStringList studyNotes_;  // notes on the study
+    QString presetNote_;      // on its preset
+    QString visibilityNote_;  // on why nothing is visible
+    QString pictureNote_;     // on what the device shows of it
+    QString deviceNote_;      // on the device
     bool deviceIsBack_ = true;
-    bool pictureFailed_ = false;                // in 3D, of what is open
+    bool pictureFailed_ = false;                // the 3D picture of the open study
     std::shared_ptr<app::ModelKeeper> keeper_;  // null: nothing is kept
-    // The state that it was given last, or that the study was shown in: what nobody has changed is not kept,
-    // and takes the place of nothing that came too late or cannot be read.
+    // The last state given to the keeper, or the state at opening: an unchanged state is not stored, so it
+    // never replaces a stored state that came too late or cannot be read.
     std::optional<app::StudyState> kept_;
-    // Its text, or that which was read: what this window's changes are made to. See ModelKeeper::keepState.
+    // Its JSON text, or the text read: the base of this window's changes. See ModelKeeper::keepState.
     std::shared_ptr<std::string> keptText_;
-    QString sessionNote_;          // how this study comes back
-    QString storeNote_;            // and what went wrong with the store
-    bool storeNoteIsNew_ = false;  // it came with the study that is being opened
+    QString sessionNote_;          // how this study was restored
+    QString storeNote_;            // errors of the store
+    bool storeNoteIsNew_ = false;  // it came while a study was being opened
     QTimer keeps_;
     QTimer keepsChange_;                              // soon
-    QTimer prepares_;                                 // for so long that it is worth a word
-    QString preparing_;                               // which
+    QTimer prepares_;                                 // after this delay the status line says so
+    QString preparing_;                               // what the device prepares
     bool isFirstStart_ = false;                       // app::DeviceReady
     LastFolders folders_{options_.settings.folders};  // of file dialogs
 
@@ -326,7 +325,7 @@ class MainWindow : public QMainWindow {
     std::array<SlicePair*, 3> pairs_{};   // the same, with those of the second volume
     BesideStudy* beside_ = nullptr;
     BesideBar* besideBar_ = nullptr;
-    QList<QAction*> besideActions_;  // that need a second volume
+    QList<QAction*> besideActions_;  // actions that need a second volume
     WorkBar* besideWork_ = nullptr;
     PaneGrid* panes_ = nullptr;
     ToolBox* tools_ = nullptr;
@@ -343,18 +342,18 @@ class MainWindow : public QMainWindow {
     StudyBrowser* browser_ = nullptr;
     RecentMenu* recent_ = nullptr;
     QAction* browserShown_ = nullptr;  // shows and hides it
-    QList<QAction*> panels_;           // show and hide them
+    QList<QAction*> panels_;           // their toggle actions
     std::optional<Pane> lastPane_;
-    MessageBar* notes_ = nullptr;  // stay while other studies are loaded, and when that fails
+    MessageBar* notes_ = nullptr;  // stay while another study loads, and if that fails
     MessageBar* messages_ = nullptr;
     WorkBar* loading_ = nullptr;
     TableRemoval* table_ = nullptr;
     WorkBar* searching_ = nullptr;  // for the table
     SegmentationKeeper* segments_ = nullptr;
-    WorkBar* segmenting_ = nullptr;  // segments are loaded
+    WorkBar* segmenting_ = nullptr;  // while segments load
     PictureExport* export_ = nullptr;
     PresentationFiles* presentations_ = nullptr;
-    // To be shown once its series is there.
+    // A presentation to show once its series is open.
     struct AwaitedPresentation {
         std::shared_ptr<const app::FoundVolumes> found;
         app::StudyRow::Presentation listed;
@@ -373,10 +372,10 @@ class MainWindow : public QMainWindow {
     WorkBar* filming_ = nullptr;
     HeadsetShow* headset_ = nullptr;
     HeadsetMirror* mirror_ = nullptr;
-    bool isMirrored_ = false;                  // a picture of the headset has come
-    bool isFromHeadset_ = false;               // what changes now
-    std::shared_ptr<const Clip> headsetClip_;  // that is shown there
-    bool quitsWhenDone_ = false;               // with what is being written
+    bool isMirrored_ = false;                  // a picture of the headset has arrived
+    bool isFromHeadset_ = false;               // the present change comes from the headset
+    std::shared_ptr<const Clip> headsetClip_;  // the clip shown in the headset
+    bool quitsWhenDone_ = false;               // quits when all files are written
     ModelExport* modelExport_ = nullptr;
     WorkBar* savingModel_ = nullptr;
     ChoiceMenu* looks_ = nullptr;
@@ -386,7 +385,7 @@ class MainWindow : public QMainWindow {
     QAction* names_ = nullptr;
     VolumeChoice* volumes_ = nullptr;
     QAction* volumesInBar_ = nullptr;  // shows and hides it
-    QTimer rateEnds_;                  // nothing has been shown for a while
+    QTimer rateEnds_;                  // fires after a pause without frames
     PresetLibrary* presetLibrary_ = nullptr;
     PresetGallery* gallery_ = nullptr;
     PresetBox* presets_ = nullptr;

@@ -1,4 +1,4 @@
-// Whether the program is to end while something is still being written.
+// The question whether to quit while files are being written.
 #pragma once
 
 #include <QStringList>
@@ -8,8 +8,8 @@ class QWidget;
 
 namespace macula::viewer {
 
-// Asks, and returns at once. `unfinished`: sentences. `wait` is called when the program is to end after that,
-// `quit` when it is to end now; neither when it is to go on.
+// Asks, and returns at once. `unfinished`: sentences. Calls `wait` to quit after the work, `quit` to quit
+// now, and neither after Cancel.
 void askToQuit(QWidget* parent, const QStringList& unfinished, std::function<void()> wait,
                std::function<void()> quit);
 

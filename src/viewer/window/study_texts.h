@@ -1,4 +1,4 @@
-// What the window says of the study that is open, outside of its panes.
+// The window's texts about the open study, outside its panes.
 #pragma once
 
 #include <QString>
@@ -10,24 +10,23 @@
 namespace macula::viewer {
 
 struct StudyTexts {
-    QString title;              // of the window, and so in the task bar
+    QString title;              // of the window and the task bar
     QString voxels;             // in the status line
     QString description;        // of the series, in the tool bar
-    QString whyThisOne;         // was chosen
+    QString whyThisOne;         // why this volume was opened
     bool listsVolumes = false;  // whether the list of volumes, which may name patients, is shown
 
     bool operator==(const StudyTexts&) const = default;
 };
 
-// The one place where these come from: they are of the study that is open, whichever panes show it and
-// whatever of it is drawn already. A study without a volume: none is open. Without names nothing is said that
-// the files say of a person: neither name, nor date, nor description.
+// The only source of these texts, whichever panes show the study. A study without a volume counts as no
+// study. With `names` false they hold no patient name, date or description from the files.
 StudyTexts textsOf(const app::OpenedStudy& study, bool names);
 
-// Each sentence once: what is said of a series is often said of its volume too.
+// Removes repeated sentences: those of a series often recur for its volume.
 QStringList withoutRepeats(const QStringList& notes);
 
-// In place of what is told of the picture in 3D, in a layout that does not show it.
+// Replaces the text about the 3D picture in layouts without it; empty in others.
 QString withoutVolumeText(app::Layout layout);
 
 }  // namespace macula::viewer

@@ -1,4 +1,4 @@
-// Which volume of a folder is shown, and which others there are.
+// A list of the volumes of a folder.
 #pragma once
 
 #include <QComboBox>
@@ -7,8 +7,8 @@
 
 namespace macula::viewer {
 
-// A list that says "1 of 3" and names each. Empty, and not to be seen, where there is nothing to choose from.
-// It names what is open: a choice changes it only once the other volume is.
+// Lists "1 of 3" and a name for each volume. Names the open volume: a choice changes that only once the other
+// is open.
 class VolumeChoice : public QComboBox {
     Q_OBJECT
 
