@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct SplatRenderOptions {
+struct SplatShots {
     fs::path model;
     std::vector<std::string> camera;
     fs::path cameras;
@@ -58,14 +58,13 @@ struct Shot {
     fs::path exr;  // empty: not wanted
 };
 
-Result<std::optional<glm::ivec2>> sizeOf(const SplatRenderOptions& options) {
+Result<std::optional<glm::ivec2>> sizeOf(const SplatShots& options) {
     if (options.size.empty()) return std::optional<glm::ivec2>();
     MACULA_TRY(const glm::ivec2 size, app::parseSize(options.size));
     return std::optional(size);
 }
 
-Result<std::vector<Shot>> shotsOf(const std::vector<app::SplatCamera>& cameras,
-                                  const SplatRenderOptions& options) {
+Result<std::vector<Shot>> shotsOf(const std::vector<app::SplatCamera>& cameras, const SplatShots& options) {
     std::vector<std::string> wishes;
     for (const app::SplatCamera& camera : cameras) wishes.push_back(camera.name);
     const std::vector<std::string> names = app::pictureNames(wishes);
@@ -97,8 +96,7 @@ Error aboutShot(Error error, const Shot& shot) {
 }
 
 // Around the model, for which no camera was given.
-Result<std::vector<app::SplatCamera>> camerasAround(const splat::Splats& splats,
-                                                    const SplatRenderOptions& options,
+Result<std::vector<app::SplatCamera>> camerasAround(const splat::Splats& splats, const SplatShots& options,
                                                     const std::optional<glm::ivec2>& size) {
     MACULA_TRY(std::vector<app::SplatCamera> cameras,
                app::framedCameras(splats, options.from, size.value_or(app::kDefaultCameraSize)));
@@ -123,7 +121,7 @@ void printShots(const std::vector<Shot>& shots, const fs::path& folder,
     }
 }
 
-Result<void> splatRender(const SplatRenderOptions& options) {
+Result<void> splatRender(const SplatShots& options) {
     const auto begin = std::chrono::steady_clock::now();
     MACULA_TRY(const glm::vec3 background, app::parseBackground(options.background));
     MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
@@ -190,8 +188,8 @@ Result<void> splatRender(const SplatRenderOptions& options) {
 }  // namespace
 
 void addSplatRender(CLI::App& app, Action& action) {
-    auto options = std::make_shared<SplatRenderOptions>();
-    SplatRenderOptions& o = *options;
+    auto options = std::make_shared<SplatShots>();
+    SplatShots& o = *options;
     auto* command = app.add_subcommand("splat-render", "Draw a model of 3D Gaussians, Macula's or another's");
     command->add_option("MODEL", o.model, "Model: .ply (in the manner of 3DGS), .spz, .glb or .macula")
         ->required();

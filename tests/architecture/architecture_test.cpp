@@ -371,7 +371,7 @@ TEST(Architecture, NoFileIsTwoThings) {
     }
 }
 
-// What it does is in app and evaluate, where tests and other programs reach it.
+// What it does is in other rooms, where tests and other programs reach it.
 TEST(Architecture, AVerbIsOptionsAndPrinting) {
     std::ptrdiff_t all = 0;
     std::ptrdiff_t files = 0;
