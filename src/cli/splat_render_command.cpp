@@ -30,7 +30,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct SplatShots {
+using Cameras = std::vector<app::SplatCamera>;
+
+struct SplatRenderOptions {
     fs::path model;
     std::vector<std::string> camera;
     fs::path cameras;
@@ -58,13 +60,13 @@ struct Shot {
     fs::path exr;  // empty: not wanted
 };
 
-Result<std::optional<glm::ivec2>> sizeOf(const SplatShots& options) {
+Result<std::optional<glm::ivec2>> sizeOf(const SplatRenderOptions& options) {
     if (options.size.empty()) return std::optional<glm::ivec2>();
     MACULA_TRY(const glm::ivec2 size, app::parseSize(options.size));
     return std::optional(size);
 }
 
-Result<std::vector<Shot>> shotsOf(const std::vector<app::SplatCamera>& cameras, const SplatShots& options) {
+Result<std::vector<Shot>> shotsOf(const Cameras& cameras, const SplatRenderOptions& options) {
     std::vector<std::string> wishes;
     for (const app::SplatCamera& camera : cameras) wishes.push_back(camera.name);
     const std::vector<std::string> names = app::pictureNames(wishes);
@@ -96,9 +98,9 @@ Error aboutShot(Error error, const Shot& shot) {
 }
 
 // Around the model, for which no camera was given.
-Result<std::vector<app::SplatCamera>> camerasAround(const splat::Splats& splats, const SplatShots& options,
-                                                    const std::optional<glm::ivec2>& size) {
-    MACULA_TRY(std::vector<app::SplatCamera> cameras,
+Result<Cameras> camerasAround(const splat::Splats& splats, const SplatRenderOptions& options,
+                              const std::optional<glm::ivec2>& size) {
+    MACULA_TRY(Cameras cameras,
                app::framedCameras(splats, options.from, size.value_or(app::kDefaultCameraSize)));
     if (splats.axes == splat::Axes::unknown)
         printNote(
@@ -121,12 +123,11 @@ void printShots(const std::vector<Shot>& shots, const fs::path& folder,
     }
 }
 
-Result<void> splatRender(const SplatShots& options) {
+Result<void> splatRender(const SplatRenderOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
     MACULA_TRY(const glm::vec3 background, app::parseBackground(options.background));
     MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
-    MACULA_TRY(std::vector<app::SplatCamera> cameras,
-               app::readSplatCameras(options.cameras, options.camera, size));
+    MACULA_TRY(Cameras cameras, app::readSplatCameras(options.cameras, options.camera, size));
     const bool isGiven = !cameras.empty();
     MACULA_TRY(std::vector<Shot> shots, shotsOf(cameras, options));
     MACULA_TRY(const app::ModelToDraw model, app::readModelToDraw(options.model, options.lowPass));
@@ -188,8 +189,8 @@ Result<void> splatRender(const SplatShots& options) {
 }  // namespace
 
 void addSplatRender(CLI::App& app, Action& action) {
-    auto options = std::make_shared<SplatShots>();
-    SplatShots& o = *options;
+    auto options = std::make_shared<SplatRenderOptions>();
+    SplatRenderOptions& o = *options;
     auto* command = app.add_subcommand("splat-render", "Draw a model of 3D Gaussians, Macula's or another's");
     command->add_option("MODEL", o.model, "Model: .ply (in the manner of 3DGS), .spz, .glb or .macula")
         ->required();

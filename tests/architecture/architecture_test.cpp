@@ -303,7 +303,7 @@ TEST(Architecture, FramesAndStoresAreApart) {
     EXPECT_GT(count, 100u) << "the sources were not found at " << kRoot;
 }
 
-// Each folder of files to the folders whose files they include, in one or more steps.
+// Maps each folder to the folders that its files include, in one or more steps.
 std::map<std::string, Names> foldersReached(const std::vector<Include>& includes) {
     std::map<std::string, Names> reached;
     for (const Include& include : includes) {
@@ -317,7 +317,7 @@ std::map<std::string, Names> foldersReached(const std::vector<Include>& includes
     return reached;
 }
 
-// Folders of one room as well: none includes another that includes it.
+// Within a room too, no folder includes another that includes it.
 TEST(Architecture, NoCircleBetweenFolders) {
     const std::string dicom = "src/dicom/";
     const auto circle = foldersReached({{dicom + "read/a.cpp", 1, "dicom/stack/stack.h"},
@@ -371,7 +371,7 @@ TEST(Architecture, NoFileIsTwoThings) {
     }
 }
 
-// What it does is in other rooms, where tests and other programs reach it.
+// A verb parses and prints. Other rooms do its work, where tests and other programs reach it.
 TEST(Architecture, AVerbIsOptionsAndPrinting) {
     std::ptrdiff_t all = 0;
     std::ptrdiff_t files = 0;

@@ -69,8 +69,8 @@ std::vector<In3dOf> in3dOf(std::span<const SegmentationChoice> choices);
 using ColouredIn3d =
     std::tuple<std::string, std::uint16_t, std::optional<std::array<std::uint8_t, 3>>, double>;
 std::vector<ColouredIn3d> colouredIn3dOf(std::span<const SegmentationChoice> choices);
-// Replaces the 3D colours of the shown segmentations by `coloured`; these colours apply on slices too. The
-// segmentations in `coloured` become shown.
+// Replaces the 3D colours of the shown segmentations, and of those in `coloured`, which become shown, by
+// `coloured`; these colours apply on slices too.
 std::vector<SegmentationChoice> withColoursIn3d(std::span<const SegmentationChoice> choices,
                                                 std::span<const ColouredIn3d> coloured);
 // Sets in3d of the segments so that in3dOf() returns `in3d`; their other fields stay. The segmentations in
