@@ -3,11 +3,11 @@
 
 #include <chrono>
 
-namespace macula::app {
+namespace macula {
 
 // Seconds of wall-clock time.
 inline double secondsSince(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-}  // namespace macula::app
+}  // namespace macula

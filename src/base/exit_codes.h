@@ -3,7 +3,7 @@
 
 #include "base/result.h"
 
-namespace macula::app {
+namespace macula {
 
 inline constexpr int kExitDone = 0;
 inline constexpr int kExitFault = 1;        // a fault of the program: please report it
@@ -35,4 +35,4 @@ constexpr int exitCodeOf(ErrorCode code) {
     return kExitInput;
 }
 
-}  // namespace macula::app
+}  // namespace macula

@@ -14,7 +14,7 @@ namespace macula::c {
 
 namespace {
 
-Result<macula_device*> deviceOf(app::DeviceWay way) {
+Result<macula_device*> deviceOf(live::DeviceWay way) {
     auto told = std::make_shared<std::vector<std::string>>();
     MACULA_TRY(gpu::Instance instance, gpu::Instance::create(way.instance));
     MACULA_TRY(gpu::LastingDevice lasting,
@@ -24,12 +24,12 @@ Result<macula_device*> deviceOf(app::DeviceWay way) {
         new macula_device{std::move(way), std::move(lasting), std::move(told)}));
 }
 
-Result<app::DeviceWay> wayOf(const macula_lent_device& lent) {
-    app::LentHandles handles{.instance = lent.instance,
-                             .physical = lent.physical_device,
-                             .device = lent.device,
-                             .queue = lent.queue,
-                             .queueFamily = lent.queue_family};
+Result<live::DeviceWay> wayOf(const macula_lent_device& lent) {
+    live::LentHandles handles{.instance = lent.instance,
+                              .physical = lent.physical_device,
+                              .device = lent.device,
+                              .queue = lent.queue,
+                              .queueFamily = lent.queue_family};
     const auto calling = [user = lent.user](macula_queue_call call) -> std::function<void()> {
         if (call == nullptr) return {};
         return [call, user] { call(user); };
@@ -47,7 +47,7 @@ macula_status macula_device_open(const char* preferred, macula_device** device) 
     if (device != nullptr) *device = nullptr;
     return guarded([&]() -> Result<void> {
         if (device == nullptr) return nullHandle();
-        app::DeviceWay way;
+        live::DeviceWay way;
         if (preferred != nullptr) way.device.preferred = preferred;
         MACULA_TRY(*device, deviceOf(std::move(way)));
         return {};
@@ -59,7 +59,7 @@ macula_status macula_device_lend(const macula_lent_device* lent, macula_device**
     return guarded([&]() -> Result<void> {
         if (lent == nullptr || device == nullptr) return nullHandle();
         MACULA_TRY(const macula_lent_device given, taken(lent));
-        MACULA_TRY(app::DeviceWay way, wayOf(given));
+        MACULA_TRY(live::DeviceWay way, wayOf(given));
         MACULA_TRY(*device, deviceOf(std::move(way)));
         return {};
     });

@@ -12,7 +12,7 @@
 #include "pipeline/gpu/recovery.h"
 
 struct macula_device {
-    macula::app::DeviceWay way;  // in which it was opened, for who opens it once more
+    macula::live::DeviceWay way;  // in which it was opened, for who opens it once more
     macula::gpu::LastingDevice lasting;
     // Of devices that were lost and replaced since the last picture was begun.
     std::shared_ptr<std::vector<std::string>> told;

@@ -26,26 +26,26 @@ namespace macula::c {
 
 namespace {
 
-Result<app::EffortWish> effortWishOf(const macula_picture& picture) {
-    app::EffortWish wish;
-    if (picture.quality != nullptr) wish.quality = picture.quality;
-    if (picture.samples_per_pixel > app::kMostSamplesPerPixel)
+Result<pictures::EffortRequest> effortRequestOf(const macula_picture& picture) {
+    pictures::EffortRequest request;
+    if (picture.quality != nullptr) request.quality = picture.quality;
+    if (picture.samples_per_pixel > pictures::kMostSamplesPerPixel)
         return badArgument("That many samples per pixel cannot be drawn.",
-                           fmt::format("Take at most {}.", app::kMostSamplesPerPixel));
-    if (picture.samples_per_pixel > 0) wish.samplesPerPixel = picture.samples_per_pixel;
+                           fmt::format("Take at most {}.", pictures::kMostSamplesPerPixel));
+    if (picture.samples_per_pixel > 0) request.samplesPerPixel = picture.samples_per_pixel;
     if (!(picture.most_noise >= 0.0 && picture.most_noise <= 1.0))
         return badArgument("The noise of the picture is no share of black to white.",
                            "Give 0 to 1; 0 leaves it open.");
-    wish.error = picture.most_noise;
+    request.error = picture.most_noise;
     if (picture.denoise < MACULA_AS_QUALITY || picture.denoise > MACULA_PLAIN)
         return badArgument("How the picture is denoised is not known.",
                            "Use MACULA_AS_QUALITY, MACULA_DENOISED or MACULA_PLAIN.");
-    if (picture.denoise != MACULA_AS_QUALITY) wish.denoise = picture.denoise == MACULA_DENOISED;
-    return wish;
+    if (picture.denoise != MACULA_AS_QUALITY) request.denoise = picture.denoise == MACULA_DENOISED;
+    return request;
 }
 
-app::PictureEffects effectsOf(const macula_picture& picture) {
-    app::PictureEffects effects{.lensMm = picture.lens_mm, .fogMm = picture.fog_mm};
+pictures::PictureEffects effectsOf(const macula_picture& picture) {
+    pictures::PictureEffects effects{.lensMm = picture.lens_mm, .fogMm = picture.fog_mm};
     if (picture.focus_mm != 0.0) effects.focusMm = picture.focus_mm;
     return effects;
 }
@@ -62,45 +62,45 @@ Result<macula_picture> checked(const macula_picture* given) {
 }
 
 struct Scene {
-    app::PictureRequest request;
-    app::RenderRecord record;  // of the view; with its notes
+    pictures::PictureRequest request;
+    pictures::RenderRecord record;  // of the view; with its notes
 };
 
-Result<trace::Environment> lightsOf(const macula_view& view, const app::StudyState& state) {
+Result<trace::Environment> lightsOf(const macula_view& view, const scene::StudyState& state) {
     if (view.lights.empty() && state.lights) return trace::Environment::fromRig(*state.lights);
-    return app::chooseLights(lightsNamed(view, state));
+    return scene::chooseLights(lightsNamed(view, state));
 }
 
 // All that the view and the picture come to.
 Result<Scene> sceneOf(const macula_view& view, const macula_picture& picture, Progress& progress) {
-    MACULA_TRY(app::StudyState state, stateOf(view));
-    MACULA_TRY(const app::EffortWish wish, effortWishOf(picture));
-    MACULA_TRY(const app::Effort effort, app::effortOf(wish, state.settings));
+    MACULA_TRY(scene::StudyState state, stateOf(view));
+    MACULA_TRY(const pictures::EffortRequest asked, effortRequestOf(picture));
+    MACULA_TRY(const pictures::Effort effort, pictures::effortOf(asked, state.settings));
     state.settings = effort.settings;
     state.settings.seed = picture.seed;
     MACULA_TRY(SeenView seen, seenBy(view, std::move(state), progress));
 
     Scene scene;
-    app::PictureRequest& request = scene.request;
+    pictures::PictureRequest& request = scene.request;
     request.scene.volume = view.study.volume;
     request.scene.function = seen.preset.function;
     request.scene.clip = seen.shown.clip;
     MACULA_TRY(request.scene.environment, lightsOf(view, seen.state));
     request.camera = seen.state.camera;
-    request.from = view.wish.view;
-    request.background = seen.state.background.value_or(app::kBlackBackground);
+    request.from = view.request.view;
+    request.background = seen.state.background.value_or(scene::kBlackBackground);
     request.sizePx = {picture.width, picture.height};
-    request.settings = app::settingsOf(seen.state, app::SeriesWindows(), view.study.volume.get());
+    request.settings = scene::settingsOf(seen.state, scene::SeriesWindows(), view.study.volume.get());
     request.samplesPerPixel = effort.samplesPerPixel;
     request.effects = effectsOf(picture);
     scene.record.seriesDigest = view.study.seriesDigest;
     scene.record.preset = std::move(seen.preset.publicName);
     scene.record.presetFitted = seen.preset.function.fitToVolume.has_value();
     scene.record.lights = view.lights.empty() && seen.state.lights
-                              ? app::publicLightsName(*seen.state.lights)
-                              : app::publicLightsName(lightsNamed(view, seen.state));
+                              ? scene::publicLightsName(*seen.state.lights)
+                              : scene::publicLightsName(lightsNamed(view, seen.state));
     scene.record.clip =
-        seen.state.clip ? app::publicClipName(*seen.state.clip) : app::publicClipName(std::string());
+        seen.state.clip ? scene::publicClipName(*seen.state.clip) : scene::publicClipName(std::string());
     scene.record.tableRemoved = seen.shown.tableRemoved;
     if (seen.shown.clip.mask) scene.record.masked = seen.shown.clip.mask->remark;
     scene.record.window = request.settings.window;
@@ -116,14 +116,14 @@ void copyRows(const std::vector<std::uint8_t>& rgba, const macula_picture& pictu
 
 // Draws with the scene that the last picture has left on the device, as far as it is the same. Nothing is
 // left after a failure, nor after an exception: what is half changed must not be drawn.
-Result<app::DrawnPicture> drawOn(const std::shared_ptr<gpu::Device>& device,
-                                 std::optional<app::PictureDrawer>& left, const app::PictureRequest& request,
-                                 Progress& progress) {
+Result<pictures::DrawnPicture> drawOn(const std::shared_ptr<gpu::Device>& device,
+                                      std::optional<pictures::PictureDrawer>& left,
+                                      const pictures::PictureRequest& request, Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
-    std::optional<app::PictureDrawer> drawer = std::exchange(left, std::nullopt);
-    MACULA_TRY_VOID(app::PictureDrawer::adapt(drawer, device, request, progress));
-    MACULA_TRY(app::DrawnPicture drawn, drawer->draw(request.camera, progress));
-    drawn.seconds = app::secondsSince(start);
+    std::optional<pictures::PictureDrawer> drawer = std::exchange(left, std::nullopt);
+    MACULA_TRY_VOID(pictures::PictureDrawer::adapt(drawer, device, request, progress));
+    MACULA_TRY(pictures::DrawnPicture drawn, drawer->draw(request.camera, progress));
+    drawn.seconds = secondsSince(start);
     left = std::move(drawer);
     return drawn;
 }
@@ -133,15 +133,16 @@ Result<void> draw(macula_device& device, macula_view& view, const macula_picture
     MACULA_TRY(Scene scene, sceneOf(view, picture, progress));
     device.told->clear();
     device.lastScene.be(view.scene);
-    app::DrawnPicture drawn;
+    pictures::DrawnPicture drawn;
     MACULA_TRY_VOID(device.lasting.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-        MACULA_TRY(drawn, view.scene->use(&device.lastScene, [&](std::optional<app::PictureDrawer>& left) {
-            return drawOn(on, left, scene.request, progress);
-        }));
+        MACULA_TRY(drawn,
+                   view.scene->use(&device.lastScene, [&](std::optional<pictures::PictureDrawer>& left) {
+                       return drawOn(on, left, scene.request, progress);
+                   }));
         return {};
     }));
     std::vector<std::string> notes = scene.record.notes;
-    for (const app::PictureNote& note : notesOf(drawn, scene.request))
+    for (const pictures::PictureNote& note : notesOf(drawn, scene.request))
         notes.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
     notes.insert(notes.end(), device.told->begin(), device.told->end());
     scene.record.add(scene.request, drawn);

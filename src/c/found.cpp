@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // The place of each volume in that JSON, in the order of macula_study_title.
-Json placesOf(const app::FoundVolumes& found) {
+Json placesOf(const study::FoundVolumes& found) {
     std::map<const dicom::Stack*, std::string> places;
     std::size_t place = 0;
     for (const dicom::Study& study : found.scan().studies)
@@ -29,15 +29,15 @@ Json placesOf(const app::FoundVolumes& found) {
                 places[&series.stacks[i]] = fmt::format("{}.{}", place, i + 1);
         }
     Json list = Json::array();
-    for (const app::FoundVolume& volume : found.volumes()) list.push_back(places.at(volume.stack));
+    for (const study::FoundVolume& volume : found.volumes()) list.push_back(places.at(volume.stack));
     return list;
 }
 
-std::string foundText(const app::FoundVolumes* found) {
+std::string foundText(const study::FoundVolumes* found) {
     const dicom::Scan nothing;
     const dicom::Scan& scan = found == nullptr ? nothing : found->scan();
-    const dicom::Choice best = found == nullptr ? dicom::Choice() : dicom::bestVolume(scan);
-    Json json = app::toJson(scan, best, app::PatientData::include);
+    const dicom::ChosenStack best = found == nullptr ? dicom::ChosenStack() : dicom::bestVolume(scan);
+    Json json = toJson(scan, best, study::PatientData::include);
     json["volumes"] = found == nullptr ? Json::array() : placesOf(*found);
     return json.dump(4, ' ', false, Json::error_handler_t::replace);
 }

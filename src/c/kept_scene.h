@@ -13,7 +13,7 @@ namespace macula::c {
 // A view has one. It ends with the view.
 class KeptScene {
   public:
-    // Calls use(std::optional<app::PictureDrawer>&) with what the last picture has left on that device,
+    // Calls use(std::optional<pictures::PictureDrawer>&) with what the last picture has left on that device,
     // nothing where it was drawn on another. By the one who has the device and the view for itself.
     template <class Use>
     auto use(const void* device, const Use& use) {
@@ -33,7 +33,7 @@ class KeptScene {
   private:
     std::mutex mutex_;  // guards the hand-over from device to device; see use()
     const void* device_ = nullptr;
-    std::optional<app::PictureDrawer> drawer_;
+    std::optional<pictures::PictureDrawer> drawer_;
 };
 
 // A device keeps the scene of one view at a time, so that it never holds more than one picture needed. The

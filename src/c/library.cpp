@@ -29,7 +29,7 @@ std::vector<std::string> namesOf(const std::vector<Named>& all) {
 
 // By kind: MACULA_PRESETS and so on.
 std::vector<std::vector<std::string>> allNames() {
-    const Result<app::BuiltIns> all = app::builtIns();
+    const Result<scene::BuiltIns> all = scene::builtIns();
     MACULA_CHECK(all.ok());  // they are part of the library
     std::vector<std::string> looks;
     for (const trace::LookTraits& look : trace::kLooks) looks.emplace_back(look.name);
@@ -37,9 +37,9 @@ std::vector<std::vector<std::string>> allNames() {
 }
 
 std::string builtInText() {
-    const Result<app::BuiltIns> all = app::builtIns();
+    const Result<scene::BuiltIns> all = scene::builtIns();
     MACULA_CHECK(all.ok());  // they are part of the library
-    return app::toJson(*all).dump(4);
+    return toJson(*all).dump(4);
 }
 
 std::int32_t levelOf(log::Level level) {

@@ -30,7 +30,7 @@
 #include "scene/drawing/projection_windows.h"
 
 struct macula_live {
-    std::unique_ptr<macula::app::HostedLoop> loop;
+    std::unique_ptr<macula::live::HostedLoop> loop;
     // Of the view that is shown.
     std::optional<macula::Camera> camera;
     std::optional<macula::ViewDirection> from = {};
@@ -68,30 +68,30 @@ macula_status with(macula_live* live, const Body& body) noexcept {
 }
 
 Result<void> show(macula_live& live, const macula_view& view, Progress& progress) {
-    MACULA_TRY(app::StudyState state, stateOf(view));
+    MACULA_TRY(scene::StudyState state, stateOf(view));
     if (!view.lights.empty()) {
-        MACULA_TRY(trace::LightRig rig, app::chooseLightRig(view.lights));
+        MACULA_TRY(trace::LightRig rig, scene::chooseLightRig(view.lights));
         state.lights = std::make_shared<const trace::LightRig>(std::move(rig));
     }
     MACULA_TRY(SeenView seen, seenBy(view, std::move(state), progress));
-    MACULA_TRY(const app::Catalogue catalogue, app::builtInCatalogue());
+    MACULA_TRY(const scene::Catalogue catalogue, scene::builtInCatalogue());
     auto clip = seen.shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(seen.shown.clip);
-    app::HostedScene scene;
+    live::HostedScene scene;
     scene.volume = view.study.volume;
     scene.drawing =
-        app::drawingOf(seen.state, catalogue, app::SeriesWindows(), view.study.volume, std::move(clip));
+        scene::drawingOf(seen.state, catalogue, scene::SeriesWindows(), view.study.volume, std::move(clip));
     MACULA_TRY_VOID(live.loop->show(std::move(scene), progress));
     live.camera = seen.state.camera;
-    live.from = view.wish.view;
+    live.from = view.request.view;
     live.notesOfView = std::move(seen.notes);
     return {};
 }
 
-Result<app::HostedOptions> optionsOf(const macula_device& device, const macula_live_options& given) {
+Result<live::HostedOptions> optionsOf(const macula_device& device, const macula_live_options& given) {
     if (given.model != MACULA_WITH_MODEL && given.model != MACULA_WITHOUT_MODEL)
         return badArgument("Whether there is to be a model is not known.",
                            "Use MACULA_WITH_MODEL or MACULA_WITHOUT_MODEL.");
-    app::HostedOptions options;
+    live::HostedOptions options;
     options.way = device.way;
     options.usesModel = given.model == MACULA_WITH_MODEL;
     if (given.store != nullptr) options.store = std::filesystem::path(given.store);
@@ -101,23 +101,23 @@ Result<app::HostedOptions> optionsOf(const macula_device& device, const macula_l
 
 struct AskedFrame {
     macula_frame given;
-    app::HostedWish wish;
-    std::optional<app::LentPicture> image;
+    live::HostedFrameRequest request;
+    std::optional<live::LentPicture> image;
     std::shared_ptr<const gpu::SharedMemory> shared;  // may be null
 };
 
-Result<std::optional<app::LentPicture>> imageOf(const macula_lent_image* given) {
-    if (given == nullptr) return std::optional<app::LentPicture>();
+Result<std::optional<live::LentPicture>> imageOf(const macula_lent_image* given) {
+    if (given == nullptr) return std::optional<live::LentPicture>();
     MACULA_TRY(const macula_lent_image image, taken(given));
     if (image.image == 0) return badArgument("The image that is lent is none.", "Give a VkImage.");
     return std::optional(
-        app::LentPicture{.image = image.image, .layer = image.layer, .layout = image.layout});
+        live::LentPicture{.image = image.image, .layer = image.layer, .layout = image.layout});
 }
 
 Result<std::shared_ptr<const gpu::SharedMemory>> sharedOf(const macula_frame& given) {
     if (given.shared == nullptr) return std::shared_ptr<const gpu::SharedMemory>();
     MACULA_TRY(const Held<const macula_shared_image> shared, reading(given.shared));
-    const gpu::SharedMemoryOptions& made = shared->memory->options();
+    const gpu::SharedMemoryHandles& made = shared->memory->options();
     if (made.width != std::uint32_t(given.width) || made.height != std::uint32_t(given.height))
         return badArgument("The frame and the shared image are not of the same size.",
                            "Ask for a frame of the width and height of the image.");
@@ -142,37 +142,38 @@ Result<AskedFrame> askedOf(const macula_live& live, const macula_frame* frame) {
     if (!std::isfinite(given.gaze[0]) || !std::isfinite(given.gaze[1]) || !(given.for_about_ms >= 0.0))
         return badArgument("Where the eye looks, or the time for the frame, is no number.",
                            "Give finite numbers, the time 0 or above.");
-    asked.wish.sizePx = {given.width, given.height};
-    asked.wish.gaze = {given.gaze[0], given.gaze[1]};
-    asked.wish.isMoving = given.is_moving != 0;
-    asked.wish.forAboutMs = given.for_about_ms;
-    asked.wish.camera = live.camera;
-    asked.wish.from = live.from;
+    asked.request.sizePx = {given.width, given.height};
+    asked.request.gaze = {given.gaze[0], given.gaze[1]};
+    asked.request.isMoving = given.is_moving != 0;
+    asked.request.forAboutMs = given.for_about_ms;
+    asked.request.camera = live.camera;
+    asked.request.from = live.from;
     if (given.camera != nullptr) {
         MACULA_TRY(const macula_camera camera, taken(given.camera));
-        MACULA_TRY(asked.wish.camera, cameraOf(camera));
+        MACULA_TRY(asked.request.camera, cameraOf(camera));
     }
     return asked;
 }
 
-std::int32_t codeOf(app::OnScreen picture) {
+std::int32_t codeOf(live::OnScreen picture) {
     switch (picture) {
-        case app::OnScreen::estimate:
-        case app::OnScreen::model:
+        case live::OnScreen::estimate:
+        case live::OnScreen::model:
             return MACULA_SHOWN_MODEL;
-        case app::OnScreen::fading:
+        case live::OnScreen::fading:
             return MACULA_SHOWN_FADING;
-        case app::OnScreen::traced:
+        case live::OnScreen::traced:
             return MACULA_SHOWN_TRACED;
-        case app::OnScreen::preview:
-        case app::OnScreen::nothing:
+        case live::OnScreen::preview:
+        case live::OnScreen::nothing:
             break;
     }
     return MACULA_SHOWN_SMALL;
 }
 
-macula_shown shownOf(const macula_live& live, const app::HostedFrame& frame, const app::Fidelity& fidelity) {
-    const app::FrameShown& shown = frame.shown;
+macula_shown shownOf(const macula_live& live, const live::HostedFrame& frame,
+                     const live::Fidelity& fidelity) {
+    const live::FrameShown& shown = frame.shown;
     macula_shown told{};
     told.picture = codeOf(shown.picture);
     told.is_final = fidelity.isFinal ? 1 : 0;
@@ -191,18 +192,18 @@ macula_shown shownOf(const macula_live& live, const app::HostedFrame& frame, con
 
 // The pixels first: nothing is told of a picture that did not arrive.
 Result<void> deliver(const macula_live& live, const AskedFrame& asked) {
-    app::HostPicture& picture = live.loop->picture();
+    live::HostPicture& picture = live.loop->picture();
     if (asked.given.rgba != nullptr)
-        MACULA_TRY_VOID(picture.writeTo(asked.given.rgba, asked.given.row_bytes, asked.wish.sizePx));
-    if (asked.image) MACULA_TRY_VOID(picture.copyTo(*asked.image, asked.wish.sizePx));
+        MACULA_TRY_VOID(picture.writeTo(asked.given.rgba, asked.given.row_bytes, asked.request.sizePx));
+    if (asked.image) MACULA_TRY_VOID(picture.copyTo(*asked.image, asked.request.sizePx));
     if (asked.shared) MACULA_TRY_VOID(picture.shareTo(asked.shared));
     return {};
 }
 
 Result<void> drawFrame(macula_live& live, const AskedFrame& asked, Progress& progress, macula_shown* shown) {
-    MACULA_TRY(const app::HostedFrame frame, live.loop->frame(asked.wish, progress));
+    MACULA_TRY(const live::HostedFrame frame, live.loop->frame(asked.request, progress));
     MACULA_TRY_VOID(deliver(live, asked));
-    const app::Fidelity fidelity = fidelityOf(frame.shown);
+    const live::Fidelity fidelity = fidelityOf(frame.shown);
     live.fidelity = fmt::format("{}", fmt::join(fidelity.because, ", "));
     live.device = live.loop->deviceName();
     live.notes = live.notesOfView;
@@ -254,11 +255,11 @@ macula_model modelOf(const macula_live& live) {
     return told;
 }
 
-Result<app::TrainingWish> wishOf(const macula_training* training) {
+Result<live::TrainingRequest> wishOf(const macula_training* training) {
     MACULA_TRY(const macula_training given, taken(training));
     if (!std::isfinite(given.seconds) || given.seconds < 0.0)
         return badArgument("The time for training is not usable.", "Give seconds, or 0 for no end.");
-    return app::TrainingWish{.steps = given.steps, .seconds = given.seconds};
+    return live::TrainingRequest{.steps = given.steps, .seconds = given.seconds};
 }
 
 }  // namespace
@@ -274,11 +275,11 @@ macula_status macula_live_open(const macula_device* device, const macula_view* v
         MACULA_TRY(const Held<const macula_device> on, reading(device));
         MACULA_TRY(const Held<const macula_view> of, reading(view));
         MACULA_TRY(const macula_live_options given, taken(options));
-        MACULA_TRY(app::HostedOptions wanted, optionsOf(*on, given));
+        MACULA_TRY(live::HostedOptions wanted, optionsOf(*on, given));
         return withProgress(progress, [&](Progress& to) -> Result<void> {
             auto made = std::make_unique<macula_live>();
             made->isLent = on->way.device.lent.has_value();
-            MACULA_TRY(made->loop, app::HostedLoop::create(std::move(wanted)));
+            MACULA_TRY(made->loop, live::HostedLoop::create(std::move(wanted)));
             MACULA_TRY_VOID(show(*made, *of, to));
             *live = opened(std::move(made));
             return {};
@@ -311,7 +312,7 @@ macula_status macula_live_times(macula_live* live, const char** json) {
     return with(live, [&](macula_live& of) -> Result<void> {
         if (json == nullptr)
             return badArgument("There is no place for the times.", "Give the address of a pointer.");
-        of.times = app::toJson(of.loop->timesSpent()).dump();
+        of.times = live::toJson(of.loop->timesSpent()).dump();
         *json = of.times.c_str();
         return {};
     });
@@ -329,9 +330,9 @@ macula_status macula_live_train(macula_live* live, const macula_training* traini
                                 const macula_progress* progress, macula_model* model) {
     return with(live, [&](macula_live& of) -> Result<void> {
         if (model != nullptr && !isSized(model)) return wrongSize(model);
-        MACULA_TRY(const app::TrainingWish wish, wishOf(training));
+        MACULA_TRY(const live::TrainingRequest request, wishOf(training));
         return withProgress(progress, [&](Progress& to) -> Result<void> {
-            MACULA_TRY_VOID(of.loop->train(wish, to));
+            MACULA_TRY_VOID(of.loop->train(request, to));
             if (model != nullptr) give(modelOf(of), model);
             return {};
         });
@@ -349,7 +350,7 @@ macula_status macula_live_write_model(macula_live* live, const char* path, std::
     return with(live, [&](macula_live& of) -> Result<void> {
         if (path == nullptr || *path == '\0')
             return badArgument("No file was named.", "Give a path that ends in .macula, .ply, .spz or .glb.");
-        app::OutputFiles files(overwrite != 0);
+        pictures::OutputFiles files(overwrite != 0);
         if (const Result<void> may = files.write(path); !may) {
             Error error = may.error();
             std::error_code unknown;

@@ -39,15 +39,15 @@ Result<macula_picked> picked(const macula_view& view, const macula_pick& pick, P
         return badArgument("The place is not in the picture.",
                            "Give pixels from its upper left corner, 0 to its width and 0 to its height.");
     MACULA_TRY(const Camera eye, eyeOf(view, pick));
-    MACULA_TRY(app::StudyState state, stateOf(view));
+    MACULA_TRY(scene::StudyState state, stateOf(view));
     MACULA_TRY(SeenView seen, seenBy(view, std::move(state), progress));
-    MACULA_TRY(const app::Catalogue catalogue, app::builtInCatalogue());
+    MACULA_TRY(const scene::Catalogue catalogue, scene::builtInCatalogue());
     auto clip = seen.shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(seen.shown.clip);
-    const app::Drawing drawing =
-        app::drawingOf(seen.state, catalogue, app::SeriesWindows(), view.study.volume, std::move(clip));
+    const scene::Drawing drawing =
+        scene::drawingOf(seen.state, catalogue, scene::SeriesWindows(), view.study.volume, std::move(clip));
     const glm::dvec2 place(2.0 * pick.x / pick.width - 1.0, 1.0 - 2.0 * pick.y / pick.height);
-    const std::optional<glm::dvec3> met =
-        app::firstMatterMm(*view.study.volume, drawing, eye, place, double(pick.width) / double(pick.height));
+    const std::optional<glm::dvec3> met = scene::firstMatterMm(*view.study.volume, drawing, eye, place,
+                                                               double(pick.width) / double(pick.height));
     macula_picked told{};
     if (!met) return told;
     told.is_something = 1;

@@ -6,23 +6,23 @@
 
 namespace macula::c {
 
-Result<app::StudyState> stateOf(const macula_view& view) {
-    MACULA_TRY(app::StudyState state, app::stateOf(view.wish, view.chosen));
+Result<scene::StudyState> stateOf(const macula_view& view) {
+    MACULA_TRY(scene::StudyState state, pictures::stateOf(view.request, view.chosen));
     if (view.window) state.windows.at(std::size_t(state.settings.look)) = view.window;
     return state;
 }
 
-std::string lightsNamed(const macula_view& view, const app::StudyState& state) {
-    return view.lights.empty() ? std::string(app::defaultLightsFor(state.settings.look)) : view.lights;
+std::string lightsNamed(const macula_view& view, const scene::StudyState& state) {
+    return view.lights.empty() ? std::string(scene::defaultLightsFor(state.settings.look)) : view.lights;
 }
 
-Result<SeenView> seenBy(const macula_view& view, app::StudyState state, Progress& progress) {
-    app::StudyInput study = view.study;
+Result<SeenView> seenBy(const macula_view& view, scene::StudyState state, Progress& progress) {
+    study::LoadedStudy study = view.study;
     SeenView seen;
-    MACULA_TRY(seen.preset, app::completeState(state, view.wish, study));
+    MACULA_TRY(seen.preset, pictures::completeState(state, view.request, study));
     // That of a preset must not take its place.
     if (view.window) state.windows.at(std::size_t(state.settings.look)) = view.window;
-    MACULA_TRY(seen.shown, app::shownClip(state, *study.volume, progress));
+    MACULA_TRY(seen.shown, scene::shownClip(state, *study.volume, progress));
     seen.state = std::move(state);
     seen.notes = std::move(study.notes);
     seen.notes.insert(seen.notes.end(), seen.shown.notes.begin(), seen.shown.notes.end());

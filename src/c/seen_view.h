@@ -13,18 +13,18 @@
 
 namespace macula::c {
 
-// All that was chosen as one state, but for lights by name. Fails as app::stateOf.
-Result<app::StudyState> stateOf(const macula_view& view);
+// All that was chosen as one state, but for lights by name. Fails as pictures::stateOf.
+Result<scene::StudyState> stateOf(const macula_view& view);
 // The lights that were chosen by name, or else those for the look.
-std::string lightsNamed(const macula_view& view, const app::StudyState& state);
+std::string lightsNamed(const macula_view& view, const scene::StudyState& state);
 
 struct SeenView {
-    app::StudyState state;  // with its preset
-    app::StudyPreset preset;
-    app::ShownClip shown;
+    scene::StudyState state;  // with its preset
+    scene::StudyPreset preset;
+    scene::ShownClip shown;
     std::vector<std::string> notes;
 };
 // For a state of stateOf(view), perhaps with other settings.
-Result<SeenView> seenBy(const macula_view& view, app::StudyState state, Progress& progress);
+Result<SeenView> seenBy(const macula_view& view, scene::StudyState state, Progress& progress);
 
 }  // namespace macula::c

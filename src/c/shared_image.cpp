@@ -12,8 +12,8 @@ namespace macula::c {
 
 namespace {
 
-gpu::SharedMemoryOptions optionsOf(const macula_shared_memory& given) {
-    gpu::SharedMemoryOptions options;
+gpu::SharedMemoryHandles optionsOf(const macula_shared_memory& given) {
+    gpu::SharedMemoryHandles options;
     options.memory = given.memory_fd;
     options.wait = given.wait_fd;
     options.signal = given.signal_fd;

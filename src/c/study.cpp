@@ -45,14 +45,14 @@ std::vector<std::string> reasonsOf(const dicom::Scan& scan) {
 
 // Which volume was taken where nobody chose one: who is shown must not be a matter of luck. The reason tells
 // of several patients.
-std::string choiceOf(const app::OpenedStudy& study) {
+std::string choiceOf(const study::OpenedStudy& study) {
     const int patients = study.found == nullptr ? 1 : study.found->scan().patients;
     if (patients > 1) return study.whyThisSeries + " Check that it is of the patient you mean.";
     return study.volumeTitles.size() > 1 ? study.whyThisSeries : std::string();
 }
 
 // What loading assumed, and what there is to say of the study; nothing twice.
-std::vector<std::string> notesOf(const app::OpenedStudy& study) {
+std::vector<std::string> notesOf(const study::OpenedStudy& study) {
     std::vector<std::string> notes = study.messages;
     if (study.found != nullptr) {
         const std::vector<std::string> reasons = reasonsOf(study.found->scan());
@@ -66,7 +66,7 @@ std::vector<std::string> notesOf(const app::OpenedStudy& study) {
     return notes;
 }
 
-Result<std::unique_ptr<macula_study>> studyOf(app::OpenedStudy opened) {
+Result<std::unique_ptr<macula_study>> studyOf(study::OpenedStudy opened) {
     if (!opened.joinQuestion.empty())
         return Error{ErrorCode::inputNotUsable,
                      opened.joinQuestion,
@@ -139,7 +139,7 @@ Result<formats::RawImage> imageOf(const macula_voxels& voxels) {
 Result<std::unique_ptr<macula_study>> studyOfVoxels(const macula_voxels& voxels, Progress& progress) {
     MACULA_TRY(formats::RawImage image, imageOf(voxels));
     MACULA_TRY(std::shared_ptr<const Volume> volume, formats::volumeOf(std::move(image), progress));
-    app::OpenedStudy opened;
+    study::OpenedStudy opened;
     opened.seriesDigest = fingerprint(*volume);
     opened.volume = in16Bits(std::move(volume));
     opened.description = "Volume in memory";
@@ -198,11 +198,11 @@ macula_status macula_study_open(const char* path, const macula_open* how, const 
             return badArgument("No folder and no file was named.",
                                "Give a path, or phantom: for the phantom.");
         const std::string_view named(path);
-        const app::StudySource source = named == "phantom:" ? std::nullopt : app::StudySource(named);
+        const study::StudySource source = named == "phantom:" ? std::nullopt : study::StudySource(named);
         const std::string series = options.series_uid == nullptr ? "" : options.series_uid;
-        MACULA_TRY(app::OpenedStudy opened,
-                   app::openStudy(source, to,
-                                  {.join = options.join != 0, .series = series, .asksWhichPatient = true}));
+        MACULA_TRY(study::OpenedStudy opened,
+                   study::openStudy(source, to,
+                                    {.join = options.join != 0, .series = series, .asksWhichPatient = true}));
         const std::string choice = series.empty() ? choiceOf(opened) : std::string();
         MACULA_TRY(std::unique_ptr<macula_study> made, studyOf(std::move(opened)));
         if (!choice.empty()) made->notes.insert(made->notes.begin(), choice);
@@ -242,7 +242,7 @@ macula_status macula_study_choose(macula_study* study, std::uint32_t index, cons
                                fmt::format("Give 0 to {}.", of->titles.size() - 1));
         if (index == of->opened.volumeIndex) return {};
         return withProgress(progress, [&](Progress& to) -> Result<void> {
-            MACULA_TRY(app::OpenedStudy other, app::openFoundVolume(of->opened.found, index, to));
+            MACULA_TRY(study::OpenedStudy other, study::openFoundVolume(of->opened.found, index, to));
             MACULA_TRY(std::unique_ptr<macula_study> chosen, studyOf(std::move(other)));
             chosen->titles = std::move(of->titles);  // a host may still show them
             *of = std::move(*chosen);

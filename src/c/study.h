@@ -9,8 +9,8 @@
 #include "study/open/opened_study.h"
 
 struct macula_study {
-    macula::app::OpenedStudy opened;  // with a volume
-    std::vector<std::string> titles;  // one for each volume
+    macula::study::OpenedStudy opened;  // with a volume
+    std::vector<std::string> titles;    // one for each volume
     // Of the volume that is loaded.
     std::vector<std::string> notes;
     std::string unitName;

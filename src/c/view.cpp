@@ -72,10 +72,10 @@ macula_status macula_view_create(const macula_study* study, macula_view** view) 
 macula_status macula_view_set_preset(macula_view* view, const char* preset, std::int32_t fit) {
     return changed(view, [&](macula_view& of) -> Result<void> {
         const std::string named = textOf(preset);
-        if (!named.empty()) MACULA_TRY_VOID(app::presetToDraw(named, fit != 0));
+        if (!named.empty()) MACULA_TRY_VOID(scene::presetToDraw(named, fit != 0));
         of.chosen.preset.reset();
-        of.wish.preset = named;
-        of.wish.fit = fit != 0;
+        of.request.preset = named;
+        of.request.fit = fit != 0;
         return {};
     });
 }
@@ -83,7 +83,7 @@ macula_status macula_view_set_preset(macula_view* view, const char* preset, std:
 macula_status macula_view_set_look(macula_view* view, const char* look) {
     return changed(view, [&](macula_view& of) -> Result<void> {
         if (textOf(look).empty()) {
-            of.wish.look.reset();
+            of.request.look.reset();
             of.chosen.settings.look = usualState().settings.look;
             return {};
         }
@@ -91,7 +91,7 @@ macula_status macula_view_set_look(macula_view* view, const char* look) {
         if (!known)
             return badArgument("There is no such look.",
                                "The looks are cinematic, clear, dvr, mip, minip and average.");
-        of.wish.look = known;
+        of.request.look = known;
         return {};
     });
 }
@@ -99,7 +99,7 @@ macula_status macula_view_set_look(macula_view* view, const char* look) {
 macula_status macula_view_set_lights(macula_view* view, const char* lights) {
     return changed(view, [&](macula_view& of) -> Result<void> {
         const std::string named = textOf(lights);
-        if (!named.empty()) MACULA_TRY_VOID(app::chooseLights(named));
+        if (!named.empty()) MACULA_TRY_VOID(scene::chooseLights(named));
         of.chosen.lights.reset();
         of.lights = named;
         return {};
@@ -131,7 +131,7 @@ macula_status macula_view_set_clip(macula_view* view, const char* clip) {
         const std::string named = textOf(clip);
         std::optional<ClipPreset> found;
         if (!named.empty()) {
-            MACULA_TRY(found, app::chooseClip(named));
+            MACULA_TRY(found, scene::chooseClip(named));
         }
         of.chosen.clip = std::move(found);
         of.chosen.cuts = {};
@@ -160,7 +160,7 @@ macula_status macula_view_set_camera(macula_view* view, const macula_camera* cam
         if (camera == nullptr) return nullHandle();
         MACULA_TRY(const macula_camera given, taken(camera));
         MACULA_TRY(of.chosen.camera, cameraOf(given));
-        of.wish.view.reset();
+        of.request.view.reset();
         return {};
     });
 }
@@ -168,12 +168,12 @@ macula_status macula_view_set_camera(macula_view* view, const macula_camera* cam
 macula_status macula_view_set_direction(macula_view* view, const char* direction) {
     return changed(view, [&](macula_view& of) -> Result<void> {
         const bool isChosen = !textOf(direction).empty();
-        const auto known = isChosen ? app::viewDirectionOf(direction) : std::nullopt;
+        const auto known = isChosen ? scene::viewDirectionOf(direction) : std::nullopt;
         if (isChosen && !known)
             return badArgument("There is no such direction to look from.",
                                "They are anterior, posterior, left, right, superior, inferior, oblique, "
                                "three-quarter and turned.");
-        of.wish.view = known;
+        of.request.view = known;
         of.chosen.camera.reset();
         return {};
     });
@@ -182,9 +182,9 @@ macula_status macula_view_set_direction(macula_view* view, const char* direction
 macula_status macula_view_set_background(macula_view* view, const char* background) {
     return changed(view, [&](macula_view& of) -> Result<void> {
         const std::string named = textOf(background);
-        std::optional<app::BackgroundColour> colour;
+        std::optional<scene::BackgroundColour> colour;
         if (!named.empty()) {
-            const Result<app::BackgroundColour> known = app::backgroundOf(named);
+            const Result<scene::BackgroundColour> known = scene::backgroundOf(named);
             if (!known)
                 return badArgument("The background is no colour.",
                                    "Give black, white, grey, or red, green and blue as #rrggbb.");

@@ -11,15 +11,15 @@
 #include "base/camera.h"
 #include "base/volume.h"
 #include "c/kept_scene.h"
-#include "pictures/state_wish.h"
+#include "pictures/state_request.h"
 #include "scene/state/study_state.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
 namespace macula::c {
 
 // Unlike the viewer, a picture shades no ray cast by itself: as `macula render`.
-inline app::StudyState usualState() {
-    app::StudyState state;
+inline scene::StudyState usualState() {
+    scene::StudyState state;
     state.settings = {};
     return state;
 }
@@ -27,11 +27,11 @@ inline app::StudyState usualState() {
 }  // namespace macula::c
 
 struct macula_view {
-    macula::app::StudyInput study;  // 16 bits; without notes
+    macula::study::LoadedStudy study;  // 16 bits; without notes
     // What was chosen by a state, and by what is no name. What was chosen by name counts more.
-    macula::app::StudyState chosen = macula::c::usualState();
-    macula::app::StateWish wish;  // preset, look, table and direction
-    std::string lights;           // by name or file; empty: those of the state, or for the look
+    macula::scene::StudyState chosen = macula::c::usualState();
+    macula::pictures::StateRequest request;  // preset, look, table and direction
+    std::string lights;                      // by name or file; empty: those of the state, or for the look
     std::optional<macula::DisplayWindow> window;  // of the look that it is drawn in
 
     std::string state;  // that was asked for

@@ -15,19 +15,19 @@ namespace macula::c {
 namespace {
 
 Result<std::string> stateText(const macula_view& view) {
-    MACULA_TRY(app::StudyState state, stateOf(view));
-    if (!view.wish.preset.empty()) {
-        app::StudyInput study = view.study;
-        MACULA_TRY_VOID(app::completeState(state, view.wish, study));
+    MACULA_TRY(scene::StudyState state, stateOf(view));
+    if (!view.request.preset.empty()) {
+        study::LoadedStudy study = view.study;
+        MACULA_TRY_VOID(pictures::completeState(state, view.request, study));
         if (view.window) state.windows.at(std::size_t(state.settings.look)) = view.window;
     }
     if (!view.lights.empty()) {
-        MACULA_TRY(trace::LightRig rig, app::chooseLightRig(view.lights));
+        MACULA_TRY(trace::LightRig rig, scene::chooseLightRig(view.lights));
         state.lights = std::make_shared<const trace::LightRig>(std::move(rig));
     }
     state.seriesDigest = view.study.seriesDigest;
-    state.grid = app::savedGridOf(*view.study.volume);
-    return app::toJson(state);
+    state.grid = scene::savedGridOf(*view.study.volume);
+    return toJson(state);
 }
 
 }  // namespace
@@ -49,11 +49,11 @@ macula_status macula_view_set_state(macula_view* view, const char* json) {
     return guarded([&]() -> Result<void> {
         if (json == nullptr) return nullHandle();
         MACULA_TRY(const Held<macula_view> of, changing(view));
-        MACULA_TRY(app::StudyState state, app::studyStateFromJson(json, "the state that was given"));
+        MACULA_TRY(scene::StudyState state, scene::studyStateFromJson(json, "the state that was given"));
         MACULA_TRY_VOID(
-            app::checkSeries(state, of->study.seriesDigest, *of->study.volume, "the state that was given"));
+            scene::checkSeries(state, of->study.seriesDigest, *of->study.volume, "the state that was given"));
         of->chosen = std::move(state);
-        of->wish = {};
+        of->request = {};
         of->lights.clear();
         of->window.reset();
         return {};

@@ -10,7 +10,7 @@ namespace macula::cli {
 namespace {
 
 // A second volume in the same picture.
-void addSecond(CLI::App& command, app::AdditionWish& o) {
+void addSecond(CLI::App& command, pictures::AdditionRequest& o) {
     command.add_option(
         "--second", o.second.path,
         "Folder or file of a second volume, PET or another phase, in one picture with the first");
@@ -21,25 +21,25 @@ void addSecond(CLI::App& command, app::AdditionWish& o) {
         .add_option_function<int>(
             "--registration",
             [&o](const int& link) {
-                o.second.link = static_cast<app::SecondLink>(link);
+                o.second.link = static_cast<scene::SecondPlacement>(link);
                 o.secondLinkIsGiven = true;
             },
             "Where the second volume lies: as its positions say (default), or searched for")
-        ->transform(
-            oneOf({{"positions", int(app::SecondLink::asItLies)}, {"search", int(app::SecondLink::search)}}))
+        ->transform(oneOf({{"positions", int(scene::SecondPlacement::asItLies)},
+                           {"search", int(scene::SecondPlacement::search)}}))
         ->option_text("positions|search");
 }
 
 }  // namespace
 
-void addAdditions(CLI::App& command, app::AdditionWish& wish) {
+void addAdditions(CLI::App& command, pictures::AdditionRequest& request) {
     command
-        .add_option("--segments", wish.segments,
+        .add_option("--segments", request.segments,
                     "Of DICOM segmentations in the folder: draw these alone, leave them out, or colour them")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->option_text("keep:LABEL,hide:LABEL,colour:LABEL,…");
-    addSecond(command, wish);
+    addSecond(command, request);
 }
 
 }  // namespace macula::cli

@@ -4,11 +4,11 @@
 
 #include <CLI/App.hpp>
 
-#include "pictures/addition_wish.h"
+#include "pictures/addition_request.h"
 
 namespace macula::cli {
 
-// --segments, --second and what is said of it. `wish` must outlive the parsing.
-void addAdditions(CLI::App& command, app::AdditionWish& wish);
+// --segments, --second and what is said of it. `request` must outlive the parsing.
+void addAdditions(CLI::App& command, pictures::AdditionRequest& request);
 
 }  // namespace macula::cli

@@ -16,7 +16,7 @@
 #include "dicom/scan.h"
 #include "evaluate/baseline.h"
 #include "evaluate/benchmark_reports.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
 namespace macula::cli {
 
@@ -62,7 +62,7 @@ Result<void> benchLoad(const BenchLoadOptions& options) {
     MACULA_TRY(const evaluate::HeaderBenchmark headers,
                evaluate::benchmarkHeaders(options.path, threads, options.rounds, progress));
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress));
-    MACULA_TRY(const dicom::Choice chosen, app::chooseVolume(scan, options.series));
+    MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(scan, options.series));
     const evaluate::LoadBenchmarkOptions loading{
         .files = evaluate::filesOf(*chosen.stack),
         .load = [&](Progress& quiet) { return dicom::loadVolume(*chosen.series, *chosen.stack, quiet); },

@@ -15,14 +15,14 @@ namespace {
 
 struct BenchSessionOptions {
     evaluate::BenchStudyOptions study;
-    evaluate::SessionBenchmarkOptions session;
+    evaluate::StoreRoundTripOptions session;
 };
 
 }  // namespace
 
 void addBenchSession(CLI::App& bench, Action& action) {
     auto options = std::make_shared<BenchSessionOptions>();
-    evaluate::SessionBenchmarkOptions& o = options->session;
+    evaluate::StoreRoundTripOptions& o = options->session;
     auto* command =
         bench.add_subcommand("session",
                              "What it costs to keep a model between runs: saving it while frames are drawn, "

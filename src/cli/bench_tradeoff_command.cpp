@@ -30,7 +30,7 @@ struct BenchTradeoffOptions {
 };
 
 Result<void> benchTradeoff(BenchTradeoffOptions options) {
-    app::OutputFiles files(options.overwrite);
+    pictures::OutputFiles files(options.overwrite);
     files.read(options.study.path);
     MACULA_TRY_VOID(files.write(options.plot));
     Progress progress(terminalProgressBar(), interruptToken());

@@ -23,7 +23,7 @@ namespace macula::cli {
 namespace {
 
 struct BenchXrOptions {
-    xr::HeadsetWish wish;
+    xr::HeadsetRequest request;
     int frames = 900;
     int warmUpFrames = 90;
     std::string size;
@@ -67,14 +67,14 @@ nlohmann::ordered_json jsonOf(const xr::HeadsetFigures& figures) {
 
 Result<void> benchXr(BenchXrOptions options) {
     if (!options.size.empty()) {
-        MACULA_TRY(options.wish.show.eyePx, app::parseSize(options.size));
+        MACULA_TRY(options.request.show.eyePx, scene::parseSize(options.size));
     }
-    options.wish.show.warmUpFrames = std::uint64_t(options.warmUpFrames);
-    options.wish.show.frames = std::uint64_t(options.frames) + options.wish.show.warmUpFrames;
+    options.request.show.warmUpFrames = std::uint64_t(options.warmUpFrames);
+    options.request.show.frames = std::uint64_t(options.frames) + options.request.show.warmUpFrames;
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const xr::HeadsetFigures figures,
                xr::showStudy(
-                   options.wish, [](const std::string& sentence) { printNote(sentence); }, progress));
+                   options.request, [](const std::string& sentence) { printNote(sentence); }, progress));
     if (options.json) {
         fmt::print("{}\n", jsonText(jsonOf(figures)));
         return {};
@@ -95,14 +95,14 @@ void addBenchXr(CLI::App& bench, Action& action) {
     auto* command = bench.add_subcommand(
         "xr",
         "Frames in a headset (OpenXR), while the model learns: how many are in time, and what they take");
-    addStudyAsOfRender(*command, o.wish.path, o.wish.series, o.wish.how);
-    command->add_option("--preset", o.wish.state.preset, "As of render");
-    command->add_option("--lights", o.wish.lights, "Name from macula presets");
+    addStudyAsOfRender(*command, o.request.path, o.request.series, o.request.how);
+    command->add_option("--preset", o.request.state.preset, "As of render");
+    command->add_option("--lights", o.request.lights, "Name from macula presets");
     addNumber(*command, "--frames", o.frames, "Frames that are measured", 1, 1'000'000);
     addNumber(*command, "--warm-up", o.warmUpFrames, "Frames before them", 0, 1'000'000);
     command->add_option("--size", o.size, "Of the picture for each eye (default: as the headset wants it)")
         ->option_text("WxH");
-    command->add_flag("--room", o.wish.show.showsRoom, "As of xr");
+    command->add_flag("--room", o.request.show.showsRoom, "As of xr");
     command->add_flag("--json", o.json, "Print JSON instead of lines");
     command->callback([options, &action] { action = [options] { return benchXr(*options); }; });
 }

@@ -34,7 +34,7 @@ namespace fs = std::filesystem;
 constexpr int kMostTruthSizePx = 2800;
 
 struct EvaluateOptions {
-    evaluate::StudyEvaluationOptions studies{.lights = app::kDefaultLights};
+    evaluate::StudyEvaluationOptions studies{.lights = scene::kDefaultLights};
     std::string device;
     int truthSizePx = 0;  // 0: as the views
     fs::path json;
@@ -49,7 +49,7 @@ fs::path pictureOf(const EvaluateOptions& options, std::size_t scene, std::size_
 
 Result<void> checkFiles(const EvaluateOptions& options) {
     const evaluate::StudyEvaluationOptions& studies = options.studies;
-    app::OutputFiles files(options.overwrite);
+    pictures::OutputFiles files(options.overwrite);
     for (const fs::path& path : studies.paths) files.read(path);
     for (const std::string& preset : studies.presets) files.read(preset);
     files.read(studies.clip);
@@ -98,10 +98,10 @@ Result<void> evaluateAll(EvaluateOptions options) {
     evaluation.truth.sizePx =
         glm::ivec2(options.truthSizePx > 0 ? options.truthSizePx : evaluation.model.sizePx);
     evaluation.truth.bounces = evaluation.model.bounces;
-    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(options.device, printNote));
     evaluate::EvaluationReport report{.device = {},
-                                      .lights = app::publicLightsName(studies.lights),
-                                      .clip = app::publicClipName(studies.clip),
+                                      .lights = scene::publicLightsName(studies.lights),
+                                      .clip = scene::publicClipName(studies.clip),
                                       .options = evaluation,
                                       .scenes = {}};
     Progress progress(terminalProgressBar(), interruptToken());
@@ -112,7 +112,7 @@ Result<void> evaluateAll(EvaluateOptions options) {
     const Result<void> ended = evaluateStudies(studies, device, listener, progress, report);
     if (report.scenes.empty()) return ended;
     const bool isFile = !options.json.empty() && options.json != "-";
-    const fs::path json = ended || !isFile ? options.json : app::placeOfUnfinished(options.json);
+    const fs::path json = ended || !isFile ? options.json : pictures::placeOfUnfinished(options.json);
     MACULA_TRY_VOID(tell(report, json));
     if (!ended)
         printNote(fmt::format("Only {} of {} scenes were finished; their numbers are kept.",

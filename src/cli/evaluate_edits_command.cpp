@@ -37,7 +37,7 @@ void addEvaluateEdits(CLI::App& evaluateApp, Action& action) {
         options->edits.sizePx = {options->study.size, options->study.size};
         options->edits.pictures = options->folder;
         action = [options]() -> Result<void> {
-            if (!options->folder.empty()) MACULA_TRY_VOID(app::makePictureFolder(options->folder));
+            if (!options->folder.empty()) MACULA_TRY_VOID(pictures::makePictureFolder(options->folder));
             return printReport(options->study, options->edits, evaluate::measureEdits);
         };
     });

@@ -35,7 +35,7 @@ void addEvaluateMotion(CLI::App& evaluateApp, Action& action) {
         options->motion.pictures = options->folder;
         options->motion.sizePx = {options->study.size, options->study.size};
         action = [options]() -> Result<void> {
-            if (!options->folder.empty()) MACULA_TRY_VOID(app::makePictureFolder(options->folder));
+            if (!options->folder.empty()) MACULA_TRY_VOID(pictures::makePictureFolder(options->folder));
             return printReport(options->study, options->motion, evaluate::measureMotion);
         };
     });

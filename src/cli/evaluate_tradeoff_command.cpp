@@ -24,7 +24,7 @@ struct EvaluateTradeoffOptions {
 };
 
 Result<void> evaluateTradeoff(const EvaluateTradeoffOptions& options) {
-    app::OutputFiles files(options.overwrite);
+    pictures::OutputFiles files(options.overwrite);
     files.read(options.study.path);
     files.read(options.study.preset);
     files.read(options.study.lights);

@@ -20,7 +20,7 @@
 #include "formats/volume_file.h"
 #include "pictures/output_files.h"
 #include "study/export/volume_export.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
 namespace macula::cli {
 
@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 struct ExportOptions {
     fs::path path;
     fs::path output;
-    PresentationOptions presentation;
+    PresentationExportRequest presentation;
     std::string series;
     std::size_t volume = 0;  // from 1; 0: not given
     bool overwrite = false;
@@ -42,7 +42,7 @@ struct ExportOptions {
 // Fails now, not after the series was loaded.
 Result<void> checkExport(const ExportOptions& options) {
     MACULA_TRY(const auto files, formats::filesOfVolumeFile(options.output));
-    app::OutputFiles outputs(options.overwrite);
+    pictures::OutputFiles outputs(options.overwrite);
     outputs.read(options.path);
     for (const fs::path& file : files) MACULA_TRY_VOID(outputs.write(file));
     return {};
@@ -50,26 +50,26 @@ Result<void> checkExport(const ExportOptions& options) {
 
 Result<void> exportSegmentation(const ExportOptions& options, const dicom::Scan& scan,
                                 const dicom::Series& series, Progress& progress) {
-    MACULA_TRY(const app::SegmentationInput input,
-               app::loadSegmentation(scan, series, options.volume, progress));
+    MACULA_TRY(const study::SegmentationOnGrid input,
+               study::loadSegmentation(scan, series, options.volume, progress));
     printNotes(notesOf(input));
-    MACULA_TRY(const app::ExportedSegmentation exported,
-               app::exportSegmentation(input, series.seriesInstanceUid, options.output, progress));
+    MACULA_TRY(const study::ExportedSegmentation exported,
+               study::exportSegmentation(input, series.seriesInstanceUid, options.output, progress));
     if (options.json) {
         fmt::print("{}\n", jsonText(toJson(exported)));
         return {};
     }
     fmt::print("Wrote {} x {} x {} voxels\n", exported.size.x, exported.size.y, exported.size.z);
-    for (const app::ExportedSegment& segment : exported.segments)
+    for (const study::ExportedSegment& segment : exported.segments)
         fmt::print("  {:>5}  {} ({} voxels)\n", segment.number, segment.label, segment.voxels);
     return {};
 }
 
-Result<void> exportVolume(const ExportOptions& options, app::StudyInput study, double loadSeconds,
+Result<void> exportVolume(const ExportOptions& options, study::LoadedStudy study, double loadSeconds,
                           Progress& progress) {
     noteWhatOthersMisread(study);
     printNotes(study.notes, study.warnings);
-    MACULA_TRY(const app::ExportedVolume exported, app::exportVolume(study, options.output, progress));
+    MACULA_TRY(const study::ExportedVolume exported, study::exportVolume(study, options.output, progress));
     if (options.json) {
         fmt::print("{}\n", jsonText(toJson(exported, loadSeconds)));
         return {};
@@ -96,14 +96,14 @@ Result<void> exportSeries(const ExportOptions& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     const auto start = std::chrono::steady_clock::now();
     if (options.series.empty() || formats::isVolumeFileName(options.path) || options.path == "phantom:") {
-        MACULA_TRY(app::StudyInput study,
-                   app::loadStudy(options.path, options.series, progress, options.volume, options.how,
-                                  app::PetUnit::asInImages));
-        return exportVolume(options, std::move(study), app::secondsSince(start), progress);
+        MACULA_TRY(study::LoadedStudy study,
+                   study::loadStudy(options.path, options.series, progress, options.volume, options.how,
+                                    study::PetUnit::asInImages));
+        return exportVolume(options, std::move(study), secondsSince(start), progress);
     }
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
-    const dicom::Series* series = app::seriesMeant(scan, options.series);
-    if (series != nullptr && app::isSegmentationSeries(*series)) {
+    const dicom::Series* series = study::seriesMeant(scan, options.series);
+    if (series != nullptr && study::isSegmentationSeries(*series)) {
         if (dicom::findAllSeries(scan, options.series).empty() &&
             options.series.find('.') != std::string::npos) {
             return Error{ErrorCode::usage, "The series holds segmentations, and has no stacks.",
@@ -111,9 +111,9 @@ Result<void> exportSeries(const ExportOptions& options) {
         }
         return exportSegmentation(options, scan, *series, progress);
     }
-    MACULA_TRY(app::StudyInput study, app::loadStudy(scan, options.path, options.series, progress,
-                                                     options.volume, app::PetUnit::asInImages));
-    return exportVolume(options, std::move(study), app::secondsSince(start), progress);
+    MACULA_TRY(study::LoadedStudy study, study::loadStudy(scan, options.path, options.series, progress,
+                                                          options.volume, study::PetUnit::asInImages));
+    return exportVolume(options, std::move(study), secondsSince(start), progress);
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "cli/name_option.h"
 #include "cli/number_range.h"
 #include "cli/report.h"
-#include "cli/session_choice.h"
+#include "cli/store_options.h"
 #include "cli/study_options.h"
 #include "pictures/recorded_study.h"
 
@@ -19,18 +19,20 @@ namespace macula::cli {
 namespace {
 
 struct HybridOptions {
-    app::RecordingWish wish;
+    pictures::RecordingRequest request;
     bool tellsTimes = false;
 };
 
 Result<void> record(const HybridOptions& options) {
-    const app::RecordingWish& wish = options.wish;
+    const pictures::RecordingRequest& request = options.request;
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const app::LiveRecording recording, app::recordStudy(wish, printNote, printWarning, progress));
+    MACULA_TRY(const live::LiveRecording recording,
+               pictures::recordStudy(request, printNote, printWarning, progress));
     const std::size_t frames = recording.frames.size();
-    fmt::print("Wrote {}: {} {} on {}.\n{}\n", wish.folder.string(), frames, frames == 1 ? "frame" : "frames",
-               recording.device, textOf(app::motionFigures(recording)));
-    if (options.tellsTimes) fmt::print("{}", timesText(recording));
+    fmt::print("Wrote {}: {} {} on {}.\n{}\n", request.folder.string(), frames,
+               frames == 1 ? "frame" : "frames", recording.device,
+               textOf(pictures::motionFigures(recording)));
+    if (options.tellsTimes) fmt::print("{}", pictures::timesText(recording));
     return {};
 }
 
@@ -38,12 +40,12 @@ Result<void> record(const HybridOptions& options) {
 
 void addHybrid(CLI::App& app, Action& action) {
     auto options = std::make_shared<HybridOptions>();
-    app::RecordingWish& o = options->wish;
-    app::RecordingOptions& r = o.recording;
+    pictures::RecordingRequest& o = options->request;
+    live::RecordingOptions& r = o.recording;
     auto* command = app.add_subcommand("hybrid", "Record the live picture while a camera moves");
     addStudyAsOfRender(*command, o.path, o.series, o.how);
     command->add_option("-o,--output", o.folder, "Folder to write frames.jsonl and pictures to")->required();
-    addSession(*command, o.state.session);
+    addSavedView(*command, o.state.savedView);
     command->add_option("--preset", o.state.preset, "As of render");
     command->add_option("--lights", o.lights, "Name from macula presets");
     command->add_option("--clip", o.state.clip, "As of render");
@@ -72,7 +74,7 @@ void addHybrid(CLI::App& app, Action& action) {
     addNumber("--pictures", r.picturesPerS, 0.0, "PNG files for each second");
     command->add_flag("--times", options->tellsTimes,
                       "Tell where the time of the render thread went, as times.json does");
-    addSessionChoice(*command, o.sessions);
+    addStoreOptions(*command, o.sessions);
     command->add_option("--device", r.device, "Number or part of the name, see macula devices");
     command->callback([options, &action] { action = [options] { return record(*options); }; });
 }

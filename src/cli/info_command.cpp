@@ -20,7 +20,7 @@
 #include "dicom/segmentation/segmentation.h"
 #include "formats/volume_file.h"
 #include "study/list/scan_json.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
 namespace macula::cli {
 
@@ -70,7 +70,7 @@ void print(const std::vector<Message>& messages, std::string_view indent) {
 std::string describe(const dicom::Stack& stack) {
     std::string text;
     for (const dicom::StackLabel& split : stack.splitBy) {
-        text += fmt::format("  {} {}", printable(split.attribute), orNone(app::shownValue(split)));
+        text += fmt::format("  {} {}", printable(split.attribute), orNone(study::shownValue(split)));
     }
     if (stack.phases > 1) text += fmt::format("  phase {} of {}", stack.phase + 1, stack.phases);
     return text;
@@ -102,7 +102,7 @@ void printSegments(const dicom::OtherObject& object) {
         fmt::print("        {:>5}  {}\n", segment.number, orNone(segment.label));
 }
 
-void print(const dicom::Series& series, std::size_t place, const dicom::Choice& best) {
+void print(const dicom::Series& series, std::size_t place, const dicom::ChosenStack& best) {
     fmt::print("  [{}] {}", place, orNone(series.modality));
     if (series.number) fmt::print("  series {}", *series.number);
     if (!series.description.empty()) fmt::print("  {}", printable(series.description));
@@ -130,7 +130,7 @@ void print(const dicom::Series& series, std::size_t place, const dicom::Choice& 
     }
 }
 
-void printText(const dicom::Scan& scan, const dicom::Choice& best, const InfoOptions& options) {
+void printText(const dicom::Scan& scan, const dicom::ChosenStack& best, const InfoOptions& options) {
     std::size_t place = 0;
     for (std::size_t i = 0; i < scan.studies.size(); ++i) {
         const dicom::Study& study = scan.studies[i];
@@ -165,7 +165,7 @@ void printText(const dicom::Scan& scan, const dicom::Choice& best, const InfoOpt
 
 // Programs that asked for a document get one also where nothing could be read.
 void printAsJson(const Error& error, const InfoOptions& options) {
-    auto json = toJson(dicom::Scan{}, dicom::Choice{}, app::PatientData::leaveOut);
+    auto json = toJson(dicom::Scan{}, dicom::ChosenStack{}, study::PatientData::leaveOut);
     json["error"] = {{"sentence", error.message}, {"action", error.hint}};
     if (options.patient && !error.where.empty()) json["error"]["where"] = error.where;
     fmt::print("{}\n", json.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
@@ -179,13 +179,13 @@ Result<void> showWhatIsThere(const InfoOptions& options) {
         return {};
     }
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(options.path, progress, options.how));
-    const dicom::Choice best = dicom::bestVolume(scan);
+    const dicom::ChosenStack best = dicom::bestVolume(scan);
     if (!options.json) {
         printText(scan, best, options);
         return {};
     }
     const auto json =
-        toJson(scan, best, options.patient ? app::PatientData::include : app::PatientData::leaveOut);
+        toJson(scan, best, options.patient ? study::PatientData::include : study::PatientData::leaveOut);
     fmt::print("{}\n", jsonText(json));
     return {};
 }

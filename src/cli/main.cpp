@@ -46,7 +46,7 @@ int tellThatStdoutFailed() {
                              "Standard output could not be written to the end.",
                              {},
                              "Check free space where it goes."});
-    return macula::app::exitCodeOf(macula::ErrorCode::outputNotWritable);
+    return macula::exitCodeOf(macula::ErrorCode::outputNotWritable);
 }
 
 bool stdoutIsWhole() {
@@ -59,7 +59,7 @@ int run(int argc, char** argv) {
     CLI::App app{"Macula: path-traced anatomy from DICOM.", "macula"};
     app.set_version_flag("--version", "macula " MACULA_VERSION);
     app.require_subcommand(1);
-    app.footer("Exit codes: " + std::string(app::kExitCodes) + ".");
+    app.footer("Exit codes: " + std::string(kExitCodes) + ".");
 
     cli::Action action;
     cli::addInfo(app, action);
@@ -94,26 +94,26 @@ int run(int argc, char** argv) {
             const Error unknown{ErrorCode::usage,
                                 fmt::format("There is no verb {}.", argv[1]),
                                 {},
-                                app::choiceAmong(argv[1], verbs) + " See macula --help."};
+                                scene::choiceAmong(argv[1], verbs) + " See macula --help."};
             cli::printError(unknown);
-            return app::exitCodeOf(unknown.code);
+            return exitCodeOf(unknown.code);
         }
         const std::string verb = chosen.empty() ? "" : chosen.front()->get_name() + " ";
         const Error usage{ErrorCode::usage, message, {}, "See macula " + verb + "--help."};
         cli::printError(usage);
-        return app::exitCodeOf(usage.code);
+        return exitCodeOf(usage.code);
     }
 
     if (const auto none = refuseEmptyWords(app); !none) {
         cli::printError(none.error());
-        return app::exitCodeOf(none.error().code);
+        return exitCodeOf(none.error().code);
     }
-    app::keepKernelsIn(app::usualKernelsFolder());
+    live::keepKernelsIn(live::usualKernelsFolder());
     if (const auto done = action(); !done) {
         cli::printError(done.error());
-        return app::exitCodeOf(done.error().code);
+        return exitCodeOf(done.error().code);
     }
-    return stdoutIsWhole() ? app::kExitDone : tellThatStdoutFailed();
+    return stdoutIsWhole() ? kExitDone : tellThatStdoutFailed();
 }
 
 }  // namespace
@@ -126,11 +126,11 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         std::fputs("macula: There is not enough memory. Close other programs, or open a smaller series.\n",
                    stderr);
-        return macula::app::kExitDevice;
+        return macula::kExitDevice;
     } catch (const std::exception&) {
         if (!stdoutIsWhole()) return tellThatStdoutFailed();
         std::fputs("macula: Something went wrong that Macula did not foresee. Please report what you did.\n",
                    stderr);
-        return macula::app::kExitFault;
+        return macula::kExitFault;
     }
 }

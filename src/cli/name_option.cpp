@@ -18,7 +18,7 @@ CLI::Validator oneOf(std::map<std::string, int> numbersByName) {
     const auto toNumber = [numbers = std::move(numbersByName), names](std::string& text) -> std::string {
         const auto found = numbers.find(text);
         if (found == numbers.end())
-            return fmt::format("there is no {}. {}", text, app::choiceAmong(text, names));
+            return fmt::format("there is no {}. {}", text, scene::choiceAmong(text, names));
         text = std::to_string(found->second);
         return {};
     };
@@ -27,7 +27,7 @@ CLI::Validator oneOf(std::map<std::string, int> numbersByName) {
 
 CLI::Validator asViewDirection() {
     const auto toNumber = [](std::string& text) -> std::string {
-        const auto direction = app::viewDirectionOf(text);
+        const auto direction = scene::viewDirectionOf(text);
         if (!direction)
             return text +
                    " is no direction: choose anterior (the front), posterior, left, right, superior, "

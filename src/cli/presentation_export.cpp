@@ -21,24 +21,24 @@ namespace macula::cli {
 namespace {
 
 // What can be seen, from the side that was asked for: the same fit as of render, for a square picture.
-Result<Camera> usualCamera(const PresentationOptions& options, const app::StudyState& state,
+Result<Camera> usualCamera(const PresentationExportRequest& options, const scene::StudyState& state,
                            const Volume& volume, Progress& progress) {
-    MACULA_TRY(const app::ShownClip shown, app::shownClip(state, volume, progress));
-    app::FittedView view;
+    MACULA_TRY(const scene::ShownClip shown, scene::shownClip(state, volume, progress));
+    pictures::FittedView view;
     view.from = options.state.view;
     if (options.state.fovDeg > 0.0) view.verticalFovDeg = options.state.fovDeg;
     view.isParallel = options.state.isParallel;
-    return app::fittedCamera(app::outlineOnHostMm(volume, *state.preset, shown.clip), state.settings.look,
-                             volume, view);
+    return pictures::fittedCamera(pictures::outlineOnHostMm(volume, *state.preset, shown.clip),
+                                  state.settings.look, volume, view);
 }
 
-Result<void> checkFiles(const PresentationOptions& options, const PresentedStudy& study) {
+Result<void> checkFiles(const PresentationExportRequest& options, const PresentedStudy& study) {
     if (study.path == "phantom:" || formats::isVolumeFileName(study.path))
         return Error{ErrorCode::usage,
                      "A presentation state refers to DICOM images, and there are none.",
                      {},
                      "Give a folder with DICOM files; macula phantom writes one."};
-    app::OutputFiles outputs(study.overwrite);
+    pictures::OutputFiles outputs(study.overwrite);
     outputs.read(study.path);
     for (const std::filesystem::path& input : filesOf(options.state)) outputs.read(input);
     return outputs.write(options.output);
@@ -46,15 +46,15 @@ Result<void> checkFiles(const PresentationOptions& options, const PresentedStudy
 
 }  // namespace
 
-CLI::Option* addPresentation(CLI::App& command, PresentationOptions& options) {
-    app::StateWish& state = options.state;
+CLI::Option* addPresentation(CLI::App& command, PresentationExportRequest& options) {
+    pictures::StateRequest& state = options.state;
     auto* output =
         command
             .add_option(
                 "--presentation-state", options.output,
                 "Instead of values: DICOM file (.dcm) to write, which says how the series is seen in 3D")
             ->option_text("FILE");
-    addSession(command, state.session);
+    addSavedView(command, state.savedView);
     command.get_option("--session")->needs(output);
     command.add_option("--preset", state.preset, "Of a presentation state: as of render")->needs(output);
     command.add_option("--clip", state.clip, "As of render")->needs(output);
@@ -70,32 +70,33 @@ CLI::Option* addPresentation(CLI::App& command, PresentationOptions& options) {
     return output;
 }
 
-Result<void> exportPresentation(const PresentationOptions& options, const PresentedStudy& study) {
+Result<void> exportPresentation(const PresentationExportRequest& options, const PresentedStudy& study) {
     MACULA_TRY_VOID(checkFiles(options, study));
     // A ray cast is what other programs come nearest to; what a view says counts more.
-    app::StudyState usual;
+    scene::StudyState usual;
     usual.settings.look = trace::Look::dvr;
     usual.settings.shading = trace::Shading::headlight;
-    MACULA_TRY(app::StudyState state, app::stateOf(options.state, std::move(usual)));
+    MACULA_TRY(scene::StudyState state, pictures::stateOf(options.state, std::move(usual)));
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const dicom::Scan scan, dicom::scanFolder(study.path, progress, study.how));
-    MACULA_TRY(const dicom::Choice chosen, app::chooseVolume(scan, study.series, study.volume));
-    app::PresentationWish wish;
-    MACULA_TRY(wish.images, app::presentedImages(*chosen.series, *chosen.stack));
-    MACULA_TRY(app::StudyInput input, app::loadStudy(scan, study.path, study.series, progress, study.volume));
+    MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(scan, study.series, study.volume));
+    scene::PresentationRequest request;
+    MACULA_TRY(request.images, scene::presentedImages(*chosen.series, *chosen.stack));
+    MACULA_TRY(study::LoadedStudy input,
+               study::loadStudy(scan, study.path, study.series, progress, study.volume));
     bringTo16Bits(input);
-    MACULA_TRY_VOID(app::completeState(state, options.state, input));
+    MACULA_TRY_VOID(pictures::completeState(state, options.state, input));
     state.seriesDigest = input.seriesDigest;
     if (!state.camera) {
         MACULA_TRY(state.camera, usualCamera(options, state, *input.volume, progress));
     }
     printNotes(input.notes, input.warnings);
-    wish.state = std::move(state);
-    wish.volume = input.volume;
-    wish.isDeidentified = options.isDeidentified;
-    MACULA_TRY(const std::vector<std::string> leftOut, app::writePresentation(options.output, wish));
+    request.state = std::move(state);
+    request.volume = input.volume;
+    request.isDeidentified = options.isDeidentified;
+    MACULA_TRY(const std::vector<std::string> leftOut, scene::writePresentation(options.output, request));
     for (const std::string& sentence : leftOut) printNote(sentence);
-    fmt::print("Wrote a presentation state of {} images\n", wish.images.series.images.size());
+    fmt::print("Wrote a presentation state of {} images\n", request.images.series.images.size());
     return {};
 }
 

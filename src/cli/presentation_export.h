@@ -8,13 +8,13 @@
 
 #include "base/result.h"
 #include "dicom/scan.h"
-#include "pictures/state_wish.h"
+#include "pictures/state_request.h"
 
 namespace macula::cli {
 
-struct PresentationOptions {
+struct PresentationExportRequest {
     std::filesystem::path output;  // empty: not asked for
-    app::StateWish state;
+    pictures::StateRequest state;
     bool isDeidentified = false;
 };
 
@@ -28,8 +28,8 @@ struct PresentedStudy {
 };
 
 // --presentation-state, which is returned, and what needs it. `options` must outlive the parsing.
-CLI::Option* addPresentation(CLI::App& command, PresentationOptions& options);
+CLI::Option* addPresentation(CLI::App& command, PresentationExportRequest& options);
 
-Result<void> exportPresentation(const PresentationOptions& options, const PresentedStudy& study);
+Result<void> exportPresentation(const PresentationExportRequest& options, const PresentedStudy& study);
 
 }  // namespace macula::cli

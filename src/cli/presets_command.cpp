@@ -31,7 +31,7 @@ struct PresetsOptions {
 };
 
 Result<void> listAll(const PresetsOptions& options) {
-    MACULA_TRY(const app::BuiltIns all, app::builtIns());
+    MACULA_TRY(const scene::BuiltIns all, scene::builtIns());
     if (options.json) {
         fmt::print("{}\n", jsonText(toJson(all)));
         return {};
@@ -72,7 +72,7 @@ void printColour(const std::string& title, const std::vector<ColourPoint>& point
 }
 
 Result<void> show(const PresetsOptions& options) {
-    MACULA_TRY(const presets::ImportedPreset chosen, app::choosePreset(options.preset));
+    MACULA_TRY(const presets::ImportedPreset chosen, scene::choosePreset(options.preset));
     const TransferFunction& preset = chosen.function;
     for (const std::string& note : chosen.notes) printNote(note);
     if (options.json) {
@@ -83,7 +83,7 @@ Result<void> show(const PresetsOptions& options) {
     if (preset.number) fmt::print("number             {}\n", *preset.number);
     fmt::print("source             {}\n", preset.source.empty() ? "unknown" : preset.source);
     fmt::print("modality           {}\n", fmt::join(preset.modalities, ", "));
-    fmt::print("values             {}\n", app::unitOf(preset));
+    fmt::print("values             {}\n", scene::unitOf(preset));
     if (preset.effectiveRange)
         fmt::print("effective range    {:g} to {:g}\n", preset.effectiveRange->low,
                    preset.effectiveRange->high);
@@ -115,13 +115,13 @@ Result<void> importFile(const PresetsOptions& options) {
                      "Give -o a folder that exists, for one file each; or choose one: macula presets export "
                      "FILE#NAME -o FILE.json."};
     }
-    app::OutputFiles files(options.overwrite);
+    pictures::OutputFiles files(options.overwrite);
     files.read(options.input);
     for (const presets::ImportedPreset& preset : all) {
         for (const std::string& note : preset.notes) printNote(preset.function.title + ": " + note);
     }
     std::vector<std::pair<std::filesystem::path, std::string>> texts;
-    for (const TransferFunction& function : app::withDifferentNames(all)) {
+    for (const TransferFunction& function : scene::withDifferentNames(all)) {
         texts.emplace_back(toFolder ? options.output / (function.name + ".json") : options.output,
                            toJson(function));
         MACULA_TRY_VOID(files.write(texts.back().first));
@@ -131,9 +131,9 @@ Result<void> importFile(const PresetsOptions& options) {
 }
 
 Result<void> exportPreset(const PresetsOptions& options) {
-    MACULA_TRY(const presets::ImportedPreset chosen, app::choosePreset(options.preset));
+    MACULA_TRY(const presets::ImportedPreset chosen, scene::choosePreset(options.preset));
     for (const std::string& note : chosen.notes) printNote(note);
-    app::OutputFiles files(options.overwrite);
+    pictures::OutputFiles files(options.overwrite);
     files.read(options.preset);
     MACULA_TRY_VOID(files.write(options.output));
     return writeTextAtomically(options.output, toJson(chosen.function));

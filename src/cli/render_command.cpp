@@ -14,82 +14,84 @@
 #include "cli/render_options.h"
 #include "cli/report.h"
 #include "live/device/open_device.h"
-#include "pictures/addition_wish.h"
+#include "pictures/addition_request.h"
 #include "pictures/drawn_picture.h"
 #include "pictures/picture_file.h"
 #include "pictures/render_record.h"
-#include "pictures/render_wish.h"
-#include "pictures/state_wish.h"
+#include "pictures/render_request.h"
+#include "pictures/state_request.h"
 #include "scene/camera/usual_view.h"
 #include "scene/drawing/drawing_of.h"
 #include "scene/drawing/shown_clip.h"
+#include "study/open/loaded_study.h"
 #include "study/open/read_study.h"
-#include "study/open/study_input.h"
 
 namespace macula::cli {
 
 namespace {
 
-Result<void> render(const app::RenderWish& options) {
+Result<void> render(const pictures::RenderRequest& options) {
     const auto begin = std::chrono::steady_clock::now();
     // All that can be wrong on the command line first, then the device, then the study: the slowest comes
     // last.
-    MACULA_TRY(app::WishedPicture picture, app::wishedPicture(options));
-    app::StudyState& state = picture.state;
-    app::PictureRequest& request = picture.request;
-    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
+    MACULA_TRY(pictures::RequestedPicture picture, pictures::requestedPicture(options));
+    scene::StudyState& state = picture.state;
+    pictures::PictureRequest& request = picture.request;
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(options.device, printNote));
 
     Progress progress(terminalProgressBar(), interruptToken());
     const auto start = std::chrono::steady_clock::now();
-    const app::StudyPlace place{options.path, options.series, options.state.presentation, options.how};
-    MACULA_TRY(app::ReadStudy read, app::readStudy(place, picture.additions.needsSegmentations(), progress));
-    app::StudyInput& study = read.input;
+    const study::StudyPlace place{options.path, options.series, options.state.presentation, options.how};
+    MACULA_TRY(study::ReadStudy read,
+               study::readStudy(place, picture.additions.needsSegmentations(), progress));
+    study::LoadedStudy& study = read.input;
     bringTo16Bits(study);
-    app::RenderRecord record{.seriesDigest = study.seriesDigest,
-                             .lights = picture.lights,
-                             .clip = picture.clip,
-                             .loadSeconds = app::secondsSince(start)};
-    MACULA_TRY(app::StudyPreset preset, app::completeState(state, options.state, study));
+    pictures::RenderRecord record{.seriesDigest = study.seriesDigest,
+                                  .lights = picture.lights,
+                                  .clip = picture.clip,
+                                  .loadSeconds = secondsSince(start)};
+    MACULA_TRY(scene::StudyPreset preset, pictures::completeState(state, options.state, study));
     printNotes(study.notes, study.warnings);
     record.notes = study.notes;
     const auto tell = [&](const std::string& note) {
         printNote(note);
         record.notes.push_back(note);
     };
-    for (const std::string& note : app::optionsWithoutEffect(options, state.settings.look, preset.function))
+    for (const std::string& note :
+         pictures::optionsWithoutEffect(options, state.settings.look, preset.function))
         tell(note);
     record.preset = preset.publicName;
     record.presetFitted = preset.function.fitToVolume.has_value();
 
-    MACULA_TRY(app::ShownClip shown,
-               app::shownClip(state, *study.volume, progress, app::unaskedTable(options.state)));
+    MACULA_TRY(scene::ShownClip shown,
+               scene::shownClip(state, *study.volume, progress, pictures::unaskedTable(options.state)));
     for (const std::string& note : shown.notes) tell(note);
-    if (!request.camera && !request.from) printNote(sentenceOf(app::usualView(*study.volume)));
+    if (!request.camera && !request.from) printNote(sentenceOf(scene::usualView(*study.volume)));
     record.tableRemoved = shown.tableRemoved;
-    MACULA_TRY(app::MadeAdditions made,
-               app::makeAdditions(picture.additions, read, state.settings.look, shown.clip, progress));
+    MACULA_TRY(pictures::DrawnAdditions made,
+               pictures::makeAdditions(picture.additions, read, state.settings.look, shown.clip, progress));
     printNotes(made.notes, made.warnings);
     record.notes.insert(record.notes.end(), made.notes.begin(), made.notes.end());
     if (shown.clip.mask) record.masked = shown.clip.mask->remark;
     request.scene.additions = std::move(made.additions);
-    record.additions = app::remarkOf(request.scene.additions, state.settings.look);
+    record.additions = scene::remarkOf(request.scene.additions, state.settings.look);
     request.scene.volume = study.volume;
     request.scene.function = std::move(preset.function);
     request.scene.clip = std::move(shown.clip);
-    request.settings = app::settingsToDraw(options, state, *study.volume);
+    request.settings = pictures::settingsToDraw(options, state, *study.volume);
     record.window = request.settings.window;
 
-    app::DrawnPicture drawn;
+    pictures::DrawnPicture drawn;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-        MACULA_TRY(drawn, app::drawPicture(on, request, progress));
+        MACULA_TRY(drawn, pictures::drawPicture(on, request, progress));
         return {};
     }));
     record.add(request, drawn);
-    for (const app::PictureNote& note : notesOf(drawn, request)) {
+    for (const pictures::PictureNote& note : notesOf(drawn, request)) {
         const std::string line = note.action.empty() ? note.sentence : note.sentence + " " + note.action;
         note.isWarning ? printWarning(line) : printNote(line);
     }
-    MACULA_TRY_VOID(app::writePicture(options.output, drawn, request.sizePx, metadata(record)));
+    MACULA_TRY_VOID(pictures::writePicture(options.output, drawn, request.sizePx, metadata(record)));
     if (!options.json.empty()) MACULA_TRY_VOID(printOrWrite(options.json, jsonText(toJson(record))));
     printWritten(options.output, begin);
     if (progress.cancelled() && !drawn.statistics.converged && options.effort.error > 0.0)
@@ -101,7 +103,7 @@ Result<void> render(const app::RenderWish& options) {
 }  // namespace
 
 void addRender(CLI::App& app, Action& action) {
-    auto options = std::make_shared<app::RenderWish>();
+    auto options = std::make_shared<pictures::RenderRequest>();
     auto* command = app.add_subcommand("render", "Draw a series to a picture");
     addRenderOptions(*command, *options);
     command->callback([options, &action] { action = [options] { return render(*options); }; });

@@ -30,12 +30,12 @@ std::string lookNames() {
     return names;
 }
 
-std::string helpOf(const app::Parameter& p) {
+std::string helpOf(const scene::Parameter& p) {
     return fmt::format("{} (default: {:g})", p.does, p.fallback());
 }
 
 // What is drawn, and where to.
-void addInput(CLI::App& command, app::RenderWish& o) {
+void addInput(CLI::App& command, pictures::RenderRequest& o) {
     command.add_option(
         "PATH", o.path,
         "Folder with DICOM files, volume file (NIfTI, NRRD, MetaImage), or phantom: (default)");
@@ -46,7 +46,7 @@ void addInput(CLI::App& command, app::RenderWish& o) {
     addJoin(command, o.how);
     command.add_option("--series", o.series,
                        "Place in the list of macula info, or series UID (default: the best)");
-    addSession(command, o.state.session);
+    addSavedView(command, o.state.savedView);
     command
         .add_option(
             "--presentation-state", o.state.presentation,
@@ -61,7 +61,7 @@ void addInput(CLI::App& command, app::RenderWish& o) {
 }
 
 // Options of the camera and the size of the picture.
-void addCamera(CLI::App& command, app::RenderWish& o) {
+void addCamera(CLI::App& command, pictures::RenderRequest& o) {
     auto* view =
         command
             .add_option("--view", o.state.view,
@@ -86,22 +86,22 @@ void addCamera(CLI::App& command, app::RenderWish& o) {
 }
 
 // How.
-void addLook(CLI::App& command, app::RenderWish& o) {
+void addLook(CLI::App& command, pictures::RenderRequest& o) {
     command.add_option("--look", o.state.look, "How it is drawn, see docs/presets.md (default: cinematic)")
         ->transform(oneOf(looksByName()))
         ->option_text(lookNames());
     command
         .add_option("--window", o.state.window,
                     fmt::format("Of {} (default: range of --preset, else window of the series)",
-                                app::looksListed(trace::isProjection)))
+                                pictures::looksListed(trace::isProjection)))
         ->option_text("CENTRE,WIDTH");
     command.add_flag("--shading", o.shading,
                      "Light dvr from the eye, with the preset's ambient and diffuse parts");
 }
 
 // How the preset's matter scatters light.
-void addMatter(CLI::App& command, app::RenderWish& o) {
-    for (const app::MatterParameter& p : app::matterParameters()) {
+void addMatter(CLI::App& command, pictures::RenderRequest& o) {
+    for (const scene::MatterParameter& p : scene::matterParameters()) {
         command
             .add_option_function<double>(
                 std::string(p.option), [&p, &o](double value) { o.state.matter[p.id] = value; },
@@ -111,7 +111,7 @@ void addMatter(CLI::App& command, app::RenderWish& o) {
 }
 
 // With how much work.
-void addEffort(CLI::App& command, app::RenderWish& o) {
+void addEffort(CLI::App& command, pictures::RenderRequest& o) {
     command.add_option(
         "--quality", o.effort.quality,
         "draft, normal, high, reference, or JSON file: samples, bounces, filter and denoising at once");
@@ -120,12 +120,12 @@ void addEffort(CLI::App& command, app::RenderWish& o) {
                     "Samples per pixel (default: of a PNG as --error 0.1 takes, at most about 256; of an EXR "
                     "64; 8 for "
                     "looks without chance)")
-        ->check(CLI::Range(1u, app::kMostSamplesPerPixel));
+        ->check(CLI::Range(1u, pictures::kMostSamplesPerPixel));
     command
         .add_option("--error", o.effort.error,
                     "Trace until noise is this small, 0.01 of black to white; then --spp is about the most")
         ->check(between(1e-4, 1.0));
-    const app::Parameter& bounces = app::parameter("bounces");
+    const scene::Parameter& bounces = scene::parameter("bounces");
     command.add_option(std::string(bounces.option), o.effort.bounces, helpOf(bounces))
         ->check(CLI::Range(int(bounces.low), int(bounces.high)));
     command.add_flag_function(
@@ -143,10 +143,10 @@ void addEffort(CLI::App& command, app::RenderWish& o) {
 }
 
 // In which light.
-void addLights(CLI::App& command, app::RenderWish& o) {
+void addLights(CLI::App& command, pictures::RenderRequest& o) {
     command.add_option("--lights", o.lights,
                        "Name from macula presets, light rig JSON, or HDR or EXR panorama");
-    for (const app::Parameter& p : app::parameters()) {
+    for (const scene::Parameter& p : scene::parameters()) {
         if (p.isWhole) continue;  // bounces, which a quality sets too
         command
             .add_option_function<double>(
@@ -167,7 +167,7 @@ void addLights(CLI::App& command, app::RenderWish& o) {
 }
 
 // What only a picture that is saved has.
-void addEffects(CLI::App& command, app::RenderWish& o) {
+void addEffects(CLI::App& command, pictures::RenderRequest& o) {
     command
         .add_option(
             "--lens-mm", o.effects.lensMm,
@@ -182,13 +182,13 @@ void addEffects(CLI::App& command, app::RenderWish& o) {
     command
         .add_option("--fog-mm", o.effects.fogMm,
                     "Fade what lies behind the nearest matter into the background, to 37 % over so many mm")
-        ->check(between(app::kLeastFogMm, app::kMostFogMm));
+        ->check(between(pictures::kLeastFogMm, pictures::kMostFogMm));
 }
 
 }  // namespace
 
-void addRenderOptions(CLI::App& command, app::RenderWish& wish) {
-    app::RenderWish& o = wish;
+void addRenderOptions(CLI::App& command, pictures::RenderRequest& request) {
+    pictures::RenderRequest& o = request;
     addInput(command, o);
     addCamera(command, o);
     addLook(command, o);

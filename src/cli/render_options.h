@@ -3,11 +3,11 @@
 
 #include <CLI/App.hpp>
 
-#include "pictures/render_wish.h"
+#include "pictures/render_request.h"
 
 namespace macula::cli {
 
-// Their defaults are what `wish` holds; it must outlive the parsing.
-void addRenderOptions(CLI::App& command, app::RenderWish& wish);
+// Their defaults are what `request` holds; it must outlive the parsing.
+void addRenderOptions(CLI::App& command, pictures::RenderRequest& request);
 
 }  // namespace macula::cli

@@ -51,7 +51,7 @@ void printNotes(std::span<const std::string> notes, std::span<const std::string>
 void printWritten(const std::filesystem::path& path, std::chrono::steady_clock::time_point start,
                   std::string_view what) {
     printLine(fmt::format("Wrote {}{}{} in {:.1f} s", path.string(), what.empty() ? "" : ": ", what,
-                          app::secondsSince(start)));
+                          secondsSince(start)));
 }
 
 }  // namespace macula::cli

@@ -20,27 +20,26 @@ struct SessionsCareOptions : SessionsOptions {
 };
 
 Result<void> verify(const SessionsCareOptions& options) {
-    if (app::isNothingStored(options.folder)) {
-        printNothing(options, app::VerifiedSessions{.report = {.isDatabaseSound = true}});
+    if (live::isNothingStored(options.folder)) {
+        printNothing(options, live::VerifiedStore{.report = {.isDatabaseSound = true}});
         return {};
     }
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(const app::VerifiedSessions verified,
-               app::verifySessions({.folder = options.folder}, progress));
-    printWarnings(app::warningsOf(verified.notes));
+    MACULA_TRY(const live::VerifiedStore verified, live::verifyStore({.folder = options.folder}, progress));
+    printWarnings(live::warningsOf(verified.notes));
     print(options, verified);
     if (verified.isSound()) return {};
     return Error{ErrorCode::inputNotUsable, "Stored sessions were not sound.", options.folder.string(),
-                 app::whatToDo(verified)};
+                 live::whatToDo(verified)};
 }
 
-Result<void> collect(const SessionsCareOptions& options) {
-    if (app::isNothingStored(options.folder)) {
-        printNothing(options, app::Tidied{});
+Result<void> runGarbageCollection(const SessionsCareOptions& options) {
+    if (live::isNothingStored(options.folder)) {
+        printNothing(options, live::Tidied{});
         return {};
     }
-    MACULA_TRY(session::Store store, openSessions(options));
-    MACULA_TRY(const app::Tidied tidied, app::tidySessions(store, options.capBytes));
+    MACULA_TRY(session::Store store, openStudyStore(options));
+    MACULA_TRY(const live::Tidied tidied, live::tidyStore(store, options.capBytes));
     print(options, tidied);
     if (tidied.evicted.bytesLeft > options.capBytes)
         printNote("Models that are open stay; what is left is still above the cap.");
@@ -50,7 +49,7 @@ Result<void> collect(const SessionsCareOptions& options) {
 // "2GB", never a bare "2", as a number of bytes, or a sentence.
 CLI::Validator asByteSize() {
     const auto toBytes = [](std::string& text) -> std::string {
-        const auto bytes = app::bytesOfText(text);
+        const auto bytes = live::bytesOfText(text);
         if (!bytes) return text + " is no size: give a number with its unit, as 500MB or 2GB (B, KB, MB, GB)";
         text = std::to_string(*bytes);
         return {};
@@ -73,10 +72,10 @@ void addSessionsGc(CLI::App& sessions, Action& action) {
     command
         ->add_option("--cap", options->capBytes,
                      "As 500MB or 2GB: what models may have together (default: " +
-                         app::sizeForPeople(options->capBytes) + ")")
+                         live::sizeForPeople(options->capBytes) + ")")
         ->transform(asByteSize())
         ->option_text("SIZE");
-    command->callback([options, &action] { action = [options] { return collect(*options); }; });
+    command->callback([options, &action] { action = [options] { return runGarbageCollection(*options); }; });
 }
 
 }  // namespace macula::cli

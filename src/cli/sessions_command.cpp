@@ -17,32 +17,32 @@ struct SessionsListOptions : SessionsOptions {
 };
 
 Result<void> listStudies(const SessionsListOptions& options) {
-    if (app::isNothingStored(options.folder)) {
-        printNothing(options, app::StoredSessions{.folder = options.folder});
+    if (live::isNothingStored(options.folder)) {
+        printNothing(options, live::StoredStudies{.folder = options.folder});
         return {};
     }
-    MACULA_TRY(session::Store store, openSessions(options));
-    MACULA_TRY(const app::StoredSessions stored, app::storedSessions(store));
+    MACULA_TRY(session::Store store, openStudyStore(options));
+    MACULA_TRY(const live::StoredStudies stored, live::storedStudies(store));
     print(options, stored);
     return {};
 }
 
 Result<void> showStudy(const SessionsListOptions& options) {
-    if (app::isNothingStored(options.folder)) return app::nothingStored(options.folder);
-    MACULA_TRY(session::Store store, openSessions(options));
+    if (live::isNothingStored(options.folder)) return live::nothingStored(options.folder);
+    MACULA_TRY(session::Store store, openStudyStore(options));
     MACULA_TRY(const auto studies, store.listStudies());
-    MACULA_TRY(const session::StudyEntry study, app::studyOfPrefix(studies, options.study));
-    MACULA_TRY(const app::StoredStudy stored, app::storedStudy(store, study));
+    MACULA_TRY(const session::StudyEntry study, live::studyOfPrefix(studies, options.study));
+    MACULA_TRY(const live::StoredStudy stored, live::storedStudy(store, study));
     print(options, stored);
     return {};
 }
 
 Result<void> showAudit(const SessionsListOptions& options) {
-    if (app::isNothingStored(options.folder)) {
+    if (live::isNothingStored(options.folder)) {
         printNothing(options, session::Listing<session::AuditEntry>{});
         return {};
     }
-    MACULA_TRY(session::Store store, openSessions(options));
+    MACULA_TRY(session::Store store, openStudyStore(options));
     MACULA_TRY(const auto trail, store.listAudit(static_cast<std::size_t>(options.last)));
     print(options, trail);
     return {};

@@ -10,7 +10,7 @@
 #include "cli/interrupt.h"
 #include "cli/report.h"
 #include "cli/sessions_options.h"
-#include "live/store/session_copies.h"
+#include "live/store/store_copies.h"
 
 namespace macula::cli {
 
@@ -26,20 +26,20 @@ void printCopied(const SessionsCopyOptions& options, const session::SnapshotRepo
 }
 
 Result<void> exportAll(const SessionsCopyOptions& options) {
-    if (app::isNothingStored(options.folder)) return app::nothingStored(options.folder);
+    if (live::isNothingStored(options.folder)) return live::nothingStored(options.folder);
     const auto start = std::chrono::steady_clock::now();
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(session::Store store, openSessions(options));
-    MACULA_TRY(const session::SnapshotReport report, app::exportSessions(store, options.other, progress));
+    MACULA_TRY(session::Store store, openStudyStore(options));
+    MACULA_TRY(const session::SnapshotReport report, live::exportStore(store, options.other, progress));
     printCopied(options, report);
     printWritten(options.other, start);
     return {};
 }
 
 Result<void> importAll(const SessionsCopyOptions& options) {
-    MACULA_TRY_VOID(app::checkImport(options.other, options.folder));
+    MACULA_TRY_VOID(live::checkImport(options.other, options.folder));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(session::Store store, openSessions(options));
+    MACULA_TRY(session::Store store, openStudyStore(options));
     MACULA_TRY(const session::SnapshotReport report, store.importFrom(options.other, progress));
     printCopied(options, report);
     return {};

@@ -19,9 +19,9 @@ CLI::App* addSessionsVerb(CLI::App& sessions, const std::string& name, const std
     return command;
 }
 
-Result<session::Store> openSessions(const SessionsOptions& options) {
+Result<session::Store> openStudyStore(const SessionsOptions& options) {
     MACULA_TRY(session::Store store, session::Store::open({.folder = options.folder}));
-    printWarnings(app::warningsOf(store.notes()));
+    printWarnings(live::warningsOf(store.notes()));
     return store;
 }
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "cli/json_text.h"
-#include "live/store/sessions_json.h"
-#include "live/store/sessions_text.h"
+#include "live/store/store_json.h"
+#include "live/store/store_text.h"
 #include "session/store.h"
 
 namespace macula::cli {
@@ -26,20 +26,20 @@ CLI::App* addSessionsVerb(CLI::App& sessions, const std::string& name, const std
                           SessionsOptions& options);
 
 // Opens the store, and makes it where there is none. Warnings of the opening go to stderr.
-Result<session::Store> openSessions(const SessionsOptions& options);
+Result<session::Store> openStudyStore(const SessionsOptions& options);
 void printWarnings(const std::vector<std::string>& warnings);
 
 // A report of app/session on stdout.
 template <class Report>
 void print(const SessionsOptions& options, const Report& report) {
-    fmt::print("{}", options.json ? jsonText(app::toJson(report)) + "\n" : app::textOf(report));
+    fmt::print("{}", options.json ? jsonText(live::toJson(report)) + "\n" : live::textOf(report));
 }
 
 // The same where nothing is stored; `report` is that of nothing.
 template <class Report>
 void printNothing(const SessionsOptions& options, const Report& report) {
     if (options.json) return print(options, report);
-    fmt::print("{}", app::nothingStoredText(options.folder));
+    fmt::print("{}", live::nothingStoredText(options.folder));
 }
 
 }  // namespace macula::cli

@@ -16,7 +16,7 @@ namespace macula::cli {
 namespace {
 
 struct SessionsPurgeOptions : SessionsOptions {
-    app::PurgeWish wish;
+    live::PurgeRequest request;
     int unusedDays = 0;  // 0: not given
     bool damagedToo = false;
     bool trustClock = false;
@@ -31,7 +31,7 @@ std::int64_t nowMs() {
 
 // What can be wrong with the words alone.
 Result<void> check(const SessionsPurgeOptions& options) {
-    if (options.wish.study.empty() && !options.wish.all && options.unusedDays == 0)
+    if (options.request.study.empty() && !options.request.all && options.unusedDays == 0)
         return Error{ErrorCode::usage,
                      "It was not said what to delete.",
                      {},
@@ -46,27 +46,27 @@ Result<void> check(const SessionsPurgeOptions& options) {
 
 Result<void> purge(SessionsPurgeOptions& options) {
     MACULA_TRY_VOID(check(options));
-    if (options.unusedDays > 0) options.wish.unusedDays = options.unusedDays;
-    if (options.trustClock) options.wish.clock = session::Store::Clock::trusted;
-    if (options.damagedToo) options.wish.damaged = session::DamagedFiles::remove;
-    if (app::isNothingStored(options.folder)) {
-        if (!options.wish.study.empty()) return app::nothingStored(options.folder);
+    if (options.unusedDays > 0) options.request.unusedDays = options.unusedDays;
+    if (options.trustClock) options.request.clock = session::Store::Clock::trusted;
+    if (options.damagedToo) options.request.damaged = session::DamagedFiles::remove;
+    if (live::isNothingStored(options.folder)) {
+        if (!options.request.study.empty()) return live::nothingStored(options.folder);
         printNothing(options, session::PurgeReport{});
         return {};
     }
-    MACULA_TRY(session::Store store, openSessions(options));
-    MACULA_TRY(const app::PurgePlan plan, app::planPurge(store, options.wish, nowMs()));
+    MACULA_TRY(session::Store store, openStudyStore(options));
+    MACULA_TRY(const live::PurgePlan plan, live::planPurge(store, options.request, nowMs()));
     if (options.dryRun) {
         print(options, plan);
         return {};
     }
     if (!options.yes) {
-        MACULA_TRY(const bool isWanted, ask(app::questionOf(plan)));
+        MACULA_TRY(const bool isWanted, ask(live::questionOf(plan)));
         if (!isWanted) return Error{ErrorCode::cancelled, "Nothing was deleted.", {}, {}};
     }
-    MACULA_TRY(const session::PurgeReport report, app::purge(store, plan));
+    MACULA_TRY(const session::PurgeReport report, live::purge(store, plan));
     print(options, report);
-    printWarnings(app::warningsOf(report));
+    printWarnings(live::warningsOf(report));
     return {};
 }
 
@@ -77,8 +77,8 @@ void addSessionsPurge(CLI::App& sessions, Action& action) {
     SessionsPurgeOptions& o = *options;
     auto* command = addSessionsVerb(sessions, "purge",
                                     "Delete studies with all that is kept of them; asks before it does", o);
-    auto* study = command->add_option("STUDY", o.wish.study, "First digits of its identity, at least 4");
-    auto* all = command->add_flag("--all", o.wish.all, "Every study, and models of files without one");
+    auto* study = command->add_option("STUDY", o.request.study, "First digits of its identity, at least 4");
+    auto* all = command->add_flag("--all", o.request.all, "Every study, and models of files without one");
     auto* unused = command
                        ->add_option("--unused-days", o.unusedDays,
                                     "Every study, and file without one, not opened for so many days")

@@ -20,7 +20,7 @@
 #include "pipeline/trace/look.h"
 #include "presets/catalogue.h"
 #include "scene/choice/study_preset.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
 namespace macula::cli {
 
@@ -32,31 +32,32 @@ struct SheetOptions {
     std::string series;
     dicom::ScanOptions how;
     std::string device;
-    app::SheetRequest sheet;
+    pictures::SheetRequest sheet;
     bool overwrite = false;
 };
 
 Result<void> makeSheet(const SheetOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    MACULA_TRY_VOID(app::checkPictureName(options.output));
-    if (app::isExr(options.output))
+    MACULA_TRY_VOID(pictures::checkPictureName(options.output));
+    if (pictures::isExr(options.output))
         return Error{ErrorCode::usage, "A sheet is for the eye.", options.output.string(),
                      "Choose a .png file."};
-    app::OutputFiles files(options.overwrite);
+    pictures::OutputFiles files(options.overwrite);
     files.read(options.path);
     MACULA_TRY_VOID(files.write(options.output));
-    app::SheetRequest sheet = options.sheet;
+    pictures::SheetRequest sheet = options.sheet;
     MACULA_TRY(sheet.presets, presets::builtInPresets());
-    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(options.device, printNote));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
+    MACULA_TRY(study::LoadedStudy study,
+               study::loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
     printNotes(study.notes, study.warnings);
     sheet.volume = study.volume;
 
     std::vector<std::uint8_t> rgba;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
-        MACULA_TRY(rgba, app::drawSheet(on, sheet, progress));
+        MACULA_TRY(rgba, pictures::drawSheet(on, sheet, progress));
         return {};
     }));
     const glm::ivec2 size = sizeOf(sheet);
@@ -66,9 +67,9 @@ Result<void> makeSheet(const SheetOptions& options) {
     for (const trace::LookTraits& look : trace::kLooks) fmt::print("  {}", look.name);
     fmt::print("\n");
     for (std::size_t i = 0; i < sheet.presets.size(); ++i) {
-        const app::SheetPlace place = placeOf(sheet, i);
+        const pictures::SheetPlace place = placeOf(sheet, i);
         fmt::print("panel {} row {:>2}  {}\n", place.panel + 1, place.row + 1, sheet.presets[i].name);
-        for (const std::string& note : app::notesOf({sheet.presets[i], {}}, *study.volume))
+        for (const std::string& note : scene::notesOf({sheet.presets[i], {}}, *study.volume))
             fmt::print("                {}\n", note);
     }
     return {};

@@ -25,15 +25,15 @@ struct SplatExportOptions {
 
 Result<void> exportModel(const SplatExportOptions& options) {
     const auto start = std::chrono::steady_clock::now();
-    MACULA_TRY_VOID(app::checkSplatsName(options.output));
-    app::OutputFiles files(options.overwrite);
+    MACULA_TRY_VOID(live::checkSplatsName(options.output));
+    pictures::OutputFiles files(options.overwrite);
     files.read(options.model);
     MACULA_TRY_VOID(files.write(options.output));
     MACULA_TRY(const splat::ModelFile read, splat::readModel(options.model, splat::BadSplats::repair));
     if (read.repaired.dropped > 0)
         printNote(fmt::format("{} splats cannot be used; they were left out.", read.repaired.dropped));
     MACULA_TRY(const std::size_t limited,
-               app::writeSplats(options.output, read.splats, options.displayColours));
+               live::writeSplats(options.output, read.splats, options.displayColours));
     if (limited > 0)
         printNote(
             fmt::format("{} splats have numbers that this format cannot hold; they were limited.", limited));

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Cameras = std::vector<app::SplatCamera>;
+using Cameras = std::vector<scene::SplatCamera>;
 
 struct SplatRenderOptions {
     fs::path model;
@@ -62,16 +62,16 @@ struct Shot {
 
 Result<std::optional<glm::ivec2>> sizeOf(const SplatRenderOptions& options) {
     if (options.size.empty()) return std::optional<glm::ivec2>();
-    MACULA_TRY(const glm::ivec2 size, app::parseSize(options.size));
+    MACULA_TRY(const glm::ivec2 size, scene::parseSize(options.size));
     return std::optional(size);
 }
 
 Result<std::vector<Shot>> shotsOf(const Cameras& cameras, const SplatRenderOptions& options) {
-    std::vector<std::string> wishes;
-    for (const app::SplatCamera& camera : cameras) wishes.push_back(camera.name);
-    const std::vector<std::string> names = app::pictureNames(wishes);
+    std::vector<std::string> requests;
+    for (const scene::SplatCamera& camera : cameras) requests.push_back(camera.name);
+    const std::vector<std::string> names = pictures::pictureNames(requests);
     std::vector<Shot> shots;
-    app::OutputFiles files(options.overwrite);
+    pictures::OutputFiles files(options.overwrite);
     files.read(options.model);
     files.read(options.cameras);
     for (const std::string& camera : options.camera) files.read(camera);
@@ -101,7 +101,7 @@ Error aboutShot(Error error, const Shot& shot) {
 Result<Cameras> camerasAround(const splat::Splats& splats, const SplatRenderOptions& options,
                               const std::optional<glm::ivec2>& size) {
     MACULA_TRY(Cameras cameras,
-               app::framedCameras(splats, options.from, size.value_or(app::kDefaultCameraSize)));
+               scene::framedCameras(splats, options.from, size.value_or(scene::kDefaultCameraSize)));
     if (splats.axes == splat::Axes::unknown)
         printNote(
             "This model does not say which way is up: it is drawn along its own +z, -y up. --camera or "
@@ -125,12 +125,12 @@ void printShots(const std::vector<Shot>& shots, const fs::path& folder,
 
 Result<void> splatRender(const SplatRenderOptions& options) {
     const auto begin = std::chrono::steady_clock::now();
-    MACULA_TRY(const glm::vec3 background, app::parseBackground(options.background));
+    MACULA_TRY(const glm::vec3 background, scene::parseBackground(options.background));
     MACULA_TRY(const std::optional<glm::ivec2> size, sizeOf(options));
-    MACULA_TRY(Cameras cameras, app::readSplatCameras(options.cameras, options.camera, size));
+    MACULA_TRY(Cameras cameras, scene::readSplatCameras(options.cameras, options.camera, size));
     const bool isGiven = !cameras.empty();
     MACULA_TRY(std::vector<Shot> shots, shotsOf(cameras, options));
-    MACULA_TRY(const app::ModelToDraw model, app::readModelToDraw(options.model, options.lowPass));
+    MACULA_TRY(const pictures::ModelToDraw model, pictures::readModelToDraw(options.model, options.lowPass));
     const splat::Splats& splats = model.splats;
     printNotes(model.notes);
     if (options.exposure && splats.colourSpace == splat::ColourSpace::display)
@@ -141,10 +141,10 @@ Result<void> splatRender(const SplatRenderOptions& options) {
     }
     for (Shot& shot : shots) {
         shot.view.eyeMm -= splats.originMm;
-        shot.view.nearMm = options.near.value_or(isGiven ? app::usualNearOf(splats) : shot.view.nearMm);
+        shot.view.nearMm = options.near.value_or(isGiven ? scene::usualNearOf(splats) : shot.view.nearMm);
         MACULA_TRY_VOID(splat::validate(shot.view));
     }
-    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(options.device, printNote));
 
     Progress progress(terminalProgressBar(), interruptToken());
     progress.beginStage("Drawing", shots.size());
@@ -162,15 +162,16 @@ Result<void> splatRender(const SplatRenderOptions& options) {
         for (; done < shots.size(); ++done) {
             if (progress.cancelled()) return stopped();
             const Shot& shot = shots[done];
-            const Result<app::ModelPicture> drawn =
-                app::drawModel(painter, shot.view, splats.colourSpace, display, options.depth, progress);
+            const Result<pictures::ModelPicture> drawn =
+                pictures::drawModel(painter, shot.view, splats.colourSpace, display, options.depth, progress);
             if (!drawn)
                 return drawn.error().code == ErrorCode::cancelled ? stopped()
                                                                   : aboutShot(drawn.error(), shot);
             // Not before there is something to put in.
-            MACULA_TRY_VOID(app::makePictureFolder(options.output));
-            MACULA_TRY_VOID(writeModelPicture(*drawn, shot.view.sizePx, shot.png, shot.exr,
-                                              app::metadata(splats, display, gpu::describe(on->info()))));
+            MACULA_TRY_VOID(pictures::makePictureFolder(options.output));
+            MACULA_TRY_VOID(
+                writeModelPicture(*drawn, shot.view.sizePx, shot.png, shot.exr,
+                                  pictures::metadata(splats, display, gpu::describe(on->info()))));
             if (splats.size() > 0 && drawn->isEmpty) empty.push_back(shot.name);
             progress.advance();
         }

@@ -21,9 +21,9 @@ void addStudyAsOfRender(CLI::App& command, std::filesystem::path& path, std::str
     addJoin(command, how);
 }
 
-void addSession(CLI::App& command, std::filesystem::path& session) {
+void addSavedView(CLI::App& command, std::filesystem::path& savedView) {
     command
-        .add_option("--session", session,
+        .add_option("--session", savedView,
                     "View that the window saved of this series: drawn as it says, but for what is given "
                     "besides")
         ->option_text("FILE");
@@ -31,7 +31,7 @@ void addSession(CLI::App& command, std::filesystem::path& session) {
 
 void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& options, int size) {
     options.size = size;
-    options.lights = app::kDefaultLights;
+    options.lights = scene::kDefaultLights;
     command.add_option("path", options.path, "Folder or file with DICOM; the built-in phantom when absent");
     command.add_option("--series", options.series, "Which series: its number in `macula info`, or its UID");
     addJoin(command, options.how);

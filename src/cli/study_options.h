@@ -20,8 +20,8 @@ void addJoin(CLI::App& command, dicom::ScanOptions& how);
 void addStudyAsOfRender(CLI::App& command, std::filesystem::path& path, std::string& series,
                         dicom::ScanOptions& how);
 
-// --session: what app::StateWish begins with.
-void addSession(CLI::App& command, std::filesystem::path& session);
+// --session: what pictures::StateRequest begins with.
+void addSavedView(CLI::App& command, std::filesystem::path& savedView);
 
 // What the benchmarks of the tracer have in common; `size` is the default.
 void addBenchStudyOptions(CLI::App& command, evaluate::BenchStudyOptions& options, int size);

@@ -31,7 +31,7 @@
 #include "scene/choice/lights_choice.h"
 #include "scene/choice/study_preset.h"
 #include "scene/drawing/shown_clip.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
 namespace macula::cli {
 
@@ -47,7 +47,7 @@ struct TrainOptions {
     bool fit = false;
     std::string clip;
     bool removeTable = false;
-    std::string lights = app::kDefaultLights;
+    std::string lights = scene::kDefaultLights;
     std::string device;
     fs::path output;
     fs::path json;
@@ -61,71 +61,73 @@ struct TrainOptions {
 };
 
 Result<void> checkFiles(const TrainOptions& options) {
-    app::OutputFiles files(options.overwrite);
+    pictures::OutputFiles files(options.overwrite);
     for (const fs::path& input : {options.path, fs::path(options.preset), fs::path(options.clip),
                                   fs::path(options.lights), options.resume})
         files.read(input);
     // A training that goes on may take the place of what it was.
-    MACULA_TRY_VOID(app::isSameFile(options.output, options.resume) ? files.writeOn(options.output)
-                                                                    : files.write(options.output));
+    MACULA_TRY_VOID(pictures::isSameFile(options.output, options.resume) ? files.writeOn(options.output)
+                                                                         : files.write(options.output));
     return files.write(options.json);
 }
 
 // All that can be wrong on the command line, before anything takes time.
 Result<trace::Environment> check(const TrainOptions& options) {
-    MACULA_TRY_VOID(app::checkModelName(options.output));
+    MACULA_TRY_VOID(live::checkModelName(options.output));
     MACULA_TRY_VOID(checkModelOptions(options.model));
-    if (options.displayColours && app::holdsTraining(options.output))
+    if (options.displayColours && live::holdsTraining(options.output))
         return Error{ErrorCode::usage,
                      "What goes on learning needs linear colours.",
                      {},
                      "Give --display-colours with " + splat::modelExtensions(false) + "."};
     MACULA_TRY_VOID(checkFiles(options));
-    if (!options.preset.empty()) MACULA_TRY_VOID(app::presetToDraw(options.preset, options.fit));
-    MACULA_TRY_VOID(app::chooseClip(options.clip));
-    return app::choosePatientLights(options.lights);
+    if (!options.preset.empty()) MACULA_TRY_VOID(scene::presetToDraw(options.preset, options.fit));
+    MACULA_TRY_VOID(scene::chooseClip(options.clip));
+    return scene::choosePatientLights(options.lights);
 }
 
 // The training to go on with, if any.
 Result<std::optional<splat::TrainingState>> savedTraining(const TrainOptions& options) {
     if (options.resume.empty()) return std::optional<splat::TrainingState>();
-    MACULA_TRY(splat::TrainingState state, app::readTrainingToGoOn(options.resume, !options.iterationsGiven));
+    MACULA_TRY(splat::TrainingState state,
+               live::readTrainingToGoOn(options.resume, !options.iterationsGiven));
     return std::optional(std::move(state));
 }
 
 // A training that goes on takes the place of what it was, however far it came.
 fs::path placeFor(const TrainOptions& options, bool cutShort) {
-    if (!cutShort || app::isSameFile(options.output, options.resume)) return options.output;
-    return app::placeOfUnfinished(options.output);
+    if (!cutShort || pictures::isSameFile(options.output, options.resume)) return options.output;
+    return pictures::placeOfUnfinished(options.output);
 }
 
 Result<void> train(const TrainOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY(const trace::Environment lights, check(options));
     MACULA_TRY(const std::optional<splat::TrainingState> saved, savedTraining(options));
-    MACULA_TRY(gpu::LastingDevice device, app::openDevice(options.device, printNote));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(options.device, printNote));
     Progress progress(terminalProgressBar(), interruptToken());
-    MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
+    MACULA_TRY(study::LoadedStudy study,
+               study::loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
-    MACULA_TRY(const app::StudyPreset preset, app::choosePresetFor(study, options.preset, options.fit));
+    MACULA_TRY(const scene::StudyPreset preset, scene::choosePresetFor(study, options.preset, options.fit));
     printNotes(study.notes, study.warnings);
-    MACULA_TRY(const ClipPreset clip, app::chooseClip(options.clip));
-    MACULA_TRY(const app::ShownClip shown,
-               app::shownClip(clip, options.removeTable, *study.volume, progress));
+    MACULA_TRY(const ClipPreset clip, scene::chooseClip(options.clip));
+    MACULA_TRY(const scene::ShownClip shown,
+               scene::shownClip(clip, options.removeTable, *study.volume, progress));
     printNotes(shown.notes);
 
-    const std::string key = app::trainingKey(*study.volume, preset.function, shown.clip, lights);
-    if (saved) MACULA_TRY_VOID(app::checkTrainingKey(saved->options.key, key, options.resume));
+    const std::string key = live::trainingIdentity(*study.volume, preset.function, shown.clip, lights);
+    if (saved) MACULA_TRY_VOID(live::checkTrainingIdentity(saved->options.key, key, options.resume));
 
-    app::TrainingEnd end{.steps = saved && !options.iterationsGiven ? app::stepsLeft(*saved)
-                                                                    : options.model.iterations};
+    live::TrainingEnd end{.steps = saved && !options.iterationsGiven ? live::stepsLeft(*saved)
+                                                                     : options.model.iterations};
     if (options.pauseAfter > 0) end.steps = std::min(end.steps, options.pauseAfter);
     if (options.budgetSeconds > 0.0) end.budget = TimeBudget(options.budgetSeconds);
-    const app::StudyScene scene{
+    const live::StudyScene scene{
         .volume = study.volume, .function = preset.function, .clip = shown.clip, .environment = lights};
-    app::LastingTraining lasting = trainLasting(device, scene, options.model, saved, end, progress);
+    live::LastingTraining lasting = trainLasting(device, scene, options.model, saved, end, progress);
     if (!lasting.trained) return lasting.ended.error();
-    app::Trained& trained = *lasting.trained;
+    live::Trained& trained = *lasting.trained;
     trained.state.options.key = key;
     if (trained.viewsGivenUp > 0)
         printNote(
@@ -133,21 +135,21 @@ Result<void> train(const TrainOptions& options) {
                         "better was found.",
                         trained.viewsGivenUp, std::max(options.model.views, options.model.directions)));
     const fs::path path = placeFor(options, trained.interrupted || !lasting.ended.ok());
-    MACULA_TRY(const std::size_t clamped, app::writeTrained(path, trained.state, options.displayColours));
+    MACULA_TRY(const std::size_t clamped, live::writeTrained(path, trained.state, options.displayColours));
     if (clamped > 0)
         printNote(
             fmt::format("{} splats have numbers that this format cannot hold; they were limited.", clamped));
     const bool isWhole = trained.report.steps >= trained.firstStep + end.steps;
     if (!isWhole && !trained.interrupted) printNote(whatIsWritten(trained, end.steps, path));
     if (end.budget.isLimited() && !saved) printNote(howTimeWasSpent(trained, options.model.views));
-    const app::TrainingRecord record{.seriesDigest = study.seriesDigest,
-                                     .preset = preset.publicName,
-                                     .lights = app::publicLightsName(options.lights),
-                                     .clip = app::publicClipName(options.clip),
-                                     .tableRemoved = shown.tableRemoved,
-                                     .begun = saved ? std::nullopt : std::optional(options.model),
-                                     .budgetSeconds = options.budgetSeconds,
-                                     .stepsBefore = saved ? saved->steps : 0};
+    const live::TrainingRecord record{.seriesDigest = study.seriesDigest,
+                                      .preset = preset.publicName,
+                                      .lights = scene::publicLightsName(options.lights),
+                                      .clip = scene::publicClipName(options.clip),
+                                      .tableRemoved = shown.tableRemoved,
+                                      .begun = saved ? std::nullopt : std::optional(options.model),
+                                      .budgetSeconds = options.budgetSeconds,
+                                      .stepsBefore = saved ? saved->steps : 0};
     if (!options.json.empty()) MACULA_TRY_VOID(printOrWrite(options.json, jsonText(toJson(record, trained))));
     printWritten(path, start);
     if (trained.interrupted)

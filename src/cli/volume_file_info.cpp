@@ -14,7 +14,7 @@ namespace {
 
 // `volume` is null where memory does not suffice for it.
 void show(const formats::VolumeFileInfo& info, const Volume* volume, bool isJson) {
-    const nlohmann::ordered_json json = app::toJson(info, volume);
+    const nlohmann::ordered_json json = study::toJson(info, volume);
     if (isJson) {
         fmt::print("{}\n", jsonText(nlohmann::ordered_json{{"volumeFile", json}}));
         return;
@@ -22,12 +22,12 @@ void show(const formats::VolumeFileInfo& info, const Volume* volume, bool isJson
     const auto mm = json["spacingMm"].get<std::vector<double>>();
     fmt::print("{}  {}  {} x {} x {}  {:.4g} x {:.4g} x {:.4g} mm{}  {}\n", info.format, info.values,
                info.size.x, info.size.y, info.size.z, mm[0], mm[1], mm[2],
-               info.isCalibrated ? "" : ", not calibrated", app::orientationOf(info.worldFromVoxel));
+               info.isCalibrated ? "" : ", not calibrated", study::orientationOf(info.worldFromVoxel));
     if (volume != nullptr && volume->valueRange()) {
         fmt::print("  values {:g} to {:g}{}{}\n", volume->valueRange()->low, volume->valueRange()->high,
                    volume->unitName().empty() ? "" : " ", volume->unitName());
     }
-    if (app::isSheared(info.worldFromVoxel)) fmt::print("  the axes are not perpendicular (sheared)\n");
+    if (study::isSheared(info.worldFromVoxel)) fmt::print("  the axes are not perpendicular (sheared)\n");
     for (const std::string& assumption : info.assumptions) fmt::print("  assumed: {}\n", assumption);
 }
 

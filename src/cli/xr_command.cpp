@@ -20,7 +20,7 @@ namespace {
 
 struct XrOptions {
     bool onlyCheck = false;
-    xr::HeadsetWish wish;
+    xr::HeadsetRequest request;
 };
 
 Result<void> check() {
@@ -51,7 +51,7 @@ Result<void> show(const XrOptions& options) {
     Progress progress(terminalProgressBar(), interruptToken());
     MACULA_TRY(const xr::HeadsetFigures figures,
                xr::showStudy(
-                   options.wish, [](const std::string& sentence) { printNote(sentence); }, progress));
+                   options.request, [](const std::string& sentence) { printNote(sentence); }, progress));
     fmt::print("{}\n", xr::textOf(figures));
     return {};
 }
@@ -60,13 +60,13 @@ Result<void> show(const XrOptions& options) {
 
 void addXr(CLI::App& app, Action& action) {
     auto options = std::make_shared<XrOptions>();
-    xr::HeadsetWish& o = options->wish;
+    xr::HeadsetRequest& o = options->request;
     auto* command =
         app.add_subcommand("xr", "Show a study in a headset (OpenXR), or tell what is missing for it");
     addStudyAsOfRender(*command, o.path, o.series, o.how);
     auto* only = command->add_flag("--check", options->onlyCheck,
                                    "Only tell what software and headset there are, and what is missing");
-    addSession(*command, o.state.session);
+    addSavedView(*command, o.state.savedView);
     command->add_option("--preset", o.state.preset, "As of render");
     command->add_option("--lights", o.lights, "Name from macula presets");
     command->add_option("--clip", o.state.clip, "As of render");

@@ -25,7 +25,7 @@ auto rankOf(const Stack& stack) {
 }
 
 struct Candidates {
-    Choice best;
+    ChosenStack best;
     std::size_t volumes = 0;
     std::size_t stacks = 0;
     const Stack* blocked = nullptr;  // the largest
@@ -46,7 +46,7 @@ struct Candidates {
         }
     }
 
-    Choice choose(const std::string& place) {
+    ChosenStack choose(const std::string& place) {
         if (best) {
             const Stack& stack = *best.stack;
             best.why = volumes == 1
@@ -75,7 +75,7 @@ struct Candidates {
 
 }  // namespace
 
-Choice bestVolume(const Scan& scan, std::span<const Stack* const> without) {
+ChosenStack bestVolume(const Scan& scan, std::span<const Stack* const> without) {
     Candidates candidates;
     for (const Study& study : scan.studies) {
         for (const Series& series : study.series) candidates.add(series, without);
@@ -91,7 +91,7 @@ Choice bestVolume(const Scan& scan, std::span<const Stack* const> without) {
                                                : std::string());
 }
 
-Choice bestVolume(const Series& series) {
+ChosenStack bestVolume(const Series& series) {
     Candidates candidates;
     candidates.add(series);
     return candidates.choose(" in this series");

@@ -8,7 +8,7 @@
 
 namespace macula::dicom {
 
-struct Choice {
+struct ChosenStack {
     const Series* series = nullptr;
     const Stack* stack = nullptr;
     std::string why;  // a sentence for the user, also when there is nothing to show; no patient data
@@ -18,8 +18,8 @@ struct Choice {
 
 // The first volume by these criteria: original with 20 images or more; of these, axial; without interpolated
 // slices; most voxels; first in the scan. Never one of `without`.
-Choice bestVolume(const Scan& scan, std::span<const Stack* const> without = {});
+ChosenStack bestVolume(const Scan& scan, std::span<const Stack* const> without = {});
 // The same within one series.
-Choice bestVolume(const Series& series);
+ChosenStack bestVolume(const Series& series);
 
 }  // namespace macula::dicom

@@ -9,13 +9,13 @@
 #include "pipeline/trace/device_scene.h"
 #include "scene/camera/camera_file.h"
 #include "scene/choice/lights_choice.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
 namespace macula::evaluate {
 
-Result<app::SceneOnDevice> BenchStudy::putOnDevice() const {
-    return app::putOnDevice(device,
-                            {.volume = volume, .function = function, .clip = {}, .environment = environment});
+Result<live::SceneOnDevice> BenchStudy::putOnDevice() const {
+    return live::putOnDevice(
+        device, {.volume = volume, .function = function, .clip = {}, .environment = environment});
 }
 
 Result<trace::PathTracer> BenchStudy::makeTracer() const {
@@ -28,20 +28,21 @@ Result<trace::PathTracer> BenchStudy::makeTracer() const {
 }
 
 Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& progress) {
-    MACULA_TRY(app::StudyInput study, app::loadStudy(options.path, options.series, progress, 0, options.how));
+    MACULA_TRY(study::LoadedStudy study,
+               study::loadStudy(options.path, options.series, progress, 0, options.how));
     bringTo16Bits(study);
-    MACULA_TRY(app::StudyPreset preset, app::choosePresetFor(study, options.preset));
-    std::optional<app::StudyPreset> then;
+    MACULA_TRY(scene::StudyPreset preset, scene::choosePresetFor(study, options.preset));
+    std::optional<scene::StudyPreset> then;
     if (!options.thenPreset.empty()) {
-        MACULA_TRY(then, app::choosePresetFor(study, options.thenPreset));
+        MACULA_TRY(then, scene::choosePresetFor(study, options.thenPreset));
     }
-    MACULA_TRY(trace::Environment environment, app::chooseLights(options.lights));
+    MACULA_TRY(trace::Environment environment, scene::chooseLights(options.lights));
     Camera camera = frameBox(study.volume->worldBox(), ViewDirection::anterior, 30.0, 1.0);
     if (!options.camera.empty()) {
-        MACULA_TRY(camera, app::readCamera(options.camera));
+        MACULA_TRY(camera, scene::readCamera(options.camera));
     }
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
-    MACULA_TRY(auto device, gpu::Device::create(instance, app::deviceOptions(options.device)));
+    MACULA_TRY(auto device, gpu::Device::create(instance, live::deviceOptions(options.device)));
     return BenchStudy{.volume = study.volume,
                       .function = std::move(preset.function),
                       .environment = std::move(environment),
@@ -49,7 +50,7 @@ Result<BenchStudy> openBenchStudy(const BenchStudyOptions& options, Progress& pr
                       .view = {.camera = camera, .width = options.size, .height = options.size},
                       .seriesDigest = study.seriesDigest,
                       .preset = std::move(preset.publicName),
-                      .lights = app::publicLightsName(options.lights),
+                      .lights = scene::publicLightsName(options.lights),
                       .notes = std::move(study.notes),
                       .warnings = std::move(study.warnings),
                       .then = std::move(then)};

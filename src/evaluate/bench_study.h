@@ -29,7 +29,7 @@ struct BenchStudyOptions {
     std::string thenPreset;  // another, for who changes it; empty: none
     std::string lights;
     std::string device;
-    std::filesystem::path camera;  // as app::readCamera; empty: from the front, all of the volume in it
+    std::filesystem::path camera;  // as scene::readCamera; empty: from the front, all of the volume in it
     int size = 512;                // of the picture, which is square
 };
 
@@ -42,12 +42,12 @@ struct BenchStudy {
     std::string seriesDigest;
     std::string preset;  // names that may be told
     std::string lights;
-    std::vector<std::string> notes;        // sentences for a person about the study and the preset
-    std::vector<std::string> warnings;     // those of them that change what is seen
-    std::optional<app::StudyPreset> then;  // BenchStudyOptions::thenPreset
+    std::vector<std::string> notes;          // sentences for a person about the study and the preset
+    std::vector<std::string> warnings;       // those of them that change what is seen
+    std::optional<scene::StudyPreset> then;  // BenchStudyOptions::thenPreset
 
     // All of it, to be traced and to make models of.
-    Result<app::SceneOnDevice> putOnDevice() const;
+    Result<live::SceneOnDevice> putOnDevice() const;
     // With its study set; the settings are the caller's.
     Result<trace::PathTracer> makeTracer() const;
     // What such a tracer shows so far, over black; waits.

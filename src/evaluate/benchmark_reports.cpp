@@ -110,7 +110,7 @@ Json reportOf(const BenchStudy& study, const TraceBenchmarkOptions& options,
               std::span<const TraceBenchmark> results) {
     Json json = describe("trace", study);
     json["referenceThreads"] = coreCount();
-    json["camera"] = app::toJson(study.view.camera);
+    json["camera"] = scene::toJson(study.view.camera);
     json["bounces"] = options.bounces;
     json["samplesPerPixel"] = options.samplesPerPixel;
     json["repetitions"] = options.repetitions;
@@ -130,7 +130,7 @@ Json reportOf(const BenchStudy& study, const TraceBenchmarkOptions& options,
 Json reportOf(const BenchStudy& study, const FovealOptions& options, const FovealReport& result) {
     Json json = describe("foveal", study);
     json["referenceThreads"] = coreCount();
-    json["camera"] = app::toJson(study.view.camera);
+    json["camera"] = scene::toJson(study.view.camera);
     json["bounces"] = options.bounces;
     json["filter"] = trace::nameOf(options.filter);
     json["samplesPerPixel"] = options.samples;
@@ -180,7 +180,7 @@ Json reportOf(const BenchStudy& study, const EditsOptions& options, const EditsR
     for (const Edit& edit : result.edits) {
         json["edits"].push_back({{"edit", edit.name},
                                  {"estimateMs", edit.estimateMs},
-                                 {"stages", app::toJson(edit.stages)},
+                                 {"stages", live::toJson(edit.stages)},
                                  {"drawMs", edit.drawMs},
                                  {"splats", edit.splats},
                                  {"estimated", toJson(edit.estimated)},

@@ -35,7 +35,7 @@ nlohmann::ordered_json toJson(const QualityRow& row);
 nlohmann::ordered_json reportOf(const BenchStudy& study, const TradeoffOptions& options,
                                 const Tradeoff& result);
 nlohmann::ordered_json reportOf(const BenchStudy& study, int turns, std::span<const CastBenchmark> results);
-// `seriesDigest` as app::StudyInput has it.
+// `seriesDigest` as study::LoadedStudy has it.
 nlohmann::ordered_json reportOf(std::string_view seriesDigest, const HeaderBenchmark& headers,
                                 const LoadBenchmarkOptions& options, const LoadBenchmark& loading);
 

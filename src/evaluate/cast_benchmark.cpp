@@ -70,7 +70,7 @@ Result<image::Image> CastBench::draw(const trace::Settings& settings, int sample
 Result<double> CastBench::timeOnce(const trace::Settings& settings) {
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY([[maybe_unused]] const image::Image picture, draw(settings, 1));
-    return app::secondsSince(start);
+    return secondsSince(start);
 }
 
 Result<CastBenchmark> CastBench::measure(const CastSubject& subject) {

@@ -49,7 +49,7 @@ Shown shownBy(std::span<const std::uint8_t> overBlack, std::span<const std::uint
 
 class Measurement {
   public:
-    Measurement(const BenchStudy& study, const EditsOptions& options, app::SceneOnDevice scene,
+    Measurement(const BenchStudy& study, const EditsOptions& options, live::SceneOnDevice scene,
                 hybrid::HybridFrame frame, Progress& progress)
         : study_(study),
           options_(options),
@@ -60,7 +60,7 @@ class Measurement {
 
     static Result<Measurement> create(const BenchStudy& study, const EditsOptions& options,
                                       Progress& progress) {
-        MACULA_TRY(app::SceneOnDevice scene, study.putOnDevice());
+        MACULA_TRY(live::SceneOnDevice scene, study.putOnDevice());
         MACULA_TRY(hybrid::HybridFrame frame, hybrid::HybridFrame::create(study.device, scene.tracer));
         return Measurement(study, options, std::move(scene), std::move(frame), progress);
     }
@@ -98,7 +98,7 @@ class Measurement {
   private:
     struct Named {
         std::string name;
-        app::Drawing drawing;
+        scene::Drawing drawing;
     };
 
     std::vector<Named> editsOf(const Box& seenMm) const {
@@ -123,7 +123,7 @@ class Measurement {
             const double by = part * (range.high - range.low);
             Named edit{fmt::format("shift {:.0f}", by), base_};
             edit.drawing.transferFunction =
-                std::make_shared<const TransferFunction>(app::shifted(fitted, by));
+                std::make_shared<const TransferFunction>(scene::shifted(fitted, by));
             edits.push_back(std::move(edit));
         }
         if (study_.then) {
@@ -155,7 +155,7 @@ class Measurement {
         return {};
     }
 
-    Result<Shown> estimate(const app::Drawing& drawing, Edit& edit) {
+    Result<Shown> estimate(const scene::Drawing& drawing, Edit& edit) {
         estimated_.forget();
         if (!estimated_.canTell(study_.volume, drawing))
             return Error{ErrorCode::inputNotUsable, "This preset cannot be estimated.", {}, {}};
@@ -242,10 +242,10 @@ class Measurement {
 
     const BenchStudy& study_;
     const EditsOptions& options_;
-    app::SceneOnDevice scene_;
+    live::SceneOnDevice scene_;
     hybrid::HybridFrame frame_;
-    app::EstimatedModel estimated_;
-    app::Drawing base_;
+    live::EstimatedModel estimated_;
+    scene::Drawing base_;
     Camera camera_;
     EditsReport report_;
     Progress& progress_;
@@ -254,7 +254,7 @@ class Measurement {
 }  // namespace
 
 Result<EditsReport> measureEdits(const BenchStudy& study, const EditsOptions& options, Progress& progress) {
-    MACULA_TRY_VOID(app::checkPatientLights(study.environment, study.lights));
+    MACULA_TRY_VOID(scene::checkPatientLights(study.environment, study.lights));
     if (usesGradientOpacity(study.function) || (study.then && usesGradientOpacity(study.then->function)))
         return Error{ErrorCode::usage,
                      "Presets with a gradient opacity are not estimated.",

@@ -1,4 +1,4 @@
-// What an edit shows before anything of it is traced: the model of before, estimated as app::EstimatedModel
+// What an edit shows before anything of it is traced: the model of before, estimated as live::EstimatedModel
 // does it for a window, beside a small traced picture scaled up, each compared with what is traced of the
 // same settings.
 #pragma once

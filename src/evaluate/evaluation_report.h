@@ -12,7 +12,7 @@ namespace macula::evaluate {
 
 // A scene and what came of it. No names that may say whose it is.
 struct EvaluatedStudy {
-    std::string studyDigest;  // see app::StudyInput::seriesDigest
+    std::string studyDigest;  // see study::LoadedStudy::seriesDigest
     std::string preset;       // public names
     glm::ivec3 voxels{0};
     bool tableRemoved = false;

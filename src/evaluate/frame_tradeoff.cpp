@@ -60,7 +60,7 @@ FramePoint pointOf(const FrameRecipe& recipe, std::span<const AgedFovea> foveae)
 
 class Measurement {
   public:
-    Measurement(const BenchStudy& study, const FrameTradeoffOptions& options, app::SceneOnDevice scene,
+    Measurement(const BenchStudy& study, const FrameTradeoffOptions& options, live::SceneOnDevice scene,
                 Progress& progress)
         : study_(study), options_(options), scene_(std::move(scene)), progress_(progress) {}
 
@@ -174,7 +174,7 @@ class Measurement {
 
     const BenchStudy& study_;
     const FrameTradeoffOptions& options_;
-    app::SceneOnDevice scene_;
+    live::SceneOnDevice scene_;
     std::vector<FrameTruth> truth_;  // by viewpoint
     splat::Splats splats_;           // of the usual model
     FrameTradeoff report_;
@@ -219,8 +219,8 @@ void markFronts(FrameTradeoff& tradeoff) {
 
 Result<FrameTradeoff> measureFrameTradeoff(const BenchStudy& study, const FrameTradeoffOptions& options,
                                            Progress& progress) {
-    MACULA_TRY_VOID(app::checkPatientLights(study.environment, study.lights));
-    MACULA_TRY(app::SceneOnDevice scene, study.putOnDevice());
+    MACULA_TRY_VOID(scene::checkPatientLights(study.environment, study.lights));
+    MACULA_TRY(live::SceneOnDevice scene, study.putOnDevice());
     return Measurement(study, options, std::move(scene), progress).run();
 }
 

@@ -17,7 +17,7 @@ namespace {
 constexpr double kLeastCoverage = 0.06;
 
 // Those of the protocol come nearer and wander off one by one: of fewer than there are, some of each.
-Result<hybrid::ChosenPoses> chooseTruth(app::SceneOnDevice& scene, hybrid::PoseSampling poses,
+Result<hybrid::ChosenPoses> chooseTruth(live::SceneOnDevice& scene, hybrid::PoseSampling poses,
                                         std::size_t count, Progress& progress) {
     poses.count = std::max(count, poses.count);
     MACULA_TRY(hybrid::ChosenPoses chosen, hybrid::choosePoses(scene.tracer, scene.traced.seenMm(), poses,
@@ -43,7 +43,7 @@ std::vector<std::uint8_t> besideEachOther(const glm::ivec2& size, std::span<cons
 
 }  // namespace
 
-Result<HeldOutViews> HeldOutViews::trace(std::shared_ptr<gpu::Device> device, app::SceneOnDevice& scene,
+Result<HeldOutViews> HeldOutViews::trace(std::shared_ptr<gpu::Device> device, live::SceneOnDevice& scene,
                                          const hybrid::PoseSampling& poses, std::size_t count,
                                          const hybrid::TruthOptions& options,
                                          const std::filesystem::path& cache, Progress& progress) {

@@ -28,7 +28,7 @@ class HeldOutViews {
   public:
     // As truthPictures, of views chosen by `poses`, as groundTruth; of fewer than these are, some from each
     // distance.
-    static Result<HeldOutViews> trace(std::shared_ptr<gpu::Device> device, app::SceneOnDevice& scene,
+    static Result<HeldOutViews> trace(std::shared_ptr<gpu::Device> device, live::SceneOnDevice& scene,
                                       const hybrid::PoseSampling& poses, std::size_t count,
                                       const hybrid::TruthOptions& options, const std::filesystem::path& cache,
                                       Progress& progress);

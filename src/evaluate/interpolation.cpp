@@ -69,7 +69,7 @@ Result<LuminancePicture> draw(trace::PathTracer& tracer, const trace::Settings& 
     MACULA_TRY(const trace::TracedImage image, tracer.readback());
     LuminancePicture picture{image.width, image.height, {}};
     for (const glm::vec4& pixel : image.radiance)
-        picture.luminance.push_back(app::brightnessOf(glm::dvec3(pixel)));
+        picture.luminance.push_back(scene::brightnessOf(glm::dvec3(pixel)));
     return picture;
 }
 
@@ -222,9 +222,9 @@ std::vector<std::uint8_t> middleOf(Shape shape, int size, double heightMm) {
 }
 
 Result<void> check(const InterpolationOptions& options) {
-    MACULA_TRY_VOID(app::choosePreset(options.preset));
-    MACULA_TRY_VOID(app::chooseLights(options.lights));
-    app::OutputFiles files(options.overwrite);
+    MACULA_TRY_VOID(scene::choosePreset(options.preset));
+    MACULA_TRY_VOID(scene::chooseLights(options.lights));
+    pictures::OutputFiles files(options.overwrite);
     files.read(options.preset);
     files.read(options.lights);
     if (options.pictures.empty()) return {};
@@ -237,10 +237,10 @@ Result<void> check(const InterpolationOptions& options) {
 }
 
 Result<InterpolationReport> measureInterpolation(const InterpolationOptions& options, Progress& progress) {
-    MACULA_TRY(const presets::ImportedPreset preset, app::choosePreset(options.preset));
-    MACULA_TRY(const trace::Environment lights, app::chooseLights(options.lights));
+    MACULA_TRY(const presets::ImportedPreset preset, scene::choosePreset(options.preset));
+    MACULA_TRY(const trace::Environment lights, scene::chooseLights(options.lights));
     MACULA_TRY(const gpu::Instance instance, gpu::Instance::create());
-    MACULA_TRY(auto device, gpu::Device::create(instance, app::deviceOptions(options.device)));
+    MACULA_TRY(auto device, gpu::Device::create(instance, live::deviceOptions(options.device)));
     const Bench bench{options, std::move(device), progress};
     InterpolationReport report{
         .device = bench.device->info().name, .surfaces = {}, .details = {}, .withoutVtk = {}};
@@ -258,8 +258,8 @@ nlohmann::ordered_json reportOf(const InterpolationOptions& options, const Inter
     nlohmann::ordered_json json{{"benchmark", "interpolation"},
                                 {"version", MACULA_VERSION},
                                 {"device", report.device},
-                                {"preset", app::publicPresetName(options.preset)},
-                                {"lights", app::publicLightsName(options.lights)},
+                                {"preset", scene::publicPresetName(options.preset)},
+                                {"lights", scene::publicLightsName(options.lights)},
                                 {"picture", {options.size, options.size}},
                                 {"samplesPerPixel", options.samples}};
     json["surfaces"] = nlohmann::ordered_json::array();

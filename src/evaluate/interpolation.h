@@ -19,7 +19,7 @@ namespace macula::evaluate {
 
 struct InterpolationOptions {
     std::string preset = "cinematic-skin";  // of the shapes: CT
-    std::string lights{app::kDefaultLights};
+    std::string lights{scene::kDefaultLights};
     std::string device;
     std::filesystem::path pictures;  // a folder for those of the shapes; empty: none
     bool overwrite = false;          // those that are there

@@ -6,30 +6,30 @@ namespace macula::evaluate {
 
 namespace {
 
-bool hasAllPixels(app::OnScreen picture) {
-    return picture != app::OnScreen::nothing && picture != app::OnScreen::preview;
+bool hasAllPixels(live::OnScreen picture) {
+    return picture != live::OnScreen::nothing && picture != live::OnScreen::preview;
 }
 
 }  // namespace
 
-std::optional<double> beginS(const app::LiveRecording& recording, app::RecordingPhase phase) {
-    const auto first = std::ranges::find(recording.inputs, phase, &app::RecordedInput::phase);
+std::optional<double> beginS(const live::LiveRecording& recording, live::RecordingPhase phase) {
+    const auto first = std::ranges::find(recording.inputs, phase, &live::RecordedInput::phase);
     return first == recording.inputs.end() ? std::nullopt : std::optional(first->atS);
 }
 
-std::optional<double> firstModelS(const app::LiveRecording& recording) {
-    for (const app::RecordedFrame& frame : recording.frames) {
-        if (frame.phase != app::RecordingPhase::opening) break;
-        if (frame.shown.picture == app::OnScreen::model) return frame.atS - recording.frames.front().atS;
+std::optional<double> firstModelS(const live::LiveRecording& recording) {
+    for (const live::RecordedFrame& frame : recording.frames) {
+        if (frame.phase != live::RecordingPhase::opening) break;
+        if (frame.shown.picture == live::OnScreen::model) return frame.atS - recording.frames.front().atS;
     }
     return std::nullopt;
 }
 
-std::optional<ChangeTimes> changeTimes(const app::LiveRecording& recording) {
-    const std::optional<double> changedS = beginS(recording, app::RecordingPhase::changed);
+std::optional<ChangeTimes> changeTimes(const live::LiveRecording& recording) {
+    const std::optional<double> changedS = beginS(recording, live::RecordingPhase::changed);
     if (!changedS) return std::nullopt;
     ChangeTimes times;
-    times.wasSaid = std::ranges::any_of(recording.notices, [&](const app::RecordedNotice& notice) {
+    times.wasSaid = std::ranges::any_of(recording.notices, [&](const live::RecordedNotice& notice) {
         return notice.atS >= *changedS && notice.atS <= *changedS + kSaidS;
     });
     double lastS = *changedS;
@@ -37,8 +37,8 @@ std::optional<ChangeTimes> changeTimes(const app::LiveRecording& recording) {
         times.longestStaleS = std::max(times.longestStaleS, atS - lastS);
         lastS = atS;
     };
-    for (const app::RecordedFrame& frame : recording.frames) {
-        if (frame.phase != app::RecordingPhase::changed) continue;
+    for (const live::RecordedFrame& frame : recording.frames) {
+        if (frame.phase != live::RecordingPhase::changed) continue;
         newsAt(frame.atS);
         if (!times.firstNewS) times.firstNewS = frame.atS - *changedS;
         if (!hasAllPixels(frame.shown.picture)) continue;

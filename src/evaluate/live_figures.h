@@ -10,11 +10,11 @@
 namespace macula::evaluate {
 
 // When the first input of the phase was published, as RecordedInput::atS. Nothing without such a phase.
-std::optional<double> beginS(const app::LiveRecording& recording, app::RecordingPhase phase);
+std::optional<double> beginS(const live::LiveRecording& recording, live::RecordingPhase phase);
 
 // From the first picture of any kind to the first of the model. Nothing when none came before the camera
 // moved.
-std::optional<double> firstModelS(const app::LiveRecording& recording);
+std::optional<double> firstModelS(const live::LiveRecording& recording);
 
 // What a change of the drawing shows; times are since its input was published.
 struct ChangeTimes {
@@ -26,12 +26,12 @@ struct ChangeTimes {
 };
 inline constexpr double kSaidS = 0.3;
 // Nothing when the drawing did not change.
-std::optional<ChangeTimes> changeTimes(const app::LiveRecording& recording);
+std::optional<ChangeTimes> changeTimes(const live::LiveRecording& recording);
 
 // A picture of a camera at rest, beside its reference. Below, such pictures are in order of time.
 struct RestPicture {
     double atS = 0.0;  // since the rest began
-    app::OnScreen picture = app::OnScreen::nothing;
+    live::OnScreen picture = live::OnScreen::nothing;
     std::uint64_t samplesPerPixel = 0;   // 0 where it was not traced
     double flip = 0.0;                   // of all of it
     std::optional<double> maskedPsnrDb;  // where the reference has coverage; nothing where it is not finite

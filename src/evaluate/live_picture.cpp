@@ -19,15 +19,15 @@ namespace macula::evaluate {
 namespace {
 
 // All but the camera, which the recording moves.
-Result<app::FrameInput> sceneOf(const BenchStudy& study) {
-    app::FrameInput scene;
+Result<live::FrameInput> sceneOf(const BenchStudy& study) {
+    live::FrameInput scene;
     scene.volume = study.volume;
     MACULA_TRY(scene.drawing, drawingOf(study));
     scene.background = glm::vec3(0.0f);  // as that of frameTruthOf
     return scene;
 }
 
-image::Image shownIn(const app::RecordedFrame& frame, const glm::ivec2& sizePx) {
+image::Image shownIn(const live::RecordedFrame& frame, const glm::ivec2& sizePx) {
     const auto bytes = std::as_bytes(std::span(frame.rgba));
     image::Image image =
         imageOf({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, frame.sizePx);
@@ -43,7 +43,7 @@ class Measurement {
           progress_(progress) {}
 
     Result<LivePictureReport> run() {
-        MACULA_TRY(const app::FrameInput scene, sceneOf(study_));
+        MACULA_TRY(const live::FrameInput scene, sceneOf(study_));
         settings_ = scene.drawing.settings;
         // What shows nothing is told before the recording, not after it.
         MACULA_TRY(const hybrid::TracedScene first, sceneWith(study_.function));
@@ -51,16 +51,16 @@ class Measurement {
         if (study_.then) {
             MACULA_TRY(second, sceneWith(study_.then->function));
         }
-        MACULA_TRY(recording_, app::recordLive(scene, recordingOf(scene.drawing), progress_));
-        LivePictureReport report{.motion = app::motionFigures(recording_),
+        MACULA_TRY(recording_, live::recordLive(scene, recordingOf(scene.drawing), progress_));
+        LivePictureReport report{.motion = pictures::motionFigures(recording_),
                                  .firstModelS = firstModelS(recording_),
                                  .bounces = settings_.bounces,
                                  .isFull = recording_.isFull};
         MACULA_TRY(trace::PathTracer tracer, study_.makeTracer());
-        MACULA_TRY(report.rest, compare(app::RecordingPhase::resting, first, tracer));
+        MACULA_TRY(report.rest, compare(live::RecordingPhase::resting, first, tracer));
         if (second) {
             MACULA_TRY_VOID(tracer.scene().setTransferFunction(study_.then->function));
-            MACULA_TRY(RestCourse rest, compare(app::RecordingPhase::changed, *second, tracer));
+            MACULA_TRY(RestCourse rest, compare(live::RecordingPhase::changed, *second, tracer));
             report.change = {.preset = study_.then->publicName,
                              .times = *changeTimes(recording_),
                              .rest = std::move(rest)};
@@ -70,12 +70,12 @@ class Measurement {
 
   private:
     Result<hybrid::TracedScene> sceneWith(const TransferFunction& function) const {
-        return app::visibleScene(
+        return live::visibleScene(
             {.volume = study_.volume, .function = function, .clip = {}, .environment = study_.environment});
     }
 
-    app::RecordingOptions recordingOf(const app::Drawing& drawing) const {
-        app::RecordingOptions recording = options_.recording;
+    live::RecordingOptions recordingOf(const scene::Drawing& drawing) const {
+        live::RecordingOptions recording = options_.recording;
         recording.sizePx = sizePx_;
         if (study_.then) {
             recording.thenDrawing = drawing;
@@ -86,7 +86,7 @@ class Measurement {
     }
 
     // The pictures that were kept of the phase, beside a reference from where the camera has stopped.
-    Result<RestCourse> compare(app::RecordingPhase phase, const hybrid::TracedScene& scene,
+    Result<RestCourse> compare(live::RecordingPhase phase, const hybrid::TracedScene& scene,
                                trace::PathTracer& tracer) {
         const hybrid::TruthOptions wanted{.sizePx = sizePx_,
                                           .samplesPerPixel = options_.truthSamples,
@@ -101,7 +101,7 @@ class Measurement {
         MACULA_TRY(course.referenceFlip, flipOfHalf(traced.front(), truth));
         const double startS = *beginS(recording_, phase);
         progress_.beginStage("Comparing pictures", recording_.frames.size());
-        for (const app::RecordedFrame& frame : recording_.frames) {
+        for (const live::RecordedFrame& frame : recording_.frames) {
             if (progress_.cancelled()) return cancelledError();
             progress_.advance();
             if (frame.phase != phase || frame.rgba.empty()) continue;
@@ -117,7 +117,7 @@ class Measurement {
         return flip.mean;
     }
 
-    Result<RestPicture> scoreOf(const app::RecordedFrame& frame, double atS, const FrameTruth& truth) const {
+    Result<RestPicture> scoreOf(const live::RecordedFrame& frame, double atS, const FrameTruth& truth) const {
         const image::Image shown = shownIn(frame, sizePx_);
         MACULA_TRY(const image::Flip flip, image::flip(truth.shown, shown));
         RestPicture picture{.atS = atS,
@@ -134,14 +134,14 @@ class Measurement {
     const glm::ivec2 sizePx_;
     Progress& progress_;
     trace::Settings settings_;  // of both drawings
-    app::LiveRecording recording_;
+    live::LiveRecording recording_;
 };
 
 }  // namespace
 
 Result<void> check(const BenchStudyOptions& study, const LivePictureOptions& options) {
     for (const std::string& preset : {study.preset, study.thenPreset}) {
-        if (!preset.empty()) MACULA_TRY_VOID(app::presetToDraw(preset, false));
+        if (!preset.empty()) MACULA_TRY_VOID(scene::presetToDraw(preset, false));
     }
     MACULA_TRY_VOID(builtInLights(study.lights));
     if (options.truthSamples % 2 != 0)

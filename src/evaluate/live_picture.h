@@ -18,7 +18,7 @@ namespace macula::evaluate {
 
 struct LivePictureOptions {
     // Size and second drawing are those of the study.
-    app::RecordingOptions recording{.movingS = 1.0, .learningS = 10.0, .restingS = 60.0};
+    live::RecordingOptions recording{.movingS = 1.0, .learningS = 10.0, .restingS = 60.0};
     std::uint32_t truthSamples = 512;  // of each reference; even
 };
 
@@ -35,7 +35,7 @@ struct PresetChange {
 };
 
 struct LivePictureReport {
-    app::MotionFigures motion;
+    pictures::MotionFigures motion;
     std::optional<double> firstModelS;
     RestCourse rest;
     std::optional<PresetChange> change;  // where the study has a second preset
@@ -49,7 +49,7 @@ Result<void> check(const BenchStudyOptions& study, const LivePictureOptions& opt
 
 // The recording has a device of its own, which is gone when references are traced. They have the bounces of
 // the live picture, another seed, and are not denoised; all pictures are over black. `cancelled`;
-// inputNotUsable when nothing can be seen; as app::recordLive.
+// inputNotUsable when nothing can be seen; as live::recordLive.
 Result<LivePictureReport> measureLivePicture(const BenchStudy& study, const LivePictureOptions& options,
                                              Progress& progress);
 

@@ -12,7 +12,7 @@ Json orNull(const std::optional<double>& value) {
     return value ? Json(*value) : Json();
 }
 
-Json toJson(const app::MotionFigures& motion) {
+Json toJson(const pictures::MotionFigures& motion) {
     const auto ms = [&](double value) { return motion.frames > 0 ? Json(value) : Json(); };
     return {{"frames", motion.frames},
             {"framesWithFovea", motion.withFovea},
@@ -22,7 +22,7 @@ Json toJson(const app::MotionFigures& motion) {
 
 Json toJson(const RestPicture& picture) {
     return {{"atS", picture.atS},
-            {"picture", app::nameOf(picture.picture)},
+            {"picture", nameOf(picture.picture)},
             {"samplesPerPixel", picture.samplesPerPixel > 0 ? Json(picture.samplesPerPixel) : Json()},
             {"flip", picture.flip},
             {"maskedPsnrDb", orNull(picture.maskedPsnrDb)}};
@@ -58,7 +58,7 @@ Json toJson(const LivePictureReport& report) {
 }
 
 Json reportOf(const BenchStudy& study, const LivePictureOptions& options, const LivePictureReport& report) {
-    const app::RecordingOptions& recording = options.recording;
+    const live::RecordingOptions& recording = options.recording;
     Json json = describe("live-picture", study);
     json["bounces"] = report.bounces;
     json["truthSamplesPerPixel"] = options.truthSamples;

@@ -29,7 +29,7 @@ splat::Splats asBrightAs(splat::Splats splats, double gain) {
 class Evaluation {
   public:
     Evaluation(std::shared_ptr<gpu::Device> device, const EvaluationOptions& options,
-               app::SceneOnDevice& scene, Progress& progress)
+               live::SceneOnDevice& scene, Progress& progress)
         : device_(std::move(device)),
           options_(options),
           scene_(scene),
@@ -80,13 +80,13 @@ class Evaluation {
         auto start = Clock::now();
         while (model.news().stage == hybrid::ModelStage::searching && goesOn())
             MACULA_TRY_VOID(model.work(kSliceMs, goesOn));
-        report_.pointsSeconds = app::secondsSince(start);
+        report_.pointsSeconds = secondsSince(start);
         progress_.advance();
         progress_.beginStage("Learning", static_cast<std::size_t>(std::ceil(plan.seconds)));
         start = Clock::now();
         double next = 0.0;
         for (std::size_t told = 0;;) {
-            const double seconds = app::secondsSince(start);
+            const double seconds = secondsSince(start);
             const bool isLast = !model.hasWork() || seconds >= plan.seconds;
             if (progress_.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
             if (!model.canBeDrawn())
@@ -104,7 +104,7 @@ class Evaluation {
             }
             if (isLast) return {};
             MACULA_TRY_VOID(model.work(kSliceMs, goesOn));
-            for (; told < static_cast<std::size_t>(app::secondsSince(start)); ++told) progress_.advance();
+            for (; told < static_cast<std::size_t>(secondsSince(start)); ++told) progress_.advance();
         }
     }
 
@@ -145,7 +145,7 @@ class Evaluation {
                 return !progress_.cancelled();
             }));
             if (progress_.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
-            seconds += app::secondsSince(start);
+            seconds += secondsSince(start);
             done += count;
             MACULA_TRY_VOID(keep(trainer, seconds));
         }
@@ -164,7 +164,7 @@ class Evaluation {
 
     std::shared_ptr<gpu::Device> device_;
     const EvaluationOptions& options_;
-    app::SceneOnDevice& scene_;
+    live::SceneOnDevice& scene_;
     Progress& progress_;
     std::filesystem::path cacheFolder_;
     hybrid::PictureCache cache_;
@@ -176,9 +176,9 @@ class Evaluation {
 }  // namespace
 
 Result<SceneEvaluation> evaluateModel(const std::shared_ptr<gpu::Device>& device,
-                                      const app::StudyScene& scene, const EvaluationOptions& options,
+                                      const live::StudyScene& scene, const EvaluationOptions& options,
                                       Progress& progress) {
-    MACULA_TRY(app::SceneOnDevice onDevice, app::putOnDevice(device, scene));
+    MACULA_TRY(live::SceneOnDevice onDevice, live::putOnDevice(device, scene));
     return Evaluation(device, options, onDevice, progress).run();
 }
 

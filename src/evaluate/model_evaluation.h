@@ -75,7 +75,7 @@ struct SceneEvaluation {
 
 // inputNotUsable when nothing of the scene can be seen.
 Result<SceneEvaluation> evaluateModel(const std::shared_ptr<gpu::Device>& device,
-                                      const app::StudyScene& scene, const EvaluationOptions& options,
+                                      const live::StudyScene& scene, const EvaluationOptions& options,
                                       Progress& progress);
 
 // The most that masked PSNR fell from one snapshot to the next: 0 when it never did. Of its mean over the

@@ -4,7 +4,7 @@
 
 namespace macula::evaluate {
 
-Result<void> compileModelKernels(const BenchStudy& study, app::SceneOnDevice& scene, int bounces,
+Result<void> compileModelKernels(const BenchStudy& study, live::SceneOnDevice& scene, int bounces,
                                  Progress& progress) {
     hybrid::FirstModelOptions least{.views = 1, .samplesPerPixel = 1, .directions = 2, .sizePx = 32};
     least.points.count = 256;

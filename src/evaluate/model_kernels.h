@@ -10,7 +10,7 @@ namespace macula::evaluate {
 
 // Makes a small model and forgets it: else the first model's time would be that of compilers. Fails as
 // hybrid::makeFirstModel. The tracer is left with other settings and another view.
-Result<void> compileModelKernels(const BenchStudy& study, app::SceneOnDevice& scene, int bounces,
+Result<void> compileModelKernels(const BenchStudy& study, live::SceneOnDevice& scene, int bounces,
                                  Progress& progress);
 
 }  // namespace macula::evaluate

@@ -47,7 +47,7 @@ struct Truth {
 
 class Measurement {
   public:
-    Measurement(const BenchStudy& study, const MotionOptions& options, app::SceneOnDevice scene,
+    Measurement(const BenchStudy& study, const MotionOptions& options, live::SceneOnDevice scene,
                 hybrid::HybridFrame withFovea, hybrid::HybridFrame bare, Progress& progress)
         : study_(study),
           options_(options),
@@ -58,7 +58,7 @@ class Measurement {
 
     static Result<Measurement> create(const BenchStudy& study, const MotionOptions& options,
                                       Progress& progress) {
-        MACULA_TRY(app::SceneOnDevice scene, study.putOnDevice());
+        MACULA_TRY(live::SceneOnDevice scene, study.putOnDevice());
         MACULA_TRY(hybrid::HybridFrame withFovea, hybrid::HybridFrame::create(study.device, scene.tracer));
         MACULA_TRY(hybrid::HybridFrame bare, hybrid::HybridFrame::create(study.device, scene.tracer));
         return Measurement(study, options, std::move(scene), std::move(withFovea), std::move(bare), progress);
@@ -236,7 +236,7 @@ class Measurement {
 
     const BenchStudy& study_;
     const MotionOptions& options_;
-    app::SceneOnDevice scene_;
+    live::SceneOnDevice scene_;
     hybrid::HybridFrame withFovea_;
     hybrid::HybridFrame bare_;
     splat::Splats splats_;
@@ -260,7 +260,7 @@ std::string_view nameOf(Moved moved) {
 
 Result<MotionReport> measureMotion(const BenchStudy& study, const MotionOptions& options,
                                    Progress& progress) {
-    MACULA_TRY_VOID(app::checkPatientLights(study.environment, study.lights));
+    MACULA_TRY_VOID(scene::checkPatientLights(study.environment, study.lights));
     MACULA_TRY(Measurement measurement, Measurement::create(study, options, progress));
     return measurement.run();
 }

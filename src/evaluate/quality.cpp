@@ -24,7 +24,7 @@ std::string wayOf(std::string_view name, Grade grade) {
 
 class Measurement {
   public:
-    Measurement(const BenchStudy& study, const QualityOptions& options, app::SceneOnDevice scene,
+    Measurement(const BenchStudy& study, const QualityOptions& options, live::SceneOnDevice scene,
                 TracedFrames tracedFrames, Progress& progress)
         : study_(study),
           options_(options),
@@ -34,7 +34,7 @@ class Measurement {
 
     static Result<Measurement> create(const BenchStudy& study, const QualityOptions& options,
                                       Progress& progress) {
-        MACULA_TRY(app::SceneOnDevice scene, study.putOnDevice());
+        MACULA_TRY(live::SceneOnDevice scene, study.putOnDevice());
         MACULA_TRY(TracedFrames tracedFrames,
                    TracedFrames::create(study.device, scene.tracer, options.bounces, progress));
         return Measurement(study, options, std::move(scene), std::move(tracedFrames), progress);
@@ -156,7 +156,7 @@ class Measurement {
 
     const BenchStudy& study_;
     const QualityOptions& options_;
-    app::SceneOnDevice scene_;
+    live::SceneOnDevice scene_;
     TracedFrames tracedFrames_;
     std::vector<FrameTruth> truth_;   // by view
     std::vector<TracingCost> costs_;  // of a whole frame, by view
@@ -216,7 +216,7 @@ QualityGain gainOf(const QualityRow& hybrid, const QualityRow& equal, const Qual
 
 Result<QualityReport> measureQuality(const BenchStudy& study, const QualityOptions& options,
                                      Progress& progress) {
-    MACULA_TRY_VOID(app::checkPatientLights(study.environment, study.lights));
+    MACULA_TRY_VOID(scene::checkPatientLights(study.environment, study.lights));
     MACULA_TRY(Measurement measurement, Measurement::create(study, options, progress));
     return measurement.run();
 }

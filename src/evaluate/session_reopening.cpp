@@ -41,7 +41,7 @@ struct Moments {
     std::optional<Clock::time_point> learning;
 };
 
-Result<Moments> goOn(SessionScene& scene, hybrid::LiveModel& model, const WatchedStore& store,
+Result<Moments> goOn(StoredScene& scene, hybrid::LiveModel& model, const WatchedStore& store,
                      const Camera& camera) {
     Moments moments;
     while (true) {
@@ -62,7 +62,7 @@ Result<Moments> goOn(SessionScene& scene, hybrid::LiveModel& model, const Watche
 
 }  // namespace
 
-Result<ReadingTimes> measureReading(const SessionScene& scene) {
+Result<ReadingTimes> measureReading(const StoredScene& scene) {
     ReadingTimes times;
     std::optional<session::Store> store;
     MACULA_TRY(times.openStoreMs, timedMs([&]() -> Result<void> {
@@ -98,11 +98,11 @@ Result<ReadingTimes> measureReading(const SessionScene& scene) {
     return times;
 }
 
-Result<Reopening> measureReopening(SessionScene& scene, bool isKeeperReady, const Camera& camera,
+Result<Reopening> measureReopening(StoredScene& scene, bool isKeeperReady, const Camera& camera,
                                    const splat::Splats& before) {
     Reopening reopening{.isKeeperReady = isKeeperReady};
-    const std::unique_ptr<app::ModelKeeper> keeper = scene.makeKeeper();
-    if (isKeeperReady) (void)keeper->stateOf(scene.study().volume, SessionScene::kPatience);
+    const std::unique_ptr<live::StudyKeeper> keeper = scene.makeKeeper();
+    if (isKeeperReady) (void)keeper->stateOf(scene.study().volume, StoredScene::kPatience);
     const auto store = std::make_shared<WatchedStore>(*keeper);
     MACULA_TRY(hybrid::LiveModel model, scene.makeModel(store));
     const auto start = Clock::now();

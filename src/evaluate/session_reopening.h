@@ -7,7 +7,7 @@
 
 #include "base/camera.h"
 #include "base/result.h"
-#include "evaluate/session_scene.h"
+#include "evaluate/stored_scene.h"
 #include "pipeline/splat/model/splats.h"
 
 namespace macula::evaluate {
@@ -23,7 +23,7 @@ struct ReadingTimes {
 };
 
 // As a keeper does it.
-Result<ReadingTimes> measureReading(const SessionScene& scene);
+Result<ReadingTimes> measureReading(const StoredScene& scene);
 
 // Times are since the keeper was told to look. What is found is asked for every 2 ms.
 struct Reopening {
@@ -41,7 +41,7 @@ struct Reopening {
 };
 
 // With a keeper and a model of its own, on the device that has the volume.
-Result<Reopening> measureReopening(SessionScene& scene, bool isKeeperReady, const Camera& camera,
+Result<Reopening> measureReopening(StoredScene& scene, bool isKeeperReady, const Camera& camera,
                                    const splat::Splats& before);
 
 }  // namespace macula::evaluate

@@ -103,7 +103,7 @@ Json toJson(const StoreBenchmark& store) {
 
 }  // namespace
 
-Json toJson(const SessionBenchmark& measured) {
+Json toJson(const StoreRoundTrip& measured) {
     Json json{{"learnt", toJson(measured.learnt)},
               {"saving", toJson(measured.saving)},
               {"closing", {{"hideMs", measured.closing.hideMs}, {"savedMs", measured.closing.savedMs}}},
@@ -115,8 +115,7 @@ Json toJson(const SessionBenchmark& measured) {
     return json;
 }
 
-Json reportOf(const BenchStudy& study, const SessionBenchmarkOptions& options,
-              const SessionBenchmark& measured) {
+Json reportOf(const BenchStudy& study, const StoreRoundTripOptions& options, const StoreRoundTrip& measured) {
     Json json = describe("session", study);
     json["learnSeconds"] = options.learnS;
     json["framesOfBlock"] = options.frames;

@@ -51,7 +51,7 @@ std::vector<double> luminancesOf(const image::Image& shown) {
     std::vector<double> luminances(shown.pixels.size() / 3);
     for (std::size_t i = 0; i < luminances.size(); ++i) {
         const float* const rgb = shown.pixels.data() + 3 * i;
-        luminances[i] = app::brightnessOf({decodedSrgb(rgb[0]), decodedSrgb(rgb[1]), decodedSrgb(rgb[2])});
+        luminances[i] = scene::brightnessOf({decodedSrgb(rgb[0]), decodedSrgb(rgb[1]), decodedSrgb(rgb[2])});
     }
     return luminances;
 }

@@ -106,7 +106,7 @@ Result<void> make(const fs::path& folder, const StoreBenchmarkOptions& options, 
                          folder.string(), "Check free space and permissions."};
         sync();  // or the first call that waits for the disk would wait for all of this
     }
-    measured.makeSeconds = app::secondsSince(start);
+    measured.makeSeconds = secondsSince(start);
     measured.wasMadeInMemory = memory.has_value();
     return {};
 }

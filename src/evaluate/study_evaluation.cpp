@@ -8,7 +8,7 @@
 #include "scene/choice/lights_choice.h"
 #include "scene/choice/study_preset.h"
 #include "scene/drawing/shown_clip.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
 namespace macula::evaluate {
 
@@ -22,17 +22,17 @@ std::vector<T> orOne(std::vector<T> values) {
 }
 
 struct Study {
-    app::StudyInput input;
-    app::ShownClip shown;
+    study::LoadedStudy input;
+    scene::ShownClip shown;
 };
 
 Result<Study> openStudy(const StudyEvaluationOptions& options, const std::filesystem::path& path,
                         const std::string& series, const EvaluationListener& listener, Progress& progress) {
     Study study;
-    MACULA_TRY(study.input, app::loadStudy(path, series, progress, 0, options.how));
+    MACULA_TRY(study.input, study::loadStudy(path, series, progress, 0, options.how));
     bringTo16Bits(study.input);
-    MACULA_TRY(const ClipPreset clip, app::chooseClip(options.clip));
-    MACULA_TRY(study.shown, app::shownClip(clip, options.removeTable, *study.input.volume, progress));
+    MACULA_TRY(const ClipPreset clip, scene::chooseClip(options.clip));
+    MACULA_TRY(study.shown, scene::shownClip(clip, options.removeTable, *study.input.volume, progress));
     listener.noted(study.shown.notes, {});
     return study;
 }
@@ -52,29 +52,30 @@ Result<void> check(const StudyEvaluationOptions& options) {
     if (!options.series.empty() && options.series.size() != options.paths.size())
         return Error{
             ErrorCode::usage, "There is not one series for each path.", {}, "Give --series once for each."};
-    for (const std::string& preset : options.presets) MACULA_TRY_VOID(app::presetToDraw(preset, options.fit));
-    MACULA_TRY_VOID(app::choosePatientLights(options.lights));
-    MACULA_TRY_VOID(app::chooseClip(options.clip));
+    for (const std::string& preset : options.presets)
+        MACULA_TRY_VOID(scene::presetToDraw(preset, options.fit));
+    MACULA_TRY_VOID(scene::choosePatientLights(options.lights));
+    MACULA_TRY_VOID(scene::chooseClip(options.clip));
     return {};
 }
 
 Result<void> evaluateStudies(const StudyEvaluationOptions& options, gpu::LastingDevice& device,
                              const EvaluationListener& listener, Progress& progress,
                              EvaluationReport& report) {
-    MACULA_TRY(const trace::Environment lights, app::chooseLights(options.lights));
+    MACULA_TRY(const trace::Environment lights, scene::chooseLights(options.lights));
     const std::vector<std::filesystem::path> paths = orOne(options.paths);
     for (std::size_t place = 0; place < paths.size(); ++place) {
         MACULA_TRY(Study study,
                    openStudy(options, paths[place], options.series.empty() ? "" : options.series[place],
                              listener, progress));
         for (const std::string& typed : orOne(options.presets)) {
-            MACULA_TRY(app::StudyPreset preset, app::choosePresetFor(study.input, typed, options.fit));
+            MACULA_TRY(scene::StudyPreset preset, scene::choosePresetFor(study.input, typed, options.fit));
             listener.noted(study.input.notes, study.input.warnings);
             study.input.notes.clear();  // were told, once
-            const app::StudyScene scene{.volume = study.input.volume,
-                                        .function = std::move(preset.function),
-                                        .clip = study.shown.clip,
-                                        .environment = lights};
+            const live::StudyScene scene{.volume = study.input.volume,
+                                         .function = std::move(preset.function),
+                                         .clip = study.shown.clip,
+                                         .environment = lights};
             EvaluatedStudy evaluated{.studyDigest = study.input.seriesDigest,
                                      .preset = preset.publicName,
                                      .voxels = study.input.volume->size(),

@@ -16,7 +16,7 @@
 namespace macula::evaluate {
 
 struct StudyEvaluationOptions {
-    std::vector<std::filesystem::path> paths;  // as app::loadStudy; none is the phantom
+    std::vector<std::filesystem::path> paths;  // as study::loadStudy; none is the phantom
     std::vector<std::string> series;           // for each path, or none
     dicom::ScanOptions how;
     std::vector<std::string> presets;  // each for each path; none is the one that suits
@@ -29,9 +29,9 @@ struct StudyEvaluationOptions {
     std::size_t scenes() const;  // each path with each preset
 };
 
-// All that can be known to be wrong before anything takes time. Fails as app::presetToDraw,
-// app::choosePatientLights and app::chooseClip, and with usage for series that are not one for each path and
-// samples that cannot be halved.
+// All that can be known to be wrong before anything takes time. Fails as scene::presetToDraw,
+// scene::choosePatientLights and scene::chooseClip, and with usage for series that are not one for each path
+// and samples that cannot be halved.
 Result<void> check(const StudyEvaluationOptions& options);
 
 // What is told on the way.
@@ -44,7 +44,7 @@ struct EvaluationListener {
 };
 
 // Adds each scene to the report as soon as it is finished, so that what fails after hours takes nothing along
-// of what was finished before. Fails as app::loadStudy, app::shownClip and evaluateModel.
+// of what was finished before. Fails as study::loadStudy, scene::shownClip and evaluateModel.
 Result<void> evaluateStudies(const StudyEvaluationOptions& options, gpu::LastingDevice& device,
                              const EvaluationListener& listener, Progress& progress,
                              EvaluationReport& report);

@@ -16,15 +16,16 @@ class Turns {
         const trace::Settings settings{.bounces = options.bounces, .filter = filter};
         MACULA_TRY(trace::PathTracer tracer, study.makeTracer());
         MACULA_TRY_VOID(tracer.setSettings(settings));
-        const app::PictureRequest request{.scene = {.volume = study.volume,
-                                                    .function = study.function,
-                                                    .clip = {},
-                                                    .environment = study.environment},
-                                          .camera = study.view.camera,
-                                          .sizePx = {study.view.width, study.view.height},
-                                          .settings = settings,
-                                          .samplesPerPixel = options.samplesPerPixel};
-        MACULA_TRY(app::PictureDrawer drawer, app::PictureDrawer::create(study.device, request, progress));
+        const pictures::PictureRequest request{.scene = {.volume = study.volume,
+                                                         .function = study.function,
+                                                         .clip = {},
+                                                         .environment = study.environment},
+                                               .camera = study.view.camera,
+                                               .sizePx = {study.view.width, study.view.height},
+                                               .settings = settings,
+                                               .samplesPerPixel = options.samplesPerPixel};
+        MACULA_TRY(pictures::PictureDrawer drawer,
+                   pictures::PictureDrawer::create(study.device, request, progress));
         Turns turns(study, options.samplesPerPixel, settings, std::move(tracer), std::move(drawer));
         MACULA_TRY([[maybe_unused]] const Spent traced, turns.trace());
         MACULA_TRY([[maybe_unused]] const Spent drawn, turns.draw());
@@ -41,7 +42,7 @@ class Turns {
     Result<Spent> draw() {
         Progress nobody;
         return timed([&]() -> Result<void> {
-            MACULA_TRY([[maybe_unused]] const app::DrawnPicture drawn,
+            MACULA_TRY([[maybe_unused]] const pictures::DrawnPicture drawn,
                        drawer_.draw(study_.view.camera, nobody));
             return {};
         });
@@ -49,7 +50,7 @@ class Turns {
 
   private:
     Turns(const BenchStudy& study, std::uint32_t samples, const trace::Settings& settings,
-          trace::PathTracer tracer, app::PictureDrawer drawer)
+          trace::PathTracer tracer, pictures::PictureDrawer drawer)
         : study_(study),
           samples_(samples),
           settings_(settings),
@@ -60,7 +61,7 @@ class Turns {
     std::uint32_t samples_;
     trace::Settings settings_;
     trace::PathTracer tracer_;
-    app::PictureDrawer drawer_;
+    pictures::PictureDrawer drawer_;
 };
 
 }  // namespace

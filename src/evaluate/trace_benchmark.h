@@ -27,9 +27,9 @@ struct TraceBenchmarkOptions {
 struct TraceBenchmark {
     trace::Filter filter = trace::Filter::trilinear;
     Spent device;  // samples alone
-    // A whole picture of so many samples, as `macula render` and macula_draw make it (app::PictureDrawer) of
-    // a scene that is on the device: the view is set, samples are traced in portions, their noise is
-    // estimated, and the picture is displayed and read.
+    // A whole picture of so many samples, as `macula render` and macula_draw make it
+    // (pictures::PictureDrawer) of a scene that is on the device: the view is set, samples are traced in
+    // portions, their noise is estimated, and the picture is displayed and read.
     Spent call;
     Spent reference;
     Ratio ratio;  // device over reference

@@ -6,7 +6,7 @@
 
 namespace macula::evaluate {
 
-Result<VtkCast> castWithVtk(const VtkCastOptions& options, const std::function<void()>& afterTurn) {
+Result<VtkCast> castWithVtk(const VtkCastRequest& options, const std::function<void()>& afterTurn) {
     if (std::getenv("DISPLAY") == nullptr) {
         return Error{ErrorCode::deviceNotUsable,
                      "VTK draws on a display, and there is none.",

@@ -12,7 +12,7 @@
 
 namespace macula::evaluate {
 
-struct VtkCastOptions {
+struct VtkCastRequest {
     const Volume* volume = nullptr;
     TransferFunction function;  // fitted to it
     trace::View view;
@@ -36,11 +36,11 @@ struct VtkCast {
 // After each further picture `afterTurn` is called, so that contenders take turns. In a plug-in that is built
 // where VTK is installed. Fails with inputNotUsable when the grid is no box of right angles; with
 // deviceNotUsable when there is no plug-in, or no display, which VTK needs.
-Result<VtkCast> castWithVtk(const VtkCastOptions& options, const std::function<void()>& afterTurn);
+Result<VtkCast> castWithVtk(const VtkCastRequest& options, const std::function<void()>& afterTurn);
 
 }  // namespace macula::evaluate
 
 // The plug-in's export, which castWithVtk calls.
-extern "C" void maculaCastWithVtk(const macula::evaluate::VtkCastOptions& options,
+extern "C" void maculaCastWithVtk(const macula::evaluate::VtkCastRequest& options,
                                   const std::function<void()>& afterTurn,
                                   macula::Result<macula::evaluate::VtkCast>& result);

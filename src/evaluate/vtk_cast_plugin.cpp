@@ -59,7 +59,7 @@ vtkNew<vtkImageData> imageOf(const Volume& volume) {
     return image;
 }
 
-void setCurves(const VtkCastOptions& options, vtkVolumeProperty& property) {
+void setCurves(const VtkCastRequest& options, vtkVolumeProperty& property) {
     vtkNew<vtkPiecewiseFunction> opacity;
     vtkNew<vtkColorTransferFunction> colour;
     if (trace::isProjection(options.look)) {
@@ -145,7 +145,7 @@ image::Image pictureOf(vtkRenderWindow& window, const trace::View& view, int fin
     return picture;
 }
 
-Result<VtkCast> cast(const VtkCastOptions& options, const std::function<void()>& afterTurn) {
+Result<VtkCast> cast(const VtkCastRequest& options, const std::function<void()>& afterTurn) {
     vtkObject::GlobalWarningDisplayOff();
     vtkNew<vtkFixedPointVolumeRayCastMapper> mapper;
     mapper->SetInputData(imageOf(*options.volume));
@@ -200,7 +200,7 @@ Result<VtkCast> cast(const VtkCastOptions& options, const std::function<void()>&
 
 }  // namespace macula::evaluate
 
-void maculaCastWithVtk(const macula::evaluate::VtkCastOptions& options,
+void maculaCastWithVtk(const macula::evaluate::VtkCastRequest& options,
                        const std::function<void()>& afterTurn,
                        macula::Result<macula::evaluate::VtkCast>& result) {
     result = macula::evaluate::cast(options, afterTurn);

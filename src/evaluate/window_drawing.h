@@ -15,6 +15,6 @@ namespace macula::evaluate {
 Result<std::shared_ptr<const trace::LightRig>> builtInLights(const std::string& name);
 
 // Complete, with settings that nobody chose. Fails likewise.
-Result<app::Drawing> drawingOf(const BenchStudy& study);
+Result<scene::Drawing> drawingOf(const BenchStudy& study);
 
 }  // namespace macula::evaluate

@@ -8,7 +8,7 @@
 #include "base/check.h"
 #include "base/srgb.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -41,4 +41,4 @@ std::vector<std::uint8_t> coveringPicture(std::span<const std::uint8_t> overBlac
     return rgba;
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

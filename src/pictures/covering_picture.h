@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace macula::app {
+namespace macula::pictures {
 
 // Both have 4 bytes a pixel, display-encoded, and a background mixed in as linear light behind the tone map:
 // light over white and not over black is background (triangulation: Smith and Blinn, "Blue Screen Matting",
@@ -14,4 +14,4 @@ namespace macula::app {
 std::vector<std::uint8_t> coveringPicture(std::span<const std::uint8_t> overBlack,
                                           std::span<const std::uint8_t> overWhite);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

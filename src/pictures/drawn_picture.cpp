@@ -16,7 +16,7 @@
 #include "scene/drawing/nothing_visible.h"
 #include "scene/lights/light_meter.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -27,8 +27,8 @@ using Rgba = std::vector<std::uint8_t>;
 // What is displayed, as the request wants it; `over` shows it over a background.
 Result<Rgba> rgbaOf(const PictureRequest& request,
                     const std::function<Result<Rgba>(const glm::vec3&)>& over) {
-    if (!request.isTransparent) return over(lightOf(request.background));
-    MACULA_TRY(const Rgba overBlack, over(lightOf(kBlackBackground)));
+    if (!request.isTransparent) return over(scene::lightOf(request.background));
+    MACULA_TRY(const Rgba overBlack, over(scene::lightOf(scene::kBlackBackground)));
     MACULA_TRY(const Rgba overWhite, over(kWhite));
     return coveringPicture(overBlack, overWhite);
 }
@@ -94,7 +94,7 @@ Error stopped() {
 
 Result<PictureDrawer> PictureDrawer::create(const std::shared_ptr<gpu::Device>& device,
                                             const PictureRequest& request, const Progress& progress) {
-    const StudyScene& scene = request.scene;
+    const live::StudyScene& scene = request.scene;
     // Whoever cancels waits for one step at most: compiling kernels or uploading bricks may take a second.
     if (progress.cancelled()) return stopped();
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device, request.memory));
@@ -110,8 +110,8 @@ Result<PictureDrawer> PictureDrawer::create(const std::shared_ptr<gpu::Device>& 
 }
 
 Result<void> PictureDrawer::change(const PictureRequest& request, const Progress& progress) {
-    const StudyScene before = std::exchange(request_, request).scene;
-    const StudyScene& scene = request_.scene;
+    const live::StudyScene before = std::exchange(request_, request).scene;
+    const live::StudyScene& scene = request_.scene;
     const auto bring = [&](bool isSame, auto&& set) -> Result<void> {
         if (isSame) return {};
         if (progress.cancelled()) return stopped();
@@ -245,7 +245,7 @@ Result<double> PictureDrawer::meter(const Camera& camera, const Progress& progre
     MACULA_TRY(const bool whole, tracer_.trace(kSamples, [&] { return !progress.cancelled(); }));
     if (!whole || progress.cancelled()) return stopped();
     MACULA_TRY(const trace::TracedImage picture, tracer_.readback());
-    return meteredExposure(picture.radiance).value_or(1.0);
+    return scene::meteredExposure(picture.radiance).value_or(1.0);
 }
 
 Result<DrawnPicture> drawPicture(const std::shared_ptr<gpu::Device>& device, const PictureRequest& request,
@@ -261,7 +261,7 @@ bool isEmpty(const DrawnPicture& drawn, const PictureRequest& request) {
     if (drawn.traced)
         return std::all_of(drawn.traced->radiance.begin(), drawn.traced->radiance.end(),
                            [](const glm::vec4& pixel) { return pixel.w <= 0.0f; });
-    const BackgroundColour& behind = request.background;
+    const scene::BackgroundColour& behind = request.background;
     for (std::size_t i = 0; i + 3 < drawn.rgba.size(); i += 4) {
         const std::uint8_t* const pixel = drawn.rgba.data() + i;
         const bool isBare = request.isTransparent
@@ -281,8 +281,9 @@ std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest
         // A projection knows no preset: what is black there is below its window.
         const auto& window = request.settings.window;
         const bool isSeenThroughWindow = trace::isProjection(request.settings.look) && window.has_value();
-        notes.push_back({.sentence = isSeenThroughWindow ? whyNothingIsVisible(*request.scene.volume, *window)
-                                                         : whyNothingIsVisible(*request.scene.volume),
+        notes.push_back({.sentence = isSeenThroughWindow
+                                         ? scene::whyNothingIsVisible(*request.scene.volume, *window)
+                                         : scene::whyNothingIsVisible(*request.scene.volume),
                          .isWarning = true});
     }
     for (const Message& message : statistics.messages) notes.push_back({message.sentence, message.action});
@@ -300,4 +301,4 @@ std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest
     return notes;
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

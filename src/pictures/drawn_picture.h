@@ -12,7 +12,7 @@
 #include "base/result.h"
 #include "pictures/picture_request.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 // A finished picture in host memory: the loss of its device does not affect it.
 struct DrawnPicture {
@@ -79,4 +79,4 @@ struct PictureNote {
 };
 std::vector<PictureNote> notesOf(const DrawnPicture& picture, const PictureRequest& request);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -9,7 +9,7 @@
 #include "pipeline/volume/volume_fit.h"
 #include "scene/camera/usual_view.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 Camera fittedCamera(std::vector<glm::dvec3> outlineMm, trace::Look look, const Volume& volume,
                     const FittedView& view) {
@@ -18,7 +18,7 @@ Camera fittedCamera(std::vector<glm::dvec3> outlineMm, trace::Look look, const V
         outlineMm.assign(corners.begin(), corners.end());
     }
     const auto frame = view.isParallel ? frameInParallel : framePoints;
-    const ViewDirection from = firstDirection(view.from, volume);
+    const ViewDirection from = scene::firstDirection(view.from, volume);
     return frame(outlineMm, standardBasis(from), view.verticalFovDeg, view.aspectWidthOverHeight);
 }
 
@@ -32,4 +32,4 @@ std::vector<glm::dvec3> outlineOnHostMm(const Volume& volume, const TransferFunc
                          mask);
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -12,7 +12,7 @@
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 struct FittedView {
     std::optional<ViewDirection> from = {};  // nothing: usualView
@@ -31,4 +31,4 @@ Camera fittedCamera(std::vector<glm::dvec3> outlineMm, trace::Look look, const V
 std::vector<glm::dvec3> outlineOnHostMm(const Volume& volume, const TransferFunction& function,
                                         const Clip& clip);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

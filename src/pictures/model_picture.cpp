@@ -8,7 +8,7 @@
 
 #include "pipeline/splat/files/model_file.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 Result<ModelToDraw> readModelToDraw(const std::filesystem::path& path,
                                     std::optional<splat::LowPass> lowPass) {
@@ -83,4 +83,4 @@ Result<void> writeModelPicture(const ModelPicture& picture, const glm::ivec2& si
     return image::writePng(png, sizePx.x, sizePx.y, picture.displayed, metadata);
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

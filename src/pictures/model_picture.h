@@ -15,7 +15,7 @@
 #include "pipeline/splat/draw/raster_view.h"
 #include "pipeline/splat/model/splats.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 struct ModelToDraw {
     splat::Splats splats;
@@ -47,4 +47,4 @@ Result<void> writeModelPicture(const ModelPicture& picture, const glm::ivec2& si
                                const std::filesystem::path& png, const std::filesystem::path& exr,
                                const image::Metadata& metadata);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

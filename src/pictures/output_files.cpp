@@ -8,7 +8,7 @@
 #include "dicom/read/folder.h"
 #include "formats/volume_file.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace fs = std::filesystem;
 
@@ -130,4 +130,4 @@ bool isSameFile(const fs::path& a, const fs::path& b) {
     return !a.empty() && !b.empty() && (wholePath(a) == wholePath(b) || fs::equivalent(a, b, error));
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

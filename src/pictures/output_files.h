@@ -9,7 +9,7 @@
 
 #include "base/result.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 class OutputFiles {
   public:
@@ -47,4 +47,4 @@ std::filesystem::path placeOfUnfinished(const std::filesystem::path& wanted);
 // Whether both paths are the same file, also where it does not exist yet; false for an empty path.
 bool isSameFile(const std::filesystem::path& a, const std::filesystem::path& b);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -9,7 +9,7 @@
 
 #include "base/check.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -95,4 +95,4 @@ void addFog(std::span<glm::vec4> radiance, std::span<const float> distancesMm, d
     }
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

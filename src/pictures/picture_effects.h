@@ -12,7 +12,7 @@
 #include "pipeline/trace/guide_pixel.h"
 #include "pipeline/trace/settings.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 struct PictureEffects {
     double lensMm = 0.0;  // diameter of trace::Lens; 0: no lens. Only for path-traced looks
@@ -47,4 +47,4 @@ std::vector<float> matterMm(std::span<const trace::GuidePixel> guides);
 // Akenine-Möller et al. 2018, "Real-Time Rendering", 14.5). Both spans have one size.
 void addFog(std::span<glm::vec4> radiance, std::span<const float> distancesMm, double fogMm);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace fs = std::filesystem;
 
@@ -40,4 +40,4 @@ Result<void> writePicture(const fs::path& path, const DrawnPicture& picture, con
     return image::writeExr(path, sizePx.x, sizePx.y, rgba, traced.depthMm, metadata);
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -7,7 +7,7 @@
 #include "image/image_file.h"
 #include "pictures/drawn_picture.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 // usage for an extension other than .png or .exr, in any case.
 Result<void> checkPictureName(const std::filesystem::path& path);
@@ -19,4 +19,4 @@ bool isDicom(const std::filesystem::path& path);  // .dcm
 Result<void> writePicture(const std::filesystem::path& path, const DrawnPicture& picture,
                           const glm::ivec2& sizePx, const image::Metadata& metadata);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

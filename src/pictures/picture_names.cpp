@@ -9,7 +9,7 @@
 
 #include "base/utf8.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -49,10 +49,10 @@ bool isFromRoot(const std::string& path) {
     return path.starts_with('/') || path.starts_with('\\') || (path.size() > 1 && path[1] == ':');
 }
 
-std::string nameOf(const std::string& wish) {
-    std::vector<std::string> parts = partsOf(wish);
+std::string nameOf(const std::string& request) {
+    std::vector<std::string> parts = partsOf(request);
     if (parts.empty()) return {};
-    if (isFromRoot(wish)) parts.erase(parts.begin(), parts.end() - 1);
+    if (isFromRoot(request)) parts.erase(parts.begin(), parts.end() - 1);
     std::string name = fmt::format("{}", fmt::join(parts, "_"));
     for (const std::string_view ending : kEndings) {
         if (name.size() > ending.size() && lowered(name).ends_with(ending)) {
@@ -67,11 +67,11 @@ std::string nameOf(const std::string& wish) {
 
 }  // namespace
 
-std::vector<std::string> pictureNames(std::span<const std::string> wishes) {
+std::vector<std::string> pictureNames(std::span<const std::string> requests) {
     std::vector<std::string> names;
     std::set<std::string> taken;
-    for (std::size_t i = 0; i < wishes.size(); ++i) {
-        std::string name = nameOf(wishes[i]);
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        std::string name = nameOf(requests[i]);
         if (name.empty()) name = fmt::format("camera_{:04}", i);
         std::string unique = name;
         for (int n = 2; !taken.insert(lowered(unique)).second; ++n) unique = fmt::format("{}_{}", name, n);
@@ -80,4 +80,4 @@ std::vector<std::string> pictureNames(std::span<const std::string> wishes) {
     return names;
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

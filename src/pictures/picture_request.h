@@ -12,10 +12,10 @@
 #include "pipeline/trace/path_tracer.h"
 #include "scene/lights/background_colour.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 struct PictureRequest {
-    StudyScene scene;
+    live::StudyScene scene;
     // Patient LPS mm; nothing: fitted to what is visible, from `from`, with `verticalFovDeg`.
     std::optional<Camera> camera;
     std::optional<ViewDirection> from = {};  // nothing: usualView
@@ -29,10 +29,10 @@ struct PictureRequest {
     std::uint32_t samplesPerPixel = 64;
     bool keepUnfinished = false;  // with an errorThreshold: stopping keeps the picture as it is then
     bool isLinear = false;        // returns linear radiance and depth instead of display values
-    BackgroundColour background = kBlackBackground;  // of display values
-    bool isTransparent = false;                      // returns an alpha channel instead of the background
+    scene::BackgroundColour background = scene::kBlackBackground;  // of display values
+    bool isTransparent = false;  // returns an alpha channel instead of the background
     PictureEffects effects = {};
     trace::MemoryLimits memory;
 };
 
-}  // namespace macula::app
+}  // namespace macula::pictures

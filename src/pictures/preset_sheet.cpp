@@ -13,7 +13,7 @@
 #include "scene/camera/view_directions.h"
 #include "scene/choice/lights_choice.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -48,7 +48,7 @@ Result<LightsOfLooks> lightsOfLooks() {
     for (const trace::LookTraits& look : trace::kLooks) {
         auto& lights = all.emplace_back();
         if (!isPathTraced(look.look)) continue;
-        MACULA_TRY(lights, chooseLights(std::string(defaultLightsFor(look.look))));
+        MACULA_TRY(lights, scene::chooseLights(std::string(scene::defaultLightsFor(look.look))));
     }
     return all;
 }
@@ -108,7 +108,7 @@ Result<std::vector<std::uint8_t>> drawSheet(const std::shared_ptr<gpu::Device>& 
     return std::move(sheet.rgba);
 }
 
-image::Metadata metadata(const SheetRequest& request, const StudyInput& study) {
+image::Metadata metadata(const SheetRequest& request, const study::LoadedStudy& study) {
     std::string pictures;
     for (std::size_t i = 0; i < request.presets.size(); ++i) {
         const SheetPlace place = placeOf(request, i);
@@ -120,11 +120,11 @@ image::Metadata metadata(const SheetRequest& request, const StudyInput& study) {
     }
     return {{"Software", "Macula " MACULA_VERSION},
             {"macula:series", publicSeries(study.seriesDigest)},
-            {"macula:view", nameOf(request.view)},
+            {"macula:view", scene::nameOf(request.view)},
             {"macula:samples", fmt::to_string(request.samplesPerPixel)},
             {"macula:tilePx", fmt::to_string(request.tilePx)},
             {"macula:pictures", pictures},
             {"macula:notes", fmt::format("{}", fmt::join(study.notes, " "))}};
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

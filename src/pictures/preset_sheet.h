@@ -12,9 +12,9 @@
 #include "image/image_file.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/volume/transfer_function.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 struct SheetRequest {
     std::shared_ptr<const Volume> volume;   // stored16
@@ -41,6 +41,6 @@ Result<std::vector<std::uint8_t>> drawSheet(const std::shared_ptr<gpu::Device>& 
                                             const SheetRequest& request, Progress& progress);
 
 // The preset and look of each tile, by column and row from 1, and the notes of the study.
-image::Metadata metadata(const SheetRequest& request, const StudyInput& study);
+image::Metadata metadata(const SheetRequest& request, const study::LoadedStudy& study);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

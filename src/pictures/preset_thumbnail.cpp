@@ -11,7 +11,7 @@
 #include "pipeline/volume/volume_fit.h"
 #include "scene/camera/usual_view.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -182,7 +182,7 @@ struct March {
 
 // From the front, a short scan would be a band of a few rows.
 ViewDirection directionOf(const Volume& volume) {
-    return isShort(volume) ? ViewDirection::oblique : ViewDirection::anterior;
+    return scene::isShort(volume) ? ViewDirection::oblique : ViewDirection::anterior;
 }
 
 double shortestOf(const glm::dvec3& edges) {
@@ -335,4 +335,4 @@ Result<PresetThumbnail> presetThumbnail(const CoarseVolume& coarse, const Transf
     }
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

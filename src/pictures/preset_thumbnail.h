@@ -16,7 +16,7 @@
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 inline constexpr int kPresetThumbnailPx = 96;
 inline constexpr int kLongestCoarseSide = 96;  // in cells
@@ -63,4 +63,4 @@ Result<PresetThumbnail> presetThumbnail(const CoarseVolume& coarse, const Transf
                                         const Clip* clip = nullptr, const CancelToken& token = {},
                                         int sizePx = kPresetThumbnailPx);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

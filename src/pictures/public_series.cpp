@@ -3,7 +3,7 @@
 #include "base/installation_key.h"
 #include "base/log.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 std::string publicSeries(const std::string& seriesDigest) {
     if (seriesDigest.empty() || seriesDigest == "phantom") return seriesDigest;
@@ -13,4 +13,4 @@ std::string publicSeries(const std::string& seriesDigest) {
     return "unknown";
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -3,10 +3,10 @@
 
 #include <string>
 
-namespace macula::app {
+namespace macula::pictures {
 
-// Digest of StudyInput::seriesDigest with the key of this installation: it groups pictures of one series made
-// here, and tells others nothing. "phantom" is returned unchanged; "unknown" where no key can be stored.
+// Digest of LoadedStudy::seriesDigest with the key of this installation: it groups pictures of one series
+// made here, and tells others nothing. "phantom" is returned unchanged; "unknown" where no key can be stored.
 std::string publicSeries(const std::string& seriesDigest);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -12,7 +12,7 @@
 #include "image/masked_metrics.h"
 #include "live/frame/frame_json.h"
 #include "live/frame/times_report.h"
-#include "live/store/model_keeper.h"
+#include "live/store/study_keeper.h"
 #include "pictures/output_files.h"
 #include "scene/camera/camera_file.h"
 #include "scene/choice/catalogue.h"
@@ -20,10 +20,10 @@
 #include "scene/drawing/drawing_of.h"
 #include "scene/drawing/projection_windows.h"
 #include "scene/drawing/shown_clip.h"
+#include "study/open/loaded_study.h"
 #include "study/open/read_study.h"
-#include "study/open/study_input.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -33,19 +33,19 @@ constexpr const char* kFramesFile = "frames.jsonl";
 constexpr const char* kTimesFile = "times.json";
 
 // Whether it can be made, or is there and empty. Before the study is read, which takes time.
-Result<void> checkFolder(const RecordingWish& wish) {
+Result<void> checkFolder(const RecordingRequest& request) {
     OutputFiles files(false);
-    for (const fs::path& input : filesOf(wish.state)) files.read(input);
-    for (const fs::path& input : filesOf(wish.additions)) files.read(input);
-    for (const fs::path& input : {wish.path, wish.cameraPath}) files.read(input);
+    for (const fs::path& input : filesOf(request.state)) files.read(input);
+    for (const fs::path& input : filesOf(request.additions)) files.read(input);
+    for (const fs::path& input : {request.path, request.cameraPath}) files.read(input);
     std::error_code error;
-    if (fs::is_directory(wish.folder, error)) {
-        if (!fs::is_empty(wish.folder, error) || error)
-            return Error{ErrorCode::outputNotWritable, "The folder is not empty.", wish.folder.string(),
+    if (fs::is_directory(request.folder, error)) {
+        if (!fs::is_empty(request.folder, error) || error)
+            return Error{ErrorCode::outputNotWritable, "The folder is not empty.", request.folder.string(),
                          "Choose another one, or empty it."};
-        return files.write(wish.folder / kFramesFile);
+        return files.write(request.folder / kFramesFile);
     }
-    return files.write(wish.folder);
+    return files.write(request.folder);
 }
 
 // When nothing else is wrong: nothing is left of what could not be read.
@@ -57,27 +57,28 @@ Result<void> makeFolder(const fs::path& folder) {
                  "Choose another place."};
 }
 
-Result<RecordingOptions> optionsOf(const RecordingWish& wish, const std::optional<Camera>& camera) {
-    RecordingOptions options = wish.recording;
-    options.from = wish.state.view;
-    options.isParallel = wish.state.isParallel;
-    MACULA_TRY(options.sizePx, parseSize(wish.size));
-    if (!wish.cameraPath.empty()) {
-        MACULA_TRY(options.path, readCameraPath(wish.cameraPath));
-        if (wish.state.isParallel)
-            for (CameraPath::Stop& stop : options.path->stops) stop.camera = inParallel(stop.camera);
+Result<live::RecordingOptions> optionsOf(const RecordingRequest& request,
+                                         const std::optional<Camera>& camera) {
+    live::RecordingOptions options = request.recording;
+    options.from = request.state.view;
+    options.isParallel = request.state.isParallel;
+    MACULA_TRY(options.sizePx, scene::parseSize(request.size));
+    if (!request.cameraPath.empty()) {
+        MACULA_TRY(options.path, scene::readCameraPath(request.cameraPath));
+        if (request.state.isParallel)
+            for (scene::CameraPath::Stop& stop : options.path->stops) stop.camera = inParallel(stop.camera);
     } else if (camera) {
-        options.path = options.movingS > 0.0 ? turntable(*camera, options.turnS, options.movingS)
-                                             : CameraPath{.stops = {{.atS = 0.0, .camera = *camera}}};
+        options.path = options.movingS > 0.0 ? scene::turntable(*camera, options.turnS, options.movingS)
+                                             : scene::CameraPath{.stops = {{.atS = 0.0, .camera = *camera}}};
     }
     return options;
 }
 
 // All but the study, which is read last.
 struct Wished {
-    StudyState state;
-    AdditionChoice additions;
-    Catalogue catalogue;
+    scene::StudyState state;
+    ResolvedAdditions additions;
+    scene::Catalogue catalogue;
 };
 
 // Each once: as a warning if it is among them, else as a note.
@@ -89,49 +90,51 @@ void tell(const std::vector<std::string>& notes, const std::vector<std::string>&
     }
 }
 
-Result<FrameInput> sceneOf(const RecordingWish& wish, Wished wished, const Hears& note, const Hears& warn,
-                           Progress& progress) {
-    StudyState& state = wished.state;
-    const StudyPlace place{wish.path, wish.series, wish.state.presentation, wish.how};
-    MACULA_TRY(ReadStudy read, readStudy(place, wished.additions.needsSegmentations(), progress));
-    StudyInput& study = read.input;
-    bringTo16Bits(study);
-    MACULA_TRY_VOID(completeState(state, wish.state, study));
-    MACULA_TRY(ShownClip shown, shownClip(state, *study.volume, progress));
+Result<live::FrameInput> sceneOf(const RecordingRequest& request, Wished wished, const Hears& note,
+                                 const Hears& warn, Progress& progress) {
+    scene::StudyState& state = wished.state;
+    const study::StudyPlace place{request.path, request.series, request.state.presentation, request.how};
+    MACULA_TRY(study::ReadStudy read,
+               study::readStudy(place, wished.additions.needsSegmentations(), progress));
+    study::LoadedStudy& study = read.input;
+    study::bringTo16Bits(study);
+    MACULA_TRY_VOID(completeState(state, request.state, study));
+    MACULA_TRY(scene::ShownClip shown, scene::shownClip(state, *study.volume, progress));
     tell(study.notes, study.warnings, note, warn);
     std::ranges::for_each(shown.notes, note);
-    MACULA_TRY(MadeAdditions made,
+    MACULA_TRY(DrawnAdditions made,
                makeAdditions(wished.additions, read, state.settings.look, shown.clip, progress));
     tell(made.notes, made.warnings, note, warn);
-    FrameInput scene;
+    live::FrameInput scene;
     scene.volume = study.volume;
-    scene.drawing =
-        drawingOf(state, wished.catalogue, SeriesWindows(), study.volume,
-                  shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(shown.clip)));
+    scene.drawing = scene::drawingOf(
+        state, wished.catalogue, scene::SeriesWindows(), study.volume,
+        shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(shown.clip)));
     if (!made.additions.isNothing())
-        setAdditions(scene.drawing, std::make_shared<const Additions>(std::move(made.additions)));
-    scene.background = backgroundInWindow(scene.drawing);
+        scene::setAdditions(scene.drawing, std::make_shared<const Additions>(std::move(made.additions)));
+    scene.background = scene::backgroundInWindow(scene.drawing);
     return scene;
 }
 
 // Of the drawing, as the report of a picture has it.
-nlohmann::ordered_json partsOf(const Drawing& drawing) {
+nlohmann::ordered_json partsOf(const scene::Drawing& drawing) {
     const auto orNone = [](const std::string& said) { return said.empty() ? "none" : said; };
     const bool isMasked = drawing.clip && drawing.clip->mask;
-    return {
-        {"masked", orNone(isMasked ? drawing.clip->mask->remark : "")},
-        {"additions", orNone(drawing.additions ? remarkOf(*drawing.additions, drawing.settings.look) : "")}};
+    return {{"masked", orNone(isMasked ? drawing.clip->mask->remark : "")},
+            {"additions",
+             orNone(drawing.additions ? scene::remarkOf(*drawing.additions, drawing.settings.look) : "")}};
 }
 
-Result<void> write(const fs::path& folder, const Drawing& drawing, const LiveRecording& recording) {
+Result<void> write(const fs::path& folder, const scene::Drawing& drawing,
+                   const live::LiveRecording& recording) {
     const nlohmann::ordered_json parts = partsOf(drawing);
     std::string lines;
     std::size_t pictures = 0;
-    for (const RecordedFrame& frame : recording.frames) {
+    for (const live::RecordedFrame& frame : recording.frames) {
         nlohmann::ordered_json line{{"atS", frame.atS}, {"phase", nameOf(frame.phase)}};
         line.update(toJson(frame.shown));
         line.update(parts);
-        line["camera"] = toJson(frame.camera);
+        line["camera"] = scene::toJson(frame.camera);
         if (!frame.rgba.empty()) {
             const std::string name = fmt::format("frame-{:04}.png", ++pictures);
             line["file"] = name;
@@ -147,68 +150,69 @@ Result<void> write(const fs::path& folder, const Drawing& drawing, const LiveRec
 }
 
 // Small pictures stood where a model would, and with it a fovea, had it learnt for longer.
-bool isBeforeModel(const FrameShown& frame) {
+bool isBeforeModel(const live::FrameShown& frame) {
     using hybrid::ModelStage;
     const bool isComing =
         frame.model.stage == ModelStage::searching || frame.model.stage == ModelStage::resuming ||
         frame.model.stage == ModelStage::learning || frame.model.stage == ModelStage::resting;
-    return isComing && frame.picture == OnScreen::preview && trace::isPathTraced(frame.look) &&
+    return isComing && frame.picture == live::OnScreen::preview && trace::isPathTraced(frame.look) &&
            !isParallel(frame.camera) && !hybrid::isFitToBeShown(frame.model);
 }
 
 }  // namespace
 
-Result<LiveRecording> recordStudy(const RecordingWish& wish, const Hears& note, const Hears& warn,
-                                  Progress& progress) {
+Result<live::LiveRecording> recordStudy(const RecordingRequest& request, const Hears& note, const Hears& warn,
+                                        Progress& progress) {
     Wished wished;
-    MACULA_TRY(wished.state, stateOf(wish.state));
-    MACULA_TRY(wished.additions, additionChoice(wish.additions, wish.path, wished.state));
-    MACULA_TRY(RecordingOptions options, optionsOf(wish, wished.state.camera));
-    MACULA_TRY(wished.catalogue, builtInCatalogue());
-    if (!wish.lights.empty()) {
-        MACULA_TRY(wished.state.lights, findLights(wished.catalogue, wish.lights));
+    MACULA_TRY(wished.state, stateOf(request.state));
+    MACULA_TRY(wished.additions, resolveAdditions(request.additions, request.path, wished.state));
+    MACULA_TRY(live::RecordingOptions options, optionsOf(request, wished.state.camera));
+    MACULA_TRY(wished.catalogue, scene::builtInCatalogue());
+    if (!request.lights.empty()) {
+        MACULA_TRY(wished.state.lights, scene::findLights(wished.catalogue, request.lights));
     }
-    MACULA_TRY_VOID(checkFolder(wish));
-    MACULA_TRY(FrameInput scene, sceneOf(wish, std::move(wished), note, warn, progress));
-    MACULA_TRY_VOID(makeFolder(wish.folder));
-    const Drawing drawing = scene.drawing;
-    if (wish.sessions)
-        options.keeper = std::make_shared<ModelKeeper>(
-            session::StoreOptions{.folder = *wish.sessions},
+    MACULA_TRY_VOID(checkFolder(request));
+    MACULA_TRY(live::FrameInput scene, sceneOf(request, std::move(wished), note, warn, progress));
+    MACULA_TRY_VOID(makeFolder(request.folder));
+    const scene::Drawing drawing = scene.drawing;
+    if (request.sessions)
+        options.keeper = std::make_shared<live::StudyKeeper>(
+            session::StoreOptions{.folder = *request.sessions},
             [&warn](const Error& error) { warn(error.message + " " + error.hint); });
-    MACULA_TRY(LiveRecording recording, recordLive(std::move(scene), options, progress));
+    MACULA_TRY(live::LiveRecording recording, live::recordLive(std::move(scene), options, progress));
     options.keeper.reset();  // what was learnt is saved
     if (recording.isFull) note("Pictures left out: there were too many. Lower --pictures or --size.");
-    MACULA_TRY_VOID(write(wish.folder, drawing, recording));
+    MACULA_TRY_VOID(write(request.folder, drawing, recording));
     return recording;
 }
 
-nlohmann::ordered_json timesOf(const LiveRecording& recording) {
+nlohmann::ordered_json timesOf(const live::LiveRecording& recording) {
     auto json = nlohmann::ordered_json::array();
-    for (const RecordedTimes& of : recording.times)
+    for (const live::RecordedTimes& of : recording.times)
         json.push_back({{"phase", nameOf(of.phase)},
                         {"seconds", of.watchedS},
-                        {"stages", toJson(of.stages, 1000.0 * of.watchedS)}});
+                        {"stages", live::toJson(of.stages, 1000.0 * of.watchedS)}});
     return json;
 }
 
-std::string timesText(const LiveRecording& recording) {
+std::string timesText(const live::LiveRecording& recording) {
     std::string text;
     for (const auto& of : timesOf(recording))
         text += fmt::format("\n{}, {:.1f} s\n{}", of.at("phase").get<std::string>(),
-                            of.at("seconds").get<double>(), tableOf(of.at("stages")));
+                            of.at("seconds").get<double>(), live::tableOf(of.at("stages")));
     return text;
 }
 
-MotionFigures motionFigures(const LiveRecording& recording) {
+MotionFigures motionFigures(const live::LiveRecording& recording) {
     MotionFigures figures;
     std::vector<double> latenciesMs;
     double firstS = 0.0;
     double lastS = 0.0;
     std::uint64_t lastSequence = 0;
-    for (const RecordedFrame& frame : recording.frames) {
+    for (const live::RecordedFrame& frame : recording.frames) {
         // A view that is shown once more is no new frame that follows the camera.
-        if (frame.phase != RecordingPhase::moving || frame.shown.inputSequence == lastSequence) continue;
+        if (frame.phase != live::RecordingPhase::moving || frame.shown.inputSequence == lastSequence)
+            continue;
         lastSequence = frame.shown.inputSequence;
         if (latenciesMs.empty()) firstS = frame.atS;
         lastS = frame.atS;
@@ -234,4 +238,4 @@ std::string textOf(const MotionFigures& figures) {
         isTooEarly ? " The model was not sharp enough to be shown: give it longer by --learn." : "");
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

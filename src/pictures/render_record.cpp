@@ -8,7 +8,7 @@
 #include "scene/camera/view_directions.h"
 #include "scene/state/parameters.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -53,14 +53,15 @@ void RenderRecord::add(const PictureRequest& request, const DrawnPicture& pictur
     settings = request.settings;
     effects = effectsThatCount(request, picture);
     if (!request.isLinear)
-        background = request.isTransparent ? std::string(kTransparent) : hexOf(request.background);
+        background =
+            request.isTransparent ? std::string(scene::kTransparent) : scene::hexOf(request.background);
     if (!request.camera) {
-        const UsualView usual = usualView(*request.scene.volume);
-        view = nameOf(request.from.value_or(usual.from));
+        const scene::UsualView usual = scene::usualView(*request.scene.volume);
+        view = scene::nameOf(request.from.value_or(usual.from));
         whyView = request.from ? "chosen" : std::string(nameOf(usual.why));
     }
     matter.clear();
-    for (const MatterParameter& p : matterParameters())
+    for (const scene::MatterParameter& p : scene::matterParameters())
         matter.emplace_back(p.id, p.get(request.scene.function));
     settings.exposure = picture.exposure;
     unit = unitSymbol(request.scene.volume->unit());
@@ -140,7 +141,7 @@ Json toJson(const RenderRecord& record) {
         {"additions", record.additions.empty() ? "none" : record.additions},
         {"filter", trace::nameOf(record.settings.filter)},
         {"device", record.device},
-        {"camera", toJson(record.camera)},
+        {"camera", scene::toJson(record.camera)},
         {"view", record.view.empty() ? "camera" : record.view},
         {"whyView", record.whyView.empty() ? "camera" : record.whyView},
         {"background", record.background.empty() ? "none" : record.background},
@@ -169,4 +170,4 @@ Json toJson(const RenderRecord& record) {
         {"notes", record.notes}};
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -13,7 +13,7 @@
 #include "pictures/drawn_picture.h"
 #include "pipeline/trace/path_tracer.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 // Holds no patient data: the series is a digest, and files of the user are named by their kind only.
 struct RenderRecord {
@@ -53,4 +53,4 @@ image::Metadata metadata(const RenderRecord& record);
 // The whole record, with times; estimatedError is null when it is unknown.
 nlohmann::ordered_json toJson(const RenderRecord& record);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 void putOver(std::vector<std::uint8_t>& picture, const glm::ivec2& sizePx, const Stamp& stamp) {
     MACULA_CHECK_EQ(stamp.rgba.size(), std::size_t(stamp.sizePx.x) * std::size_t(stamp.sizePx.y) * 4);
@@ -22,4 +22,4 @@ void putOver(std::vector<std::uint8_t>& picture, const glm::ivec2& sizePx, const
     }
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

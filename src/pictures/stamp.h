@@ -6,7 +6,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-namespace macula::app {
+namespace macula::pictures {
 
 struct Stamp {
     glm::ivec2 atPx{0};  // its upper left corner in the picture
@@ -17,4 +17,4 @@ struct Stamp {
 // Copies the stamp into a picture of `sizePx`, 4 bytes a pixel; clips it at the border.
 void putOver(std::vector<std::uint8_t>& picture, const glm::ivec2& sizePx, const Stamp& stamp);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

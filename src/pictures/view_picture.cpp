@@ -12,7 +12,7 @@
 #include "pictures/render_record.h"
 #include "pictures/view_request.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -62,7 +62,7 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
     if (!isDicom(picture.output)) MACULA_TRY_VOID(checkPictureName(picture.output));
     MACULA_TRY(const PictureRequest request, requestOf(picture, isExr(picture.output)));
     std::vector<std::string> sentences;
-    MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [&](std::string_view sentence) {
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](std::string_view sentence) {
                    sentences.emplace_back(sentence);
                }));
     DrawnPicture drawn;
@@ -88,7 +88,7 @@ Result<double> meteredExposureOf(const ViewPicture& picture, const std::string& 
                                  Progress& progress) {
     if (progress.cancelled()) return stopped();
     MACULA_TRY(const PictureRequest request, requestOf(picture, true));
-    MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [](std::string_view) {}));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](std::string_view) {}));
     double exposure = 1.0;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(on, request, progress));
@@ -102,7 +102,7 @@ Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vecto
                                                                 const std::string& preferredDevice,
                                                                 Progress& progress) {
     if (progress.cancelled()) return stopped();  // a device takes long
-    MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [](std::string_view) {}));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](std::string_view) {}));
     std::vector<std::vector<std::uint8_t>> drawn;
     for (const ViewPicture& picture : pictures) {
         if (progress.cancelled()) return stopped();
@@ -116,4 +116,4 @@ Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vecto
     return drawn;
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -19,15 +19,15 @@
 #include "pictures/picture_effort.h"
 #include "pictures/stamp.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 struct ViewPicture {
     std::shared_ptr<const Volume> volume;
     std::string seriesDigest;  // PNG and EXR have it as publicSeries
-    Drawing drawing;           // complete
+    scene::Drawing drawing;    // complete
     Camera camera;
     glm::ivec2 sizePx{0};
-    EffortWish effort;
+    EffortRequest effort;
     PictureEffects effects = {};
     std::filesystem::path output;  // .png, .exr or .dcm; replaces an existing file
     // For .dcm, as in dicom::SecondaryCapture: an image of the shown series, whether the picture is of
@@ -57,4 +57,4 @@ Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vecto
                                                                 const std::string& preferredDevice,
                                                                 Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -7,7 +7,7 @@
 #include "scene/drawing/drawing_of.h"
 #include "scene/drawing/shown_clip.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear) {
     const glm::ivec2 size = picture.sizePx;
@@ -17,7 +17,7 @@ Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear) {
                      fmt::format("Take 1 to {} pixels for each side.", trace::kMaxPictureSide)};
     MACULA_TRY_VOID(check(picture.effects));
     MACULA_TRY(Effort effort, effortOf(picture.effort, picture.drawing.settings));
-    const Drawing& drawing = picture.drawing;
+    const scene::Drawing& drawing = picture.drawing;
     return PictureRequest{.scene = {.volume = in16Bits(picture.volume),
                                     .function = *drawing.transferFunction,
                                     .clip = drawing.clip ? *drawing.clip : Clip{},
@@ -28,19 +28,19 @@ Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear) {
                           .settings = effort.settings,
                           .samplesPerPixel = effort.samplesPerPixel,
                           .isLinear = isLinear,
-                          .background = drawing.background.value_or(kBlackBackground),
+                          .background = drawing.background.value_or(scene::kBlackBackground),
                           .effects = picture.effects};
 }
 
 RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request, const DrawnPicture& drawn) {
     RenderRecord record;
     record.seriesDigest = picture.seriesDigest;
-    record.preset = publicPresetName(request.scene.function);
-    record.lights = publicLightsName(*picture.drawing.lights);
+    record.preset = scene::publicPresetName(request.scene.function);
+    record.lights = scene::publicLightsName(*picture.drawing.lights);
     record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
     if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark;
-    record.additions = remarkOf(request.scene.additions, request.settings.look);
-    record.tableRemoved = record.masked.find(kTableLeftOut) != std::string::npos;
+    record.additions = scene::remarkOf(request.scene.additions, request.settings.look);
+    record.tableRemoved = record.masked.find(scene::kTableLeftOut) != std::string::npos;
     record.presetFitted = request.scene.function.fitToVolume.has_value();
     record.window = request.settings.window;
     record.add(request, drawn);
@@ -54,4 +54,4 @@ std::vector<std::string> sentencesOf(const DrawnPicture& drawn, const PictureReq
     return sentences;
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -9,7 +9,7 @@
 #include "pictures/render_record.h"
 #include "pictures/view_picture.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 // usage for a size or effects out of range; fails as chooseQuality.
 Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear);
@@ -20,4 +20,4 @@ RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request,
 // The notes on the picture, each with its action.
 std::vector<std::string> sentencesOf(const DrawnPicture& drawn, const PictureRequest& request);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -14,7 +14,7 @@
 #include "pictures/picture_file.h"
 #include "pictures/view_request.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 namespace {
 
@@ -110,7 +110,7 @@ struct Course {
 Camera cameraOf(const ViewSequence& sequence, int index) {
     const int pieces = sequence.isClosed ? sequence.frames : sequence.frames - 1;
     const double share = pieces > 0 ? double(index) / pieces : 0.0;
-    return cameraAt(sequence.path, share * sequence.path.seconds());
+    return scene::cameraAt(sequence.path, share * sequence.path.seconds());
 }
 
 std::string frameName(int index, int frames) {
@@ -125,7 +125,7 @@ Result<WrittenSequence> writeViewSequence(const ViewSequence& sequence, const st
     Files files(sequence.folder);
     MACULA_TRY_VOID(prepareFolder(sequence.folder));
     WrittenSequence result;
-    MACULA_TRY(gpu::LastingDevice device, openDevice(preferredDevice, [&](std::string_view sentence) {
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](std::string_view sentence) {
                    result.sentences.emplace_back(sentence);
                }));
     progress.beginStage("Drawing pictures", std::size_t(sequence.frames));
@@ -139,4 +139,4 @@ Result<WrittenSequence> writeViewSequence(const ViewSequence& sequence, const st
     return result;
 }
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -10,12 +10,12 @@
 #include "pictures/view_picture.h"
 #include "scene/camera/camera_path.h"
 
-namespace macula::app {
+namespace macula::pictures {
 
 struct ViewSequence {
     // Volume, drawing, size and effort of each picture. Ignores its camera and output: pictures are PNG.
     ViewPicture picture;
-    CameraPath path;
+    scene::CameraPath path;
     int frames = 1;         // 1 to kMostFrames, evenly spaced over the time of the path
     bool isClosed = false;  // the path ends where it begins; that view is drawn once
     // Stamps over the picture of that camera; may be empty. Called on the thread of writeViewSequence.
@@ -41,4 +41,4 @@ struct WrittenSequence {
 Result<WrittenSequence> writeViewSequence(const ViewSequence& sequence, const std::string& preferredDevice,
                                           Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -123,7 +123,7 @@ void SurfaceProfile::bridge(const Run& left, const Run& right) {
     touchesBody_ = touchesBody_ || touches;
 }
 
-void SurfaceProfile::complete() {
+void SurfaceProfile::bridgeGaps() {
     dropWhatLiesBehind();
     const std::vector<Run> all = runs();
     for (std::size_t n = 1; n < all.size(); ++n) bridge(all[n - 1], all[n]);

@@ -21,7 +21,7 @@ class SurfaceProfile {
     double widthMm() const;  // of the columns that have one
     // Bridges gaps between two pieces of the sheet, where the body lies on it, and removes the sheet where
     // the body reaches through.
-    void complete();
+    void bridgeGaps();
 
     std::optional<int> top(int u) const;  // the sheet's block nearest to the body
     bool touchesBody() const { return touchesBody_; }

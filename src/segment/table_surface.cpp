@@ -181,7 +181,7 @@ TableSurface findTableSurface(const Grid& grid, const Mask& solid, const Mask& b
                     }
                 }
                 if (profile.widthMm() < kSheetMm) continue;
-                profile.complete();
+                profile.bridgeGaps();
                 seen = true;
                 touched = touched || profile.touchesBody();
                 for (int u = 0; u < slice.width(); ++u) {

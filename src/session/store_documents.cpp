@@ -71,7 +71,7 @@ std::string_view nameOf(AuditKind kind) {
 }
 
 bool isOfVolume(const DocumentId& id) {
-    const bool isOfAStudy = id.kind == DocumentKind::session || id.kind == DocumentKind::view ||
+    const bool isOfAStudy = id.kind == DocumentKind::studyState || id.kind == DocumentKind::view ||
                             id.kind == DocumentKind::layout || id.kind == DocumentKind::measurement;
     constexpr std::size_t kDigestLength = 64;
     return isOfAStudy && id.study.empty() && id.name.size() > kDigestLength &&

@@ -100,11 +100,11 @@ struct SaveReport {
 
 // Kinds of documents. `preset` to `clip` are the user's own; `view` is a bookmark; `session` is the state of
 // a study; `calibration` is of the machine.
-enum class DocumentKind { preset, favourite, clip, view, session, layout, measurement, calibration };
+enum class DocumentKind { preset, favourite, clip, view, studyState, layout, measurement, calibration };
 std::string_view nameOf(DocumentKind kind);
 
 struct DocumentId {
-    DocumentKind kind = DocumentKind::session;
+    DocumentKind kind = DocumentKind::studyState;
     std::string study;  // identity; empty: of the machine, for all studies
     // 1 to 200 bytes; other names are never found, and putting one fails. A view, session, layout or
     // measurement without a study belongs to a volume, and is purged with it, if its name begins with the

@@ -17,7 +17,7 @@ bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-bool isUnit(const glm::dvec3& v, double tolerance) {
+bool isUnitVector(const glm::dvec3& v, double tolerance) {
     return std::abs(glm::length(v) - 1.0) < tolerance;
 }
 
@@ -69,7 +69,7 @@ class PictureReach {
 
 bool SlicePlane::isUsable() const {
     constexpr double kTolerance = 1e-3;
-    return isFinite(centreMm) && isUnit(right, kTolerance) && isUnit(down, kTolerance) &&
+    return isFinite(centreMm) && isUnitVector(right, kTolerance) && isUnitVector(down, kTolerance) &&
            std::abs(glm::dot(right, down)) < kTolerance;
 }
 

@@ -54,15 +54,15 @@ Result<int> parseDays(const QString& source, const QString& text) {
 }
 
 Result<ViewDirection> parseView(const QString& text) {
-    if (const auto direction = app::viewDirectionOf(text.toStdString())) return *direction;
+    if (const auto direction = scene::viewDirectionOf(text.toStdString())) return *direction;
     return usage(QStringLiteral("There is no view '%1'.").arg(text),
                  "The views are anterior, posterior, left, right, superior, inferior, oblique, "
                  "three-quarter and turned.");
 }
 
-Result<app::Layout> parseLayout(const QString& text) {
+Result<scene::Layout> parseLayout(const QString& text) {
     for (const LayoutRow& row : kLayouts) {
-        if (text.toStdString() == app::nameOf(row.layout)) return row.layout;
+        if (text.toStdString() == nameOf(row.layout)) return row.layout;
     }
     return usage(QStringLiteral("There is no layout '%1'.").arg(text),
                  "The layouts are fourPanes, volume, axial, coronal and sagittal.");
@@ -162,15 +162,15 @@ Result<void> readSessions(const QCommandLineParser& parser, const Options& optio
     if (result.sessions && (result.sessions->isEmpty() || parser.isSet(options.noSession)))
         return usage(QStringLiteral("--sessions needs a folder, and does not go with --no-session."));
     // A script measures: it begins anew, unless it is told where.
-    result.keepsSessions =
+    result.keepsStudies =
         !parser.isSet(options.noSession) && (result.sessions || !parser.isSet(options.script));
     const QString preset = qEnvironmentVariable(kKeepDaysVariable);
     if (parser.isSet(options.keepDays)) {
-        if (!result.keepsSessions)
+        if (!result.keepsStudies)
             return usage(QStringLiteral("--keep-days does nothing where nothing is kept."),
                          "Leave --no-session out; with a --script, say --sessions FOLDER.");
         MACULA_TRY(result.keepDays, parseDays(QStringLiteral("--keep-days"), parser.value(options.keepDays)));
-    } else if (result.keepsSessions && !preset.isEmpty()) {
+    } else if (result.keepsStudies && !preset.isEmpty()) {
         MACULA_TRY(result.keepDays, parseDays(QLatin1String(kKeepDaysVariable), preset));
     }
     return {};
@@ -188,7 +188,7 @@ Result<void> readScript(const QCommandLineParser& parser, const Options& options
     using Script = CommandLine::Script;
     // Its size is that of the volume's picture.
     const bool isOfVolume = result.script == Script::orbit || result.script == Script::changes;
-    if (isOfVolume && !parser.isSet(options.layout)) result.layout = app::Layout::volume;
+    if (isOfVolume && !parser.isSet(options.layout)) result.layout = scene::Layout::volume;
     result.screenshots = parser.value(options.screenshots);
     if (!result.screenshots.isEmpty() && result.script != Script::orbit && result.script != Script::stations)
         return usage(QStringLiteral("--screenshots needs --script orbit or stations."));
@@ -274,9 +274,9 @@ CommandLine withSettings(CommandLine line, const Settings& settings) {
     if (!line.language) line.language = settings.language;
     line.highContrast = line.highContrast || settings.highContrast;
     if (!line.choosesFontScale) line.fontScale = settings.fontScale;
-    if (!line.keepsSessions) return line;
+    if (!line.keepsStudies) return line;
     const bool isFolderTold = line.sessions || qEnvironmentVariableIsSet(kSessionsVariable);
-    if (!isFolderTold && !settings.sessionFolder.isEmpty()) line.sessions = settings.sessionFolder;
+    if (!isFolderTold && !settings.storeFolder.isEmpty()) line.sessions = settings.storeFolder;
     if (!line.keepDays) line.keepDays = settings.keepDays;
     return line;
 }

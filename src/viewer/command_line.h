@@ -19,9 +19,9 @@ struct CommandLine {
     QString preset;                 // empty: by modality
     QString lights;                 // empty: the default
     QString device;
-    std::optional<ViewDirection> view = {};  // nothing: app::usualView
+    std::optional<ViewDirection> view = {};  // nothing: scene::usualView
     std::optional<QSize> size;               // of the picture
-    app::Layout layout = app::Layout::fourPanes;
+    scene::Layout layout = scene::Layout::fourPanes;
     bool choosesLayout = false;
     std::optional<Language> language = {};  // nothing: from the settings or the desktop
     bool highContrast = false;
@@ -29,7 +29,7 @@ struct CommandLine {
     bool choosesFontScale = false;
     std::uint32_t samples = 512;
     bool usesModel = true;
-    bool keepsSessions = true;
+    bool keepsStudies = true;
     std::optional<QString> sessions;  // none: session::defaultFolder()
     std::optional<int> keepDays;      // deletes what was unopened for longer; nothing: never
     bool calibrates = false;          // only measures this machine's speed and prints it

@@ -30,8 +30,8 @@
 #include "viewer/display_check.h"
 #include "viewer/driven/changes_script.h"
 #include "viewer/driven/orbit_script.h"
-#include "viewer/driven/session_script.h"
 #include "viewer/driven/stations_script.h"
+#include "viewer/driven/workday_script.h"
 #include "viewer/language/core_words.h"
 #include "viewer/language/language.h"
 #include "viewer/quit_signals.h"
@@ -49,30 +49,30 @@ int fail(const Error& error) {
     std::fprintf(stderr, "macula-viewer: %s%s%s%s %s\n", error.message.c_str(),
                  error.where.empty() ? "" : " (", error.where.c_str(), error.where.empty() ? "" : ")",
                  error.hint.c_str());
-    return app::exitCodeOf(error.code);
+    return exitCodeOf(error.code);
 }
 
 Result<MainWindowOptions> windowOptions(const CommandLine& line) {
-    MACULA_TRY(app::Catalogue catalogue, app::builtInCatalogue());
+    MACULA_TRY(scene::Catalogue catalogue, scene::builtInCatalogue());
     MainWindowOptions options{.catalogue = std::move(catalogue), .device = line.device.toStdString()};
     if (!line.preset.isEmpty()) {
-        MACULA_TRY(options.preset, app::findPreset(options.catalogue, line.preset.toStdString()));
+        MACULA_TRY(options.preset, scene::findPreset(options.catalogue, line.preset.toStdString()));
     }
     if (!line.lights.isEmpty()) {
-        MACULA_TRY(options.lights, app::findLights(options.catalogue, line.lights.toStdString()));
+        MACULA_TRY(options.lights, scene::findLights(options.catalogue, line.lights.toStdString()));
     }
     options.firstView = line.view;
     options.layout = line.layout;
     options.choosesSize = line.size.has_value() || line.script != CommandLine::Script::none;
     if (line.size) {
         options.pictureSize = *line.size;
-    } else if (line.layout == app::Layout::fourPanes) {
+    } else if (line.layout == scene::Layout::fourPanes) {
         options.pictureSize = QGuiApplication::primaryScreen()->availableSize() * kShareOfScreen;
     }
     options.sampleLimit = line.samples;
     options.usesModel = line.usesModel;
     options.namesPatient = line.namesPatient;
-    if (line.keepsSessions)
+    if (line.keepsStudies)
         options.sessions =
             line.sessions ? std::filesystem::path(line.sessions->toStdString()) : session::defaultFolder();
     options.keepDays = line.keepDays;
@@ -110,31 +110,31 @@ ReadSettings readSettingsFor(const CommandLine& line) {
     } else {
         read.error = settings.error();
     }
-    if (line.keepsSessions) read.file = file;
+    if (line.keepsStudies) read.file = file;
     return read;
 }
 
 // Needs no display. `line` is with settings: what is measured goes to where the window looks for it.
 int calibrate(const CommandLine& line) {
     std::optional<std::filesystem::path> folder;
-    if (line.keepsSessions)
+    if (line.keepsStudies)
         folder =
             line.sessions ? std::filesystem::path(line.sessions->toStdString()) : session::defaultFolder();
     Progress progress;
-    const auto front = app::builtInQualityFront();
+    const auto front = live::builtInQualityFront();
     if (!front) return fail(front.error());
-    const auto measured = app::calibrationOf(line.device.toStdString(), folder, true, progress);
+    const auto measured = live::calibrationOf(line.device.toStdString(), folder, true, progress);
     if (!measured) return fail(measured.error());
     std::printf("%s: %.1f ms, %.2f times the machine that the quality slider was measured on.\n",
                 measured->device.c_str(), measured->traceMs, measured->traceMs / front->calibrationMs);
-    return app::kExitDone;
+    return kExitDone;
 }
 
 // Whoever ends the program from outside loses nothing of what was chosen and measured.
 void keepWorkWhenAskedToEnd(QApplication& application, MainWindow& window, QuitSignals& quitSignals) {
     QObject::connect(&quitSignals, &QuitSignals::asked, &window, [&window] {
         window.keepStateNow();
-        QCoreApplication::exit(app::kExitCancelled);
+        QCoreApplication::exit(kExitCancelled);
     });
     // A desktop that logs out ends the program when it has heard this, or asks the window to close first.
     QObject::connect(
@@ -168,11 +168,11 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
     MainWindow window(*std::move(instance), *std::move(options));
     QuitSignals quitSignals;
     keepWorkWhenAskedToEnd(application, window, quitSignals);
-    const app::StudySource source =
-        line.folder ? app::StudySource(line.folder->toStdString()) : app::StudySource();
+    const study::StudySource source =
+        line.folder ? study::StudySource(line.folder->toStdString()) : study::StudySource();
     std::optional<OrbitScript> orbit;
     std::optional<ChangesScript> changes;
-    std::optional<SessionScript> session;
+    std::optional<WorkdayScript> session;
     std::optional<StationsScript> stations;
     const auto begin = [&](auto& script) {
         using Script = std::decay_t<decltype(*script)>;
@@ -191,7 +191,7 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
         changes.emplace(window, ChangesScriptOptions{.study = source, .seconds = line.seconds});
         begin(changes);
     } else if (line.script == CommandLine::Script::session || line.script == CommandLine::Script::opening) {
-        SessionScriptOptions wanted;
+        WorkdayScriptOptions wanted;
         wanted.study = source;
         wanted.opensOnly = line.script == CommandLine::Script::opening;
         wanted.work.orbitSeconds = line.seconds;
@@ -222,14 +222,14 @@ int run(QApplication& application, const CommandLine& line, const ReadSettings& 
 // The window is gone, and has saved what was learnt, before the study is opened again.
 int runSession(QApplication& application, CommandLine line, const ReadSettings& read) {
     const QTemporaryDir own;
-    if (!line.keepsSessions) {
+    if (!line.keepsStudies) {
         if (!own.isValid())
             return fail({ErrorCode::outputNotWritable,
                          "There is no folder for what the session keeps.",
                          {},
                          "Say --sessions FOLDER, or set TMPDIR."});
         line.sessions = own.path();
-        line.keepsSessions = true;
+        line.keepsStudies = true;
     }
     QJsonObject report;
     const int code = run(application, line, read, &report);
@@ -262,9 +262,9 @@ int main(int argc, char** argv) {
     if (!line) return fail(line.error());
     if (line->print) {
         std::fputs(line->print->toLocal8Bit().constData(), stdout);
-        return app::kExitDone;
+        return kExitDone;
     }
-    app::keepKernelsIn(app::usualKernelsFolder());
+    live::keepKernelsIn(live::usualKernelsFolder());
     if (line->calibrates) return calibrate(withSettings(*line, readSettingsFor(*line).settings));
     std::optional<DisplayCheck> display(std::in_place);
     if (!display->found()) {

@@ -31,7 +31,7 @@
 namespace macula::xr {
 
 struct HeadsetOptions {
-    SessionWish session = {};
+    SessionOptions session = {};
     glm::ivec2 eyePx{0};    // of the picture for each eye; 0: as the headset wants it
     bool holdsRate = true;  // false: nothing is left out, however late frames are
 };

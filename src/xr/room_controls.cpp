@@ -260,7 +260,7 @@ Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, con
 
 std::optional<std::size_t> RoomControls::presetIndex() const {
     const TransferFunction& now = *state().transferFunction;
-    const std::string copied = app::copiedFrom(now);
+    const std::string copied = scene::copiedFrom(now);
     const std::string& name = copied.empty() ? now.name : copied;
     for (std::size_t i = 0; i < host_.presets.size(); ++i)
         if (host_.presets[i]->name == name) return i;
@@ -284,11 +284,11 @@ RoomState RoomControls::withShift(int steps) const {
     if (now.opacity.empty()) return next;
     const double across = now.opacity.back().value - now.opacity.front().value;
     if (!(across > 0.0)) return next;
-    TransferFunction moved = app::shifted(now, steps * kShiftShare * across);
-    if (app::copiedFrom(moved).empty()) {
+    TransferFunction moved = scene::shifted(now, steps * kShiftShare * across);
+    if (scene::copiedFrom(moved).empty()) {
         std::set<std::string> taken;
         for (const auto& preset : host_.presets) taken.insert(preset->name);
-        moved = app::ownCopy(moved, taken);
+        moved = scene::ownCopy(moved, taken);
     }
     next.transferFunction = std::make_shared<const TransferFunction>(std::move(moved));
     return next;

@@ -29,7 +29,7 @@ std::uint32_t samplesIn(RoomQuality quality, std::uint32_t ofBalanced) {
     return std::max(ofBalanced * mostSamplesOf(quality) / mostSamplesOf(RoomQuality::balanced), 1u);
 }
 
-Result<void> checkDrawing(const app::Drawing& drawing) {
+Result<void> checkDrawing(const scene::Drawing& drawing) {
     if (!trace::isPathTraced(drawing.settings.look))
         return Error{ErrorCode::usage, "In a headset only path-traced pictures can be shown.", "",
                      "Choose the cinematic or the clear look."};
@@ -147,18 +147,18 @@ Work RoomView::nextWork() const {
     return wants(Work::model) && hybrid_.hasFovea() && !wasTurnOfModel_ ? Work::model : Work::fovea;
 }
 
-Result<void> RoomView::work(Work work, const EyePictures& eyes, const WorkWish& wish) {
-    const auto end = Clock::now() + std::chrono::duration<double, std::milli>(wish.budgetMs);
+Result<void> RoomView::work(Work work, const EyePictures& eyes, const WorkRequest& request) {
+    const auto end = Clock::now() + std::chrono::duration<double, std::milli>(request.budgetMs);
     const std::function<bool()> keepGoing = [end] { return Clock::now() < end; };
     wasTurnOfModel_ = work == Work::model;
-    return wasTurnOfModel_ ? model_.work(wish.budgetMs, keepGoing) : traceFovea(eyes, wish, keepGoing);
+    return wasTurnOfModel_ ? model_.work(request.budgetMs, keepGoing) : traceFovea(eyes, request, keepGoing);
 }
 
-Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkWish& wish,
+Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkRequest& request,
                                   const std::function<bool()>& keepGoing) {
     const bool isOverModel = drawsModel();
-    const glm::dvec2& gaze = wish.gaze;
-    const std::uint32_t mostSamples = samplesIn(shown_.quality, wish.mostSamples);
+    const glm::dvec2& gaze = request.gaze;
+    const std::uint32_t mostSamples = samplesIn(shown_.quality, request.mostSamples);
     const bool isSameKind = aimed_ && aimed_->isOverModel == isOverModel;
     // The coarse picture of all would lie over what was learnt.
     if (aimed_ && !isSameKind) hybrid_.forgetFovea();
@@ -168,7 +168,7 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkWish& wish,
         const bool isSame = isSameKind && aimed_->aim.whole.camera == eyes.centre && aimed_->gaze == gaze &&
                             hybrid_.isFoveaOf(eyes.centre, aimed_->aim.gaze);
         Aimed next{
-            .aim = isSame ? aimed_->aim : newFovea(eyes, wish), .gaze = gaze, .isOverModel = isOverModel};
+            .aim = isSame ? aimed_->aim : newFovea(eyes, request), .gaze = gaze, .isOverModel = isOverModel};
         if (isSame) {
             // While neither head nor eyes move, it is traced anew with twice the samples, up to these.
             if (next.aim.samplesPerPixel >= mostSamples) return {};
@@ -182,15 +182,16 @@ Result<void> RoomView::traceFovea(const EyePictures& eyes, const WorkWish& wish,
 }
 
 // While there is no model, a coarse picture of all that is seen, straight ahead.
-hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const WorkWish& wish) const {
+hybrid::FoveaAim RoomView::newFovea(const EyePictures& eyes, const WorkRequest& request) const {
     const double msPerSample = hybrid_.foveaMsPerSample().value_or(hybrid::guessedFoveaMsPerSample(*device_));
     const double budgetMs =
         std::max(foveaShareOf(shown_.quality) * hybrid_.foveaBudgetMs(hybrid::kFoveaBudgetMs),
                  hybrid::kLeastFoveaBudgetMs);
-    const glm::ivec2 finePx = glm::ivec2(glm::round(glm::dvec2(eyes.sizePx) * std::max(wish.fineness, 1.0)));
+    const glm::ivec2 finePx =
+        glm::ivec2(glm::round(glm::dvec2(eyes.sizePx) * std::max(request.fineness, 1.0)));
     if (drawsModel())
         return hybrid::affordableFovea({.camera = eyes.centre, .width = finePx.x, .height = finePx.y},
-                                       wish.gaze, msPerSample, budgetMs);
+                                       request.gaze, msPerSample, budgetMs);
     const trace::View whole{.camera = eyes.centre, .width = eyes.sizePx.x, .height = eyes.sizePx.y};
     const double halfHeight = std::tan(0.5 * glm::radians(eyes.centre.verticalFovDeg));
     const double half = halfHeight * std::max(1.0, double(eyes.sizePx.x) / eyes.sizePx.y);
@@ -223,7 +224,7 @@ Result<bool> RoomView::show(const RoomState& state, Lasts lasts) {
         if (!isForALook) scene_.quality = state.quality;
         return true;
     }
-    const app::Drawing before = scene_.drawing;
+    const scene::Drawing before = scene_.drawing;
     const RoomQuality qualityBefore = scene_.quality;
     const RoomState shownBefore = shown_;
     const bool wasForALook = isForALook_;

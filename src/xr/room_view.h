@@ -8,7 +8,7 @@
 
 #include "base/result.h"
 #include "base/volume.h"
-#include "live/frame/scene_names.h"
+#include "live/frame/scene_ids.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/frame/eye_depths.h"
 #include "pipeline/hybrid/frame/hybrid_frame.h"
@@ -25,7 +25,7 @@ namespace macula::xr {
 
 struct RoomScene {
     std::shared_ptr<const Volume> volume;  // in 16 bits
-    app::Drawing drawing;                  // complete
+    scene::Drawing drawing;                // complete
     RoomQuality quality = RoomQuality::balanced;
 };
 
@@ -43,7 +43,7 @@ struct RoomPictures {
 };
 
 // What is done for later frames.
-struct WorkWish {
+struct WorkRequest {
     double budgetMs = 0.0;
     glm::dvec2 gaze{0.0};   // in the picture of the centre eye
     double fineness = 1.0;  // of pixels where they look, over that of the pictures
@@ -86,7 +86,7 @@ class RoomView {
     // Nothing is learnt or traced yet of what is shown: it is dark.
     bool isDark() const { return !drawsModel() && !hybrid_.hasFovea(); }
     // About as long as is wished, at least a dispatch of some 12 ms or a step of learning.
-    Result<void> work(Work work, const EyePictures& eyes, const WorkWish& wish);
+    Result<void> work(Work work, const EyePictures& eyes, const WorkRequest& request);
 
     // Shows another state. What is for a look is traced alone, and nothing is learnt of it; `scene` stays as
     // it was. False, and all is as it was, when nothing would be left, or it is no valid state.
@@ -112,9 +112,9 @@ class RoomView {
     Result<void> apply(const RoomState& state);
     bool drawsModel() const { return !isForALook_ && model_.canBeDrawn(); }
     Result<hybrid::DrawnSplats> drawSplats(const Camera& eye, const glm::ivec2& sizePx);
-    Result<void> traceFovea(const EyePictures& eyes, const WorkWish& wish,
+    Result<void> traceFovea(const EyePictures& eyes, const WorkRequest& request,
                             const std::function<bool()>& keepGoing);
-    hybrid::FoveaAim newFovea(const EyePictures& eyes, const WorkWish& wish) const;
+    hybrid::FoveaAim newFovea(const EyePictures& eyes, const WorkRequest& request) const;
 
     std::shared_ptr<gpu::Device> device_;
     RoomScene scene_;
@@ -122,7 +122,7 @@ class RoomView {
     RoomState shown_;  // that of the scene, or what is shown for a look
     bool isForALook_ = false;
     double nearMm_ = 10.0;
-    app::SceneNames names_;
+    live::SceneIds names_;
     trace::PathTracer tracer_;
     hybrid::HybridFrame hybrid_;
     hybrid::LiveModel model_;

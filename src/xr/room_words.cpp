@@ -6,7 +6,7 @@ namespace macula::xr {
 
 namespace {
 
-constexpr std::string_view kMark = " (edited";  // and " 2" from the second on, and ")": see app::ownCopy
+constexpr std::string_view kMark = " (edited";  // and " 2" from the second on, and ")": see scene::ownCopy
 
 // Where the mark of a copy begins; npos where a person named it otherwise.
 std::size_t markOfCopy(std::string_view title) {

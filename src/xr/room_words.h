@@ -42,7 +42,7 @@ struct RoomWords {
     std::string lostPlace = "The headset has lost its place. Look around.";
     std::string pictureWritten = "Picture %1 is written.";
 
-    std::string edited = "edited";              // of a preset that was changed, app::ownCopy
+    std::string edited = "edited";              // of a preset that was changed, scene::ownCopy
     std::map<std::string, std::string> titles;  // of presets that are built in, by the English one
     std::map<std::string, std::string> errors;  // sentences of other rooms, by the English one
     char decimalSign = '.';

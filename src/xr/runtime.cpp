@@ -219,7 +219,7 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
     if (XR_FAILED(answer)) return xrError(answer, "start Vulkan");
     if (!instance) return instance.error();
 
-    gpu::DeviceOptions options = app::deviceOptions({});
+    gpu::DeviceOptions options = live::deviceOptions({});
     options.isAnnounced = isAnnounced;
     XrVulkanGraphicsDeviceGetInfoKHR which{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR};
     which.systemId = runtime.system();

@@ -36,10 +36,10 @@ Pose fromXr(const XrPosef& pose) {
 }
 
 Result<Session> Session::begin(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
-                               const SessionWish& wish) {
+                               const SessionOptions& request) {
     Session session(std::move(runtime), std::move(device));
     MACULA_TRY_VOID(session.create());
-    session.chooseBlendMode(wish);
+    session.chooseBlendMode(request);
     MACULA_TRY_VOID(session.makeStage());
     return session;
 }
@@ -76,14 +76,14 @@ Result<void> Session::create() {
 }
 
 // The anatomy stands in darkness where that is offered, unless somebody wants to see the room.
-void Session::chooseBlendMode(const SessionWish& wish) {
+void Session::chooseBlendMode(const SessionOptions& request) {
     const std::vector<XrEnvironmentBlendMode>& modes = runtime_->blendModes();
     const auto choose = [&](XrEnvironmentBlendMode mode) {
         const bool isOffered = std::find(modes.begin(), modes.end(), mode) != modes.end();
         if (isOffered) blend_ = mode;
         return isOffered;
     };
-    if (wish.showsRoom &&
+    if (request.showsRoom &&
         (choose(XR_ENVIRONMENT_BLEND_MODE_ALPHA_BLEND) || choose(XR_ENVIRONMENT_BLEND_MODE_ADDITIVE)))
         return;
     if (!choose(XR_ENVIRONMENT_BLEND_MODE_OPAQUE) && !modes.empty()) blend_ = modes.front();

@@ -21,7 +21,7 @@
 namespace macula::xr {
 
 // What somebody wants of a session.
-struct SessionWish {
+struct SessionOptions {
     bool showsRoom = false;  // behind the anatomy, where the headset can
 };
 
@@ -46,7 +46,7 @@ class Session {
 
     // `device` is that of openDevice. deviceNotUsable when the runtime refuses.
     static Result<Session> begin(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device,
-                                 const SessionWish& wish = {});
+                                 const SessionOptions& request = {});
 
     Session(Session&& other) noexcept;
     Session& operator=(Session&&) = delete;
@@ -93,7 +93,7 @@ class Session {
     Session(std::shared_ptr<Runtime> runtime, std::shared_ptr<gpu::Device> device)
         : runtime_(std::move(runtime)), device_(std::move(device)) {}
     Result<void> create();
-    void chooseBlendMode(const SessionWish& wish);
+    void chooseBlendMode(const SessionOptions& request);
     Result<void> makeStage();
     Result<void> hear(const XrEventDataBuffer& event);
     Result<void> changeTo(XrSessionState state);

@@ -13,7 +13,7 @@
 #include "scene/drawing/drawing_of.h"
 #include "scene/drawing/projection_windows.h"
 #include "scene/drawing/shown_clip.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 #include "xr/headset.h"
 
 namespace macula::xr {
@@ -29,21 +29,22 @@ constexpr std::chrono::seconds kMostAway{10};
 constexpr std::chrono::milliseconds kLookEvery{250};
 constexpr std::uint64_t kShelfBytes = std::uint64_t(1) << 30;
 
-Result<RoomScene> sceneOf(const HeadsetWish& wish, const Hears& note, Progress& progress) {
-    MACULA_TRY(app::StudyState state, app::stateOf(wish.state));
-    MACULA_TRY(const app::Catalogue catalogue, app::builtInCatalogue());
-    if (!wish.lights.empty()) {
-        MACULA_TRY(state.lights, app::findLights(catalogue, wish.lights));
+Result<RoomScene> sceneOf(const HeadsetRequest& request, const Hears& note, Progress& progress) {
+    MACULA_TRY(scene::StudyState state, pictures::stateOf(request.state));
+    MACULA_TRY(const scene::Catalogue catalogue, scene::builtInCatalogue());
+    if (!request.lights.empty()) {
+        MACULA_TRY(state.lights, scene::findLights(catalogue, request.lights));
     }
-    MACULA_TRY(app::StudyInput study, app::loadStudy(wish.path, wish.series, progress, 0, wish.how));
-    app::bringTo16Bits(study);
-    MACULA_TRY_VOID(app::completeState(state, wish.state, study));
-    MACULA_TRY(app::ShownClip shown, app::shownClip(state, *study.volume, progress));
+    MACULA_TRY(study::LoadedStudy study,
+               study::loadStudy(request.path, request.series, progress, 0, request.how));
+    study::bringTo16Bits(study);
+    MACULA_TRY_VOID(pictures::completeState(state, request.state, study));
+    MACULA_TRY(scene::ShownClip shown, scene::shownClip(state, *study.volume, progress));
     for (const auto* sentences : {&study.notes, &shown.notes}) std::ranges::for_each(*sentences, note);
     RoomScene scene;
     scene.volume = study.volume;
-    scene.drawing = app::drawingOf(
-        state, catalogue, app::SeriesWindows(), study.volume,
+    scene.drawing = scene::drawingOf(
+        state, catalogue, scene::SeriesWindows(), study.volume,
         shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(shown.clip)));
     return scene;
 }
@@ -77,10 +78,10 @@ Result<std::shared_ptr<Runtime>> runtimeAgain(const Progress& progress) {
 }
 
 // Until it is ended by whoever may.
-Result<void> goOn(Headset& headset, const ShowWish& wish, Kept& kept, const Progress& progress) {
+Result<void> goOn(Headset& headset, const ShowOptions& request, Kept& kept, const Progress& progress) {
     std::optional<Clock::time_point> asked;
     while (true) {
-        const bool isDone = wish.frames > 0 && kept.figures.frames >= wish.frames;
+        const bool isDone = request.frames > 0 && kept.figures.frames >= request.frames;
         if (!asked && (isDone || progress.cancelled())) {
             MACULA_TRY_VOID(headset.requestEnd());
             asked = Clock::now();
@@ -98,27 +99,27 @@ Result<void> goOn(Headset& headset, const ShowWish& wish, Kept& kept, const Prog
                 ++kept.figures.empty;
                 [[fallthrough]];
             case Headset::Step::shown:
-                if (kept.figures.frames++ >= wish.warmUpFrames) kept.statistics.note(headset.times());
+                if (kept.figures.frames++ >= request.warmUpFrames) kept.statistics.note(headset.times());
                 break;
         }
         if (asked && Clock::now() - *asked > kMostEnding) return {};  // dropping it ends it, too
     }
 }
 
-Result<void> useOnce(std::shared_ptr<Runtime> runtime, const ShowWish& wish, Kept& kept,
+Result<void> useOnce(std::shared_ptr<Runtime> runtime, const ShowOptions& request, Kept& kept,
                      const Progress& progress) {
     MACULA_TRY(const HeadsetDevice opened, openDevice(*runtime));
     kept.figures.device = opened.device->info().name;
     MACULA_TRY(RoomView view, RoomView::create(opened.device, kept.scene, kept.shelf));
     const auto show = [&]() -> Result<void> {
-        MACULA_TRY(
-            Headset headset,
-            Headset::open(std::move(runtime), opened.device, view, kept.placed,
-                          {.session = {.showsRoom = wish.showsRoom}, .eyePx = wish.eyePx}, kept.controls));
+        MACULA_TRY(Headset headset,
+                   Headset::open(std::move(runtime), opened.device, view, kept.placed,
+                                 {.session = {.showsRoom = request.showsRoom}, .eyePx = request.eyePx},
+                                 kept.controls));
         ++kept.figures.sessions;
         kept.figures.eyePx = headset.eyePx();
         kept.statistics.pause();
-        Result<void> done = goOn(headset, wish, kept, progress);
+        Result<void> done = goOn(headset, request, kept, progress);
         kept.figures.unsubmitted += headset.session().unsubmitted();
         kept.figures.stepsDown += headset.governor().stepsDown();
         kept.figures.stepsUp += headset.governor().stepsUp();
@@ -141,7 +142,7 @@ std::string textOf(const HeadsetFigures& figures) {
                        figures.frames, figures.seconds, rate, figures.empty);
 }
 
-std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const app::Catalogue& catalogue,
+std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const scene::Catalogue& catalogue,
                                                                 const Volume& volume) {
     std::vector<std::shared_ptr<const TransferFunction>> presets;
     for (const auto& preset : catalogue.presets)
@@ -152,12 +153,12 @@ std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const app::Catal
 namespace {
 
 Result<HeadsetFigures> showIn(std::shared_ptr<Runtime> runtime, RoomScene scene, RoomHost host,
-                              Progress& progress, const ShowWish& wish) {
+                              Progress& progress, const ShowOptions& request) {
     const Hears note = host.note;
     Kept kept;
     kept.figures.headset = runtime->offer().headset;
     kept.figures.runtime = runtime->offer().runtime;
-    if (wish.showsRoom && !runtime->offer().showsRoom && note)
+    if (request.showsRoom && !runtime->offer().showsRoom && note)
         note("This headset cannot show the room behind the anatomy.");
     RoomState first;
     first.transferFunction = scene.drawing.transferFunction;
@@ -169,7 +170,7 @@ Result<HeadsetFigures> showIn(std::shared_ptr<Runtime> runtime, RoomScene scene,
     const Clock::time_point begun = Clock::now();
     gpu::LossCount losses;
     while (true) {
-        const Result<void> used = useOnce(std::exchange(runtime, nullptr), wish, kept, progress);
+        const Result<void> used = useOnce(std::exchange(runtime, nullptr), request, kept, progress);
         kept.figures.times = kept.statistics.figures();
         kept.figures.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
         if (used) return kept.figures;
@@ -185,24 +186,25 @@ Result<HeadsetFigures> showIn(std::shared_ptr<Runtime> runtime, RoomScene scene,
 
 }  // namespace
 
-Result<HeadsetFigures> showScene(RoomScene scene, RoomHost host, Progress& progress, const ShowWish& wish) {
+Result<HeadsetFigures> showScene(RoomScene scene, RoomHost host, Progress& progress,
+                                 const ShowOptions& request) {
     MACULA_TRY(std::shared_ptr<Runtime> runtime, runtimeWithHeadset());
-    return showIn(std::move(runtime), std::move(scene), std::move(host), progress, wish);
+    return showIn(std::move(runtime), std::move(scene), std::move(host), progress, request);
 }
 
-Result<HeadsetFigures> showStudy(const HeadsetWish& wish, const Hears& note, Progress& progress) {
+Result<HeadsetFigures> showStudy(const HeadsetRequest& request, const Hears& note, Progress& progress) {
     MACULA_TRY(std::shared_ptr<Runtime> runtime, runtimeWithHeadset());
-    MACULA_TRY(RoomScene scene, sceneOf(wish, note, progress));
-    MACULA_TRY(const app::Catalogue catalogue, app::builtInCatalogue());
+    MACULA_TRY(RoomScene scene, sceneOf(request, note, progress));
+    MACULA_TRY(const scene::Catalogue catalogue, scene::builtInCatalogue());
     RoomHost host;
     host.presets = presetsFor(catalogue, *scene.volume);
-    host.pictures = wish.pictures;
+    host.pictures = request.pictures;
     host.note = note;
     MACULA_TRY(const HeadsetFigures figures,
-               showIn(std::move(runtime), std::move(scene), std::move(host), progress, wish.show));
+               showIn(std::move(runtime), std::move(scene), std::move(host), progress, request.show));
     if (progress.cancelled())
         return Error{ErrorCode::cancelled, "Stopped.", "",
-                     wish.pictures.empty() ? "Nothing was written." : "Pictures that were taken stay."};
+                     request.pictures.empty() ? "Nothing was written." : "Pictures that were taken stay."};
     return figures;
 }
 

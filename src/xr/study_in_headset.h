@@ -10,7 +10,7 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "dicom/scan.h"
-#include "pictures/state_wish.h"
+#include "pictures/state_request.h"
 #include "scene/choice/catalogue.h"
 #include "xr/frame_statistics.h"
 #include "xr/room_host.h"
@@ -19,7 +19,7 @@
 
 namespace macula::xr {
 
-struct ShowWish {
+struct ShowOptions {
     std::uint64_t frames = 0;        // after which it ends; 0: when who wears it ends it
     bool showsRoom = false;          // behind the anatomy, where the headset can
     glm::ivec2 eyePx{0};             // of the picture for each eye; 0: as the headset wants it
@@ -27,14 +27,14 @@ struct ShowWish {
 };
 
 // Empty: not given.
-struct HeadsetWish {
+struct HeadsetRequest {
     std::filesystem::path path;
     std::string series;
-    app::StateWish state;
+    pictures::StateRequest state;
     std::string lights;  // a built-in name
     dicom::ScanOptions how;
     std::filesystem::path pictures = {};  // the folder for those that are taken; empty: none can be
-    ShowWish show = {};
+    ShowOptions show = {};
 };
 
 struct HeadsetFigures {
@@ -55,18 +55,18 @@ struct HeadsetFigures {
 std::string textOf(const HeadsetFigures& figures);
 
 // Which of them can be shown on that volume.
-std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const app::Catalogue& catalogue,
+std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const scene::Catalogue& catalogue,
                                                                 const Volume& volume);
 
 // What is open somewhere, until who wears the headset ends it, or the progress says cancelled, which is an
 // end as any other. A session that is lost is begun again, with everything where it was, once the headset is
 // there; an error when it is away for ten seconds, and at the third loss within a minute.
 Result<HeadsetFigures> showScene(RoomScene scene, RoomHost host, Progress& progress,
-                                 const ShowWish& wish = {});
+                                 const ShowOptions& request = {});
 
 // Finds the headset first: nobody waits for a study that cannot be shown. As showScene; `note` hears of what
 // there is to say. `cancelled` as the progress says, after the session was ended as the headset wants it.
 using Hears = std::function<void(const std::string&)>;
-Result<HeadsetFigures> showStudy(const HeadsetWish& wish, const Hears& note, Progress& progress);
+Result<HeadsetFigures> showStudy(const HeadsetRequest& request, const Hears& note, Progress& progress);
 
 }  // namespace macula::xr

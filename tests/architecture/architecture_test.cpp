@@ -283,13 +283,13 @@ std::string whyForbiddenInLive(const std::string& file, const std::string& targe
 }
 
 TEST(Architecture, FramesAndStoresAreApart) {
-    EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "live/store/model_keeper.h"), "");
+    EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "live/store/study_keeper.h"), "");
     EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "session/store.h"), "");
-    EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "study/open/study_input.h"), "");
+    EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "study/open/loaded_study.h"), "");
     EXPECT_NE(whyForbiddenInLive("src/live/frame/a.h", "scene/state/study_state.h"), "");
     EXPECT_NE(whyForbiddenInLive("src/live/store/a.h", "live/frame/frame_input.h"), "");
     EXPECT_EQ(whyForbiddenInLive("src/live/store/a.h", "scene/drawing/drawing.h"), "");
-    EXPECT_EQ(whyForbiddenInLive("src/live/hosted/a.h", "live/store/model_keeper.h"), "");
+    EXPECT_EQ(whyForbiddenInLive("src/live/hosted/a.h", "live/store/study_keeper.h"), "");
     std::size_t count = 0;
     for (const char* folder : {"src/live/frame", "src/live/store"}) {
         for (const fs::path& path : sourcesIn(folder)) {

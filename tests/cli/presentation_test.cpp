@@ -108,8 +108,8 @@ TEST_F(Presentation, OfOptionsIsTheSamePicture) {
 
 // Both fit what can be seen, and not the box around the air.
 TEST_F(Presentation, FitsWhatIsVisibleAsRenderDoes) {
-    const std::vector<std::string> wish{"--preset", "ct-bone", "--view", "left"};
-    ASSERT_EQ(exportState(wish).exitCode, 0);
+    const std::vector<std::string> request{"--preset", "ct-bone", "--view", "left"};
+    ASSERT_EQ(exportState(request).exitCode, 0);
     const auto squareOf = [&](std::vector<std::string> more) {
         std::vector<std::string> all{"render", at("study"), "-o",     at("a.png"), "--size",     "24x24",
                                      "--spp",  "2",         "--seed", "5",         "--overwrite"};
@@ -121,7 +121,7 @@ TEST_F(Presentation, FitsWhatIsVisibleAsRenderDoes) {
         return picture ? picture->pixels : std::vector<float>{};
     };
     const auto presented = squareOf({"--presentation-state", state_});
-    std::vector<std::string> direct = wish;
+    std::vector<std::string> direct = request;
     direct.insert(direct.end(), {"--look", "dvr", "--shading"});
     const auto rendered = squareOf(direct);
     ASSERT_EQ(presented.size(), rendered.size());

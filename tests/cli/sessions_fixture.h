@@ -39,7 +39,8 @@ class SessionsTest : public CommandTest {
         ASSERT_TRUE(isOk(first.recordOpened(ofAnna)));
         ASSERT_TRUE(isOk(first.saveModel(keyOf("chest"), blobOf(1, 1'400'000))));
         ASSERT_TRUE(isOk(first.saveModel(keyOf("chest", "lung"), blobOf(2, 600'000))));
-        ASSERT_TRUE(isOk(first.putDocument({session::DocumentKind::session, anna(), "last"}, 1, "{}", {})));
+        ASSERT_TRUE(
+            isOk(first.putDocument({session::DocumentKind::studyState, anna(), "last"}, 1, "{}", {})));
         ASSERT_TRUE(isOk(first.recordOpened({.volume = digestOf("nifti")})));
         ASSERT_TRUE(isOk(first.saveModel(keyOf("nifti"), blobOf(3, 1000))));
         session::Store later = open(kOpenedMs + kDayMs);

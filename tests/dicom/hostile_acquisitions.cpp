@@ -6,7 +6,7 @@
 #include <cmath>
 #include <optional>
 
-#include "dicom/stack/messages.h"
+#include "dicom/messages/messages.h"
 #include "hostile_studies.h"
 
 namespace macula::dicom::test {

@@ -294,7 +294,7 @@ TEST(Loader, bestSeriesIsTheLargestOriginal) {
     make("reformatted", 40, 4, "DERIVED\\SECONDARY\\REFORMATTED");
     const auto found = scan(folder.path());
     ASSERT_TRUE(found);
-    const Choice best = bestVolume(*found);
+    const ChosenStack best = bestVolume(*found);
     ASSERT_TRUE(best);
     EXPECT_EQ(best.series->number, 2);
     EXPECT_NE(best.why.find("4 x 4 x 30"), std::string::npos) << best.why;

@@ -1,5 +1,5 @@
 // The catalogue of coded messages, and its documentation.
-#include "dicom/stack/messages.h"
+#include "dicom/messages/messages.h"
 #include "base/paths.h"
 
 #include <fmt/format.h>

@@ -25,7 +25,7 @@ TEST_F(EditsOnDevice, AnEstimateIsOfWhatTheEditShows) {
     Progress progress;
     BenchStudy study = std::move(openBenchStudy({.preset = "cinematic-bone",
                                                  .thenPreset = "cinematic-soft-tissue",
-                                                 .lights = app::kDefaultLights,
+                                                 .lights = scene::kDefaultLights,
                                                  .size = kSidePx},
                                                 progress))
                            .value();

@@ -21,7 +21,7 @@ class FrameTradeoffOnDevice : public gpu::SharedDeviceTest {
         Progress progress;
         BenchStudy study =
             std::move(
-                openBenchStudy({.preset = "cinematic-bone", .lights = app::kDefaultLights, .size = kSidePx},
+                openBenchStudy({.preset = "cinematic-bone", .lights = scene::kDefaultLights, .size = kSidePx},
                                progress))
                 .value();
         study.device = device();

@@ -11,8 +11,8 @@
 namespace macula::evaluate {
 namespace {
 
-using app::OnScreen;
-using app::RecordingPhase;
+using live::OnScreen;
+using live::RecordingPhase;
 
 // One a second, from 0 on.
 std::vector<RestPicture> seriesOf(const std::vector<double>& flips) {
@@ -21,8 +21,8 @@ std::vector<RestPicture> seriesOf(const std::vector<double>& flips) {
     return pictures;
 }
 
-app::RecordedFrame frameAt(double atS, RecordingPhase phase, OnScreen picture) {
-    app::RecordedFrame frame{.atS = atS, .phase = phase};
+live::RecordedFrame frameAt(double atS, RecordingPhase phase, OnScreen picture) {
+    live::RecordedFrame frame{.atS = atS, .phase = phase};
     frame.shown.picture = picture;
     return frame;
 }
@@ -57,7 +57,7 @@ TEST(WorstRise, IsAboveTheBestPictureOfBefore) {
 }
 
 TEST(FirstModel, CountsFromTheFirstPicture) {
-    app::LiveRecording recording;
+    live::LiveRecording recording;
     EXPECT_EQ(firstModelS(recording), std::nullopt);
     recording.frames = {frameAt(2.0, RecordingPhase::opening, OnScreen::preview),
                         frameAt(3.0, RecordingPhase::opening, OnScreen::traced)};
@@ -70,8 +70,8 @@ TEST(FirstModel, CountsFromTheFirstPicture) {
 }
 
 // Changed at 10 s, ended at 20 s.
-app::LiveRecording changedRecording(const std::vector<std::pair<double, OnScreen>>& shown) {
-    app::LiveRecording recording;
+live::LiveRecording changedRecording(const std::vector<std::pair<double, OnScreen>>& shown) {
+    live::LiveRecording recording;
     recording.inputs = {{.atS = 0.0, .phase = RecordingPhase::opening},
                         {.atS = 4.0, .phase = RecordingPhase::resting},
                         {.atS = 10.0, .phase = RecordingPhase::changed}};
@@ -85,10 +85,10 @@ app::LiveRecording changedRecording(const std::vector<std::pair<double, OnScreen
 
 TEST(ChangeTimes, AreSinceTheChange) {
     EXPECT_FALSE(changeTimes({}));
-    const app::LiveRecording recording = changedRecording({{10.5, OnScreen::preview},
-                                                           {12.0, OnScreen::preview},
-                                                           {13.0, OnScreen::model},
-                                                           {19.0, OnScreen::traced}});
+    const live::LiveRecording recording = changedRecording({{10.5, OnScreen::preview},
+                                                            {12.0, OnScreen::preview},
+                                                            {13.0, OnScreen::model},
+                                                            {19.0, OnScreen::traced}});
     EXPECT_EQ(beginS(recording, RecordingPhase::resting), 4.0);
     EXPECT_EQ(beginS(recording, RecordingPhase::moving), std::nullopt);
     const auto times = changeTimes(recording);
@@ -114,7 +114,7 @@ TEST(ChangeTimes, GoOnToTheEndWhereNoPictureComes) {
 
 TEST(ChangeTimes, KnowWhetherItWasSaidSoon) {
     const auto wasSaid = [](double atS) {
-        app::LiveRecording recording = changedRecording({{15.0, OnScreen::traced}});
+        live::LiveRecording recording = changedRecording({{15.0, OnScreen::traced}});
         recording.notices = {{.atS = atS, .what = "Preparing the volume"}};
         return changeTimes(recording).value().wasSaid;
     };

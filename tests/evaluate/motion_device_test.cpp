@@ -19,8 +19,9 @@ class MotionOnDevice : public gpu::SharedDeviceTest {};
 TEST_F(MotionOnDevice, ABorderIsToldOfWhatHasAFovea) {
     Progress progress;
     BenchStudy study =
-        std::move(openBenchStudy({.preset = "cinematic-bone", .lights = app::kDefaultLights, .size = kSidePx},
-                                 progress))
+        std::move(
+            openBenchStudy({.preset = "cinematic-bone", .lights = scene::kDefaultLights, .size = kSidePx},
+                           progress))
             .value();
     study.device = device();
     MotionOptions options{

@@ -22,7 +22,7 @@ TEST(FrameTimes, AreInTheFirstBucketWhoseEdgeTheyDoNotExceed) {
 }
 
 TEST(SessionReport, TellsByHowMuchSavingDelaysAFrame) {
-    SessionBenchmark measured;
+    StoreRoundTrip measured;
     measured.saving.without.ms = {10.0, 20.0, 30.0};
     measured.saving.beside.ms = {11.0, 24.0, 50.0};
     measured.saving.callsMs = {1.0, 7.0, 2.0};
@@ -35,7 +35,7 @@ TEST(SessionReport, TellsByHowMuchSavingDelaysAFrame) {
 }
 
 TEST(SessionReport, HoldsTheErrorAfterReopeningToThatBefore) {
-    SessionBenchmark measured;
+    StoreRoundTrip measured;
     measured.learnt.shownError = 0.25;
     measured.reopenings = {{.shownError = 0.375, .isSame = false}, {.isKeeperReady = true, .isSame = true}};
     const auto json = toJson(measured);

@@ -45,7 +45,7 @@ void readPixels(const Examination& found) {
 }
 
 void loadBest(const Scan& scan) {
-    const Choice best = bestVolume(scan);
+    const ChosenStack best = bestVolume(scan);
     if (!best) return;
     const Stack& stack = *best.stack;
     const std::size_t cells = cellsOf(stack.columns, stack.rows);

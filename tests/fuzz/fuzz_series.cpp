@@ -308,7 +308,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     Series series;
     series.modality = builder.modality;
     series.stacks = std::move(split.stacks);
-    const Choice best = bestVolume(series);
+    const ChosenStack best = bestVolume(series);
     MACULA_CHECK_EQ(bool(best), series.canBeVolume());
     MACULA_CHECK(!best.why.empty() && (!best || best.stack->canBeVolume()));
     return 0;

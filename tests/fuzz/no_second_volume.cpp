@@ -4,12 +4,12 @@
 
 namespace macula::app {
 
-bool isIn3d(const BesideState&) {
+bool isSecondIn3d(const SecondVolumeState&) {
     MACULA_CHECK(false);
     return false;
 }
 
-BesideState partIn3d(BesideState state) {
+SecondVolumeState secondPartIn3d(SecondVolumeState state) {
     MACULA_CHECK(false);
     return state;
 }

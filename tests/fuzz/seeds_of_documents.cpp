@@ -11,7 +11,7 @@
 namespace macula::fuzz {
 namespace {
 
-using app::StudyState;
+using scene::StudyState;
 
 TransferFunction smallPreset() {
     TransferFunction function;
@@ -52,13 +52,13 @@ DisplayWindow window() {
     return window;
 }
 
-app::Cuts cuts() {
-    app::Cuts cuts;
-    app::EyeCut eye;
+scene::Cuts cuts() {
+    scene::Cuts cuts;
+    scene::EyeCut eye;
     eye.plane = {.normal = {0.0, 0.6, 0.8}, .offsetMm = -3.0};
     eye.fromMiddleMm = 12.5;
     cuts.eye = eye;
-    app::ScissorCut scissors;
+    scene::ScissorCut scissors;
     scissors.camera = oblique();
     scissors.outline = {{-0.5, -0.5}, {0.25, -0.5}, {0.0, 0.7}};
     scissors.removesOutside = true;
@@ -66,18 +66,18 @@ app::Cuts cuts() {
     return cuts;
 }
 
-app::BesideState beside() {
-    app::BesideState beside;
+scene::SecondVolumeState beside() {
+    scene::SecondVolumeState beside;
     beside.seriesDigest = "fedcba";
     beside.volume = 2;
     beside.volumeKey = "abcdef-2";
     beside.pair = "abc123";
-    beside.link = app::BesideLink::registered;
+    beside.link = scene::SecondVolumeLink::registered;
     beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {0.5, 7.0, -80.0});
     beside.boundMm = 0.7;
     beside.isDoubtful = true;
     beside.rivalMm = 30.0;
-    beside.view = app::BesideView::over;
+    beside.view = scene::SecondVolumePlace::over;
     beside.window = window();
     beside.opacity = 0.3;
     beside.colours = slices::ColourTable::green;
@@ -110,14 +110,14 @@ StudyState seenState() {
     state.seriesDigest = "0123456789abcdef";
     state.settings.look = trace::Look::minip;
     state.settings.shading = trace::Shading::none;
-    for (const app::Parameter& p : app::parameters())
+    for (const scene::Parameter& p : scene::parameters())
         p.set(state.settings, p.isWhole ? p.high : 0.5 * p.high);
     state.windows.at(std::size_t(trace::Look::minip)) = window();
     state.camera = oblique();
     state.camera->parallelHeightMm = 143.5;
     state.showsMarks = false;
-    state.background = app::BackgroundColour(16, 240, 255);
-    state.layout = app::Layout::sagittal;
+    state.background = scene::BackgroundColour(16, 240, 255);
+    state.layout = scene::Layout::sagittal;
     state.slices.window = window();
     state.slices.slab.thicknessMm = 7.5;
     state.slices.isInverted = true;
@@ -131,7 +131,7 @@ StudyState cutState() {
     StudyState state;
     if (auto clip = clipPresetFromJson(kClip, "clip")) state.clip = *clip;
     state.cuts = cuts();
-    app::NamedClip named;
+    scene::NamedClip named;
     named.name = "lungs";
     named.clip = state.clip;
     named.cuts = state.cuts;
@@ -144,13 +144,13 @@ StudyState shownState() {
     StudyState state;
     state.preset = std::make_shared<const TransferFunction>(smallPreset());
     state.lights = std::make_shared<const trace::LightRig>(smallRig());
-    state.beside = beside();
-    app::SegmentChoice segment;
+    state.secondVolume = beside();
+    scene::SegmentSettings segment;
     segment.number = 7;
     segment.isVisible = false;
     segment.opacity = 0.25;
-    segment.in3d = app::In3d::alone;
-    app::SegmentationChoice segmentation;
+    segment.in3d = scene::In3d::alone;
+    scene::SegmentationSettings segmentation;
     segmentation.digest = std::string(64, 'd');
     segmentation.isShown = true;
     segmentation.segments = {segment};
@@ -209,15 +209,15 @@ void writeStateSeeds(const std::filesystem::path& corpus) {
     save(folder / "state_seen", "s" + toJson(seenState()));
     save(folder / "state_cut", "s" + toJson(cutState()));
     save(folder / "state_shown", "s" + toJson(shownState()));
-    app::OwnPreset own;
+    live::OwnPreset own;
     own.id = "own-1";
     own.function = std::make_shared<const TransferFunction>(smallPreset());
-    app::SeenLook look;
+    live::SeenLook look;
     look.state.slices.window = window();
-    look.camera = app::RelativeCamera{oblique()};
+    look.camera = live::RelativeCamera{oblique()};
     own.seen = look;
     save(folder / "own_preset", "o" + toJson(own));
-    save(folder / "own_windows", "w" + app::toJson(std::vector<app::OwnWindow>{{"Kidney", window(), "HU"}}));
+    save(folder / "own_windows", "w" + toJson(std::vector<scene::OwnWindow>{{"Kidney", window(), "HU"}}));
     save(folder / "clip", "k" + kClip);
     save(
         folder / "clip_planes",
@@ -225,11 +225,11 @@ void writeStateSeeds(const std::filesystem::path& corpus) {
     save(folder / "lights", "l" + trace::toJson(smallRig()));
     save(folder / "quality", R"(q{"version": 1, "name": "draft", "title": "Draft", "samplesPerPixel": 1,
 "bounces": 16, "filter": "trilinear", "denoise": true})");
-    save(folder / "camera", "c" + app::toJson(oblique()).dump());
+    save(folder / "camera", "c" + toJson(oblique()).dump());
     save(folder / "cameras_of_3dgs",
          R"(3[{"id": 0, "img_name": "a.png", "width": 640, "height": 480, "position": [1, 2, 3],
 "rotation": [[0.6, 0.8, 0], [-0.8, 0.6, 0], [0, 0, 1]], "fy": 500.5, "fx": 500.5, "cx": 320, "cy": 240}])");
-    app::CameraPath path = app::turntable(oblique(), 40.0, 1.0);
+    scene::CameraPath path = scene::turntable(oblique(), 40.0, 1.0);
     Camera rolled = oblique();
     rolled.up = {1.0, 0.2, 0.0};
     path.stops.push_back({.atS = 2.0, .camera = rolled});

@@ -90,7 +90,7 @@ TEST_F(DeviceLossTest, IsNoticedWhereverItIsFirstReported) {
         {VulkanCall::wait, [](const auto& device) { return device->waitForAll(); }},
         {VulkanCall::query,
          [](const auto& device) {
-             device->collect();  // tells nothing, but asks the device
+             device->destroyUnused();  // tells nothing, but asks the device
              return device->waitForAll();
          }},
         {VulkanCall::allocate,

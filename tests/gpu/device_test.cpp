@@ -88,7 +88,7 @@ TEST_F(DeviceTest, destroysABufferInFlightOnlyWhenItIsDone) {
     recorder.dispatch(kernel, {kCount}, kRounds, {*source, result});
     const Ticket ticket = expectOk(recorder.submit());
     source.reset();
-    device()->collect();
+    device()->destroyUnused();
     EXPECT_FALSE(expectOk(device()->waitFor(ticket, 0))) << "the kernel was too quick to test anything";
     EXPECT_EQ(device()->pendingDestructions(), 2u);  // the buffer and its memory
 
@@ -116,7 +116,7 @@ TEST_F(DeviceTest, keepsWhatAnOpenRecorderMayUse) {
 
     expectOk(recorder.submit());
     EXPECT_EQ(expectOk(read<std::uint32_t>(target)), sevens);
-    device()->collect();
+    device()->destroyUnused();
     EXPECT_EQ(device()->pendingDestructions(), 0u);
 }
 

@@ -51,10 +51,10 @@ class SharedImageTest : public GpuTest {
         return descriptor;
     }
     // The host's image, made so, as it is described to Macula.
-    SharedMemoryOptions shared(const host_share& wish = kUsual) {
-        made_ = wish;
+    SharedMemoryHandles shared(const host_share& request = kUsual) {
+        made_ = request;
         EXPECT_TRUE(host_share_image(&host_, &made_));
-        SharedMemoryOptions options;
+        SharedMemoryHandles options;
         options.memory = kept(host_memory_fd(&host_));
         options.card = identityOf(*device());
         options.bytes = made_.bytes;
@@ -70,11 +70,11 @@ class SharedImageTest : public GpuTest {
         return options;
     }
     // Of the description or of the import, whichever fails.
-    Result<SharedImage> imported(const SharedMemoryOptions& options) {
+    Result<SharedImage> imported(const SharedMemoryHandles& options) {
         MACULA_TRY(const SharedMemory memory, SharedMemory::create(options));
         return SharedImage::import(device(), memory);
     }
-    void expectRefused(const SharedMemoryOptions& options, ErrorCode code, const char* what) {
+    void expectRefused(const SharedMemoryHandles& options, ErrorCode code, const char* what) {
         const Result<SharedImage> refused = imported(options);
         ASSERT_FALSE(refused.ok()) << what;
         EXPECT_EQ(refused.error().code, code) << what << ": " << refused.error().message;
@@ -122,27 +122,27 @@ TEST_F(SharedImageTest, WhatIsWrittenIsOnTheOtherDevice) {
 }
 
 TEST_F(SharedImageTest, BitsOfAnSrgbImageAreThoseOfThePicture) {
-    host_share wish = kUsual;
-    wish.format = VK_FORMAT_R8G8B8A8_SRGB;
-    if (!host_can_share(&host_, &wish)) GTEST_SKIP() << "the device shares none such";
-    write(expectOk(imported(shared(wish))), pixels(0x10203040));
+    host_share request = kUsual;
+    request.format = VK_FORMAT_R8G8B8A8_SRGB;
+    if (!host_can_share(&host_, &request)) GTEST_SKIP() << "the device shares none such";
+    write(expectOk(imported(shared(request))), pixels(0x10203040));
     expectHostHas(pixels(0x10203040));
 }
 
 TEST_F(SharedImageTest, RowsMayLieOneAfterAnother) {
-    host_share wish = kUsual;
-    wish.tiling = VK_IMAGE_TILING_LINEAR;
-    if (!host_can_share(&host_, &wish)) GTEST_SKIP() << "the device shares none such";
-    write(expectOk(imported(shared(wish))), pixels(0x33221100));
+    host_share request = kUsual;
+    request.tiling = VK_IMAGE_TILING_LINEAR;
+    if (!host_can_share(&host_, &request)) GTEST_SKIP() << "the device shares none such";
+    write(expectOk(imported(shared(request))), pixels(0x33221100));
     expectHostHas(pixels(0x33221100));
 }
 
 TEST_F(SharedImageTest, ItMayLieAnywhereInTheMemory) {
-    host_share wish = kUsual;
-    wish.is_dedicated = 0;
-    wish.offset = 5000;
-    if (!host_can_share(&host_, &wish)) GTEST_SKIP() << "the device shares dedicated memory only";
-    const SharedMemoryOptions options = shared(wish);
+    host_share request = kUsual;
+    request.is_dedicated = 0;
+    request.offset = 5000;
+    if (!host_can_share(&host_, &request)) GTEST_SKIP() << "the device shares dedicated memory only";
+    const SharedMemoryHandles options = shared(request);
     if (options.isDedicated) GTEST_SKIP() << "the device wants dedicated memory";
     EXPECT_GE(options.offsetBytes, 5000u);
     write(expectOk(imported(options)), pixels(7));
@@ -176,8 +176,8 @@ TEST_F(SharedImageTest, WhatTheHostFreesBeforeStaysUntilItIsDropped) {
 }
 
 TEST_F(SharedImageTest, AnotherCardIsRefused) {
-    const SharedMemoryOptions good = shared();
-    SharedMemoryOptions bad = good;
+    const SharedMemoryHandles good = shared();
+    SharedMemoryHandles bad = good;
     bad.card.device[3] ^= 1;
     expectRefused(bad, ErrorCode::usage, "another card");
     bad = good;
@@ -189,7 +189,7 @@ TEST_F(SharedImageTest, AnotherCardIsRefused) {
 }
 
 TEST_F(SharedImageTest, DescriptorsThatAreNoneAreRefused) {
-    SharedMemoryOptions options = shared();
+    SharedMemoryHandles options = shared();
     const int good = options.memory;
     std::array<int, 2> ends{};
     ASSERT_EQ(pipe(ends.data()), 0);
@@ -226,7 +226,7 @@ std::ptrdiff_t openDescriptors() {
 
 // Whether it was taken or refused, and however far it was read.
 TEST_F(SharedImageTest, DescriptorsAreClosedWithTheirMemory) {
-    SharedMemoryOptions options = shared();
+    SharedMemoryHandles options = shared();
     const std::ptrdiff_t before = openDescriptors();
     {
         options.wait = options.signal = options.memory;
@@ -283,9 +283,9 @@ TEST_F(SharedImageTest, AfterALossAnotherDeviceHasTheImageAgain) {
 }
 
 TEST_F(SharedImageTest, WhatDoesNotFitIsRefused) {
-    const SharedMemoryOptions good = shared();
+    const SharedMemoryHandles good = shared();
     const auto refused = [&](const char* what, const auto& change) {
-        SharedMemoryOptions options = good;
+        SharedMemoryHandles options = good;
         change(options);
         expectRefused(options, ErrorCode::usage, what);
     };
@@ -308,9 +308,9 @@ TEST_F(SharedImageTest, WhatDoesNotFitIsRefused) {
 }
 
 TEST_F(SharedImageTest, ImagesOfOtherKindsAreRefused) {
-    const SharedMemoryOptions good = shared();
+    const SharedMemoryHandles good = shared();
     const auto refused = [&](const char* what, const auto& change) {
-        SharedMemoryOptions options = good;
+        SharedMemoryHandles options = good;
         change(options);
         expectRefused(options, ErrorCode::usage, what);
     };
@@ -327,7 +327,7 @@ TEST_F(SharedImageTest, ImagesOfOtherKindsAreRefused) {
 
 // Where nobody says it, it is the layout that fits all.
 TEST_F(SharedImageTest, ItIsLeftInGeneralWhereNothingElseIsAskedFor) {
-    SharedMemoryOptions options = shared();
+    SharedMemoryHandles options = shared();
     options.layout = VK_IMAGE_LAYOUT_UNDEFINED;
     const SharedImage image = expectOk(imported(options));
     EXPECT_EQ(image.layer().layout, VK_IMAGE_LAYOUT_GENERAL);
@@ -336,7 +336,7 @@ TEST_F(SharedImageTest, ItIsLeftInGeneralWhereNothingElseIsAskedFor) {
 
 TEST_F(SharedImageTest, SemaphoresAreRefusedWhereThereAreNone) {
     if (host_.has_semaphores) GTEST_SKIP() << "the device shares semaphores";
-    SharedMemoryOptions options = shared();
+    SharedMemoryHandles options = shared();
     options.signal = options.memory;
     expectRefused(options, ErrorCode::deviceNotUsable, "signal");
     options.wait = std::exchange(options.signal, 0);
@@ -347,7 +347,7 @@ TEST_F(SharedImageTest, SemaphoresAreRefusedWhereThereAreNone) {
 
 TEST_F(SharedImageTest, SemaphoresPassTheImageToAndFro) {
     if (!host_.has_semaphores) GTEST_SKIP() << "the device shares no semaphores";
-    SharedMemoryOptions options = shared();
+    SharedMemoryHandles options = shared();
     ASSERT_TRUE(host_make_semaphore(&host_, &free_));
     ASSERT_TRUE(host_make_semaphore(&host_, &full_));
     options.wait = kept(host_semaphore_fd(&host_, free_));
@@ -367,7 +367,7 @@ TEST_F(SharedImageTest, ALentDeviceMayLackWhatItNeeds) {
     host_device lender{};
     const char* what = "";
     ASSERT_TRUE(host_open(&lender, 8, 8, &what)) << what;
-    SharedMemoryOptions options = shared();
+    SharedMemoryHandles options = shared();
     {
         const Instance borrowed = expectOk(Instance::create({.extensions = {},
                                                              .validation = Validation::off,

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 TEST(ByteSize, IsShownInMegabytesAndGigabytes) {
@@ -37,4 +37,4 @@ TEST(ByteSize, OtherTextIsNone) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

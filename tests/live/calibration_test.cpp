@@ -7,7 +7,7 @@
 #include "live/store/machine_documents.h"
 #include "support.h"
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 class CalibrationTest : public gpu::GpuTest {
@@ -61,4 +61,4 @@ TEST_F(CalibrationTest, IsMeasuredOnceForADeviceAndAVersion) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

@@ -4,7 +4,7 @@
 
 #include "live/frame/frame_json.h"
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 using Because = std::vector<std::string>;
@@ -104,4 +104,4 @@ TEST(Fidelity, SaysWhatIsBetweenAFrameAndTheTruth) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

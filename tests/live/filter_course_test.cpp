@@ -5,7 +5,7 @@
 
 #include "live/frame/frame_input.h"
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 using std::chrono::milliseconds;
@@ -73,4 +73,4 @@ TEST_F(FilterCourseTest, WithoutAFilterMoreSamplesComeFirst) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

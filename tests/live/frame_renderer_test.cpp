@@ -14,7 +14,7 @@
 #include "live/frame/fidelity.h"
 #include "scene/choice/preset_choice.h"
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 // Shows whatever it is given, to nobody.
@@ -53,7 +53,7 @@ class DarkPlace final : public ScreenPlace {
 // Has nothing, and remembers what it was given.
 class EmptyKeeper final : public SceneKeeper {
   public:
-    void look(const std::string& name, std::shared_ptr<const Volume>, const Drawing&) override {
+    void look(const std::string& name, std::shared_ptr<const Volume>, const scene::Drawing&) override {
         lookedFor_.push_back(name);
     }
     hybrid::StoredModel find(const std::string&) override {
@@ -82,7 +82,7 @@ class FrameRendererTest : public testing::Test {
                               }
                               if (std::holds_alternative<Preparing>(event)) ++preparing_;
                               if (std::holds_alternative<OutlineFound>(event)) ++outlines_;
-                              if (const auto* taken = std::get_if<ModelTaken>(&event)) taken_ = *taken;
+                              if (const auto* taken = std::get_if<ModelSnapshot>(&event)) taken_ = *taken;
                               if (const auto* failure = std::get_if<RenderFailure>(&event))
                                   failures_.push_back(failure->error.message);
                           });
@@ -96,7 +96,7 @@ class FrameRendererTest : public testing::Test {
         trace::LightRig rig;
         rig.ambientZenith = rig.ambientHorizon = rig.ambientNadir = glm::dvec3(1.0);
         input_.drawing = {.transferFunction = std::make_shared<const TransferFunction>(
-                              choosePreset("cinematic-bone")->function),
+                              scene::choosePreset("cinematic-bone")->function),
                           .lights = std::make_shared<const trace::LightRig>(rig)};
         input_.camera = frameBox(input_.volume->worldBox(), ViewDirection::anterior, 20.0, 4.0 / 3.0);
         input_.sampleLimit = 1;
@@ -117,7 +117,7 @@ class FrameRendererTest : public testing::Test {
     int preparing_ = 0;
     int outlines_ = 0;
     std::optional<FrameShown> shown_;
-    std::optional<ModelTaken> taken_;
+    std::optional<ModelSnapshot> taken_;
     FrameInput input_;
     std::optional<FrameRenderer> renderer_;
 };
@@ -141,7 +141,7 @@ TEST_F(FrameRendererTest, AnEditIsFollowedBeforeTheTracerHasAnyOfIt) {
     const int before = preparing_;
     Clip clip;
     clip.planes = {{.normal = {0.0, 1.0, 0.0}, .offsetMm = 0.0}};
-    const Drawing learntOf = input_.drawing;
+    const scene::Drawing learntOf = input_.drawing;
     for (int edit = 0; edit < 3; ++edit) {
         ++input_.sequence;
         clip.planes.front().offsetMm = 10.0 * edit;
@@ -195,16 +195,16 @@ TEST_F(FrameRendererTest, AModelIsKeptWhenAPictureFails) {
 }
 
 TEST_F(FrameRendererTest, TheModelIsGivenToWhoAsksAndOnlyThatOfWhatIsWanted) {
-    input_.modelWishes = 1;
+    input_.modelRequests = 1;
     renderer_->accept(input_);
     ASSERT_TRUE(taken_);
-    EXPECT_EQ(taken_->wish, 1u);
+    EXPECT_EQ(taken_->request, 1u);
     EXPECT_FALSE(taken_->splats) << "there is none yet";
     ASSERT_TRUE(stepUntil([&] { return news_.stage == hybrid::ModelStage::learning; }));
-    input_.modelWishes = 2;
-    input_.wishesTraining = true;
+    input_.modelRequests = 2;
+    input_.requestsTraining = true;
     renderer_->accept(input_);
-    ASSERT_EQ(taken_->wish, 2u);
+    ASSERT_EQ(taken_->request, 2u);
     ASSERT_TRUE(taken_->splats);
     EXPECT_TRUE(taken_->splats->validate().ok());
     EXPECT_GT(taken_->splats->size(), 0u);
@@ -213,9 +213,9 @@ TEST_F(FrameRendererTest, TheModelIsGivenToWhoAsksAndOnlyThatOfWhatIsWanted) {
     EXPECT_TRUE(taken_->state->validate().ok());
     // Other light: what is on the device is not of that.
     input_.drawing.settings.lightStrength = 2.0;
-    input_.modelWishes = 3;
+    input_.modelRequests = 3;
     renderer_->accept(input_);
-    EXPECT_EQ(taken_->wish, 3u);
+    EXPECT_EQ(taken_->request, 3u);
     EXPECT_FALSE(taken_->splats);
 }
 
@@ -224,12 +224,12 @@ TEST_F(FrameRendererTest, AModelThatCannotBeReadIsAnsweredWithTheError) {
     renderer_->accept(input_);
     ASSERT_TRUE(stepUntil([&] { return news_.stage == hybrid::ModelStage::learning; }));
     macula::test::loseDeviceAt(macula::test::VulkanCall::wait, 1);
-    input_.modelWishes = 1;
-    input_.wishesTraining = true;
+    input_.modelRequests = 1;
+    input_.requestsTraining = true;
     renderer_->accept(input_);
     macula::test::loseDeviceAt(macula::test::VulkanCall::wait, 1, 0);
     ASSERT_TRUE(taken_);
-    EXPECT_EQ(taken_->wish, 1u);
+    EXPECT_EQ(taken_->request, 1u);
     ASSERT_TRUE(taken_->error);
     EXPECT_FALSE(taken_->error->message.empty());
     EXPECT_FALSE(taken_->splats);
@@ -322,4 +322,4 @@ TEST_F(FrameRendererTest, OtherColoursOfSegmentsPrepareNothing) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 using std::chrono::microseconds;
@@ -68,4 +68,4 @@ TEST_F(HandRhythmTest, WhereInputsAreDenseNothingIsFree) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

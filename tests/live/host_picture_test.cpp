@@ -13,7 +13,7 @@
 #include "pipeline/gpu/physical_device.h"
 #include "pipeline/gpu/transfer.h"
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 using gpu::expectOk;
@@ -43,8 +43,8 @@ class HostPictureTest : public gpu::GpuTest {
         GpuTest::TearDown();
     }
 
-    gpu::SharedMemoryOptions described(int descriptor) {
-        gpu::SharedMemoryOptions options;
+    gpu::SharedMemoryHandles described(int descriptor) {
+        gpu::SharedMemoryHandles options;
         options.memory = descriptor;
         options.card = gpu::identityOf(*device());
         options.bytes = made_.bytes;
@@ -143,4 +143,4 @@ TEST_F(HostPictureTest, WhatIsNoLongerSharedIsLetGo) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

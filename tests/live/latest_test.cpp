@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 using std::chrono::milliseconds;
@@ -64,4 +64,4 @@ TEST(Latest, NothingComesOutOfOrderAndTheLastIsNeverLost) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 LentHandles handles() {
@@ -46,4 +46,4 @@ TEST(LentHandles, OneThatIsMissingIsRefused) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

@@ -9,7 +9,7 @@
 
 #include "support.h"
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 const session::DocumentId kId{.kind = session::DocumentKind::preset, .study = {}, .name = "a name"};
@@ -42,4 +42,4 @@ TEST(MachineDocuments, AFolderThatIsNoneIsAnError) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 constexpr double kBudgetMs = 110;
@@ -81,4 +81,4 @@ TEST(MotionScales, WhatOneLookCostsLeavesAnotherAsSharpAsItWas) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 namespace fs = std::filesystem;
@@ -65,4 +65,4 @@ TEST(KernelsFolder, IsOnlyThatOfAProgramThatSaysSo) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

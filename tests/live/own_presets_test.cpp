@@ -18,7 +18,7 @@
 #include "scene/transfer/own_copy.h"
 #include "session/store.h"
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 namespace fs = std::filesystem;
@@ -99,14 +99,14 @@ class OwnPresets : public testing::Test {
             EXPECT_TRUE(done.ok()) << (done ? "" : done.error().message);
         }
     }
-    const TransferFunction& bone() const { return **findPreset(catalogue_, "ct-bone"); }
+    const TransferFunction& bone() const { return **scene::findPreset(catalogue_, "ct-bone"); }
     static std::vector<std::string> titles(const PresetShelf& shelf) {
         std::vector<std::string> titles;
         for (const auto& preset : shelf.own()) titles.push_back(preset->title());
         return titles;
     }
-    StudyState seenState() const {
-        StudyState state;
+    scene::StudyState seenState() const {
+        scene::StudyState state;
         state.seriesDigest = "feedc0de";
         state.settings.look = trace::Look::mip;
         state.settings.exposure = 2.5;
@@ -124,7 +124,7 @@ class OwnPresets : public testing::Test {
     }
 
     fs::path folder_;
-    Catalogue catalogue_ = *builtInCatalogue();
+    scene::Catalogue catalogue_ = *scene::builtInCatalogue();
     std::shared_ptr<const Volume> volume_ =
         std::make_shared<const Volume>(phantom::make({.size = {24, 20, 16}}));
 };
@@ -142,7 +142,7 @@ TEST_F(OwnPresets, SurviveReopeningWithTheirNamesAndCurves) {
     EXPECT_EQ(preset->function->opacity, bone().opacity);
     EXPECT_EQ(preset->function->colour, bone().colour);
     EXPECT_TRUE(*preset == *first.find(*id));
-    EXPECT_EQ(copiedFrom(*preset->function), "ct-bone");
+    EXPECT_EQ(scene::copiedFrom(*preset->function), "ct-bone");
     EXPECT_EQ(preset->function->number, std::nullopt);
 }
 
@@ -154,7 +154,7 @@ TEST_F(OwnPresets, HaveKeysThatFilesTakeAndThatNoOtherHas) {
         ASSERT_TRUE(id.ok()) << name << ": " << id.error().message;
         const TransferFunction& function = *all.find(*id)->function;
         EXPECT_TRUE(keys.insert(function.name).second) << function.name;
-        EXPECT_FALSE(findPreset(catalogue_, function.name).ok()) << function.name;
+        EXPECT_FALSE(scene::findPreset(catalogue_, function.name).ok()) << function.name;
         const auto read = transferFunctionFromJson(toJson(function), {});
         ASSERT_TRUE(read.ok()) << read.error().message;
         EXPECT_EQ(read->title, name == std::string("Cinematic  Kopf") ? "Cinematic Kopf" : name);
@@ -226,7 +226,7 @@ TEST_F(OwnPresets, CurvesThatNoFileHoldsAreRefusedAndNothingChanges) {
 
 TEST_F(OwnPresets, AllThatWasSeenComesBackAndNothingOfTheStudy) {
     PresetShelf first = shelf();
-    const StudyState state = seenState();
+    const scene::StudyState state = seenState();
     const PresetRef id = *first.add("As seen", bone(), seenOf(state, *volume_));
     write(first);
     const auto preset = reopened().find(id);
@@ -235,7 +235,7 @@ TEST_F(OwnPresets, AllThatWasSeenComesBackAndNothingOfTheStudy) {
     EXPECT_EQ(toJson(*preset).find("Doe"), std::string::npos);
     EXPECT_EQ(toJson(*preset).find("feedc0de"), std::string::npos);
 
-    StudyState next;
+    scene::StudyState next;
     next.seriesDigest = "of the other";
     next.measurements.resize(2);
     use(*preset, *volume_, next);
@@ -259,7 +259,7 @@ TEST_F(OwnPresets, WindowsInHounsfieldUnitsAreNotUsedOnOtherValues) {
     const PresetRef id = *all.add("As seen", bone(), seenOf(seenState(), *volume_));
     const auto raw = Volume::create({.size = glm::ivec3(2), .unit = Unit::raw, .modality = "MR"},
                                     std::vector<std::uint16_t>(8, 7));
-    StudyState next;
+    scene::StudyState next;
     use(*all.find(id), *raw, next);
     EXPECT_EQ(next.settings.look, trace::Look::mip);
     EXPECT_EQ(next.windows.at(std::size_t(trace::Look::mip)), std::nullopt);
@@ -274,7 +274,7 @@ TEST_F(OwnPresets, RawWindowsOfOneStudyAreNotThoseOfAnother) {
     ASSERT_TRUE(suits(function, raw->unit()));
     PresetShelf all = shelf();
     const PresetRef id = *all.add("As seen", function, seenOf(seenState(), *volume_));
-    StudyState next;
+    scene::StudyState next;
     use(*all.find(id), *raw, next);
     EXPECT_EQ(next.settings.look, trace::Look::mip);
     EXPECT_EQ(next.windows.at(std::size_t(trace::Look::mip)), std::nullopt);
@@ -282,7 +282,7 @@ TEST_F(OwnPresets, RawWindowsOfOneStudyAreNotThoseOfAnother) {
 }
 
 TEST_F(OwnPresets, ParallelRaysComeBackAndFitTheOtherVolume) {
-    StudyState state = seenState();
+    scene::StudyState state = seenState();
     state.camera->parallelHeightMm = 37.5;
     PresetShelf first = shelf();
     const PresetRef id = *first.add("As seen", bone(), seenOf(state, *volume_));
@@ -393,11 +393,11 @@ TEST_F(OwnPresets, WhatThisVersionDoesNotUnderstandStaysInTheStore) {
 }
 
 TEST(PresetKinds, EachVolumeHasItsOwn) {
-    const Catalogue catalogue = *builtInCatalogue();
+    const scene::Catalogue catalogue = *scene::builtInCatalogue();
     const auto fitting = [&](Unit unit, const char* modality) {
         const auto volume = Volume::create({.size = glm::ivec3(2), .unit = unit, .modality = modality},
                                            std::vector<std::uint16_t>(8, 7));
-        const FitsVolume fits(*volume);
+        const scene::FitsVolume fits(*volume);
         std::set<std::string> names;
         for (const auto& preset : catalogue.presets)
             if (fits(*preset)) names.insert(preset->name);
@@ -415,11 +415,11 @@ TEST(PresetKinds, EachVolumeHasItsOwn) {
     EXPECT_EQ(fitting(Unit::suvBodyWeight, "PT"), std::set<std::string>{"cinematic-pet"});
     // Nothing is made for it: what it is shown with is there.
     EXPECT_EQ(fitting(Unit::raw, "OT"), std::set<std::string>{"cinematic-mr"});
-    EXPECT_EQ(kindOf(**findPreset(catalogue, "uct-skull")), "µCT");
-    EXPECT_EQ(kindOf(**findPreset(catalogue, "dti-fa-brain")), "DTI");
-    EXPECT_EQ(kindOf(**findPreset(catalogue, "ct-bone")), "CT");
-    EXPECT_EQ(kindOf(TransferFunction{}), "");
+    EXPECT_EQ(scene::kindOf(**scene::findPreset(catalogue, "uct-skull")), "µCT");
+    EXPECT_EQ(scene::kindOf(**scene::findPreset(catalogue, "dti-fa-brain")), "DTI");
+    EXPECT_EQ(scene::kindOf(**scene::findPreset(catalogue, "ct-bone")), "CT");
+    EXPECT_EQ(scene::kindOf(TransferFunction{}), "");
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

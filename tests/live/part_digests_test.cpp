@@ -11,11 +11,11 @@
 #include "base/fingerprint.h"
 #include "base/phantom.h"
 #include "live/model/scene_digests.h"
-#include "live/store/scene_key.h"
+#include "live/store/model_key_of_drawing.h"
 #include "pipeline/volume/mask_bits.h"
 #include "scene/choice/preset_choice.h"
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 std::shared_ptr<const Volume> phantomOf(const glm::ivec3& size) {
@@ -38,8 +38,8 @@ std::shared_ptr<const MaskBits> bitsOf(const Volume& volume, std::uint32_t word)
 }
 
 // A mask, a second volume and a segment, all at once.
-Drawing drawingWith(const std::shared_ptr<const Volume>& volume,
-                    const std::shared_ptr<const Volume>& second) {
+scene::Drawing drawingWith(const std::shared_ptr<const Volume>& volume,
+                           const std::shared_ptr<const Volume>& second) {
     Clip clip;
     clip.mask.emplace();
     clip.mask->bits = bitsOf(*volume, 0xf0f0f0f0u);
@@ -47,9 +47,9 @@ Drawing drawingWith(const std::shared_ptr<const Volume>& volume,
     added.second.emplace();
     added.second->volume = second;
     added.second->function =
-        std::make_shared<const TransferFunction>(choosePreset("cinematic-bone")->function);
+        std::make_shared<const TransferFunction>(scene::choosePreset("cinematic-bone")->function);
     added.tints = SegmentTints{boxOf(*volume, 1), {{.rgb = {1.0f, 0.0f, 0.0f}, .opacity = 1.0f}}};
-    Drawing drawing;
+    scene::Drawing drawing;
     drawing.transferFunction = added.second->function;
     drawing.lights = std::make_shared<const trace::LightRig>();
     drawing.clip = std::make_shared<const Clip>(clip);
@@ -60,13 +60,13 @@ Drawing drawingWith(const std::shared_ptr<const Volume>& volume,
 TEST(PartDigests, AnotherOpacityOrCurveReadsNothingAgain) {
     const auto volume = phantomOf({12, 10, 8});
     const auto second = phantomOf({9, 8, 7});
-    Drawing drawing = drawingWith(volume, second);
+    scene::Drawing drawing = drawingWith(volume, second);
     const std::string digest = fingerprint(*volume);
     PartDigests parts;
-    const session::ModelKey first = sceneKey(digest, *volume, drawing, parts);
+    const session::ModelKey first = modelKeyOf(digest, *volume, drawing, parts);
     EXPECT_EQ(parts.made(), 3u) << "the mask, the second volume and the segment";
     PartDigests none;
-    EXPECT_EQ(first.digest(), sceneKey(digest, *volume, drawing, none).digest())
+    EXPECT_EQ(first.digest(), modelKeyOf(digest, *volume, drawing, none).digest())
         << "known or not, it is the same";
 
     std::vector<std::string> seen{first.digest()};
@@ -77,7 +77,7 @@ TEST(PartDigests, AnotherOpacityOrCurveReadsNothingAgain) {
         curve.opacity.front().value -= 1.0;
         next.second->function = std::make_shared<const TransferFunction>(curve);
         drawing.additions = std::make_shared<const Additions>(next);
-        seen.push_back(sceneKey(digest, *volume, drawing, parts).digest());
+        seen.push_back(modelKeyOf(digest, *volume, drawing, parts).digest());
     }
     EXPECT_EQ(parts.made(), 3u);
     std::ranges::sort(seen);
@@ -161,4 +161,4 @@ TEST(PartDigests, OfWhatIsGoneNothingIsKnown) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

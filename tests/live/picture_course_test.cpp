@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 using std::chrono::milliseconds;
@@ -482,4 +482,4 @@ TEST_F(PictureCourseTest, WithoutItsEstimateASmallPictureIsNext) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 QualityFront builtIn() {
@@ -57,7 +57,7 @@ TEST(QualityFront, CostsGoWithTheMachineAndTheWindow) {
     // A fovea of 20 degrees has as many more pixels as the window has to the degree.
     const auto& stop = front.stops.at(2);
     ASSERT_TRUE(stop.fovea);
-    ASSERT_EQ(stop.fovea->wish.fieldDeg, 20.0);
+    ASSERT_EQ(stop.fovea->request.fieldDeg, 20.0);
     const double finer = (720.0 / std::tan(glm::radians(15.0))) / (128.0 / std::tan(glm::radians(20.0)));
     EXPECT_NEAR(
         costOf(front, stop, kWindow, 1.0).foveaMs / costOf(front, stop, asMeasured(front), 1.0).foveaMs,
@@ -89,7 +89,7 @@ TEST(QualityFront, AStopIsWhatWasMeasuredThere) {
     for (const FrontPoint& stop : front.stops) {
         const LiveQuality quality = liveQualityOf(stop, costOf(front, stop, kWindow, 1.0));
         if (!stop.fovea) continue;
-        EXPECT_EQ(quality.fovea, stop.fovea->wish);
+        EXPECT_EQ(quality.fovea, stop.fovea->request);
     }
     EXPECT_EQ(stopOf(front, asMeasured(front), 1.0, 1e9), front.stops.size() - 1);
     EXPECT_EQ(stopOf(front, asMeasured(front), 1.0, 0.0), 0u);
@@ -123,4 +123,4 @@ TEST(QualityFront, WhatIsWrongIsSaid) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

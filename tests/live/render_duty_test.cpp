@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 using Work = RenderDuty::Work;
@@ -74,4 +74,4 @@ TEST(RenderDuty, ALossThatIsMadeGoodGoesOn) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

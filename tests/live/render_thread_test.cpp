@@ -10,7 +10,7 @@
 #include <thread>
 #include <variant>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 // Opens nothing: a step that comes so far is one too many.
@@ -135,4 +135,4 @@ TEST_F(RenderThreadTest, RunningOutOfMemoryIsToldAndTheThreadLivesOn) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

@@ -6,7 +6,7 @@
 #include <ctime>
 #include <limits>
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 constexpr std::int64_t kMs = 1'700'000'000'123;
@@ -36,4 +36,4 @@ TEST(TimeText, IsInTheTimeOfThePlaceForPeople) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

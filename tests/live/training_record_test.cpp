@@ -6,7 +6,7 @@
 
 #include "live/model/model_output.h"
 
-namespace macula::app {
+namespace macula::live {
 namespace {
 
 Trained trained() {
@@ -76,4 +76,4 @@ TEST(ModelOutput, IsKnownByItsName) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::live

@@ -20,7 +20,7 @@
 #include "scene/choice/preset_choice.h"
 #include "support.h"
 
-namespace macula::app {
+namespace macula::pictures {
 namespace {
 
 class DrawnPictureTest : public gpu::GpuTest {
@@ -28,8 +28,8 @@ class DrawnPictureTest : public gpu::GpuTest {
     static PictureRequest request(trace::Look look = trace::Look::cinematic) {
         PictureRequest asked{.scene = {.volume = std::make_shared<const Volume>(phantom::make(
                                            {.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}})),
-                                       .function = choosePreset("cinematic-bone")->function,
-                                       .environment = *chooseLights("studio")},
+                                       .function = scene::choosePreset("cinematic-bone")->function,
+                                       .environment = *scene::chooseLights("studio")},
                              .sizePx = {40, 30},
                              .samplesPerPixel = 2};
         asked.settings.look = look;
@@ -72,13 +72,13 @@ TEST_F(DrawnPictureTest, OfASceneThatStaysOnTheDeviceIsAsIfItWereDrawnAlone) {
     };
     expectSame("first");
     expectSame("nothing changed");
-    asked.scene.function = choosePreset("cinematic-soft-tissue")->function;
+    asked.scene.function = scene::choosePreset("cinematic-soft-tissue")->function;
     expectSame("preset");
     asked.scene.clip.planes = {{.normal = {1, 0, 0}, .offsetMm = 0.0}};
     const auto [more, all] = expectSame("clip");
     EXPECT_EQ(more, 0u) << "they are there";
     EXPECT_GT(all, 0u);
-    asked.scene.environment = *chooseLights("headlight");
+    asked.scene.environment = *scene::chooseLights("headlight");
     expectSame("lights");
     asked.settings.denoising = trace::Denoising::on;
     expectSame("denoised");
@@ -144,7 +144,7 @@ TEST_F(DrawnPictureTest, WhatIsStoppedKeepsNothing) {
     gpu::expectOk(PictureDrawer::adapt(kept, device(), asked, progress));
     Progress stopping;
     stopping.token().cancel();
-    asked.scene.function = choosePreset("cinematic-soft-tissue")->function;
+    asked.scene.function = scene::choosePreset("cinematic-soft-tissue")->function;
     const auto stopped = PictureDrawer::adapt(kept, device(), asked, stopping);
     ASSERT_FALSE(stopped.ok());
     EXPECT_EQ(stopped.error().code, ErrorCode::cancelled);
@@ -354,16 +354,16 @@ TEST_F(DrawnPictureTest, TellsNothingOfThePatient) {
         std::ofstream(file, std::ios::binary) << bytes.replace(name, 14, "ROENTGEN^ANNA ");
     }
     Progress progress;
-    auto study = loadStudy(folder, "", progress);
+    auto study = study::loadStudy(folder, "", progress);
     ASSERT_TRUE(study) << study.error().message;
-    bringTo16Bits(*study);
+    study::bringTo16Bits(*study);
 
     PictureRequest asked = request(trace::Look::dvr);
     asked.scene.volume = study->volume;
     RenderRecord record;
     record.seriesDigest = study->seriesDigest;
-    record.preset = publicPresetName(folder.string() + "/roentgen.json");
-    record.lights = publicLightsName(folder.string() + "/roentgen.hdr");
+    record.preset = scene::publicPresetName(folder.string() + "/roentgen.json");
+    record.lights = scene::publicLightsName(folder.string() + "/roentgen.hdr");
     record.notes = study->notes;
     record.add(asked, draw(asked));
     std::string inPictures;
@@ -424,4 +424,4 @@ TEST_F(DrawnPictureTest, IsATileOfTheSheet) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -8,7 +8,7 @@
 
 #include "support.h"
 
-namespace macula::app {
+namespace macula::pictures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -79,4 +79,4 @@ TEST_F(OutputFilesTest, areTheSameByWhateverName) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -15,7 +15,7 @@
 #include "scene/choice/lights_choice.h"
 #include "scene/choice/preset_choice.h"
 
-namespace macula::app {
+namespace macula::pictures {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -91,8 +91,8 @@ class EffectsOnDevice : public gpu::GpuTest {
     static PictureRequest request(trace::Look look = trace::Look::cinematic) {
         PictureRequest asked{.scene = {.volume = std::make_shared<const Volume>(phantom::make(
                                            {.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}})),
-                                       .function = choosePreset("cinematic-bone")->function,
-                                       .environment = *chooseLights("studio")},
+                                       .function = scene::choosePreset("cinematic-bone")->function,
+                                       .environment = *scene::chooseLights("studio")},
                              .sizePx = {64, 48},
                              .samplesPerPixel = 4};
         asked.settings.look = look;
@@ -203,4 +203,4 @@ TEST_F(EffectsOnDevice, ALensOnNothingSaysWhatToDo) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -4,16 +4,16 @@
 
 #include "scene/choice/quality_choice.h"
 
-namespace macula::app {
+namespace macula::pictures {
 namespace {
 
-Effort effort(const EffortWish& wish, trace::Look look = trace::Look::cinematic) {
-    const auto of = effortOf(wish, {.look = look});
+Effort effort(const EffortRequest& request, trace::Look look = trace::Look::cinematic) {
+    const auto of = effortOf(request, {.look = look});
     EXPECT_TRUE(of);
     return *of;
 }
 
-TEST(PictureEffort, withoutAWishIsForTheLook) {
+TEST(PictureEffort, withoutARequestIsForTheLook) {
     EXPECT_EQ(effort({}).samplesPerPixel, 64u);
     EXPECT_EQ(effort({}, trace::Look::clear).samplesPerPixel, 64u);
     EXPECT_EQ(effort({}, trace::Look::dvr).samplesPerPixel, 8u);
@@ -23,7 +23,7 @@ TEST(PictureEffort, withoutAWishIsForTheLook) {
 
 // What is given itself counts more than the quality.
 TEST(PictureEffort, ofAQualityUnlessGiven) {
-    const auto draft = chooseQuality("draft");
+    const auto draft = scene::chooseQuality("draft");
     ASSERT_TRUE(draft);
     const Effort all = effort({.quality = "draft"});
     EXPECT_EQ(all.samplesPerPixel, draft->samplesPerPixel);
@@ -44,4 +44,4 @@ TEST(PictureEffort, ofAnErrorHasNearlyNoEnd) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
-namespace macula::app {
+namespace macula::pictures {
 namespace {
 
 constexpr const char* kAdvice = "not sharp enough to be shown: give it longer by --learn";
 
 // A small picture before a model that learns is fit to be shown.
-FrameShown early() {
-    FrameShown frame{.picture = OnScreen::preview, .stage = Stage::moving};
+live::FrameShown early() {
+    live::FrameShown frame{.picture = live::OnScreen::preview, .stage = live::Stage::moving};
     frame.look = trace::Look::cinematic;
     frame.latencyMs = 20.0;
     frame.model.stage = hybrid::ModelStage::learning;
@@ -18,20 +18,20 @@ FrameShown early() {
     return frame;
 }
 
-LiveRecording recordingOf(std::vector<FrameShown> frames) {
-    LiveRecording recording;
-    for (FrameShown& shown : frames) {
-        RecordedFrame frame;
+live::LiveRecording recordingOf(std::vector<live::FrameShown> frames) {
+    live::LiveRecording recording;
+    for (live::FrameShown& shown : frames) {
+        live::RecordedFrame frame;
         shown.inputSequence = recording.frames.size() + 1;
         frame.atS = 0.1 * double(recording.frames.size());
-        frame.phase = RecordingPhase::moving;
+        frame.phase = live::RecordingPhase::moving;
         frame.shown = std::move(shown);
         recording.frames.push_back(std::move(frame));
     }
     return recording;
 }
 
-std::string told(const std::vector<FrameShown>& frames) {
+std::string told(const std::vector<live::FrameShown>& frames) {
     return textOf(motionFigures(recordingOf(frames)));
 }
 
@@ -40,30 +40,30 @@ TEST(RecordedStudy, SaysThatTheModelCameTooLateForAnyFovea) {
     EXPECT_NE(line.find("0 of 3 with a fovea."), std::string::npos) << line;
     EXPECT_NE(line.find(kAdvice), std::string::npos) << line;
 
-    FrameShown withFovea = early();
-    withFovea.picture = OnScreen::model;
+    live::FrameShown withFovea = early();
+    withFovea.picture = live::OnScreen::model;
     withFovea.model.isSharp = true;
     withFovea.foveaAgeMs = 40.0;
     EXPECT_EQ(told({early(), withFovea}).find("--learn"), std::string::npos) << "one had a fovea";
 }
 
 TEST(RecordedStudy, AdvisesNothingThatWouldNotHelp) {
-    FrameShown projection = early();
+    live::FrameShown projection = early();
     projection.look = trace::Look::mip;
-    FrameShown parallel = early();
+    live::FrameShown parallel = early();
     parallel.camera.parallelHeightMm = 200.0;
-    FrameShown fit = early();
+    live::FrameShown fit = early();
     fit.model.isSharp = true;
-    FrameShown failed = early();
+    live::FrameShown failed = early();
     failed.model.stage = hybrid::ModelStage::failed;
-    FrameShown noRoom = early();
+    live::FrameShown noRoom = early();
     noRoom.model.stage = hybrid::ModelStage::noRoom;
-    FrameShown none = early();
+    live::FrameShown none = early();
     none.model = {};
-    for (const FrameShown& frame : {projection, parallel, fit, failed, noRoom, none})
+    for (const live::FrameShown& frame : {projection, parallel, fit, failed, noRoom, none})
         EXPECT_EQ(told({frame, frame}).find("--learn"), std::string::npos) << nameOf(frame.model.stage);
     EXPECT_EQ(told({}), "No frame followed the camera.");
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::pictures

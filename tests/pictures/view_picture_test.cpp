@@ -13,7 +13,7 @@
 #include "scene/choice/catalogue.h"
 #include "support.h"
 
-namespace macula::app {
+namespace macula::pictures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 class ViewPictureTest : public gpu::GpuTest {
   protected:
     ViewPicture wished(const std::string& name) const {
-        const Catalogue catalogue = *builtInCatalogue();
+        const scene::Catalogue catalogue = *scene::builtInCatalogue();
         ViewPicture picture{.volume = std::make_shared<const Volume>(
                                 phantom::make({.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}})),
                             .seriesDigest = "phantom",
@@ -29,8 +29,8 @@ class ViewPictureTest : public gpu::GpuTest {
                             .effort = {.quality = "draft"},
                             .output = folder_.path() / name,
                             .isOfNobody = true};
-        picture.drawing = {.transferFunction = presetFor(catalogue, *picture.volume),
-                           .lights = defaultLights(catalogue, trace::Look::cinematic),
+        picture.drawing = {.transferFunction = scene::presetFor(catalogue, *picture.volume),
+                           .lights = scene::defaultLights(catalogue, trace::Look::cinematic),
                            .clip = nullptr};
         picture.camera = frameBox(picture.volume->worldBox(), ViewDirection::anterior, 30.0, 31.0 / 17.0);
         return picture;
@@ -126,11 +126,11 @@ TEST_F(ViewPictureTest, WhatWasCancelledBeginsNothing) {
 }
 
 TEST_F(ViewPictureTest, TwoPresetsAreDrawnBesideEachOtherWithoutAnyFile) {
-    const Catalogue catalogue = *builtInCatalogue();
+    const scene::Catalogue catalogue = *scene::builtInCatalogue();
     ViewPicture first = wished("a.png");
     first.drawing.settings.look = trace::Look::dvr;
     ViewPicture second = first;
-    second.drawing.transferFunction = *findPreset(catalogue, "ct-lung");
+    second.drawing.transferFunction = *scene::findPreset(catalogue, "ct-lung");
     second.output.clear();
     Progress progress;
     const auto drawn = drawViewPictures({first, second, first}, {}, progress);
@@ -155,4 +155,4 @@ TEST_F(ViewPictureTest, WhoStopsItGetsNoFile) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::pictures

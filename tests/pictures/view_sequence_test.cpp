@@ -12,7 +12,7 @@
 #include "scene/choice/catalogue.h"
 #include "support.h"
 
-namespace macula::app {
+namespace macula::pictures {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,17 +20,17 @@ namespace fs = std::filesystem;
 class ViewSequenceTest : public gpu::GpuTest {
   protected:
     ViewSequence wished(int frames) const {
-        const Catalogue catalogue = *builtInCatalogue();
+        const scene::Catalogue catalogue = *scene::builtInCatalogue();
         ViewSequence sequence;
         ViewPicture& picture = sequence.picture;
         picture.volume = std::make_shared<const Volume>(
             phantom::make({.size = {32, 28, 20}, .spacingMm = {9.6, 9.6, 15.0}}));
         picture.seriesDigest = "phantom";
-        picture.drawing.transferFunction = presetFor(catalogue, *picture.volume);
-        picture.drawing.lights = defaultLights(catalogue, trace::Look::cinematic);
+        picture.drawing.transferFunction = scene::presetFor(catalogue, *picture.volume);
+        picture.drawing.lights = scene::defaultLights(catalogue, trace::Look::cinematic);
         picture.sizePx = {24, 18};
         picture.effort.quality = "draft";
-        sequence.path = turntable(
+        sequence.path = scene::turntable(
             frameBox(picture.volume->worldBox(), ViewDirection::anterior, 30.0, 24.0 / 18.0), 4.0, 4.0);
         sequence.frames = frames;
         sequence.isClosed = true;
@@ -121,7 +121,7 @@ TEST(CameraOfSequence, EndsAreMetUnlessItIsClosed) {
     ViewSequence sequence;
     Camera camera;
     camera.positionMm = {0.0, -500.0, 0.0};
-    sequence.path = turntable(camera, 8.0, 4.0);
+    sequence.path = scene::turntable(camera, 8.0, 4.0);
     sequence.frames = 5;
     EXPECT_EQ(cameraOf(sequence, 0), sequence.path.stops.front().camera);
     EXPECT_EQ(cameraOf(sequence, 4), sequence.path.stops.back().camera);
@@ -147,4 +147,4 @@ TEST(Stamps, LieWhereTheyAreAndNoWhereElse) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::pictures

@@ -27,7 +27,7 @@ std::shared_ptr<const Volume> bestVolumeIn(const char* folder) {
     Progress progress;
     const auto scan = dicom::scanFolder(path, progress);
     if (!scan) return nullptr;
-    const dicom::Choice choice = dicom::bestVolume(*scan);
+    const dicom::ChosenStack choice = dicom::bestVolume(*scan);
     if (choice.series == nullptr || choice.stack == nullptr) return nullptr;
     const auto volume = dicom::loadVolume(*choice.series, *choice.stack, progress);
     return volume ? *volume : nullptr;

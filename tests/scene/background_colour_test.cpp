@@ -5,7 +5,7 @@
 #include "base/srgb.h"
 #include "pictures/covering_picture.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 TEST(BackgroundColour, IsANameOrSixDigits) {
@@ -51,7 +51,8 @@ TEST(CoveringPicture, FindsColourAndCoverage) {
     for (const double coverage : {1.0, 0.9, 0.5, 0.2}) {
         for (const glm::dvec3& colour :
              {glm::dvec3(0.5, 0.2, 0.1), glm::dvec3(0.05), glm::dvec3(0.9, 0.9, 0.1)}) {
-            const auto rgba = coveringPicture(over(0.0, colour, coverage), over(1.0, colour, coverage));
+            const auto rgba =
+                pictures::coveringPicture(over(0.0, colour, coverage), over(1.0, colour, coverage));
             EXPECT_NEAR(rgba[3] / 255.0, coverage, 0.02) << coverage;
             for (std::size_t channel = 0; channel < 3; ++channel)
                 EXPECT_NEAR(rgba[channel] / 255.0, encodedSrgb(colour[int(channel)]), 0.03) << coverage;
@@ -61,14 +62,14 @@ TEST(CoveringPicture, FindsColourAndCoverage) {
 
 TEST(CoveringPicture, IsExactWhereAllOrNothingIsCovered) {
     const std::vector<std::uint8_t> opaque{12, 200, 255, 255};
-    EXPECT_EQ(coveringPicture(opaque, opaque), opaque);
+    EXPECT_EQ(pictures::coveringPicture(opaque, opaque), opaque);
     const std::vector<std::uint8_t> black{0, 0, 0, 255};
     const std::vector<std::uint8_t> white{255, 255, 255, 255};
-    EXPECT_EQ(coveringPicture(black, white), std::vector<std::uint8_t>(4, 0));
-    EXPECT_EQ(coveringPicture(black, black), black) << "black matter covers";
-    EXPECT_EQ(coveringPicture(white, white), white);
-    EXPECT_TRUE(coveringPicture({}, {}).empty());
+    EXPECT_EQ(pictures::coveringPicture(black, white), std::vector<std::uint8_t>(4, 0));
+    EXPECT_EQ(pictures::coveringPicture(black, black), black) << "black matter covers";
+    EXPECT_EQ(pictures::coveringPicture(white, white), white);
+    EXPECT_TRUE(pictures::coveringPicture({}, {}).empty());
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

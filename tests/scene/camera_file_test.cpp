@@ -6,7 +6,7 @@
 
 #include "support.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 class CameraFile : public testing::Test {
@@ -66,4 +66,4 @@ TEST_F(CameraFile, isRefusedAsInput) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -10,7 +10,7 @@
 
 #include "scene/camera/orbit_camera.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 namespace fs = std::filesystem;
@@ -195,4 +195,4 @@ TEST(SmoothCameraPath, IsTextAndBack) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

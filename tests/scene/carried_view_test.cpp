@@ -6,7 +6,7 @@
 
 #include "study/found_by_hand.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 std::shared_ptr<const Volume> volumeWith(std::uint16_t highest, const glm::dmat4& worldFromVoxel) {
@@ -28,11 +28,11 @@ class CarriedView : public testing::Test {
         scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Breast",
                                              {test::seriesOf(2, "DCE", std::move(phases), "MR"),
                                               test::seriesOf(3, "T2", {test::volumeOf(2, "MR")}, "MR")}));
-        found_ = std::make_shared<const FoundVolumes>(std::move(scan));
+        found_ = std::make_shared<const study::FoundVolumes>(std::move(scan));
     }
-    OpenedStudy opened(std::size_t index, std::uint16_t highest,
-                       const glm::dmat4& worldFromVoxel = glm::dmat4(1.0)) const {
-        OpenedStudy study{.volume = volumeWith(highest, worldFromVoxel)};
+    study::OpenedStudy opened(std::size_t index, std::uint16_t highest,
+                              const glm::dmat4& worldFromVoxel = glm::dmat4(1.0)) const {
+        study::OpenedStudy study{.volume = volumeWith(highest, worldFromVoxel)};
         study.seriesDigest = index < 2 ? "dce" : "t2";
         study.found = found_;
         study.volumeIndex = index;
@@ -40,13 +40,13 @@ class CarriedView : public testing::Test {
         return study;
     }
 
-    std::shared_ptr<const FoundVolumes> found_;
+    std::shared_ptr<const study::FoundVolumes> found_;
 };
 
 TEST_F(CarriedView, PhasesHaveOnePlaceAndOneWindow) {
-    const OpenedStudy first = opened(0, 100);
-    const OpenedStudy second = opened(1, 300);
-    EXPECT_TRUE(arePhases(first, second));
+    const study::OpenedStudy first = opened(0, 100);
+    const study::OpenedStudy second = opened(1, 300);
+    EXPECT_TRUE(study::arePhases(first, second));
     SliceState before;
     before.crosshairMm = glm::dvec3(1.0, 0.0, 1.0);
     before.asAcquired = true;
@@ -63,10 +63,10 @@ TEST_F(CarriedView, PhasesHaveOnePlaceAndOneWindow) {
 }
 
 TEST_F(CarriedView, AnotherSeriesOfTheSameGridKeepsItsWindow) {
-    const OpenedStudy dce = opened(0, 100);
-    const OpenedStudy t2 = opened(2, 900);
-    EXPECT_TRUE(staysInPlace(dce, t2));
-    EXPECT_FALSE(arePhases(dce, t2));
+    const study::OpenedStudy dce = opened(0, 100);
+    const study::OpenedStudy t2 = opened(2, 900);
+    EXPECT_TRUE(study::staysInPlace(dce, t2));
+    EXPECT_FALSE(study::arePhases(dce, t2));
     SliceState before;
     before.crosshairMm = glm::dvec3(1.0);
     before.window = DisplayWindow{.center = 3.0, .width = 4.0, .explanation = {}, .function = {}};
@@ -76,24 +76,24 @@ TEST_F(CarriedView, AnotherSeriesOfTheSameGridKeepsItsWindow) {
 }
 
 TEST_F(CarriedView, ElsewhereAndOfOthersNothingStays) {
-    const OpenedStudy dce = opened(0, 100);
+    const study::OpenedStudy dce = opened(0, 100);
     SliceState before;
     before.crosshairMm = glm::dvec3(1.0);
-    const auto isAfresh = [&](const OpenedStudy& next) {
-        return !staysInPlace(dce, next) && carriedSlices(dce, before, next, {}) == SliceState{};
+    const auto isAfresh = [&](const study::OpenedStudy& next) {
+        return !study::staysInPlace(dce, next) && carriedSlices(dce, before, next, {}) == SliceState{};
     };
     EXPECT_TRUE(isAfresh(opened(1, 100, affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0.01}))));
-    OpenedStudy other = opened(2, 100);
+    study::OpenedStudy other = opened(2, 100);
     other.frameOfReferenceUid = "1.2.4";
     EXPECT_TRUE(isAfresh(other)) << "another frame of reference";
     other = opened(1, 100);
     other.identity = {.patientName = "ROE^RICHARD", .patientId = "9", .birthDate = "19500101", .sex = "M"};
-    OpenedStudy hers = dce;
+    study::OpenedStudy hers = dce;
     hers.identity = {.patientName = "DOE^JANE", .patientId = "7", .birthDate = "19700101", .sex = "F"};
-    EXPECT_FALSE(shareGrid(hers, other));
+    EXPECT_FALSE(study::shareGrid(hers, other));
     EXPECT_TRUE(isAfresh(dce)) << "opened again it is as it was left";
-    EXPECT_FALSE(staysInPlace({}, dce));
+    EXPECT_FALSE(study::staysInPlace({}, dce));
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

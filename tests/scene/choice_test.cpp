@@ -15,7 +15,7 @@
 #include "scene/choice/typed_values.h"
 #include "support.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using dicom::test::TemporaryFolder;
@@ -135,4 +135,4 @@ TEST(DifferentNames, areGivenToPresetsOfTheSameName) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -15,7 +15,7 @@
 #include "scene/clip/removed_on_slice.h"
 #include "scene/clip/scissor_cut.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using Kind = ClipHandle::Kind;
@@ -46,7 +46,7 @@ std::vector<slices::SliceFrame> frames() {
 
 // A kept box, an oblique plane, a corner and a ball that are removed.
 ClipPreset allParts() {
-    ClipChoice clip = *withFace(std::nullopt, Face::left, 70.0, volume());
+    OptionalClip clip = *withFace(std::nullopt, Face::left, 70.0, volume());
     clip = *withFace(clip, Face::superior, 60.0, volume());
     clip = *withCornerRemoved(clip, {Face::right, Face::anterior, Face::inferior}, {-40, -30, -20}, volume());
     clip = *withBallRemoved(clip, {10, 5, 0}, 30.0, volume());
@@ -89,7 +89,7 @@ TEST(RemovedOnSlice, IsWhatTheClipDoesNotShow) {
                     if (clip.ball &&
                         std::abs(glm::distance(mm, clip.ball->centreMm) - clip.ball->radiusMm) < 1.0)
                         continue;
-                    ASSERT_EQ(windAround(removed, px), !shows(clip, mm)) << x << " " << y;
+                    ASSERT_EQ(isInsideContours(removed, px), !shows(clip, mm)) << x << " " << y;
                     ++checked;
                 }
             }
@@ -109,7 +109,7 @@ TEST(RemovedOnSlice, OfScissorsIsWhatIsBehindTheirOutline) {
             for (int y = 0; y < frame.sizePx.y; y += 5) {
                 for (int x = 0; x < frame.sizePx.x; x += 5) {
                     const glm::dvec2 px(x + 0.37, y + 0.41);
-                    ASSERT_EQ(windAround(behind, px), blades.removesPoint(frame.worldFromPicture(px)))
+                    ASSERT_EQ(isInsideContours(behind, px), blades.removesPoint(frame.worldFromPicture(px)))
                         << x << " " << y;
                 }
             }
@@ -144,7 +144,7 @@ TEST(RemovedOnSlice, OfScissorsAreStripsWhereTheSliceIsSeenFromItsEdge) {
             for (int x = 0; x < frame.sizePx.x; x += 5) {
                 const glm::dvec2 px(x + 0.37, y + 0.41);
                 const bool isRemoved = blades.removesPoint(frame.worldFromPicture(px));
-                ASSERT_EQ(windAround(behind, px), isRemoved) << x << " " << y;
+                ASSERT_EQ(isInsideContours(behind, px), isRemoved) << x << " " << y;
                 removed += isRemoved;
             }
         }
@@ -158,7 +158,7 @@ TEST(RemovedOnSlice, OfScissorsAreStripsWhereTheSliceIsSeenFromItsEdge) {
 TEST(RemovedOnSlice, HasLinesWhereTheClipHasBorders) {
     const slices::SliceFrame axial = frames()[0];
     EXPECT_TRUE(clipLines(std::nullopt, {}, volume(), axial).empty());
-    const ClipChoice left = *withFace(std::nullopt, Face::left, 70.0, volume());
+    const OptionalClip left = *withFace(std::nullopt, Face::left, 70.0, volume());
     const auto lines = clipLines(left, {}, volume(), axial);
     ASSERT_EQ(lines.size(), 1u);
     EXPECT_EQ(lines[0].front(), lines[0].back()) << "closed";
@@ -210,7 +210,7 @@ TEST(ClipHandles, ThePartGoesThroughThePointThatItsHandleIsDraggedTo) {
 }
 
 TEST(ClipHandles, ARemovedBoxHasFacesOfItsOwn) {
-    ClipChoice clip = *withFace(std::nullopt, Face::left, 70.0, volume());
+    OptionalClip clip = *withFace(std::nullopt, Face::left, 70.0, volume());
     clip = *withFace(clip, Face::right, -50.0, volume());
     clip = *turnedInsideOut(clip, volume());
     const auto handles = handlesOf(clip, {}, volume());
@@ -263,7 +263,7 @@ TEST(ClipHandles, OnASliceLieOnTheBordersAndMoveThem) {
 
 // On an axial slice, faces above and below are no lines, though the slice may lie on one of them.
 TEST(ClipHandles, OnASliceThatLiesOnAFaceHaveNoHandleOfIt) {
-    const ClipChoice clip = *withFace(std::nullopt, Face::superior, 20.0, volume());
+    const OptionalClip clip = *withFace(std::nullopt, Face::superior, 20.0, volume());
     const slices::SliceFrame frame{.plane = slices::planeOf(slices::Orientation::axial, {0, 0, 20.0 - 1e-6}),
                                    .mmPerPixel = 1.5,
                                    .sizePx = {300, 300}};
@@ -276,7 +276,7 @@ TEST(ClipHandles, OnASliceThatLiesOnAFaceHaveNoHandleOfIt) {
 }
 
 TEST(ClipHandles, SayWhatIsWrong) {
-    const auto fails = [](const ClipChoice& clip, const ClipHandle& handle, const glm::dvec3& mm) {
+    const auto fails = [](const OptionalClip& clip, const ClipHandle& handle, const glm::dvec3& mm) {
         const auto moved = withHandleAt(clip, {}, handle, mm, volume());
         return !moved.ok() && moved.error().code == ErrorCode::usage && !moved.error().hint.empty();
     };
@@ -293,4 +293,4 @@ TEST(ClipHandles, SayWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 
 #include "base/phantom.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 Volume someVolume() {
@@ -81,4 +81,4 @@ TEST(ClipOfShape, NothingIsNoClipAndWhatCannotBeKeptIsRefused) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include "base/phantom.h"
 #include "scene/choice/clip_choice.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 constexpr Box kBox{{-10, -20, -30}, {10, 20, 30}};
@@ -109,4 +109,4 @@ TEST(ClipOutline, ofAClipIsWhatItKeeps) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

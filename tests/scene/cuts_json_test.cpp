@@ -8,7 +8,7 @@
 #include "scene/choice/clip_choice.h"
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -112,4 +112,4 @@ TEST(CutsJson, WhatCannotBeReadIsNotWritten) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

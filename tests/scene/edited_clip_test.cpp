@@ -11,7 +11,7 @@
 #include "base/phantom.h"
 #include "scene/choice/clip_choice.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -42,7 +42,7 @@ std::vector<Volume> allKinds() {
 }
 
 // Within the volume, with at least a voxel between faces, and the same when it was written and read.
-void expectUsable(const ClipChoice& clip, const Volume& volume) {
+void expectUsable(const OptionalClip& clip, const Volume& volume) {
     const Box all = volume.worldBox();
     const double tiny = 1e-9 * (glm::length(all.low) + glm::length(all.high) + all.diagonal());
     const Result<Box> kept = keptBox(clip, volume);
@@ -63,7 +63,7 @@ void expectUsable(const ClipChoice& clip, const Volume& volume) {
     for (const Face face : kFaces) EXPECT_NEAR(faceMm(*again, face), faceMm(*kept, face), tiny);
 }
 
-void expectRefused(const Result<ClipChoice>& edited) {
+void expectRefused(const Result<OptionalClip>& edited) {
     ASSERT_FALSE(edited);
     EXPECT_EQ(edited.error().code, ErrorCode::usage);
     EXPECT_FALSE(edited.error().message.empty());
@@ -88,7 +88,7 @@ class Chance {
     std::mt19937 bits_{20240611};
 };
 
-Result<ClipChoice> anyEdit(const ClipChoice& clip, const Volume& volume, Chance& chance) {
+Result<OptionalClip> anyEdit(const OptionalClip& clip, const Volume& volume, Chance& chance) {
     const glm::dvec3 at = chance.around(volume.worldBox());
     const double sizeMm = chance.in(0.0, 2.0 * volume.worldBox().diagonal());
     const Face face = kFaces.at(std::size_t(chance.below(6)));
@@ -116,10 +116,10 @@ Result<ClipChoice> anyEdit(const ClipChoice& clip, const Volume& volume, Chance&
 TEST(EditedClip, staysUsableWhateverIsDone) {
     Chance chance;
     for (const Volume& volume : allKinds()) {
-        ClipChoice clip;
+        OptionalClip clip;
         int done = 0;
         for (int step = 0; step < 300; ++step) {
-            const Result<ClipChoice> next = anyEdit(clip, volume, chance);
+            const Result<OptionalClip> next = anyEdit(clip, volume, chance);
             if (!next) {
                 expectRefused(next);
                 continue;
@@ -127,7 +127,7 @@ TEST(EditedClip, staysUsableWhateverIsDone) {
             ++done;
             expectUsable(*next, volume);
             if (testing::Test::HasFailure()) FAIL() << "step " << step;
-            clip = chance.below(10) == 0 ? ClipChoice{} : *next;
+            clip = chance.below(10) == 0 ? OptionalClip{} : *next;
         }
         EXPECT_GT(done, 30);
     }
@@ -139,7 +139,7 @@ TEST(EditedClip, aFaceGoesWhereItIsPutOnItsOwnSideOfThePatient) {
     for (const Face face : kFaces) {
         const int axis = axisOf(face);
         const double sign = isHigh(face) ? 1.0 : -1.0;
-        const Result<ClipChoice> clip = withFace(std::nullopt, face, centre[axis] + sign * 5.0, volume);
+        const Result<OptionalClip> clip = withFace(std::nullopt, face, centre[axis] + sign * 5.0, volume);
         ASSERT_TRUE(clip);
         ASSERT_TRUE(*clip);
         EXPECT_NEAR(faceMm(*keptBox(*clip, volume), face), centre[axis] + sign * 5.0, 1e-9);
@@ -149,7 +149,7 @@ TEST(EditedClip, aFaceGoesWhereItIsPutOnItsOwnSideOfThePatient) {
         outside[axis] += sign * 5.1;
         EXPECT_TRUE(shows(clipFor(**clip, volume), inside)) << nameOf(face);
         EXPECT_FALSE(shows(clipFor(**clip, volume), outside)) << nameOf(face);
-        const Result<ClipChoice> open = withFaceOpen(*clip, face, volume);
+        const Result<OptionalClip> open = withFaceOpen(*clip, face, volume);
         ASSERT_TRUE(open);
         EXPECT_FALSE(*open) << "all of it is shown again";
     }
@@ -160,7 +160,7 @@ TEST(EditedClip, sidesAreThePatients) {
     const Volume volume = straight();
     const glm::dvec3 centre = volume.worldBox().centre();
     const auto removes = [&](Face side, const glm::dvec3& direction) {
-        const Result<ClipChoice> clip = withSideRemoved(std::nullopt, side, centre, volume);
+        const Result<OptionalClip> clip = withSideRemoved(std::nullopt, side, centre, volume);
         ASSERT_TRUE(clip);
         EXPECT_FALSE(shows(clipFor(**clip, volume), centre + direction)) << nameOf(side);
         EXPECT_TRUE(shows(clipFor(**clip, volume), centre - direction)) << nameOf(side);
@@ -201,7 +201,7 @@ TEST(EditedClip, aFaceStopsAVoxelBeforeTheOther) {
 TEST(EditedClip, facesOfABuiltInClipMoveAndItsWindowStays) {
     const Volume volume = straight();
     const Box all = volume.worldBox();
-    const ClipChoice front = *chooseClip("front-open");
+    const OptionalClip front = *chooseClip("front-open");
     EXPECT_NEAR(keptBox(front, volume)->low.y, all.centre().y, 1e-9);
     const auto moved = withFace(front, Face::left, -85.0, volume);
     ASSERT_TRUE(moved);
@@ -308,7 +308,7 @@ TEST(EditedClip, insideOutShowsWhatWasNotShown) {
     const Volume volume = straight();
     const Box all = volume.worldBox();
     Chance chance;
-    std::vector<ClipChoice> clips;
+    std::vector<OptionalClip> clips;
     for (const char* name : {"left-half", "slab-axial", "centre-ball", "corner-open", "front-open"})
         clips.emplace_back(*chooseClip(name));
     clips.push_back(*withBallRemoved(std::nullopt, all.centre(), 9.0, volume));
@@ -316,7 +316,7 @@ TEST(EditedClip, insideOutShowsWhatWasNotShown) {
     oblique.clip.planes.push_back({glm::normalize(glm::dvec3(1, 2, 3)), 0.0});
     oblique.planesAt.emplace_back(0.4, 0.5, 0.6);
     clips.emplace_back(oblique);
-    for (const ClipChoice& clip : clips) {
+    for (const OptionalClip& clip : clips) {
         const auto turned = turnedInsideOut(clip, volume);
         ASSERT_TRUE(turned) << clip->name << turned.error().message;
         const auto back = turnedInsideOut(*turned, volume);
@@ -403,4 +403,4 @@ TEST(KeptBox, withoutAClipIsTheVolume) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include "pipeline/trace/light_rig_json.h"
 #include "scene/choice/lights_choice.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using trace::LightFrame;
@@ -98,4 +98,4 @@ TEST(EditedRig, LightsStayWhereTheyAreWhenTheirFrameChanges) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -15,7 +15,7 @@
 #include "scene/state/study_state.h"
 #include "scene/transfer/same_transfer.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -308,4 +308,4 @@ TEST(EditedTransfer, whatIsNoNumberChangesNothing) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -11,7 +11,7 @@
 #include "scene/drawing/drawing_of.h"
 #include "scene/drawing/shown_clip.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -102,4 +102,4 @@ TEST(EyeCut, IsTheSameInAWindowAndWithoutOne) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 constexpr int kSide = 40;
@@ -218,4 +218,4 @@ TEST(FirstMatter, ACameraThatIsNoneFindsNothing) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 Volume noise() {
@@ -160,4 +160,4 @@ TEST(LogHeights, areLogarithmsOfTheHighestBinOfAColumn) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using trace::LightFrame;
@@ -107,4 +107,4 @@ TEST(LightDome, IsRoundInThePicture) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

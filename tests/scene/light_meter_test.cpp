@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 TEST(LightMeter, PutsTheBrightestTwentiethBelowWhite) {
@@ -44,4 +44,4 @@ TEST(LightMeter, StaysWithinItsRange) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -12,7 +12,7 @@
 #include "base/atomic_file.h"
 #include "support.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using dicom::test::TemporaryFolder;
@@ -310,4 +310,4 @@ TEST(MeasurementsFile, IsWrittenByItsEndingAndNamesNobody) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

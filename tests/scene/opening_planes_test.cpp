@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using slices::Orientation;
@@ -42,4 +42,4 @@ TEST(OpeningPlanes, OfAThinStackItsImagesAreLarge) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

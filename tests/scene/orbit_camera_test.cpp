@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 constexpr Box kBox{{-100, -50, -200}, {140, 90, 160}};
@@ -249,4 +249,4 @@ TEST(OrbitCamera, LettersAreThoseOfARadiologicalDisplay) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -7,7 +7,7 @@
 
 #include "scene/camera/orbit_camera.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 CameraBasis axesOf(double azimuthDeg, double elevationDeg, double rollDeg) {
@@ -76,4 +76,4 @@ TEST(OrientationCube, LookingFromAFaceShowsItAlone) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

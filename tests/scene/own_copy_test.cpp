@@ -12,7 +12,7 @@
 #include "scene/state/study_state.h"
 #include "scene/transfer/same_transfer.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using Json = nlohmann::json;
@@ -108,4 +108,4 @@ TEST(OwnCopy, copesWithAnyTitleAndDocument) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 OwnWindow window(const std::string& name, double center = 60.0, const std::string& unit = "HU") {
@@ -80,4 +80,4 @@ TEST(OwnWindows, AreForValuesOfTheirUnit) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -15,7 +15,7 @@
 #include "base/paths.h"
 #include "pipeline/volume/transfer_function_json.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 TransferFunction aPreset() {
@@ -101,4 +101,4 @@ TEST(Parameters, AreThoseOfThePage) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 // Anterior, the patient's left at the right of the picture.
@@ -100,4 +100,4 @@ TEST(PictureRays, FindWhereALineOrAPlaneIsMet) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -1,17 +1,17 @@
 // Presentation states of folders: written, found again, and opened for the volumes that they are of.
 #include <gtest/gtest.h>
 
-#include "pictures/state_wish.h"
+#include "pictures/state_request.h"
 #include "pipeline/volume/window.h"
 #include "presentation_fixture.h"
 #include "scene/presentation/presentation_file.h"
 #include "study/open/found_volumes.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 #include "support.h"
 #include "synthetic.h"
 #include "synthetic_pet.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 // From a folder to a file and back, as the programs do it.
@@ -22,19 +22,19 @@ TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
     const dicom::Series& series = scan->studies.at(0).series.at(0);
     const dicom::Stack& stack = series.stacks.at(0);
     const std::string digest = sha256Hex(series.seriesInstanceUid);
-    PresentationWish wish;
-    wish.state = state_;
-    wish.volume = dicom::test::load(series, stack);
+    PresentationRequest request;
+    request.state = state_;
+    request.volume = dicom::test::load(series, stack);
     auto images = presentedImages(series, stack);
     ASSERT_TRUE(images.ok()) << images.error().message;
     EXPECT_EQ(images->series.images.size(), stack.frames.size());
-    wish.images = *images;
+    request.images = *images;
     const std::filesystem::path path = folder_ / "presentation.dcm";
     for (const bool isDeidentified : {false, true}) {
-        wish.isDeidentified = isDeidentified;
-        const auto written = writePresentation(path, wish);
+        request.isDeidentified = isDeidentified;
+        const auto written = writePresentation(path, request);
         ASSERT_TRUE(written.ok()) << written.error().message;
-        const auto opened = openPresentation(path, *wish.volume, digest, imagesOf(stack));
+        const auto opened = openPresentation(path, *request.volume, digest, study::imagesOf(stack));
         ASSERT_TRUE(opened.ok()) << opened.error().message;
         EXPECT_TRUE(opened->isOwn);
         StudyState expected = state_;
@@ -43,19 +43,19 @@ TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
         EXPECT_TRUE(opened->notes.empty());
         // Of another phase of the series, and of a part of the images.
         const auto otherPhase = openPresentation(
-            path, *wish.volume, digest,
+            path, *request.volume, digest,
             std::vector<dicom::ReferencedFrames>{{.sopInstanceUid = "2.25.1"}, {.sopInstanceUid = "2.25.2"}});
         ASSERT_FALSE(otherPhase.ok());
         EXPECT_EQ(otherPhase.error().code, ErrorCode::inputNotUsable);
-        auto some = imagesOf(stack);
+        auto some = study::imagesOf(stack);
         ASSERT_GT(some.size(), 1u);
         some.pop_back();
-        const auto part = openPresentation(path, *wish.volume, digest, some);
+        const auto part = openPresentation(path, *request.volume, digest, some);
         ASSERT_TRUE(part.ok());
         EXPECT_EQ(part->notes.size(), 1u);
-        EXPECT_FALSE(openPresentation(path, *wish.volume, sha256Hex("another"), {}).ok());
+        EXPECT_FALSE(openPresentation(path, *request.volume, sha256Hex("another"), {}).ok());
     }
-    EXPECT_FALSE(openPresentation(folder_ / "gone.dcm", *wish.volume, digest, {}).ok());
+    EXPECT_FALSE(openPresentation(folder_ / "gone.dcm", *request.volume, digest, {}).ok());
     dicom::Stack unnamed = stack;
     for (dicom::Frame& frame : unnamed.frames) frame.frameOfReferenceUid.clear();
     EXPECT_EQ(presentedImages(series, unnamed).error().code, ErrorCode::usage);
@@ -72,19 +72,19 @@ TEST_F(APresentation, ofPetHasTheValuesOfTheImages) {
     ASSERT_TRUE(scan);
     const dicom::Series& series = scan->studies.at(0).series.at(0);
     Progress progress;
-    const auto pet = loadStudy(*scan, folder.path(), {}, progress);
+    const auto pet = study::loadStudy(*scan, folder.path(), {}, progress);
     ASSERT_TRUE(pet.ok());
     ASSERT_EQ(pet->volume->unit(), Unit::suvBodyWeight);
-    PresentationWish wish;
-    wish.state = state_;
-    wish.state.preset = preset("cinematic-pet");
-    wish.state.settings.look = trace::Look::mip;
-    wish.state.windows.at(std::size_t(trace::Look::mip)) = windowOver({0.0, 8.0});
-    wish.state.camera = frameBox(pet->volume->worldBox(), ViewDirection::anterior, 25.0, 1.5);
-    wish.volume = pet->volume;
-    wish.images = *presentedImages(series, series.stacks.at(0));
+    PresentationRequest request;
+    request.state = state_;
+    request.state.preset = preset("cinematic-pet");
+    request.state.settings.look = trace::Look::mip;
+    request.state.windows.at(std::size_t(trace::Look::mip)) = windowOver({0.0, 8.0});
+    request.state.camera = frameBox(pet->volume->worldBox(), ViewDirection::anterior, 25.0, 1.5);
+    request.volume = pet->volume;
+    request.images = *presentedImages(series, series.stacks.at(0));
     const std::filesystem::path path = folder / "state.dcm";
-    ASSERT_TRUE(writePresentation(path, wish).ok());
+    ASSERT_TRUE(writePresentation(path, request).ok());
     const auto read = dicom::readPresentationState(path);
     ASSERT_TRUE(read.ok());
     const double becquerels = 8.0 / dicom::test::kSuvPerBqPerMl;
@@ -116,27 +116,28 @@ TEST_F(APresentation, ofSomeFramesOfAFileNamesThem) {
     ASSERT_TRUE(ofAll.ok()) << ofAll.error().message;
     ASSERT_EQ(ofAll->series.images.size(), 1u);
     EXPECT_TRUE(ofAll->series.images[0].frames.empty());
-    PresentationWish wish;
-    wish.state = state_;
-    wish.volume = dicom::test::load(series, whole);
-    wish.images = *presentedImages(series, second);
-    ASSERT_EQ(wish.images.series.images.size(), 1u);
-    EXPECT_EQ(wish.images.series.images[0].frames.front(), int(half) + 1) << "from 1";
-    EXPECT_EQ(wish.images.series.images[0].frames.size(), second.frames.size());
+    PresentationRequest request;
+    request.state = state_;
+    request.volume = dicom::test::load(series, whole);
+    request.images = *presentedImages(series, second);
+    ASSERT_EQ(request.images.series.images.size(), 1u);
+    EXPECT_EQ(request.images.series.images[0].frames.front(), int(half) + 1) << "from 1";
+    EXPECT_EQ(request.images.series.images[0].frames.size(), second.frames.size());
     const std::filesystem::path path = folder_ / "presentation.dcm";
     const std::string digest = sha256Hex(series.seriesInstanceUid);
     for (const bool isDeidentified : {false, true}) {
-        wish.isDeidentified = isDeidentified;
-        ASSERT_TRUE(writePresentation(path, wish).ok());
+        request.isDeidentified = isDeidentified;
+        ASSERT_TRUE(writePresentation(path, request).ok());
         const auto read = dicom::readPresentationState(path);
         ASSERT_TRUE(read.ok());
-        EXPECT_EQ(read->presentation.series.images[0].frames, wish.images.series.images[0].frames);
-        const auto same = openPresentation(path, *wish.volume, digest, imagesOf(second));
+        EXPECT_EQ(read->presentation.series.images[0].frames, request.images.series.images[0].frames);
+        const auto same = openPresentation(path, *request.volume, digest, study::imagesOf(second));
         ASSERT_TRUE(same.ok()) << same.error().message;
         EXPECT_TRUE(same->isOwn);
         EXPECT_TRUE(same->notes.empty());
-        EXPECT_FALSE(openPresentation(path, *wish.volume, digest, imagesOf(first)).ok()) << "another phase";
-        const auto more = openPresentation(path, *wish.volume, digest, imagesOf(whole));
+        EXPECT_FALSE(openPresentation(path, *request.volume, digest, study::imagesOf(first)).ok())
+            << "another phase";
+        const auto more = openPresentation(path, *request.volume, digest, study::imagesOf(whole));
         ASSERT_TRUE(more.ok());
         EXPECT_EQ(more->notes.size(), 1u) << "of a part of these";
     }
@@ -147,36 +148,36 @@ TEST_F(APresentation, isAWishLikeAView) {
     const auto scan = dicom::test::scan(folder_ / "study");
     ASSERT_TRUE(scan);
     const dicom::Series& series = scan->studies.at(0).series.at(0);
-    PresentationWish wish;
-    wish.state = state_;
-    wish.state.clip = clip("left-half");
-    wish.volume = dicom::test::load(series);
-    wish.images = *presentedImages(series, series.stacks.at(0));
-    const StateWish typed{.presentation = folder_ / "a.dcm"};
-    ASSERT_TRUE(writePresentation(typed.presentation, wish).ok());
+    PresentationRequest request;
+    request.state = state_;
+    request.state.clip = clip("left-half");
+    request.volume = dicom::test::load(series);
+    request.images = *presentedImages(series, series.stacks.at(0));
+    const pictures::StateRequest typed{.presentation = folder_ / "a.dcm"};
+    ASSERT_TRUE(writePresentation(typed.presentation, request).ok());
     auto state = stateOf(typed);
     ASSERT_TRUE(state.ok()) << state.error().message;
-    StudyInput study{.volume = wish.volume, .seriesDigest = sha256Hex(series.seriesInstanceUid)};
-    const auto preset = completeState(*state, typed, study);
+    study::LoadedStudy study{.volume = request.volume, .seriesDigest = sha256Hex(series.seriesInstanceUid)};
+    const auto preset = pictures::completeState(*state, typed, study);
     ASSERT_TRUE(preset.ok()) << preset.error().message;
     EXPECT_EQ(state->camera, state_.camera);
-    EXPECT_EQ(state->clip, wish.state.clip);
+    EXPECT_EQ(state->clip, request.state.clip);
     EXPECT_EQ(preset->publicName, "ct-bone");
     study.images = {{.sopInstanceUid = "2.25.1"}};  // another phase
-    EXPECT_FALSE(completeState(*state, typed, study).ok());
+    EXPECT_FALSE(pictures::completeState(*state, typed, study).ok());
     study.images.clear();
     study.seriesDigest = sha256Hex("another");
-    EXPECT_FALSE(completeState(*state, typed, study).ok());
+    EXPECT_FALSE(pictures::completeState(*state, typed, study).ok());
     // Of another program all is seen in a narrower picture, too.
-    dicom::VolumePresentation foreign = said(*wish.volume, false).presentation;
-    foreign.series = wish.images.series;
+    dicom::VolumePresentation foreign = said(*request.volume, false).presentation;
+    foreign.series = request.images.series;
     const std::filesystem::path path = folder_ / "foreign.dcm";
     ASSERT_TRUE(dicom::writePresentationState(path, foreign, {.isDeidentified = true}).ok());
-    const auto wide = stateOf(StateWish{.presentation = path, .aspectWidthOverHeight = 1.5});
-    const auto narrow = stateOf(StateWish{.presentation = path, .aspectWidthOverHeight = 0.5});
+    const auto wide = stateOf(pictures::StateRequest{.presentation = path, .aspectWidthOverHeight = 1.5});
+    const auto narrow = stateOf(pictures::StateRequest{.presentation = path, .aspectWidthOverHeight = 0.5});
     ASSERT_TRUE(wide.ok() && narrow.ok());
     EXPECT_GT(narrow->camera->verticalFovDeg, 2.0 * wide->camera->verticalFovDeg);
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

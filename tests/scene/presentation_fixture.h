@@ -13,7 +13,7 @@
 #include "scene/presentation/state_of_presentation.h"
 #include "support.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 inline const Catalogue& catalogue() {
     static const Catalogue all = *builtInCatalogue();
@@ -78,4 +78,4 @@ class APresentation : public testing::Test {
     std::vector<std::string> leftOut_;
 };
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "base/sha256.h"
-#include "pictures/state_wish.h"
+#include "pictures/state_request.h"
 #include "pipeline/volume/window.h"
 #include "presentation_fixture.h"
 #include "scene/choice/catalogue.h"
@@ -17,12 +17,12 @@
 #include "scene/presentation/presentation_of_state.h"
 #include "scene/presentation/state_of_presentation.h"
 #include "study/open/found_volumes.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 #include "support.h"
 #include "synthetic.h"
 #include "synthetic_pet.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 constexpr double kLevels = 3.0 / 65535.0;
@@ -401,9 +401,9 @@ TEST_F(APresentation, deidentifiedHasNoWordsOfAPerson) {
     named.title = "Doe, Jane";
     named.opacity.front().opacity = 0.5;
     state_.preset = std::make_shared<const TransferFunction>(named);
-    state_.beside.emplace();
-    state_.beside->seriesDigest = "ab";
-    state_.beside->preset = state_.preset;
+    state_.secondVolume.emplace();
+    state_.secondVolume->seriesDigest = "ab";
+    state_.secondVolume->preset = state_.preset;
     state_.clip = clip("left-half");
     state_.clip->name = state_.clip->title = "Doe, Jane";
     state_.otherKeys = R"({"bookmark": "Doe, Jane"})";
@@ -418,15 +418,15 @@ TEST_F(APresentation, deidentifiedHasNoWordsOfAPerson) {
     const PresentedState presented = again(read, *straight_);
     EXPECT_TRUE(presented.isOwn);
     EXPECT_EQ(presented.state.preset->opacity, named.opacity);
-    ASSERT_TRUE(presented.state.beside && presented.state.beside->preset);
-    EXPECT_EQ(presented.state.beside->preset->opacity, named.opacity);
+    ASSERT_TRUE(presented.state.secondVolume && presented.state.secondVolume->preset);
+    EXPECT_EQ(presented.state.secondVolume->preset->opacity, named.opacity);
     EXPECT_EQ(presented.state.clip->clip, state_.clip->clip);
 }
 
 // UIDs can be guessed: a digest that anybody can make of one leads to the study.
 TEST_F(APresentation, deidentifiedHasNoDigestsOfUids) {
     state_.seriesDigest = sha256Hex(kSeries);
-    state_.beside.emplace().seriesDigest = sha256Hex("1.2.3");
+    state_.secondVolume.emplace().seriesDigest = sha256Hex("1.2.3");
     state_.segmentations = {{.digest = sha256Hex("1.2.4"), .isShown = true}};
     const std::string named = said(*straight_, true).presentation.ownState;
     const std::string ofNobody = said(*straight_, true, true).presentation.ownState;
@@ -438,4 +438,4 @@ TEST_F(APresentation, deidentifiedHasNoDigestsOfUids) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

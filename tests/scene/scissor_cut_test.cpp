@@ -17,7 +17,7 @@
 #include "scene/drawing/shown_clip.h"
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -277,4 +277,4 @@ TEST(ShownClip, OfAStateIsCutWithItsScissors) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

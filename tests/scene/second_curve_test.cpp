@@ -15,7 +15,7 @@
 #include "support.h"
 #include "synthetic.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 std::shared_ptr<const Volume> pet() {
@@ -51,50 +51,51 @@ TEST(SecondCurve, HasTheColoursAndTheWindowThatItHasOverSlices) {
 }
 
 TEST(SecondCurve, OfThePictureIn3dIsNotHowItIsOnSlices) {
-    BesideState state;
-    state.link = BesideLink::registered;
+    SecondVolumeState state;
+    state.link = SecondVolumeLink::registered;
     state.in3d = true;
     const auto changes = [&](const auto& edit) {
-        BesideState next = state;
+        SecondVolumeState next = state;
         edit(next);
         StudyState before;
         StudyState after;
-        before.beside = state;
-        after.beside = next;
+        before.secondVolume = state;
+        after.secondVolume = next;
         const bool isStale = staleAfter(before, after) == Stale::matter;
-        EXPECT_EQ(isStale, partIn3d(next) != partIn3d(state));
+        EXPECT_EQ(isStale, secondPartIn3d(next) != secondPartIn3d(state));
         return isStale;
     };
-    const auto look = [](BesideState& b) { b.view = BesideView::over; };
-    const auto bound = [](BesideState& b) { b.boundMm = 0.4; };
-    const auto opacity = [](BesideState& b) { b.opacity = 0.1; };
-    const auto colours = [](BesideState& b) { b.colours = slices::ColourTable::grey; };
-    const auto levels = [](BesideState& b) { b.window = window(0.0, 7.0); };
+    const auto look = [](SecondVolumeState& b) { b.view = SecondVolumePlace::over; };
+    const auto bound = [](SecondVolumeState& b) { b.boundMm = 0.4; };
+    const auto opacity = [](SecondVolumeState& b) { b.opacity = 0.1; };
+    const auto colours = [](SecondVolumeState& b) { b.colours = slices::ColourTable::grey; };
+    const auto levels = [](SecondVolumeState& b) { b.window = window(0.0, 7.0); };
     EXPECT_FALSE(changes(look) || changes(bound));
-    EXPECT_FALSE(changes([](BesideState& b) { b.linksWindow = true; })) << "its window in 3D is its own";
+    EXPECT_FALSE(changes([](SecondVolumeState& b) { b.linksWindow = true; }))
+        << "its window in 3D is its own";
     EXPECT_TRUE(changes(opacity) && changes(colours) && changes(levels)) << "they are its curve";
     state.preset = std::make_shared<const TransferFunction>();
     EXPECT_FALSE(changes(look) || changes(bound) || changes(opacity) || changes(colours) || changes(levels));
-    EXPECT_TRUE(changes([](BesideState& b) { b.preset.reset(); }));
-    EXPECT_TRUE(changes([](BesideState& b) { b.secondFromStudy[3].x = 1.0; }));
-    EXPECT_TRUE(changes([](BesideState& b) { b.isDoubtful = true; })) << "the picture says so";
+    EXPECT_TRUE(changes([](SecondVolumeState& b) { b.preset.reset(); }));
+    EXPECT_TRUE(changes([](SecondVolumeState& b) { b.secondFromStudy[3].x = 1.0; }));
+    EXPECT_TRUE(changes([](SecondVolumeState& b) { b.isDoubtful = true; })) << "the picture says so";
 }
 
 TEST(SecondCurve, IsIn3dOnlyWhereItIsLinkedAndShown) {
-    BesideState state;
+    SecondVolumeState state;
     state.in3d = true;
-    EXPECT_FALSE(isIn3d(state)) << "by hand, nobody knows where it lies";
-    state.link = BesideLink::registered;
-    EXPECT_TRUE(isIn3d(state));
-    state.view = BesideView::hidden;
-    EXPECT_FALSE(isIn3d(state));
-    state.view = BesideView::over;
+    EXPECT_FALSE(isSecondIn3d(state)) << "by hand, nobody knows where it lies";
+    state.link = SecondVolumeLink::registered;
+    EXPECT_TRUE(isSecondIn3d(state));
+    state.view = SecondVolumePlace::hidden;
+    EXPECT_FALSE(isSecondIn3d(state));
+    state.view = SecondVolumePlace::over;
     state.in3d = false;
-    EXPECT_FALSE(isIn3d(state));
+    EXPECT_FALSE(isSecondIn3d(state));
 }
 
 TEST(SecondCurve, APresetCountsMoreAndIsFittedToTheSecondVolume) {
-    BesideState state;
+    SecondVolumeState state;
     state.secondFromStudy[3] = glm::dvec4(1, 2, 3, 1);
     TransferFunction preset;
     preset.unit = Unit::raw;
@@ -102,56 +103,56 @@ TEST(SecondCurve, APresetCountsMoreAndIsFittedToTheSecondVolume) {
     preset.colour = {{.value = 0.0, .colour = glm::dvec3(1.0)}};
     preset.fitToVolume = TransferFunction::Fit{0.0, 1.0, TransferFunction::Fit::To::valueRange};
     state.preset = std::make_shared<const TransferFunction>(preset);
-    const SecondVolume second = secondIn3d(state, pet());
+    const DrawnSecondVolume second = secondIn3d(state, pet());
     EXPECT_EQ(second.secondFromVolumeMm, state.secondFromStudy);
     EXPECT_FALSE(second.function->fitToVolume);
     EXPECT_NEAR(second.function->opacity.back().value, 26.0, 1e-6);
-    EXPECT_EQ(secondRemark(*second.volume, state, SamePatient::yes), "with PT");
+    EXPECT_EQ(secondRemark(*second.volume, state, study::SamePatient::yes), "with PT");
 }
 
 // Slices say so on each pane; the 3D picture has nothing but its remark.
 TEST(SecondCurve, DoubtIsInTheRemark) {
-    BesideState state;
-    state.link = BesideLink::registered;
+    SecondVolumeState state;
+    state.link = SecondVolumeLink::registered;
     state.isDoubtful = true;
-    EXPECT_EQ(secondRemark(*pet(), state, SamePatient::yes), "with PT, registration doubtful");
-    EXPECT_EQ(secondRemark(*pet(), state, SamePatient::unknown),
+    EXPECT_EQ(secondRemark(*pet(), state, study::SamePatient::yes), "with PT, registration doubtful");
+    EXPECT_EQ(secondRemark(*pet(), state, study::SamePatient::unknown),
               "with PT, registration doubtful, perhaps of another patient");
-    state.link = BesideLink::sameFrame;
-    EXPECT_EQ(secondRemark(*pet(), state, SamePatient::no), "with PT, of ANOTHER PATIENT");
+    state.link = SecondVolumeLink::sameFrame;
+    EXPECT_EQ(secondRemark(*pet(), state, study::SamePatient::no), "with PT, of ANOTHER PATIENT");
 }
 
 TEST(SecondCurve, OnlyWhatIsSeenIn3dMakesThePictureAnew) {
     StudyState before;
-    before.beside.emplace();
-    before.beside->seriesDigest = "ab";
-    before.beside->link = BesideLink::sameFrame;
+    before.secondVolume.emplace();
+    before.secondVolume->seriesDigest = "ab";
+    before.secondVolume->link = SecondVolumeLink::sameFrame;
     StudyState after = before;
-    after.beside->opacity = 0.1;
+    after.secondVolume->opacity = 0.1;
     EXPECT_EQ(staleAfter(before, after), Stale::nothing) << "it is on slices alone";
     after = before;
-    after.beside->in3d = true;
+    after.secondVolume->in3d = true;
     EXPECT_EQ(staleAfter(before, after), Stale::matter);
     StudyState other = after;
-    other.beside->view = BesideView::over;
+    other.secondVolume->view = SecondVolumePlace::over;
     EXPECT_EQ(staleAfter(after, other), Stale::nothing) << "it looks the same in 3D";
-    other.beside->opacity = 0.1;
+    other.secondVolume->opacity = 0.1;
     EXPECT_EQ(staleAfter(after, other), Stale::matter);
 }
 
 TEST(SecondInput, IsReadPlacedAndSaid) {
-    StudyInput study;
+    study::LoadedStudy study;
     study.volume = in16Bits(std::make_shared<const Volume>(phantom::make()));
     study.identity.isOfNobody = true;
     Progress progress;
-    SecondWish wish;
-    EXPECT_TRUE(check(wish, false).ok());
-    EXPECT_FALSE(check(wish, true).ok()) << "a registration of nothing";
-    wish.preset = "ct-bone";
-    EXPECT_FALSE(check(wish, false).ok());
-    wish.path = "phantom:";
-    EXPECT_TRUE(check(wish, true).ok());
-    const auto drawn = secondToDraw(wish, study, nullptr, progress);
+    SecondVolumeRequest request;
+    EXPECT_TRUE(check(request, false).ok());
+    EXPECT_FALSE(check(request, true).ok()) << "a registration of nothing";
+    request.preset = "ct-bone";
+    EXPECT_FALSE(check(request, false).ok());
+    request.path = "phantom:";
+    EXPECT_TRUE(check(request, true).ok());
+    const auto drawn = secondToDraw(request, study, nullptr, progress);
     ASSERT_TRUE(drawn) << drawn.error().message;
     EXPECT_EQ(drawn->second.secondFromVolumeMm, glm::dmat4(1.0));
     EXPECT_EQ(drawn->remark, "with CT");
@@ -161,20 +162,20 @@ TEST(SecondInput, IsReadPlacedAndSaid) {
     EXPECT_TRUE(validate(added, *study.volume).ok());
 
     // A view that was saved with it says where it lies.
-    BesideState beside;
+    SecondVolumeState beside;
     beside.seriesDigest = "phantom";
-    beside.link = BesideLink::registered;
+    beside.link = SecondVolumeLink::registered;
     beside.secondFromStudy[3].x = 12.0;
     beside.pair = pairDigest(fingerprint(*study.volume), fingerprint(*study.volume));
-    const auto placed = secondToDraw(wish, study, &beside, progress);
+    const auto placed = secondToDraw(request, study, &beside, progress);
     ASSERT_TRUE(placed);
     EXPECT_EQ(placed->second.secondFromVolumeMm, beside.secondFromStudy);
     beside.volumeKey = "of another phase";  // the phantom has none: it may be this one
-    EXPECT_TRUE(secondToDraw(wish, study, &beside, progress));
+    EXPECT_TRUE(secondToDraw(request, study, &beside, progress));
     beside.secondFromStudy[3].x = 1e5;
-    EXPECT_FALSE(secondToDraw(wish, study, &beside, progress)) << "nothing of it lies in the study";
-    wish.preset = "no such preset";
-    EXPECT_FALSE(secondToDraw(wish, study, nullptr, progress));
+    EXPECT_FALSE(secondToDraw(request, study, &beside, progress)) << "nothing of it lies in the study";
+    request.preset = "no such preset";
+    EXPECT_FALSE(secondToDraw(request, study, nullptr, progress));
 }
 
 TEST(SecondInput, WhereItLiesIsSaidByTheFramesOfReference) {
@@ -186,46 +187,46 @@ TEST(SecondInput, WhereItLiesIsSaidByTheFramesOfReference) {
     series.frameOfReferenceUid = "2.25.1004";
     dicom::test::writeFiles(folder.path() / "other", series);
     Progress progress;
-    auto study = loadStudy(folder.path() / "study", {}, progress);
+    auto study = study::loadStudy(folder.path() / "study", {}, progress);
     ASSERT_TRUE(study) << study.error().message;
     EXPECT_EQ(study->frameOfReferenceUid, "2.25.1002");
-    bringTo16Bits(*study);
-    SecondWish wish;
+    study::bringTo16Bits(*study);
+    SecondVolumeRequest request;
     const auto isTold = [](const std::vector<std::string>& all, std::string_view words) {
         return std::ranges::any_of(all, [&](const std::string& one) { return one.find(words) != one.npos; });
     };
 
-    wish.path = folder.path() / "same";
-    const auto same = secondToDraw(wish, *study, nullptr, progress);
+    request.path = folder.path() / "same";
+    const auto same = secondToDraw(request, *study, nullptr, progress);
     ASSERT_TRUE(same) << same.error().message;
     EXPECT_TRUE(isTold(same->notes, "Same frame of reference, not registered: the patient may have moved"));
     EXPECT_FALSE(isTold(same->notes, "--registration"));
     EXPECT_FALSE(isTold(same->warnings, "frame of reference"));
 
-    wish.path = folder.path() / "other";
-    const auto other = secondToDraw(wish, *study, nullptr, progress);
+    request.path = folder.path() / "other";
+    const auto other = secondToDraw(request, *study, nullptr, progress);
     ASSERT_TRUE(other) << other.error().message;
     EXPECT_FALSE(isTold(other->notes, "Same frame"));
     EXPECT_TRUE(isTold(other->warnings, "another frame of reference"));
     EXPECT_TRUE(isTold(other->warnings, "--registration search"));
     EXPECT_TRUE(isTold(other->notes, "--registration search")) << "a warning is a note of the picture";
 
-    wish.path = "phantom:";
+    request.path = "phantom:";
     study->volume = in16Bits(std::make_shared<const Volume>(phantom::make()));
-    const auto none = secondToDraw(wish, *study, nullptr, progress);
+    const auto none = secondToDraw(request, *study, nullptr, progress);
     ASSERT_TRUE(none) << none.error().message;
     EXPECT_TRUE(isTold(none->warnings, "not both have a frame of reference"));
     EXPECT_TRUE(isTold(none->warnings, "--registration search"));
 }
 
 TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
-    StudyInput study;
+    study::LoadedStudy study;
     study.volume = in16Bits(std::make_shared<const Volume>(phantom::make()));
     study.identity.patientId = "17";
     Progress progress;
-    SecondWish wish;
-    wish.path = "phantom:";
-    const auto unknown = secondToDraw(wish, study, nullptr, progress);
+    SecondVolumeRequest request;
+    request.path = "phantom:";
+    const auto unknown = secondToDraw(request, study, nullptr, progress);
     ASSERT_TRUE(unknown) << unknown.error().message;
     EXPECT_EQ(unknown->remark, "with CT, perhaps of another patient");
 
@@ -236,51 +237,51 @@ TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
     dicom::test::writeFiles(jane.path(), series);
     series.patientId = "SYN2";
     dicom::test::writeFiles(john.path(), series);
-    const auto own = loadStudy(jane.path(), {}, progress);
+    const auto own = study::loadStudy(jane.path(), {}, progress);
     ASSERT_TRUE(own) << own.error().message;
     EXPECT_EQ(own->identity.patientId, "SYN1");
     EXPECT_FALSE(own->volumeKey.empty());
     study = *own;
-    bringTo16Bits(study);
-    wish.path = john.path();
-    const auto refused = secondToDraw(wish, study, nullptr, progress);
+    study::bringTo16Bits(study);
+    request.path = john.path();
+    const auto refused = secondToDraw(request, study, nullptr, progress);
     ASSERT_FALSE(refused) << "another patient's";
     EXPECT_EQ(refused.error().message, "The second volume is of another patient than the study.");
-    wish.path = jane.path();
-    const auto itself = secondToDraw(wish, study, nullptr, progress);
+    request.path = jane.path();
+    const auto itself = secondToDraw(request, study, nullptr, progress);
     ASSERT_FALSE(itself) << "the study's own volume";
     EXPECT_EQ(itself.error().code, ErrorCode::inputNotUsable);
     EXPECT_EQ(itself.error().message, "The second volume is the study itself.");
     EXPECT_NE(itself.error().hint.find("--second-series"), std::string::npos);
-    wish.series = "1";
-    EXPECT_FALSE(secondToDraw(wish, study, nullptr, progress)) << "also where it was named";
-    wish.series.clear();
+    request.series = "1";
+    EXPECT_FALSE(secondToDraw(request, study, nullptr, progress)) << "also where it was named";
+    request.series.clear();
     const dicom::test::TemporaryFolder later;
     series.patientId = "SYN1";
     series.seriesUid = "2.25.1003";
     dicom::test::writeFiles(later.path(), series);
-    wish.path = later.path();
-    const auto second = loadStudy(later.path(), {}, progress);
+    request.path = later.path();
+    const auto second = study::loadStudy(later.path(), {}, progress);
     ASSERT_TRUE(second) << second.error().message;
-    EXPECT_TRUE(secondToDraw(wish, study, nullptr, progress)) << "another series of the patient";
+    EXPECT_TRUE(secondToDraw(request, study, nullptr, progress)) << "another series of the patient";
 
     // What is registered of one phase of a series is not taken for another one.
-    BesideState beside;
+    SecondVolumeState beside;
     beside.seriesDigest = second->seriesDigest;
     beside.volumeKey = second->volumeKey;
-    beside.link = BesideLink::registered;
+    beside.link = SecondVolumeLink::registered;
     beside.secondFromStudy[3].x = 1.0;
     study.volume = in16Bits(own->volume);
     beside.pair = pairDigest(fingerprint(*study.volume), fingerprint(*in16Bits(second->volume)));
-    const auto same = secondToDraw(wish, study, &beside, progress);
+    const auto same = secondToDraw(request, study, &beside, progress);
     ASSERT_TRUE(same);
     EXPECT_EQ(same->second.secondFromVolumeMm, beside.secondFromStudy);
     beside.volumeKey = "of another phase";
-    const auto unplaced = secondToDraw(wish, study, &beside, progress);
+    const auto unplaced = secondToDraw(request, study, &beside, progress);
     ASSERT_TRUE(unplaced);
     EXPECT_EQ(unplaced->second.secondFromVolumeMm, glm::dmat4(1.0));
     beside.in3d = true;
-    const auto told = secondToDraw(wish, study, &beside, progress);
+    const auto told = secondToDraw(request, study, &beside, progress);
     ASSERT_TRUE(told);
     EXPECT_EQ(told->notes.size(), unplaced->notes.size() + 1) << "the view had another one in the picture";
 }
@@ -295,42 +296,42 @@ TEST(SecondInput, APlaceIsOfTheVoxelsAndPositionsThatItWasFoundWith) {
     series.worldFromVoxel[3] += glm::dvec4(0.0, 0.0, 4.0, 0.0);
     dicom::test::writeFiles(folder.path() / "moved", series);
     Progress progress;
-    auto study = loadStudy(folder.path() / "study", {}, progress);
-    auto prior = loadStudy(folder.path() / "prior", {}, progress);
-    const auto moved = loadStudy(folder.path() / "moved", {}, progress);
+    auto study = study::loadStudy(folder.path() / "study", {}, progress);
+    auto prior = study::loadStudy(folder.path() / "prior", {}, progress);
+    const auto moved = study::loadStudy(folder.path() / "moved", {}, progress);
     ASSERT_TRUE(study && prior && moved);
     EXPECT_EQ(prior->seriesDigest, moved->seriesDigest);
     EXPECT_EQ(prior->volumeKey, moved->volumeKey) << "nothing but its voxels and positions tells";
-    bringTo16Bits(*study);
-    bringTo16Bits(*prior);
-    BesideState beside;
+    study::bringTo16Bits(*study);
+    study::bringTo16Bits(*prior);
+    SecondVolumeState beside;
     beside.seriesDigest = prior->seriesDigest;
     beside.volumeKey = prior->volumeKey;
     beside.pair = pairDigest(fingerprint(*study->volume), fingerprint(*prior->volume));
-    beside.link = BesideLink::registered;
+    beside.link = SecondVolumeLink::registered;
     beside.boundMm = 0.4;
     beside.secondFromStudy[3].x = 1.0;
     beside.opacity = 0.25;
-    SecondWish wish;
-    const auto isWarned = [](const SecondToDraw& drawn) {
+    SecondVolumeRequest request;
+    const auto isWarned = [](const DrawableSecond& drawn) {
         return std::ranges::any_of(drawn.warnings, [](const std::string& warning) {
             return warning.find("is not believed") != std::string::npos;
         });
     };
-    wish.path = folder.path() / "prior";
-    const auto same = secondToDraw(wish, *study, &beside, progress);
+    request.path = folder.path() / "prior";
+    const auto same = secondToDraw(request, *study, &beside, progress);
     ASSERT_TRUE(same) << same.error().message;
     EXPECT_EQ(same->second.secondFromVolumeMm, beside.secondFromStudy);
     EXPECT_FALSE(isWarned(*same));
-    wish.path = folder.path() / "moved";
-    const auto anew = secondToDraw(wish, *study, &beside, progress);
+    request.path = folder.path() / "moved";
+    const auto anew = secondToDraw(request, *study, &beside, progress);
     ASSERT_TRUE(anew) << anew.error().message;
     EXPECT_EQ(anew->second.secondFromVolumeMm, glm::dmat4(1.0));
     EXPECT_TRUE(isWarned(*anew));
     // A view of before does not say of which voxels it is.
     beside.pair.clear();
-    wish.path = folder.path() / "prior";
-    const auto old = secondToDraw(wish, *study, &beside, progress);
+    request.path = folder.path() / "prior";
+    const auto old = secondToDraw(request, *study, &beside, progress);
     ASSERT_TRUE(old);
     EXPECT_EQ(old->second.secondFromVolumeMm, glm::dmat4(1.0));
     EXPECT_TRUE(isWarned(*old));
@@ -339,9 +340,9 @@ TEST(SecondInput, APlaceIsOfTheVoxelsAndPositionsThatItWasFoundWith) {
     dicom::test::SyntheticSeries itself;
     itself.worldFromVoxel[3].z += 4.0;
     dicom::test::writeFiles(again.path(), itself);
-    wish.path = again.path();
-    EXPECT_TRUE(secondToDraw(wish, *study, nullptr, progress));
+    request.path = again.path();
+    EXPECT_TRUE(secondToDraw(request, *study, nullptr, progress));
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -13,10 +13,10 @@
 #include "base/sha256.h"
 #include "study/found_by_hand.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
-Identity jane() {
+study::Identity jane() {
     return {.patientName = "DOE^JANE",
             .patientId = "17",
             .birthDate = "19700102",
@@ -26,13 +26,13 @@ Identity jane() {
             .series = "CT, series 3: Miller"};
 }
 
-OpenedStudy studyOf(Identity identity, const glm::dvec3& firstMm = glm::dvec3(0.0)) {
+study::OpenedStudy studyOf(study::Identity identity, const glm::dvec3& firstMm = glm::dvec3(0.0)) {
     auto volume = Volume::create({.size = {4, 5, 6},
                                   .worldFromVoxel = affine({2, 0, 0}, {0, 2, 0}, {0, 0, 2}, firstMm),
                                   .unit = Unit::hounsfield,
                                   .modality = "CT"},
                                  std::vector<std::uint16_t>(120, 7));
-    OpenedStudy study;
+    study::OpenedStudy study;
     study.volume = std::make_shared<const Volume>(*std::move(volume));
     study.seriesDigest = "digest";
     study.identity = std::move(identity);
@@ -40,89 +40,94 @@ OpenedStudy studyOf(Identity identity, const glm::dvec3& firstMm = glm::dvec3(0.
 }
 
 template <class Change>
-Identity janeBut(Change change) {
-    Identity identity = jane();
+study::Identity janeBut(Change change) {
+    study::Identity identity = jane();
     change(identity);
     return identity;
 }
 
 TEST(SecondStudy, IsOfTheSamePatientOnlyWhereAllAgrees) {
-    EXPECT_EQ(samePatient(jane(), jane()), SamePatient::yes);
-    EXPECT_EQ(samePatient(jane(), janeBut([](auto& i) { i.patientName = "Doe^Jane^^^ "; })), SamePatient::yes)
+    EXPECT_EQ(study::samePatient(jane(), jane()), study::SamePatient::yes);
+    EXPECT_EQ(study::samePatient(jane(), janeBut([](auto& i) { i.patientName = "Doe^Jane^^^ "; })),
+              study::SamePatient::yes)
         << "written otherwise";
-    EXPECT_EQ(samePatient(jane(), janeBut([](auto& i) { i.birthDate = "1970.01.02"; })), SamePatient::yes);
-    EXPECT_EQ(samePatient(jane(), janeBut([](auto& i) { i.studyDate = "20200101"; })), SamePatient::yes);
-    EXPECT_EQ(samePatient({.series = "File a.nii"}, {.series = "File b.nii"}), SamePatient::unknown);
-    EXPECT_EQ(samePatient(jane(), {.series = "File a.nii"}), SamePatient::unknown);
-    EXPECT_EQ(samePatient(jane(), janeBut([](auto& i) { i.birthDate.clear(); })), SamePatient::unknown);
-    EXPECT_EQ(samePatient({.series = "a", .isOfNobody = true}, {.series = "a", .isOfNobody = true}),
-              SamePatient::yes);
-    EXPECT_NE(samePatient(jane(), {.series = "a", .isOfNobody = true}), SamePatient::yes);
+    EXPECT_EQ(study::samePatient(jane(), janeBut([](auto& i) { i.birthDate = "1970.01.02"; })),
+              study::SamePatient::yes);
+    EXPECT_EQ(study::samePatient(jane(), janeBut([](auto& i) { i.studyDate = "20200101"; })),
+              study::SamePatient::yes);
+    EXPECT_EQ(study::samePatient({.series = "File a.nii"}, {.series = "File b.nii"}),
+              study::SamePatient::unknown);
+    EXPECT_EQ(study::samePatient(jane(), {.series = "File a.nii"}), study::SamePatient::unknown);
+    EXPECT_EQ(study::samePatient(jane(), janeBut([](auto& i) { i.birthDate.clear(); })),
+              study::SamePatient::unknown);
+    EXPECT_EQ(study::samePatient({.series = "a", .isOfNobody = true}, {.series = "a", .isOfNobody = true}),
+              study::SamePatient::yes);
+    EXPECT_NE(study::samePatient(jane(), {.series = "a", .isOfNobody = true}), study::SamePatient::yes);
 }
 
 // Two studies that were made anonymous by the same program are not for that of one patient.
 TEST(SecondStudy, PlaceholdersAreOfNobody) {
-    const Identity nobody{
+    const study::Identity nobody{
         .patientName = "ANONYMOUS", .patientId = "0000", .birthDate = "19000101", .sex = "F"};
-    EXPECT_EQ(samePatient(nobody, nobody), SamePatient::unknown);
-    EXPECT_EQ(samePatient(nobody, jane()), SamePatient::unknown) << "and nothing differs";
-    EXPECT_EQ(samePatient(jane(), nobody), SamePatient::unknown);
-    EXPECT_TRUE(whatDiffers(nobody, jane()).empty());
+    EXPECT_EQ(study::samePatient(nobody, nobody), study::SamePatient::unknown);
+    EXPECT_EQ(study::samePatient(nobody, jane()), study::SamePatient::unknown) << "and nothing differs";
+    EXPECT_EQ(study::samePatient(jane(), nobody), study::SamePatient::unknown);
+    EXPECT_TRUE(study::whatDiffers(nobody, jane()).empty());
     for (const char* name : {"", "Patient^Anonymous", "De-Identified", "XXXX^XXXX", "unknown"}) {
-        Identity named = nobody;
+        study::Identity named = nobody;
         named.patientName = name;
-        EXPECT_EQ(samePatient(named, nobody), SamePatient::unknown) << name;
+        EXPECT_EQ(study::samePatient(named, nobody), study::SamePatient::unknown) << name;
     }
-    Identity man = nobody;
+    study::Identity man = nobody;
     man.sex = "M";
-    EXPECT_EQ(samePatient(nobody, man), SamePatient::no) << "that much is known";
+    EXPECT_EQ(study::samePatient(nobody, man), study::SamePatient::no) << "that much is known";
     man.sex = "U";
-    EXPECT_EQ(samePatient(nobody, man), SamePatient::unknown);
+    EXPECT_EQ(study::samePatient(nobody, man), study::SamePatient::unknown);
     // Pseudonyms tell.
-    Identity first = nobody;
+    study::Identity first = nobody;
     first.patientId = "ANON0017";
-    Identity other = nobody;
+    study::Identity other = nobody;
     other.patientId = "ANON0018";
-    EXPECT_EQ(samePatient(first, first), SamePatient::yes);
-    EXPECT_EQ(samePatient(first, other), SamePatient::no);
+    EXPECT_EQ(study::samePatient(first, first), study::SamePatient::yes);
+    EXPECT_EQ(study::samePatient(first, other), study::SamePatient::no);
     // A study is of one patient: a PET and its CT.
-    Identity pet = nobody;
+    study::Identity pet = nobody;
     pet.studyInstanceUid = "1.2.3";
-    Identity ct = pet;
-    EXPECT_EQ(samePatient(pet, ct), SamePatient::yes);
+    study::Identity ct = pet;
+    EXPECT_EQ(study::samePatient(pet, ct), study::SamePatient::yes);
     ct.studyInstanceUid = "1.2.4";
-    EXPECT_EQ(samePatient(pet, ct), SamePatient::unknown);
+    EXPECT_EQ(study::samePatient(pet, ct), study::SamePatient::unknown);
 }
 
 TEST(SecondStudy, OneThingThatDiffersIsAnotherPatient) {
-    using Names = std::vector<std::string>;
+    using study::Names = std::vector<std::string>;
     const auto differs = [](auto change) {
-        const Identity other = janeBut(change);
-        EXPECT_EQ(samePatient(jane(), other), SamePatient::no);
-        EXPECT_EQ(samePatient(other, jane()), SamePatient::no);
-        return whatDiffers(jane(), other);
+        const study::Identity other = janeBut(change);
+        EXPECT_EQ(study::samePatient(jane(), other), study::SamePatient::no);
+        EXPECT_EQ(study::samePatient(other, jane()), study::SamePatient::no);
+        return study::whatDiffers(jane(), other);
     };
-    EXPECT_EQ(differs([](auto& i) { i.patientId = "18"; }), Names{"ID"});
-    EXPECT_EQ(differs([](auto& i) { i.patientName = "ROE^JANE"; }), Names{"name"});
-    EXPECT_EQ(differs([](auto& i) { i.birthDate = "19700103"; }), Names{"date of birth"});
-    EXPECT_EQ(differs([](auto& i) { i.sex = "M"; }), Names{"sex"});
-    EXPECT_EQ(differs([](auto& i) { i.patientId = "18", i.sex = "O"; }), (Names{"ID", "sex"}));
+    EXPECT_EQ(differs([](auto& i) { i.patientId = "18"; }), study::Names{"ID"});
+    EXPECT_EQ(differs([](auto& i) { i.patientName = "ROE^JANE"; }), study::Names{"name"});
+    EXPECT_EQ(differs([](auto& i) { i.birthDate = "19700103"; }), study::Names{"date of birth"});
+    EXPECT_EQ(differs([](auto& i) { i.sex = "M"; }), study::Names{"sex"});
+    EXPECT_EQ(differs([](auto& i) { i.patientId = "18", i.sex = "O"; }), (study::Names{"ID", "sex"}));
 }
 
 TEST(SecondStudy, IsPriorOrLaterByTheDateOfTheStudy) {
     const auto of = [](const char* date) { return janeBut([date](auto& i) { i.studyDate = date; }); };
-    EXPECT_EQ(ageOf(jane(), of("20220301")), Age::earlier);
-    EXPECT_EQ(ageOf(jane(), of("20240301")), Age::sameDay);
-    EXPECT_EQ(ageOf(jane(), of("20240302")), Age::later);
+    EXPECT_EQ(study::ageOf(jane(), of("20220301")), study::Age::earlier);
+    EXPECT_EQ(study::ageOf(jane(), of("20240301")), study::Age::sameDay);
+    EXPECT_EQ(study::ageOf(jane(), of("20240302")), study::Age::later);
     for (const char* date : {"", "2024", "20240x01", "yesterday"})
-        EXPECT_EQ(ageOf(jane(), of(date)), Age::unknown) << date;
+        EXPECT_EQ(study::ageOf(jane(), of(date)), study::Age::unknown) << date;
 }
 
 TEST(SecondStudy, ItsTagHoldsNoWordThatAPersonTyped) {
     EXPECT_EQ(plainTag(studyOf(jane())), "CT, 2024-03-01");
     EXPECT_EQ(plainTag(studyOf(janeBut([](auto& i) { i.studyDate = "for Miller"; }))), "CT, no study date");
     EXPECT_EQ(plainTag(studyOf({.series = "Phantom of Miller", .isOfNobody = true})), "phantom");
-    OpenedStudy found = studyOf(jane());
+    study::OpenedStudy found = studyOf(jane());
     found.found = test::twoPatients();
     found.volumeIndex = found.found->volumes().size() - 1;
     const int number = found.found->volumes().back().series->number.value();
@@ -132,24 +137,24 @@ TEST(SecondStudy, ItsTagHoldsNoWordThatAPersonTyped) {
 }
 
 TEST(SecondStudy, IsLinkedByItsFrameOfReferenceOrByHand) {
-    OpenedStudy study = studyOf(jane());
-    OpenedStudy second = studyOf(jane(), {100.0, -20.0, 7.0});
+    study::OpenedStudy study = studyOf(jane());
+    study::OpenedStudy second = studyOf(jane(), {100.0, -20.0, 7.0});
     second.seriesDigest = "other";
-    BesideState link = firstLink(study, second, "pair");
-    EXPECT_EQ(link.link, BesideLink::byHand) << "nothing is known of where it lies";
+    SecondVolumeState link = firstLink(study, second, "pair");
+    EXPECT_EQ(link.link, SecondVolumeLink::byHand) << "nothing is known of where it lies";
     EXPECT_FALSE(link.isLinked());
     EXPECT_EQ(transformPoint(link.secondFromStudy, study.volume->worldBox().centre()),
               second.volume->worldBox().centre());
     EXPECT_EQ(link.seriesDigest, "other");
     study.frameOfReferenceUid = second.frameOfReferenceUid = "1.2.3";
     link = firstLink(study, second, "pair");
-    EXPECT_EQ(link.link, BesideLink::sameFrame);
+    EXPECT_EQ(link.link, SecondVolumeLink::sameFrame);
     EXPECT_EQ(link.secondFromStudy, glm::dmat4(1.0));
     second.identity.patientId = "18";
-    EXPECT_EQ(firstLink(study, second, "pair").link, BesideLink::byHand) << "another patient";
+    EXPECT_EQ(firstLink(study, second, "pair").link, SecondVolumeLink::byHand) << "another patient";
     second.identity = jane();
     second.frameOfReferenceUid = "1.2.4";
-    EXPECT_EQ(firstLink(study, second, "pair").link, BesideLink::byHand);
+    EXPECT_EQ(firstLink(study, second, "pair").link, SecondVolumeLink::byHand);
 }
 
 TEST(SecondStudy, IsFoundByItsDigestWhereThatIsOfOneVolume) {
@@ -159,8 +164,8 @@ TEST(SecondStudy, IsFoundByItsDigestWhereThatIsOfOneVolume) {
     two.seriesInstanceUid = "1.2";
     dicom::Scan scan;
     scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {one, two}));
-    const FoundVolumes found(std::move(scan));
-    BesideState state;
+    const study::FoundVolumes found(std::move(scan));
+    SecondVolumeState state;
     state.seriesDigest = sha256Hex("1.1");
     EXPECT_EQ(volumeOf(found, state), 0U);
     state.seriesDigest = sha256Hex("1.2");
@@ -186,33 +191,33 @@ dicom::Stack phaseAt(const std::string& time, const std::string& frameOfReferenc
     return stack;
 }
 
-std::shared_ptr<const FoundVolumes> foundWith(std::vector<dicom::Stack> stacks) {
+std::shared_ptr<const study::FoundVolumes> foundWith(std::vector<dicom::Stack> stacks) {
     dicom::Series other = test::seriesOf(1, "a", {test::volumeOf(3)});
     other.seriesInstanceUid = "1.1";
     dicom::Series series = test::seriesOf(2, "b", std::move(stacks));
     series.seriesInstanceUid = "1.2";
     dicom::Scan scan;
     scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {other, series}));
-    return std::make_shared<const FoundVolumes>(std::move(scan));
+    return std::make_shared<const study::FoundVolumes>(std::move(scan));
 }
 
 // What was stored of the phase at 10:02 stays of that one, whatever else comes into the folder or goes.
 TEST(SecondStudy, IsFoundWhereverItsSeriesHasItNow) {
-    const auto stored = [](const std::shared_ptr<const FoundVolumes>& found, std::size_t index) {
-        OpenedStudy second = studyOf(jane());
+    const auto stored = [](const std::shared_ptr<const study::FoundVolumes>& found, std::size_t index) {
+        study::OpenedStudy second = studyOf(jane());
         second.seriesDigest = sha256Hex("1.2");
         second.found = found;
         second.volumeIndex = index;
         return firstLink(studyOf(jane()), second, "pair");
     };
-    const BesideState ofTwo = stored(foundWith({phaseAt("1001"), phaseAt("1002")}), 2);
+    const SecondVolumeState ofTwo = stored(foundWith({phaseAt("1001"), phaseAt("1002")}), 2);
     EXPECT_EQ(ofTwo.volume, 1U);
     EXPECT_EQ(volumeOf(*foundWith({phaseAt("1001"), phaseAt("1002")}), ofTwo), 2U);
     EXPECT_EQ(volumeOf(*foundWith({phaseAt("1000"), phaseAt("1001"), phaseAt("1002")}), ofTwo), 3U);
     EXPECT_EQ(volumeOf(*foundWith({phaseAt("1002")}), ofTwo), 1U);
     EXPECT_FALSE(volumeOf(*foundWith({phaseAt("1000"), phaseAt("1001")}), ofTwo)) << "it has gone";
     // It was the only one.
-    const BesideState ofOne = stored(foundWith({phaseAt("1002")}), 1);
+    const SecondVolumeState ofOne = stored(foundWith({phaseAt("1002")}), 1);
     EXPECT_FALSE(ofOne.volume);
     EXPECT_EQ(volumeOf(*foundWith({phaseAt("1001"), phaseAt("1002")}), ofOne), 2U);
     EXPECT_FALSE(volumeOf(*foundWith({phaseAt("1001")}), ofOne)) << "another one has taken its place";
@@ -221,7 +226,7 @@ TEST(SecondStudy, IsFoundWhereverItsSeriesHasItNow) {
     more.frames.push_back(more.frames.front());
     EXPECT_EQ(volumeOf(*foundWith({phaseAt("1001"), more}), ofTwo), 2U);
     // Views of before have a place alone.
-    BesideState old = ofTwo;
+    SecondVolumeState old = ofTwo;
     old.volumeKey.clear();
     EXPECT_EQ(volumeOf(*foundWith({phaseAt("1001"), phaseAt("1002")}), old), 2U);
 }
@@ -255,22 +260,22 @@ TEST(SecondStudy, APairIsOfVoxelsAndPositionsOfBoth) {
 }
 
 TEST(SecondStudy, ALookIsKeptWhereThePlaceIsNot) {
-    BesideState before;
-    before.link = BesideLink::registered;
+    SecondVolumeState before;
+    before.link = SecondVolumeLink::registered;
     before.secondFromStudy[3].x = 3.0;
     before.boundMm = 0.4;
-    before.view = BesideView::over;
+    before.view = SecondVolumePlace::over;
     before.opacity = 0.25;
-    BesideState place;
+    SecondVolumeState place;
     place.pair = "pair";
-    const BesideState byHand = withLookOf(place, before);
+    const SecondVolumeState byHand = withLookOf(place, before);
     EXPECT_EQ(byHand.opacity, 0.25);
-    EXPECT_EQ(byHand.view, BesideView::beside) << "nothing lies over it by hand";
+    EXPECT_EQ(byHand.view, SecondVolumePlace::beside) << "nothing lies over it by hand";
     EXPECT_EQ(byHand.secondFromStudy, glm::dmat4(1.0));
     EXPECT_EQ(byHand.boundMm, 0.0);
     EXPECT_EQ(byHand.pair, "pair");
-    place.link = BesideLink::sameFrame;
-    EXPECT_EQ(withLookOf(place, before).view, BesideView::over);
+    place.link = SecondVolumeLink::sameFrame;
+    EXPECT_EQ(withLookOf(place, before).view, SecondVolumePlace::over);
 }
 
 // Two phases of a heart are one series, and are told apart.
@@ -279,14 +284,14 @@ TEST(SecondStudy, VolumesOfOneSeriesAreToldApart) {
     series.seriesInstanceUid = "1.2";
     dicom::Scan scan;
     scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {series}));
-    OpenedStudy first = studyOf(jane());
+    study::OpenedStudy first = studyOf(jane());
     first.seriesDigest = sha256Hex("1.2");
-    first.found = std::make_shared<const FoundVolumes>(std::move(scan));
-    OpenedStudy second = first;
+    first.found = std::make_shared<const study::FoundVolumes>(std::move(scan));
+    study::OpenedStudy second = first;
     second.volumeIndex = 1;
     EXPECT_EQ(plainTag(first), "CT, 2024-03-01, series 2, volume 1 of 2");
     EXPECT_EQ(plainTag(second), "CT, 2024-03-01, series 2, volume 2 of 2");
-    BesideState link = firstLink(first, second, "pair");
+    SecondVolumeState link = firstLink(first, second, "pair");
     EXPECT_EQ(link.volume, 1U);
     EXPECT_TRUE(isOf(link, second, "pair"));
     EXPECT_FALSE(isOf(link, second, "other")) << "of these UIDs, and of other voxels or positions";
@@ -303,4 +308,4 @@ TEST(SecondStudy, VolumesOfOneSeriesAreToldApart) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include "base/phantom.h"
 #include "study/segmentation/loaded_segmentation.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 const std::string kDigest(64, 'a');
@@ -19,7 +19,7 @@ class ColouredRow : public testing::Test {
   protected:
     void make(int segments) {
         volume_ = std::make_shared<const Volume>(phantom::make({.size = {segments + 2, 3, 3}}));
-        auto loaded = std::make_shared<LoadedSegmentation>();
+        auto loaded = std::make_shared<study::LoadedSegmentation>();
         loaded->digest = kDigest;
         choice_ = {};
         choice_.digest = kDigest;
@@ -27,11 +27,11 @@ class ColouredRow : public testing::Test {
         for (int n = 1; n <= segments; ++n) {
             VoxelSet voxels({n - 1, 1, 1}, {n + 1, 1, 1});
             for (int x = n - 1; x <= n + 1; ++x) voxels.add({x, 1, 1});
-            LoadedSegment segment;
+            study::LoadedSegment segment;
             segment.segment.number = std::uint16_t(n);
             segment.voxels = std::make_shared<const VoxelSet>(std::move(voxels));
             loaded->segments.push_back(std::move(segment));
-            SegmentChoice one;
+            SegmentSettings one;
             one.number = std::uint16_t(n);
             one.isColouredIn3d = true;
             one.rgb = {200, 100, 50};
@@ -60,7 +60,7 @@ class ColouredRow : public testing::Test {
     }
 
     std::shared_ptr<const Volume> volume_;
-    SegmentationChoice choice_;
+    SegmentationSettings choice_;
     LoadedSegmentations loaded_;
 };
 
@@ -80,7 +80,7 @@ TEST_F(ColouredRow, AnotherColourOrOpacityIsTheSameGeometryAndTheRightPicture) {
     ASSERT_TRUE(anew && *anew);
     for (int x = 0; x < volume_->size().x; ++x) {
         // Of voxels x the last segment that has it is x + 1, or the last one.
-        const SegmentChoice& one = choice_.segments[std::size_t(std::min(x, 2))];
+        const SegmentSettings& one = choice_.segments[std::size_t(std::min(x, 2))];
         const auto found = colourAt(tints, x);
         ASSERT_TRUE(found) << x;
         EXPECT_EQ(*found, *colourAt(**anew, x)) << x;
@@ -140,4 +140,4 @@ TEST_F(ColouredRow, WhoCancelsGetsNoBox) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

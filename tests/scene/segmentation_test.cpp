@@ -5,12 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "pictures/addition_wish.h"
+#include "pictures/addition_request.h"
 #include "pipeline/volume/mask_bits.h"
 #include "scene/clip/combined_mask.h"
 #include "scene/segments/segment_mask.h"
 #include "scene/segments/segment_tints.h"
-#include "scene/segments/segmentation_choice.h"
+#include "scene/segments/segmentation_settings.h"
 #include "scene/segments/segments_to_draw.h"
 #include "scene/state/study_state.h"
 #include "study/open/opened_study.h"
@@ -19,7 +19,7 @@
 #include "support.h"
 #include "synthetic_segmentation.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using dicom::test::SyntheticSegmentation;
@@ -48,23 +48,23 @@ class SegmentationOfAFolder : public testing::Test {
     void open() {
         dicom::test::writeSegmentation(folder_ / "seg/a", segmentation_);
         Progress progress;
-        auto study = openStudy(folder_.path(), progress);
+        auto study = study::openStudy(folder_.path(), progress);
         ASSERT_TRUE(study) << study.error().message;
         study_ = *std::move(study);
     }
-    std::vector<FoundSegmentation> find() {
+    std::vector<study::FoundSegmentation> find() {
         Progress progress;
-        const auto found = findSegmentations(*study_.found, volume(), progress);
+        const auto found = study::findSegmentations(*study_.found, volume(), progress);
         EXPECT_TRUE(found) << found.error().message;
-        return found ? *found : std::vector<FoundSegmentation>();
+        return found ? *found : std::vector<study::FoundSegmentation>();
     }
-    std::shared_ptr<const LoadedSegmentation> load(const FoundSegmentation& found) {
+    std::shared_ptr<const study::LoadedSegmentation> load(const study::FoundSegmentation& found) {
         Progress progress;
-        const auto loaded = loadSegments(found, *study_.volume, *volume().stack, progress);
+        const auto loaded = study::loadSegments(found, *study_.volume, *volume().stack, progress);
         EXPECT_TRUE(loaded) << loaded.error().message;
         return loaded ? *loaded : nullptr;
     }
-    const FoundVolume& volume() const { return study_.found->volumes().at(study_.volumeIndex); }
+    const study::FoundVolume& volume() const { return study_.found->volumes().at(study_.volumeIndex); }
     template <class Visit>
     void forEachVoxel(const Visit& visit) const {
         const glm::ivec3 size = study_.volume->size();
@@ -78,7 +78,7 @@ class SegmentationOfAFolder : public testing::Test {
     SyntheticSeries series_;
     SyntheticSegmentation segmentation_;
     glm::dvec3 centreMm_{0.0};
-    OpenedStudy study_;
+    study::OpenedStudy study_;
 };
 
 TEST_F(SegmentationOfAFolder, IsFoundAndLiesWhereItWasDrawn) {
@@ -94,8 +94,8 @@ TEST_F(SegmentationOfAFolder, IsFoundAndLiesWhereItWasDrawn) {
     const auto loaded = load(found[0]);
     ASSERT_TRUE(loaded);
     EXPECT_TRUE(loaded->notes.empty()) << loaded->notes.front();
-    const LoadedSegment* liver = loaded->segment(1);
-    const LoadedSegment* tumour = loaded->segment(2);
+    const study::LoadedSegment* liver = loaded->segment(1);
+    const study::LoadedSegment* tumour = loaded->segment(2);
     ASSERT_TRUE(liver && tumour && liver->volumeMl && tumour->centroidMm);
     EXPECT_EQ(loaded->segment(3), nullptr);
     std::size_t count = 0;
@@ -108,8 +108,8 @@ TEST_F(SegmentationOfAFolder, IsFoundAndLiesWhereItWasDrawn) {
     EXPECT_NEAR(*liver->volumeMl, double(count) * det / 1000.0, 1e-6);
     EXPECT_NEAR(*liver->volumeMl, 4.0 / 3.0 * 3.14159265 * 268.336 / 1000.0, 0.1) << "a ball of 6.45 mm";
     EXPECT_LT(glm::distance(*tumour->centroidMm, centreMm_), 0.4);
-    EXPECT_EQ(usualRgb(liver->segment), *liver->segment.recommendedRgb);
-    EXPECT_NE(usualRgb(tumour->segment), usualRgb(liver->segment));
+    EXPECT_EQ(study::usualRgb(liver->segment), *liver->segment.recommendedRgb);
+    EXPECT_NE(study::usualRgb(tumour->segment), study::usualRgb(liver->segment));
 }
 
 TEST_F(SegmentationOfAFolder, OfAnotherCoordinateSystemSaysSo) {
@@ -170,12 +170,12 @@ TEST_F(SegmentationOfAFolder, AloneAndHiddenLeaveWhatTheySay) {
     const auto loaded = load(found.at(0));
     ASSERT_TRUE(loaded);
     const auto maskOf = [&](In3d liver, In3d tumour, bool isShown = true) {
-        SegmentationChoice choice;
+        SegmentationSettings choice;
         choice.digest = found[0].digest;
         choice.isShown = isShown;
-        SegmentChoice one;
+        SegmentSettings one;
         one.in3d = liver;
-        SegmentChoice two;
+        SegmentSettings two;
         two.number = 2;
         two.in3d = tumour;
         choice.segments = {one, two};
@@ -232,13 +232,13 @@ TEST_F(SegmentationOfAFolder, InColourTheirVoxelsHaveTheColoursThatWereChosen) {
     const auto found = find();
     const auto loaded = load(found.at(0));
     ASSERT_TRUE(loaded);
-    SegmentationChoice choice;
+    SegmentationSettings choice;
     choice.digest = found[0].digest;
     choice.isShown = true;
-    SegmentChoice liver;
+    SegmentSettings liver;
     liver.isColouredIn3d = true;
     liver.rgb = {255, 0, 51};
-    SegmentChoice tumour;
+    SegmentSettings tumour;
     tumour.number = 2;
     tumour.isColouredIn3d = true;
     tumour.opacityIn3d = 0.5;
@@ -278,15 +278,15 @@ TEST_F(SegmentationOfAFolder, InColourTheirVoxelsHaveTheColoursThatWereChosen) {
     EXPECT_EQ(colouredIn3dOf(back), before);
     EXPECT_FALSE(choiceOf(choiceOf(back, choice.digest), 1).isColouredIn3d);
     EXPECT_TRUE(colouredIn3dOf(withColoursIn3d(std::vector{choice}, {})).empty());
-    SegmentationChoice hidden = choice;
+    SegmentationSettings hidden = choice;
     hidden.isShown = false;
     EXPECT_EQ(colouredIn3dOf(withColoursIn3d(std::vector{hidden}, before)), before)
         << "colours that it had while hidden do not come back";
 
     // By its label, for who has no window.
-    const SegmentWish wish = *segmentWishFrom("colour:tumour");
+    const SegmentRequest request = *segmentRequestFrom("colour:tumour");
     const auto drawn =
-        segmentsToDraw(*study_.found, volume(), {}, std::vector{wish}, *study_.volume, progress);
+        segmentsToDraw(*study_.found, volume(), {}, std::vector{request}, *study_.volume, progress);
     ASSERT_TRUE(drawn) << drawn.error().message;
     EXPECT_FALSE(drawn->mask) << "nothing is hidden";
     ASSERT_TRUE(drawn->tints);
@@ -297,18 +297,18 @@ TEST_F(SegmentationOfAFolder, InColourTheirVoxelsHaveTheColoursThatWereChosen) {
 // Of a picture with segments in colour is said what is seen in it, and of one that has no colours that.
 TEST_F(SegmentationOfAFolder, InColourAPictureSaysSoButAProjection) {
     open();
-    ReadStudy study;
+    study::ReadStudy study;
     study.input.volume = in16Bits(study_.volume);
     study.found = study_.found;
     StudyState state;
-    AdditionWish wish;
-    wish.segments = {"colour:tumour"};
-    const auto choice = additionChoice(wish, folder_.path(), state);
+    pictures::AdditionRequest request;
+    request.segments = {"colour:tumour"};
+    const auto choice = pictures::resolveAdditions(request, folder_.path(), state);
     ASSERT_TRUE(choice) << choice.error().message;
     const auto noteIn = [&](trace::Look look) {
         Clip clip;
         Progress progress;
-        const auto made = makeAdditions(*choice, study, look, clip, progress);
+        const auto made = pictures::makeAdditions(*choice, study, look, clip, progress);
         EXPECT_TRUE(made && made->additions.tints && made->notes.size() == 1);
         return made && made->notes.size() == 1 ? made->notes.front() : std::string();
     };
@@ -322,10 +322,11 @@ TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {
     open();
     Progress progress;
     const auto draw = [&](const std::vector<std::string>& typed,
-                          std::vector<SegmentationChoice> choices = {}) {
-        std::vector<SegmentWish> wishes;
-        for (const std::string& each : typed) wishes.push_back(*segmentWishFrom(each));
-        return segmentsToDraw(*study_.found, volume(), std::move(choices), wishes, *study_.volume, progress);
+                          std::vector<SegmentationSettings> choices = {}) {
+        std::vector<SegmentRequest> requests;
+        for (const std::string& each : typed) requests.push_back(*segmentRequestFrom(each));
+        return segmentsToDraw(*study_.found, volume(), std::move(choices), requests, *study_.volume,
+                              progress);
     };
     const auto both = draw({"keep:liver", "hide:Tumour"});
     ASSERT_TRUE(both) << both.error().message;
@@ -339,9 +340,9 @@ TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {
     const auto none = draw({"keep:Spleen"});
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().code, ErrorCode::usage);
-    SegmentChoice one;
+    SegmentSettings one;
     one.in3d = In3d::hidden;
-    std::vector<SegmentationChoice> ofAView;
+    std::vector<SegmentationSettings> ofAView;
     choose(ofAView, digestOf('e'), one);
     ofAView.front().isShown = true;
     const auto gone = draw({}, ofAView);
@@ -349,8 +350,8 @@ TEST_F(SegmentationOfAFolder, IsKeptOrHiddenByItsLabel) {
     EXPECT_FALSE(gone->mask);
     EXPECT_FALSE(gone->notes.empty()) << "it is not in the folder";
     for (const char* wrong : {"", "keep", "keep:", ":Liver", "drop:Liver", "Liver"})
-        EXPECT_FALSE(segmentWishFrom(wrong)) << wrong;
-    EXPECT_EQ(segmentWishFrom("hide:Lobe: upper")->label, "Lobe: upper");
+        EXPECT_FALSE(segmentRequestFrom(wrong)) << wrong;
+    EXPECT_EQ(segmentRequestFrom("hide:Lobe: upper")->label, "Lobe: upper");
 }
 
 TEST_F(SegmentationOfAFolder, ATruncatedFileIsAnErrorAndNoSegment) {
@@ -361,14 +362,14 @@ TEST_F(SegmentationOfAFolder, ATruncatedFileIsAnErrorAndNoSegment) {
     ASSERT_EQ(found.size(), 1u);
     if (!found[0].canBeShown()) return;  // noticed by its header already
     Progress progress;
-    const auto loaded = loadSegments(found[0], *study_.volume, *volume().stack, progress);
+    const auto loaded = study::loadSegments(found[0], *study_.volume, *volume().stack, progress);
     ASSERT_FALSE(loaded);
     EXPECT_FALSE(loaded.error().hint.empty());
 }
 
 TEST(SegmentationState, IsReadBackAndKeepsNothingThatIsAsByDefault) {
     StudyState state;
-    SegmentChoice segment;
+    SegmentSettings segment;
     segment.number = 300;
     segment.isVisible = false;
     segment.rgb = {1, 2, 255};
@@ -377,7 +378,7 @@ TEST(SegmentationState, IsReadBackAndKeepsNothingThatIsAsByDefault) {
     segment.isColouredIn3d = true;
     segment.opacityIn3d = 0.75;
     choose(state.segmentations, digestOf('b'), segment);
-    SegmentationChoice shown;
+    SegmentationSettings shown;
     shown.digest = digestOf('a');
     shown.isShown = true;
     choose(state.segmentations, shown);
@@ -388,7 +389,7 @@ TEST(SegmentationState, IsReadBackAndKeepsNothingThatIsAsByDefault) {
     EXPECT_EQ(*read, state);
     EXPECT_TRUE(in3dOf(state.segmentations).empty()) << "that one is not shown";
 
-    SegmentationChoice other = choiceOf(state.segmentations, digestOf('b'));
+    SegmentationSettings other = choiceOf(state.segmentations, digestOf('b'));
     other.isShown = true;
     StudyState next = state;
     choose(next.segmentations, other);
@@ -401,7 +402,7 @@ TEST(SegmentationState, IsReadBackAndKeepsNothingThatIsAsByDefault) {
     choose(onSlices.segmentations, digestOf('b'), segment);
     EXPECT_EQ(staleAfter(state, onSlices), Stale::nothing);
 
-    SegmentChoice usual;
+    SegmentSettings usual;
     usual.number = 300;
     choose(state.segmentations, digestOf('b'), usual);
     shown.isShown = false;
@@ -411,12 +412,12 @@ TEST(SegmentationState, IsReadBackAndKeepsNothingThatIsAsByDefault) {
 }
 
 TEST(SegmentationState, WhatIsDoneIn3dIsPutBackAndSlicesStay) {
-    std::vector<SegmentationChoice> choices;
+    std::vector<SegmentationSettings> choices;
     const auto add = [&](const char* digest, bool isShown, std::uint16_t number, In3d in3d) {
-        SegmentationChoice choice = choiceOf(choices, digest);
+        SegmentationSettings choice = choiceOf(choices, digest);
         choice.isShown = isShown;
         choose(choices, choice);
-        SegmentChoice segment;
+        SegmentSettings segment;
         segment.number = number;
         segment.opacity = 0.9;
         segment.in3d = in3d;
@@ -428,7 +429,7 @@ TEST(SegmentationState, WhatIsDoneIn3dIsPutBackAndSlicesStay) {
     add("c", true, 1, In3d::hidden);
     EXPECT_EQ(withIn3d(choices, in3dOf(choices)), choices);
     const std::vector<In3dOf> before{{"a", 2, In3d::hidden}, {"d", 4, In3d::alone}};
-    const std::vector<SegmentationChoice> back = withIn3d(choices, before);
+    const std::vector<SegmentationSettings> back = withIn3d(choices, before);
     EXPECT_EQ(in3dOf(back), before);
     EXPECT_EQ(choiceOf(choiceOf(back, "a"), 1).opacity, 0.9);
     EXPECT_TRUE(choiceOf(back, "c").isShown);
@@ -458,7 +459,7 @@ TEST(SegmentationState, WhatCannotBeReadIsAnErrorWithItsPlace) {
     }
     // Nothing that is written is refused.
     StudyState state;
-    SegmentChoice odd;
+    SegmentSettings odd;
     odd.opacity = std::numeric_limits<double>::quiet_NaN();
     choose(state.segmentations, good, odd);
     choose(state.segmentations, "no digest", odd);
@@ -468,20 +469,20 @@ TEST(SegmentationState, WhatCannotBeReadIsAnErrorWithItsPlace) {
 TEST(RealSegmentation, LiesOnItsSeries) {
     SKIP_WITHOUT_SHARED_DATA();
     Progress progress;
-    const auto study = openStudy(dicom::test::sharedData() / "odd/legacy_enhanced_pair", progress);
+    const auto study = study::openStudy(dicom::test::sharedData() / "odd/legacy_enhanced_pair", progress);
     ASSERT_TRUE(study) << study.error().message;
-    const FoundVolume& volume = study->found->volumes().at(study->volumeIndex);
-    const auto found = findSegmentations(*study->found, volume, progress);
+    const study::FoundVolume& volume = study->found->volumes().at(study->volumeIndex);
+    const auto found = study::findSegmentations(*study->found, volume, progress);
     ASSERT_TRUE(found);
     ASSERT_EQ(found->size(), 1u);
     ASSERT_TRUE(found->front().canBeShown()) << found->front().whyNot;
-    const auto loaded = loadSegments(found->front(), *study->volume, *volume.stack, progress);
+    const auto loaded = study::loadSegments(found->front(), *study->volume, *volume.stack, progress);
     ASSERT_TRUE(loaded) << loaded.error().message;
-    const LoadedSegment* liver = (*loaded)->segment(1);
+    const study::LoadedSegment* liver = (*loaded)->segment(1);
     ASSERT_TRUE(liver && liver->isInVolume() && liver->volumeMl);
     EXPECT_EQ(liver->segment.label, "Liver");
     EXPECT_NEAR(*liver->volumeMl, double(liver->voxels->count()) * 0.7 * 0.7 * 2.5 / 1000.0, 1e-4);
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include "scene/choice/clip_choice.h"
 #include "segment/scene.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 segment::PatientMask found(double removedMl) {
@@ -98,4 +98,4 @@ TEST(ShownClip, thatIsStoppedWhileItLooksForATableIsNone) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

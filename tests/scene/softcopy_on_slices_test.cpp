@@ -11,7 +11,7 @@
 #include "support.h"
 #include "synthetic_softcopy.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using dicom::test::SyntheticSeries;
@@ -24,7 +24,7 @@ class SoftcopyOnSlicesTest : public testing::Test {
         dicom::test::writeFiles(folder_ / "images", series_, slices_);
         auto scanned = dicom::test::scan(folder_ / "images");
         ASSERT_TRUE(scanned);
-        study_.found = std::make_shared<const FoundVolumes>(*std::move(scanned));
+        study_.found = std::make_shared<const study::FoundVolumes>(*std::move(scanned));
         ASSERT_EQ(study_.found->volumes().size(), 1u);
         study_.volume = dicom::test::load(*study_.found->volumes()[0].series);
         ASSERT_TRUE(study_.volume);
@@ -36,7 +36,7 @@ class SoftcopyOnSlicesTest : public testing::Test {
         dicom::test::writeMultiFrame(folder_ / "frames" / "all.dcm", series_, slices_);
         auto scanned = dicom::test::scan(folder_ / "frames");
         ASSERT_TRUE(scanned);
-        study_.found = std::make_shared<const FoundVolumes>(*std::move(scanned));
+        study_.found = std::make_shared<const study::FoundVolumes>(*std::move(scanned));
         ASSERT_EQ(study_.found->volumes().size(), 1u);
         study_.volume = dicom::test::load(*study_.found->volumes()[0].series);
         ASSERT_TRUE(study_.volume);
@@ -67,7 +67,7 @@ class SoftcopyOnSlicesTest : public testing::Test {
     const std::filesystem::path path_ = folder_ / "state.dcm";
     SyntheticSeries series_;
     std::vector<dicom::test::Slice> slices_;
-    OpenedStudy study_;
+    study::OpenedStudy study_;
     SyntheticSoftcopy said_;
 };
 
@@ -201,4 +201,4 @@ TEST_F(SoftcopyOnSlicesTest, OfOtherImagesItIsAnError) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

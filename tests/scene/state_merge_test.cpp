@@ -7,7 +7,7 @@
 
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 slices::Measurement distance(double lengthMm, const std::string& label = {}) {
@@ -116,4 +116,4 @@ TEST(MergedState, MoreThanAStateMayHoldIsNoState) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -15,7 +15,7 @@
 #include "scene/transfer/own_copy.h"
 #include "scene/transfer/same_transfer.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -83,24 +83,24 @@ StudyState everything() {
     state.grid =
         SavedGrid{.size = {512, 511, 95},
                   .worldFromVoxel = affine({0.7, 0, 0}, {0, 0.7, 0}, {0, 1.0 / 3.0, 2}, {-179, -171, 4})};
-    BesideState beside;
+    SecondVolumeState beside;
     beside.seriesDigest = "fedcba";
     beside.volume = 2;
     beside.volumeKey = "abcdef-2";
     beside.pair = "abc123";
     beside.rivalMm = 30.0;
-    beside.link = BesideLink::registered;
+    beside.link = SecondVolumeLink::registered;
     beside.secondFromStudy = affine({0.6, 0.8, 0.0}, {-0.8, 0.6, 0.0}, {0.0, 0.0, 1.0}, {1.0 / 3.0, 7, -80});
     beside.boundMm = 0.7;
     beside.isDoubtful = true;
-    beside.view = BesideView::over;
+    beside.view = SecondVolumePlace::over;
     beside.linksWindow = true;
     beside.window = DisplayWindow{.center = 4.0, .width = 8.0, .explanation = {}, .function = "LINEAR_EXACT"};
     beside.opacity = 0.3;
     beside.colours = slices::ColourTable::green;
     beside.in3d = true;
     beside.preset = state.preset;
-    state.beside = beside;
+    state.secondVolume = beside;
     return state;
 }
 
@@ -171,13 +171,13 @@ TEST(StudyState, IsAnotherWhenOneThingOfTheSlicesIs) {
     EXPECT_TRUE(differs([](auto& s) { s.namedClips[0].name = "lung"; }));
     EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].isShown = false; }));
     EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[1].in3d = In3d::hidden; }));
-    EXPECT_TRUE(differs([](auto& s) { s.beside.reset(); }));
-    EXPECT_TRUE(differs([](auto& s) { s.beside->opacity = 0.4; }));
-    EXPECT_TRUE(differs([](auto& s) { s.beside->in3d = false; }));
-    EXPECT_TRUE(differs([](auto& s) { s.beside->preset.reset(); }));
+    EXPECT_TRUE(differs([](auto& s) { s.secondVolume.reset(); }));
+    EXPECT_TRUE(differs([](auto& s) { s.secondVolume->opacity = 0.4; }));
+    EXPECT_TRUE(differs([](auto& s) { s.secondVolume->in3d = false; }));
+    EXPECT_TRUE(differs([](auto& s) { s.secondVolume->preset.reset(); }));
     EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[0].isColouredIn3d = true; }));
     EXPECT_TRUE(differs([](auto& s) { s.segmentations[0].segments[0].opacityIn3d = 0.5; }));
-    EXPECT_TRUE(differs([](auto& s) { s.beside->secondFromStudy[3][0] += 1e-6; }));
+    EXPECT_TRUE(differs([](auto& s) { s.secondVolume->secondFromStudy[3][0] += 1e-6; }));
 }
 
 TEST(StudyState, WritesTheKeysThatItSaysItHas) {
@@ -216,10 +216,10 @@ TEST(StudyState, ASecondVolumeIsTurnedAndMovedAndNothingElse) {
     };
     EXPECT_EQ(whyNot(with("[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]")), "");
     const StudyState state = read(with("[1,0,0,5, 0,1,0,6, 0,0,1,7, 0,0,0,1]"));
-    ASSERT_TRUE(state.beside);
-    EXPECT_FALSE(state.beside->volume) << "as older versions wrote it";
-    EXPECT_FALSE(state.beside->in3d || state.beside->preset) << "likewise";
-    EXPECT_EQ(glm::dvec3(state.beside->secondFromStudy[3]), glm::dvec3(5.0, 6.0, 7.0)) << "row by row";
+    ASSERT_TRUE(state.secondVolume);
+    EXPECT_FALSE(state.secondVolume->volume) << "as older versions wrote it";
+    EXPECT_FALSE(state.secondVolume->in3d || state.secondVolume->preset) << "likewise";
+    EXPECT_EQ(glm::dvec3(state.secondVolume->secondFromStudy[3]), glm::dvec3(5.0, 6.0, 7.0)) << "row by row";
     for (const char* broken :
          {"[-1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1]", "[2,0,0,0, 0,2,0,0, 0,0,2,0, 0,0,0,1]",
           "[1,0,0,0, 0,1,0,0, 0,0,1,0, 1,0,0,1]", "[1,0,0,0, 0,1,0,0, 0,0,1,0]", "\"no\""})
@@ -232,10 +232,10 @@ TEST(StudyState, ASecondVolumeIsTurnedAndMovedAndNothingElse) {
     EXPECT_NE(whyNot("{\"version\": 1, \"beside\": {\"series\": \"ab\", \"opacity\": 2}}"), "");
 
     StudyState unreadable;
-    unreadable.beside.emplace();
-    unreadable.beside->seriesDigest = "ab";
-    unreadable.beside->secondFromStudy[0][0] = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(read(toJson(unreadable)).beside) << "the rest is not lost with it";
+    unreadable.secondVolume.emplace();
+    unreadable.secondVolume->seriesDigest = "ab";
+    unreadable.secondVolume->secondFromStudy[0][0] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(read(toJson(unreadable)).secondVolume) << "the rest is not lost with it";
 }
 
 // Bound and doubt are of a registration; what somebody linked otherwise has none, and comes back from its
@@ -244,20 +244,20 @@ TEST(StudyState, OnlyARegistrationCanBeDoubtful) {
     for (const char* link : {"byHand", "sameFrame", "registered"}) {
         const StudyState state = read(R"({"version": 1, "beside": {"series": "a", "link": ")" +
                                       std::string(link) + R"(", "boundMm": 0.7, "doubtful": true}})");
-        ASSERT_TRUE(state.beside);
-        const bool isRegistered = state.beside->link == BesideLink::registered;
-        EXPECT_EQ(state.beside->isDoubtful, isRegistered) << link;
-        EXPECT_EQ(state.beside->boundMm, isRegistered ? 0.7 : 0.0) << link;
+        ASSERT_TRUE(state.secondVolume);
+        const bool isRegistered = state.secondVolume->link == SecondVolumeLink::registered;
+        EXPECT_EQ(state.secondVolume->isDoubtful, isRegistered) << link;
+        EXPECT_EQ(state.secondVolume->boundMm, isRegistered ? 0.7 : 0.0) << link;
         EXPECT_EQ(read(toJson(state)), state) << link;
     }
 }
 
 // Equal states are no step, and are not kept: whatever tells two apart has to be among what is compared.
 TEST(StudyState, AnotherPhaseBesideTheStudyIsAnotherState) {
-    BesideState beside;
+    SecondVolumeState beside;
     beside.seriesDigest = "ab";
     beside.volumeKey = "of one phase";
-    BesideState other = beside;
+    SecondVolumeState other = beside;
     EXPECT_EQ(beside, other);
     other.volumeKey = "of another";
     EXPECT_NE(beside, other);
@@ -531,4 +531,4 @@ TEST(DrawingOf, SaysWhatOfTheMatterSomebodyHasChanged) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -12,7 +12,7 @@
 #include "scene/camera/orbit_camera.h"
 #include "scene/camera/view_directions.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 // Of HU: a body with half axes `halfMm` amid air, the long axis of the grid along z. `sizeMm` is the box.
@@ -144,7 +144,7 @@ TEST(UsualView, IsOfWhoeverFitsACamera) {
     const Volume head = scanOf({});
     EXPECT_EQ(firstDirection(std::nullopt, head), ViewDirection::threeQuarter);
     EXPECT_EQ(firstDirection(ViewDirection::left, head), ViewDirection::left) << "who asks is given that";
-    const Camera camera = fittedCamera({}, trace::Look::cinematic, head, {});
+    const Camera camera = pictures::fittedCamera({}, trace::Look::cinematic, head, {});
     const CameraBasis axes = basis(camera).value();
     EXPECT_LT(glm::distance(axes.forward, standardBasis(ViewDirection::threeQuarter).forward), 1e-9);
     for (const ViewReason why :
@@ -155,4 +155,4 @@ TEST(UsualView, IsOfWhoeverFitsACamera) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

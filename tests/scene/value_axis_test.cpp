@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -84,4 +84,4 @@ TEST(ValueMap, isThatOfTheFit) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

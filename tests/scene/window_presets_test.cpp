@@ -6,7 +6,7 @@
 
 #include "pipeline/volume/window.h"
 
-namespace macula::app {
+namespace macula::scene {
 namespace {
 
 Volume volumeOf(Unit unit, std::vector<DisplayWindow> windows) {
@@ -67,4 +67,4 @@ TEST(WindowPresets, OfAnythingElseAreThoseOfTheSeries) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::scene

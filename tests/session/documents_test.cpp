@@ -31,7 +31,7 @@ TEST_F(Documents, ComeBackWordForWord) {
 
 TEST_F(Documents, KeepWhatAnOlderProgramDoesNotKnow) {
     Store store = open();
-    const DocumentId id{DocumentKind::session, studyIdentity("1"), "last"};
+    const DocumentId id{DocumentKind::studyState, studyIdentity("1"), "last"};
     ASSERT_TRUE(isOk(store.putDocument(id, 2, R"({"preset": "a", "fog": {"density": 0.5}})", {})));
     nowMs_ += 100;
     const std::string_view known[]{"preset"};
@@ -45,7 +45,7 @@ TEST_F(Documents, KeepWhatAnOlderProgramDoesNotKnow) {
 // A second program that writes meanwhile waits: what was read is what is replaced.
 TEST_F(Documents, AreChangedByWhatIsStored) {
     Store store = open();
-    const DocumentId id{DocumentKind::session, studyIdentity("1"), "last"};
+    const DocumentId id{DocumentKind::studyState, studyIdentity("1"), "last"};
     std::vector<std::optional<std::string>> seen;
     const auto change = [&](const std::string& json) {
         const std::string_view known[]{"a", "b"};

@@ -54,7 +54,7 @@ void fillFixture(const fs::path& folder) {
     ASSERT_TRUE(isOk(store.saveModel(keyOf("chest"), blobOf(1, 1000))));
     ASSERT_TRUE(isOk(store.saveModel(keyOf("chest", "lung"), blobOf(2, 2000))));
     ASSERT_TRUE(isOk(store.touchModel(keyOf("chest"))));
-    ASSERT_TRUE(isOk(store.putDocument({DocumentKind::session, studyIdentity("1.2.3"), "last"}, 1,
+    ASSERT_TRUE(isOk(store.putDocument({DocumentKind::studyState, studyIdentity("1.2.3"), "last"}, 1,
                                        R"({"preset": "bone"})", {})));
     ASSERT_TRUE(isOk(store.putDocument({DocumentKind::calibration, "", "gpu"}, 2, R"({"ms": 4.5})", {})));
     ASSERT_TRUE(isOk(store.addAudit(AuditAction::exported, AuditKind::picture, studyIdentity("1.2.3"), 3)));
@@ -74,7 +74,8 @@ void expectFixture(Store& store) {
         EXPECT_EQ(numberOf(valueOf(store.readModel(*info)).blob), transfer == std::string("bone") ? 1u : 2u);
     }
     EXPECT_EQ(valueOf(store.listModels()).entries.at(0).key.digest(), keyOf("chest").digest()) << "used last";
-    const auto session = valueOf(store.getDocument({DocumentKind::session, studyIdentity("1.2.3"), "last"}));
+    const auto session =
+        valueOf(store.getDocument({DocumentKind::studyState, studyIdentity("1.2.3"), "last"}));
     ASSERT_TRUE(session);
     EXPECT_EQ(session->json, R"({"preset": "bone"})");
     EXPECT_EQ(valueOf(store.getDocument({DocumentKind::calibration, "", "gpu"}))->version, 2);

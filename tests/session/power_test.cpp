@@ -52,7 +52,7 @@ class Power : public test::StoreTest {
     static std::string nameOf(int i) { return "preset " + std::to_string(i); }
     static std::vector<std::byte> blobNumber(int i) { return blobOf(static_cast<std::uint32_t>(i), 20'000); }
     static DocumentId document(const std::string& study) {
-        return {DocumentKind::session, studyIdentity(study), "last"};
+        return {DocumentKind::studyState, studyIdentity(study), "last"};
     }
     // Of several pages, so that a commit is several writes.
     static std::string jsonOf(int i) {

@@ -60,7 +60,8 @@ int writeFor(const StoreOptions& with, std::uint32_t writer, Clock::duration tim
         const std::uint32_t mine = writer * 1'000'000 + count;
         if (!store->saveModel(keyOf("own", std::to_string(writer)), blobOf(mine, 5000))) return 3;
         if (!store->saveModel(keyOf("shared"), blobOf(mine, 3000))) return 4;
-        const DocumentId document{DocumentKind::session, studyIdentity("1"), "of " + std::to_string(writer)};
+        const DocumentId document{DocumentKind::studyState, studyIdentity("1"),
+                                  "of " + std::to_string(writer)};
         if (!store->putDocument(document, count, "{}", {})) return 5;
         for (const ModelKey& key : {keyOf("shared"), keyOf("own", std::to_string(1 - writer))}) {
             const auto info = store->findModel(key);
@@ -102,7 +103,8 @@ TEST_F(Processes, TwoWriteAtOnce) {
         ASSERT_TRUE(own);
         EXPECT_EQ(test::numberOf(valueOf(store.readModel(*own)).blob),
                   writer * 1'000'000 + counts[writer] - 1);
-        const DocumentId document{DocumentKind::session, studyIdentity("1"), "of " + std::to_string(writer)};
+        const DocumentId document{DocumentKind::studyState, studyIdentity("1"),
+                                  "of " + std::to_string(writer)};
         EXPECT_EQ(valueOf(store.getDocument(document))->version, counts[writer] - 1);
     }
     ASSERT_TRUE(isOk(store.collectGarbage()));

@@ -92,7 +92,7 @@ TEST_F(Purges, OfAVolumeThatBelongsToNoStudy) {
 TEST_F(Purges, OfAVolumeThatBelongsToNoStudyTakeItsStates) {
     Store store = open();
     const auto stateOf = [](std::string_view volume) {
-        return DocumentId{DocumentKind::session, "", digestOf(volume) + " as it was left"};
+        return DocumentId{DocumentKind::studyState, "", digestOf(volume) + " as it was left"};
     };
     const auto put = [&](const DocumentId& id, std::string_view text) {
         EXPECT_TRUE(isOk(store.putDocument(id, 1, "{\"label\": \"" + std::string(text) + "\"}", {})));
@@ -100,7 +100,7 @@ TEST_F(Purges, OfAVolumeThatBelongsToNoStudyTakeItsStates) {
     ASSERT_TRUE(isOk(store.recordOpened({.volume = digestOf("nifti")})));
     ASSERT_TRUE(isOk(store.recordOpened({.volume = digestOf("other")})));
     put(stateOf("nifti"), kMarker);
-    put({DocumentKind::session, "", digestOf("nifti") + " as it was left, unreadable 0123"}, kMarker);
+    put({DocumentKind::studyState, "", digestOf("nifti") + " as it was left, unreadable 0123"}, kMarker);
     put(stateOf("other"), "of another");
     put({DocumentKind::preset, "", digestOf("nifti") + " is a name"}, "of the machine");
     put({DocumentKind::layout, "", "usual"}, "of the machine");
@@ -120,7 +120,7 @@ TEST_F(Purges, OfAVolumeThatBelongsToNoStudyTakeItsStates) {
 // Earlier versions left them behind.
 TEST_F(Purges, OfAllTakeStatesWhoseVolumeIsGone) {
     Store store = open();
-    const DocumentId left{DocumentKind::session, "", digestOf("gone") + " as it was left"};
+    const DocumentId left{DocumentKind::studyState, "", digestOf("gone") + " as it was left"};
     ASSERT_TRUE(isOk(store.putDocument(left, 1, "{\"label\": \"" + std::string(kMarker) + "\"}", {})));
     EXPECT_FALSE(filesWith(kMarker).empty());
     EXPECT_EQ(valueOf(store.purgeAll(DamagedFiles::keep)).documents, 1u);

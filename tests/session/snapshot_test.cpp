@@ -31,7 +31,7 @@ class Snapshots : public test::StoreTest {
         ASSERT_TRUE(isOk(store.saveModel(keyOf("chest"), blobOf(1, 1000))));
         ASSERT_TRUE(isOk(store.saveModel(keyOf("chest", "lung"), blobOf(2, 1000))));
         ASSERT_TRUE(isOk(
-            store.putDocument({DocumentKind::session, studyIdentity("1"), "last"}, 1, R"({"a": 1})", {})));
+            store.putDocument({DocumentKind::studyState, studyIdentity("1"), "last"}, 1, R"({"a": 1})", {})));
     }
     Progress progress_;
 };
@@ -59,7 +59,7 @@ TEST_F(Snapshots, BringAllOfAStoreIntoAnother) {
     EXPECT_EQ(in.documents, 1u);
     EXPECT_EQ(in.damaged, 0u);
     EXPECT_EQ(numberIn(other, keyOf("chest", "lung")), 2u);
-    EXPECT_EQ(valueOf(other.getDocument({DocumentKind::session, studyIdentity("1"), "last"}))->json,
+    EXPECT_EQ(valueOf(other.getDocument({DocumentKind::studyState, studyIdentity("1"), "last"}))->json,
               R"({"a": 1})");
     EXPECT_EQ(valueOf(other.listSeries(studyIdentity("1"))).entries.at(0).volumes,
               std::vector{digestOf("chest")});

@@ -129,14 +129,15 @@ TEST_F(Stores, HaveNothingOfOneStudyUnderAnother) {
     ASSERT_TRUE(isOk(store.recordOpened(opened("2", "1", "head"))));
     ASSERT_TRUE(isOk(store.saveModel(keyOf("chest"), test::blobOf(1, 100))));
     ASSERT_TRUE(isOk(
-        store.putDocument({DocumentKind::session, studyIdentity("1"), "last"}, 1, R"({"of": "1"})", {})));
+        store.putDocument({DocumentKind::studyState, studyIdentity("1"), "last"}, 1, R"({"of": "1"})", {})));
     EXPECT_EQ(valueOf(store.findModel(keyOf("head"))), std::nullopt);
     EXPECT_TRUE(valueOf(store.nearestModels(keyOf("head"), 10)).empty());
     EXPECT_TRUE(valueOf(store.listModels(digestOf("head"))).entries.empty());
-    EXPECT_EQ(valueOf(store.getDocument({DocumentKind::session, studyIdentity("2"), "last"})), std::nullopt);
-    EXPECT_EQ(valueOf(store.getDocument({DocumentKind::session, "", "last"})), std::nullopt);
-    EXPECT_TRUE(valueOf(store.listDocuments(DocumentKind::session, studyIdentity("2"))).entries.empty());
-    EXPECT_TRUE(valueOf(store.listDocuments(DocumentKind::session, "")).entries.empty());
+    EXPECT_EQ(valueOf(store.getDocument({DocumentKind::studyState, studyIdentity("2"), "last"})),
+              std::nullopt);
+    EXPECT_EQ(valueOf(store.getDocument({DocumentKind::studyState, "", "last"})), std::nullopt);
+    EXPECT_TRUE(valueOf(store.listDocuments(DocumentKind::studyState, studyIdentity("2"))).entries.empty());
+    EXPECT_TRUE(valueOf(store.listDocuments(DocumentKind::studyState, "")).entries.empty());
     const auto series = valueOf(store.listSeries(studyIdentity("2")));
     ASSERT_EQ(series.entries.size(), 1u);
     EXPECT_EQ(series.entries[0].volumes, std::vector{digestOf("head")});

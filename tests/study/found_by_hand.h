@@ -8,7 +8,7 @@
 
 #include "study/open/found_volumes.h"
 
-namespace macula::app::test {
+namespace macula::study::test {
 
 inline dicom::Stack stackOf(std::size_t images, const std::string& modality) {
     dicom::Stack stack;
@@ -110,4 +110,4 @@ inline std::shared_ptr<const FoundVolumes> twoPatients() {
     return std::make_shared<const FoundVolumes>(std::move(scan));
 }
 
-}  // namespace macula::app::test
+}  // namespace macula::study::test

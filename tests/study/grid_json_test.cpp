@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace macula::app {
+namespace macula::study {
 namespace {
 
 TEST(GridJson, saysWhereVoxelsLie) {
@@ -34,4 +34,4 @@ TEST(GridJson, tellsATiltedGantry) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::study

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace macula::app {
+namespace macula::study {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -41,4 +41,4 @@ TEST(Identity, NamesAndDatesAreForPeople) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::study

@@ -7,7 +7,7 @@
 
 #include "study/found_by_hand.h"
 
-namespace macula::app {
+namespace macula::study {
 namespace {
 
 using Numbers = std::vector<int>;
@@ -59,4 +59,4 @@ TEST(ImageNumbers, OfWhatIsInterpolatedThereIsNoImage) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::study

@@ -20,9 +20,9 @@
 #include "slices/measurement.h"
 #include "slices/sampled_slice.h"
 #include "study/open/found_volumes.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
-namespace macula::app {
+namespace macula::study {
 namespace {
 
 TEST(OpenStudy, GivesUpWhereverItIsCancelled) {
@@ -270,7 +270,7 @@ TEST(OpenStudy, MeasuresWhatTheFileHas) {
     EXPECT_DOUBLE_EQ(values->mean, 800.5);
     EXPECT_DOUBLE_EQ(values->deviation, 0.0);
     const std::string csv =
-        measurementsCsv(std::vector<slices::Measurement>{{.shape = ellipse}}, *study->measured());
+        scene::measurementsCsv(std::vector<slices::Measurement>{{.shape = ellipse}}, *study->measured());
     EXPECT_NE(csv.find(",800.5,0,800.5,800.5,"), std::string::npos) << csv;
     const slices::SampledSlice slice =
         slices::sampleSlice(*study->measured(), {.plane = ellipse.plane, .mmPerPixel = 1.0, .sizePx = {3, 3}},
@@ -328,4 +328,4 @@ TEST(LoadStudy, ExportsHaveTheUnitOfTheImages) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::study

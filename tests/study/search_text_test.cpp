@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace macula::app {
+namespace macula::study {
 namespace {
 
 TEST(SearchText, HasNeitherCaseNorDiacritics) {
@@ -58,4 +58,4 @@ TEST(SearchText, AllWordsHaveToBeThere) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::study

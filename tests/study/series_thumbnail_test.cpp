@@ -11,7 +11,7 @@
 #include "dicom/support.h"
 #include "dicom/synthetic.h"
 
-namespace macula::app {
+namespace macula::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -207,4 +207,4 @@ TEST(Shrunk, SmallPicturesAreKept) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::study

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace macula::app {
+namespace macula::study {
 namespace {
 
 std::string said(const char* attribute, const char* value) {
@@ -51,4 +51,4 @@ TEST(StackLabelText, WhatCannotBeReadStandsAsItIs) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::study

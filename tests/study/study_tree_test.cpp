@@ -10,7 +10,7 @@
 #include "study/found_by_hand.h"
 #include "study/open/presented_volume.h"
 
-namespace macula::app {
+namespace macula::study {
 namespace {
 
 using Kind = StudyRow::Kind;
@@ -407,4 +407,4 @@ TEST(PresentationRows, WithoutNamesNothingOfTheFileIsLeftButTheDate) {
 }
 
 }  // namespace
-}  // namespace macula::app
+}  // namespace macula::study

@@ -10,8 +10,8 @@
 
 namespace macula::scenes {
 
-inline SecondVolume second(std::shared_ptr<const Volume> volume, TransferFunction function,
-                           const glm::dmat4& secondFromVolumeMm = glm::dmat4(1.0)) {
+inline DrawnSecondVolume second(std::shared_ptr<const Volume> volume, TransferFunction function,
+                                const glm::dmat4& secondFromVolumeMm = glm::dmat4(1.0)) {
     return {std::move(volume), std::make_shared<const TransferFunction>(std::move(function)),
             secondFromVolumeMm};
 }

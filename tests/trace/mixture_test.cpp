@@ -246,7 +246,7 @@ TEST(Mixture, ASecondVolumeOfNothingChangesNothing) {
     TransferFunction clear = scenes::homogeneous(1.0);
     clear.opacity = {{0, 0.0}};
 
-    const std::vector<std::pair<const char*, SecondVolume>> seconds{
+    const std::vector<std::pair<const char*, DrawnSecondVolume>> seconds{
         {"NaN", scenes::second(in16Bits(std::make_shared<const Volume>(*std::move(nans))),
                                scenes::homogeneous(3.0))},
         {"all clear", scenes::second(scenes::volumeOf({3, 3, 3}, cube, one), clear)},

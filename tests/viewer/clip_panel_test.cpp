@@ -26,13 +26,13 @@ class ClipPanelTest : public testing::Test {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         QLocale::setDefault(QLocale::c());
         application_.emplace(argc_, argv_);
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok()) << catalogue.error().message;
         session_.emplace(*std::move(catalogue));
         panel_.emplace(*session_);
         panel_->resize(420, 900);
         panel_->show();
-        QObject::connect(&*session_, &ViewerSession::changed, &*session_, [this] { ++changes_; });
+        QObject::connect(&*session_, &StudyEditor::changed, &*session_, [this] { ++changes_; });
     }
     void TearDown() override {
         panel_.reset();
@@ -48,7 +48,7 @@ class ClipPanelTest : public testing::Test {
     }
     void putCrosshair(const glm::dvec3& mm) {
         session_->change(QStringLiteral("Cross-hair"),
-                         [&](app::StudyState& next) { next.slices.crosshairMm = mm; });
+                         [&](scene::StudyState& next) { next.slices.crosshairMm = mm; });
     }
 
     template <class Widget>
@@ -69,8 +69,8 @@ class ClipPanelTest : public testing::Test {
 
     const Volume& volume() const { return *session_->study().volume; }
     Box all() const { return volume().worldBox(); }
-    const app::ClipChoice& clip() const { return session_->state().clip; }
-    Box kept() const { return *app::keptBox(clip(), volume()); }
+    const scene::OptionalClip& clip() const { return session_->state().clip; }
+    Box kept() const { return *scene::keptBox(clip(), volume()); }
 
     static QPoint handleOf(const QSlider& slider) {
         QStyleOptionSlider option;
@@ -93,7 +93,7 @@ class ClipPanelTest : public testing::Test {
     char name_[5] = "test";
     char* argv_[2] = {name_, nullptr};
     std::optional<QApplication> application_;
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<ClipPanel> panel_;
     int changes_ = 0;
 };
@@ -209,7 +209,7 @@ TEST_F(ClipPanelTest, AFaceIsPulledNoFurtherThanTheOther) {
     QTest::mouseMove(&left, handle - QPoint(1000, 0));
     QTest::mouseRelease(&left, Qt::LeftButton, {}, handle - QPoint(1000, 0));
     EXPECT_NEAR(kept().low.x, 0.0, 1e-9);
-    EXPECT_NEAR(kept().high.x, app::voxelExtentMm(volume()).x, 1e-6);
+    EXPECT_NEAR(kept().high.x, scene::voxelExtentMm(volume()).x, 1e-6);
     EXPECT_GT(left.value(), left.maximum() / 3) << "its slider stands where it is";
 }
 
@@ -328,7 +328,7 @@ TEST_F(ClipPanelTest, TheListGoesToAClipAndBackToOnesOwn) {
     EXPECT_FALSE(clip());
 
     type(number("clip-mm-left"), QStringLiteral("30"));
-    const app::ClipChoice own = clip();
+    const scene::OptionalClip own = clip();
     ASSERT_TRUE(own);
     EXPECT_EQ(list.currentIndex(), list.count() - 1);
     QTest::keyClick(&list, Qt::Key_Home);
@@ -341,7 +341,7 @@ TEST_F(ClipPanelTest, WhatAnotherPanelChoseIsShownAndNotAnswered) {
     openPhantom();
     for (const auto& listed : session_->catalogue().clips) {
         changes_ = 0;
-        session_->change(QStringLiteral("Clip"), [&](app::StudyState& next) { next.clip = *listed; });
+        session_->change(QStringLiteral("Clip"), [&](scene::StudyState& next) { next.clip = *listed; });
         EXPECT_EQ(changes_, 1) << listed->name;
         EXPECT_EQ(*clip(), *listed);
         EXPECT_NEAR(number("clip-mm-left").value(), kept().high.x, 0.06) << listed->name;
@@ -352,7 +352,7 @@ TEST_F(ClipPanelTest, WhatAnotherPanelChoseIsShownAndNotAnswered) {
 
 TEST_F(ClipPanelTest, OfAClipThatLeavesNothingOneCanBeginAgain) {
     openPhantom();
-    session_->change(QStringLiteral("Clip"), [](app::StudyState& next) {
+    session_->change(QStringLiteral("Clip"), [](scene::StudyState& next) {
         ClipPreset nothing{.name = "nothing", .title = "Nothing", .clip = {}, .planesAt = {}};
         nothing.clip.planes.push_back({{1.0, 0.0, 0.0}, 0.0});
         nothing.planesAt.emplace_back(5.0, 0.5, 0.5);
@@ -375,8 +375,8 @@ TEST_F(ClipPanelTest, AnotherStudyHasItsOwnFaces) {
     EXPECT_NEAR(number("clip-mm-left").value(), 0.5, 1e-9);
     EXPECT_NEAR(number("clip-mm-right").value(), -0.5, 1e-9);
     EXPECT_EQ(find<QComboBox>("clip-list").currentIndex(), 0);
-    for (const app::Face side : app::kFaces) {
-        const std::string name = "clip-cut-" + std::string(app::nameOf(side));
+    for (const scene::Face side : scene::kFaces) {
+        const std::string name = "clip-cut-" + std::string(nameOf(side));
         EXPECT_FALSE(button(name.c_str()).isEnabled()) << "one voxel is not cut";
     }
     QTest::keyClick(&slider("clip-slider-left"), Qt::Key_Left);

@@ -33,14 +33,14 @@
 namespace macula::viewer {
 namespace {
 
-using Kind = app::ClipHandle::Kind;
+using Kind = scene::ClipHandle::Kind;
 
 class ClipToolsTest : public testing::Test {
   protected:
     void SetUp() override {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         application_.emplace(argc_, argv_);
-        session_.emplace(app::Catalogue{});
+        session_.emplace(scene::Catalogue{});
         editing_.emplace(*session_);
     }
 
@@ -60,21 +60,21 @@ class ClipToolsTest : public testing::Test {
                 .sizePx = {1000, 800}};
     }
     static PicturePlace placeOf(const glm::dvec3& mm, PictureGeometry picture = fromAnterior()) {
-        const auto rays = app::PictureRays::of(picture.camera, picture.aspect);
+        const auto rays = scene::PictureRays::of(picture.camera, picture.aspect);
         return {.picture = picture, .at = *rays->placeOf(mm)};
     }
     static PicturePlace at(double x, double y) { return {.picture = fromAnterior(), .at = {x, y}}; }
 
     const Volume& volume() const { return *session_->study().volume; }
     Box all() const { return volume().worldBox(); }
-    const app::StudyState& state() const { return session_->state(); }
-    Box kept() const { return *app::keptBox(state().clip, volume()); }
+    const scene::StudyState& state() const { return session_->state(); }
+    Box kept() const { return *scene::keptBox(state().clip, volume()); }
 
     int argc_ = 1;
     char name_[5] = "test";
     char* argv_[2] = {name_, nullptr};
     std::optional<QApplication> application_;
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<ClipEditing> editing_;
 };
 
@@ -122,8 +122,8 @@ TEST_F(ClipToolsTest, FacesTowardsTheEyeHaveNoHandle) {
 TEST_F(ClipToolsTest, TheBallIsMovedAcrossTheLineOfSightAndSized) {
     openPhantom();
     editing_->setHandlesAskedFor(true);
-    session_->change("Clip", [&](app::StudyState& next) {
-        next.clip = *app::withBallRemoved({}, {10, 30, 5}, 40.0, volume());
+    session_->change("Clip", [&](scene::StudyState& next) {
+        next.clip = *scene::withBallRemoved({}, {10, 30, 5}, 40.0, volume());
     });
     ClipHandlesTool tool(*session_, *editing_);
     const auto ball = [&] { return *clipFor(*state().clip, volume()).ball; };
@@ -146,7 +146,7 @@ TEST_F(ClipToolsTest, ADragThatIsGivenUpStaysUndoableAndHoldsNothing) {
     ASSERT_TRUE(tool.press(placeOf(top)));
     tool.move(placeOf(top - glm::dvec3(0, 0, 30)));
     tool.giveUp();
-    const app::StudyState held = state();
+    const scene::StudyState held = state();
     tool.move(placeOf(top - glm::dvec3(0, 0, 90)));
     EXPECT_EQ(state(), held);
     session_->undo();
@@ -166,14 +166,14 @@ TEST_F(ClipToolsTest, TheWheelCutsDeeperFromTheEyeInOneStep) {
     EXPECT_TRUE(tool.turnWheel(5.0, fromAnterior()));
     EXPECT_GT(state().cuts.eye->fromMiddleMm, first);
     EXPECT_TRUE(tool.turnWheel(-1000.0, fromAnterior()));
-    EXPECT_GE(state().cuts.eye->fromMiddleMm, app::eyeCutRangeMm({0, 1, 0}, volume()).low - 1e-9);
+    EXPECT_GE(state().cuts.eye->fromMiddleMm, scene::eyeCutRangeMm({0, 1, 0}, volume()).low - 1e-9);
     session_->undo();
     EXPECT_FALSE(session_->canUndo());
 }
 
 TEST_F(ClipToolsTest, TheCutFromTheEyeFollowsTheCameraOrStaysInThePatient) {
     openPhantom();
-    session_->change("Cross-hair", [](app::StudyState& next) { next.slices.crosshairMm = {5, -20, 7}; });
+    session_->change("Cross-hair", [](scene::StudyState& next) { next.slices.crosshairMm = {5, -20, 7}; });
     ASSERT_TRUE(editing_->setEyeCut(true).ok());
     EXPECT_NEAR(state().cuts.eye->plane.offsetMm, -20.0, 1e-9) << "through the cross-hair";
     const Camera fromLeft{.positionMm = {3000, 0, 0}, .targetMm = {0, 0, 0}, .up = {0, 0, 1}};
@@ -197,12 +197,12 @@ TEST_F(ClipToolsTest, TheDepthOfTheCutOutlastsALookFromWhereTheVolumeIsThinner) 
     editing_->setCamera(fromLeft);
     ASSERT_TRUE(editing_->setEyeCut(true).ok());
     editing_->dragEyeCut(130.0);
-    const app::EyeCut before = *state().cuts.eye;
+    const scene::EyeCut before = *state().cuts.eye;
     EXPECT_NEAR(before.plane.offsetMm, 130.0, 1e-9);
     editing_->setCamera(fromAnterior().camera);
     const Volume& thin = *session_->study().volume;
     EXPECT_NEAR(state().cuts.eye->plane.offsetMm,
-                thin.worldBox().centre().y + app::eyeCutRangeMm({0.0, 1.0, 0.0}, thin).high, 1e-9)
+                thin.worldBox().centre().y + scene::eyeCutRangeMm({0.0, 1.0, 0.0}, thin).high, 1e-9)
         << "a voxel is left";
     editing_->setCamera(fromLeft);
     EXPECT_EQ(*state().cuts.eye, before);
@@ -241,7 +241,7 @@ TEST_F(ClipToolsTest, ScissorsCutWhatIsDrawnAround) {
     tool.release(at(-0.2, 0.2));
     EXPECT_TRUE(tool.marks(fromAnterior()).empty());
     ASSERT_EQ(state().cuts.scissors.size(), 1u);
-    const app::ScissorCut& cut = state().cuts.scissors[0];
+    const scene::ScissorCut& cut = state().cuts.scissors[0];
     EXPECT_EQ(cut.camera, fromAnterior().camera);
     EXPECT_FALSE(cut.removesOutside);
     ASSERT_EQ(cut.outline.size(), 4u);
@@ -286,10 +286,10 @@ TEST_F(ClipToolsTest, AClickOrAnotherCameraIsNoCut) {
     EXPECT_LE(tool.marks(fromAnterior()).size(), kMostToolMarks);
     tool.release(at(0.0, 0.0));
     ASSERT_EQ(state().cuts.scissors.size(), 1u);
-    EXPECT_LE(state().cuts.scissors[0].outline.size(), app::kMostOutlinePoints);
+    EXPECT_LE(state().cuts.scissors[0].outline.size(), scene::kMostOutlinePoints);
 }
 
-app::ScissorCut square(double half, const glm::dvec2& middle = {0, 0}) {
+scene::ScissorCut square(double half, const glm::dvec2& middle = {0, 0}) {
     return {
         .camera = {.positionMm = {0, -3000, 0}, .targetMm = {0, 0, 0}, .up = {0, 0, 1}, .verticalFovDeg = 10},
         .outline = {middle + glm::dvec2(-half, -half), middle + glm::dvec2(half, -half),
@@ -316,7 +316,7 @@ TEST_F(ClipToolsTest, CuttingFindsWhatIsLeftAndGoesBackAtOnce) {
     ASSERT_TRUE(waitUntil([&] { return !cutting.running(); }));
     Progress progress;
     const auto together =
-        app::scissorMask({}, std::vector{square(0.2), square(0.1, {0.3, 0.3})}, volume(), progress);
+        scene::scissorMask({}, std::vector{square(0.2), square(0.1, {0.3, 0.3})}, volume(), progress);
     ASSERT_TRUE(together.ok() && *together);
     EXPECT_EQ(cutting.mask()->bits->words, (*together)->bits->words);
     EXPECT_EQ(changes, 2);
@@ -329,7 +329,7 @@ TEST_F(ClipToolsTest, WhatCannotBeCutIsRefusedAndSaysWhatIsLeft) {
     openPhantom();
     VoxelCutting cutting(nullptr);
     cutting.setVolume(session_->study().volume);
-    std::optional<std::vector<app::ScissorCut>> had;
+    std::optional<std::vector<scene::ScissorCut>> had;
     std::optional<Error> error;
     QObject::connect(&cutting, &VoxelCutting::refused, &cutting, [&](const auto& cuts) { had = cuts; });
     QObject::connect(&cutting, &VoxelCutting::failed, &cutting, [&](const Error& e) { error = e; });
@@ -354,14 +354,14 @@ TEST_F(ClipToolsTest, WhatCannotBeCutIsRefusedAndSaysWhatIsLeft) {
 TEST_F(ClipToolsTest, ARefusedOrCancelledCutIsNoStep) {
     ShownVolume shown(*session_);
     openPhantom();
-    const auto ask = [&](const app::ScissorCut& cut) {
-        session_->change("Scissors", [&](app::StudyState& next) { next.cuts.scissors.push_back(cut); });
+    const auto ask = [&](const scene::ScissorCut& cut) {
+        session_->change("Scissors", [&](scene::StudyState& next) { next.cuts.scissors.push_back(cut); });
     };
     ask(square(0.2));
     ASSERT_TRUE(waitUntil([&] { return !shown.cutting().running(); }));
     for (const bool isCancelled : {false, true}) {
-        session_->change("Marks", [](app::StudyState& next) { next.showsMarks = !next.showsMarks; });
-        const app::StudyState before = state();
+        session_->change("Marks", [](scene::StudyState& next) { next.showsMarks = !next.showsMarks; });
+        const scene::StudyState before = state();
         ask(square(isCancelled ? 0.3 : 50.0));
         EXPECT_EQ(session_->undoText(), QLatin1String("Scissors"));
         if (isCancelled) shown.cutting().cancel();
@@ -382,12 +382,12 @@ TEST_F(ClipToolsTest, ARefusedOrCancelledCutIsNoStep) {
 TEST_F(ClipToolsTest, WhereVoxelsCannotBeHiddenTheStateIsThatOfThePicture) {
     ShownVolume shown(*session_);
     openPhantom();
-    const auto cut = [&](const std::vector<app::ScissorCut>& scissors) {
-        session_->change("Scissors", [&](app::StudyState& next) { next.cuts.scissors = scissors; });
+    const auto cut = [&](const std::vector<scene::ScissorCut>& scissors) {
+        session_->change("Scissors", [&](scene::StudyState& next) { next.cuts.scissors = scissors; });
         return waitUntil([&] { return !shown.cutting().running(); });
     };
     ASSERT_TRUE(cut({square(0.2)}));
-    const app::StudyState before = state();
+    const scene::StudyState before = state();
     // The cut is found, and cannot be joined with what else is hidden.
     shown.hidden().blockSignals(true);
     ASSERT_TRUE(cut({square(0.2), square(0.3)}));
@@ -406,8 +406,8 @@ TEST_F(ClipToolsTest, WhereVoxelsCannotBeHiddenTheStateIsThatOfThePicture) {
 TEST_F(ClipToolsTest, AViewThatCouldNotBeReadAgainIsNotTaken) {
     ShownVolume shown(*session_);
     openPhantom();
-    app::StudyState view = state();
-    view.preset = app::builtInCatalogue()->presets.front();
+    scene::StudyState view = state();
+    view.preset = scene::builtInCatalogue()->presets.front();
     view.showsMarks = false;
     view.camera = fromAnterior().camera;
     view.camera->targetMm.y = 2e6;
@@ -421,17 +421,17 @@ TEST_F(ClipToolsTest, AViewThatCouldNotBeReadAgainIsNotTaken) {
     EXPECT_FALSE(shown.take(view));
     EXPECT_TRUE(state().showsMarks);
     EXPECT_FALSE(session_->canUndo());
-    view.preset = app::builtInCatalogue()->presets.front();
+    view.preset = scene::builtInCatalogue()->presets.front();
     ASSERT_TRUE(shown.take(view));
     EXPECT_FALSE(state().showsMarks);
 }
 
 TEST_F(ClipToolsTest, MarksOfToolsAreLaidOverTheCube) {
-    const auto cube = std::make_shared<const app::PictureText>(
-        app::PictureText{.size = {3, 2},
-                         .rgba = std::vector<std::byte>(24, std::byte{7}),
-                         .boxes = {{{1, 1}, {2, 1}}},
-                         .places = {{190, 90}}});
+    const auto cube = std::make_shared<const live::PictureText>(
+        live::PictureText{.size = {3, 2},
+                          .rgba = std::vector<std::byte>(24, std::byte{7}),
+                          .boxes = {{{1, 1}, {2, 1}}},
+                          .places = {{190, 90}}});
     EXPECT_EQ(withToolMarks(cube, {}, {200, 100}, 1.0), cube);
     EXPECT_EQ(withToolMarks(nullptr, {}, {200, 100}, 1.0), nullptr);
     const double nan = std::numeric_limits<double>::quiet_NaN();
@@ -544,16 +544,16 @@ TEST_F(ClipWidgetsTest, SlicesShowTheClipOrNot) {
 
 TEST_F(ClipWidgetsTest, ClipsAreSavedAppliedRenamedAndDeleted) {
     openPhantom();
-    session_->change("Clip", [&](app::StudyState& next) {
-        next.clip = *app::withFace({}, app::Face::left, 40.0, volume());
+    session_->change("Clip", [&](scene::StudyState& next) {
+        next.clip = *scene::withFace({}, scene::Face::left, 40.0, volume());
         next.cuts.scissors = {square(0.1)};
     });
-    const app::StudyState clipped = state();
+    const scene::StudyState clipped = state();
     save(QStringLiteral("  heart "));
     ASSERT_EQ(state().namedClips.size(), 1u);
     EXPECT_EQ(state().namedClips[0].name, "heart");
     EXPECT_EQ(list().count(), 1);
-    session_->change("Clip", [](app::StudyState& next) {
+    session_->change("Clip", [](scene::StudyState& next) {
         next.clip.reset();
         next.cuts = {};
     });

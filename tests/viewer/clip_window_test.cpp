@@ -33,7 +33,7 @@ class ClipWindowTest : public WindowTest {
     }
     QPointF pixelOf(const glm::dvec3& mm) {
         const PictureGeometry picture = window_->viewport().geometry();
-        return pixelOf(*app::PictureRays::of(picture.camera, picture.aspect)->placeOf(mm));
+        return pixelOf(*scene::PictureRays::of(picture.camera, picture.aspect)->placeOf(mm));
     }
     void drag(QPointF from, QPointF to) {
         sendMouse(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
@@ -41,7 +41,7 @@ class ClipWindowTest : public WindowTest {
         sendMouse(QEvent::MouseMove, to, Qt::NoButton, Qt::LeftButton);
         sendMouse(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
     }
-    const app::StudyState& chosen() { return window_->session().state(); }
+    const scene::StudyState& chosen() { return window_->session().state(); }
     Camera camera() { return toCamera(window_->viewport().camera()); }
 };
 
@@ -60,7 +60,7 @@ TEST_F(ClipWindowTest, AFaceIsDraggedInThePictureAndTheCameraStays) {
     to.x = 20.0;
     drag(pixelOf(left), pixelOf(to));
     ASSERT_TRUE(chosen().clip);
-    EXPECT_NEAR(app::keptBox(chosen().clip, volume)->high.x, 20.0, 6.0) << "L is at the right";
+    EXPECT_NEAR(scene::keptBox(chosen().clip, volume)->high.x, 20.0, 6.0) << "L is at the right";
     EXPECT_EQ(camera(), before);
     ASSERT_TRUE(waitUntil([&] { return last_ && last_->remarks.find("clipped") != std::string::npos; }));
     window_->session().undo();
@@ -114,7 +114,7 @@ TEST_F(ClipWindowTest, ScissorsRemoveWhatIsDrawnAroundAndItComesBack) {
         waitUntil([&] { return last_ && last_->remarks.find("cut with scissors") != std::string::npos; }));
     EXPECT_EQ(last_->remarks.find("table"), std::string::npos);
     EXPECT_FALSE(action("no-clip").isChecked());
-    const auto again = app::studyStateFromJson(app::toJson(window_->state()), {});
+    const auto again = scene::studyStateFromJson(toJson(window_->state()), {});
     ASSERT_TRUE(again.ok());
     EXPECT_EQ(again->cuts, chosen().cuts);
 

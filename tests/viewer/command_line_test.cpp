@@ -68,7 +68,7 @@ TEST(CommandLine, ReadsAllOptions) {
     EXPECT_EQ(line->turnSeconds, 30.0);
     EXPECT_EQ(line->restSeconds, 40.0);
     EXPECT_FALSE(line->usesModel);
-    EXPECT_EQ(line->layout, app::Layout::coronal);
+    EXPECT_EQ(line->layout, scene::Layout::coronal);
     EXPECT_TRUE(line->highContrast);
     EXPECT_EQ(line->fontScale, 1.5);
     EXPECT_EQ(line->seconds, 2.5);
@@ -77,12 +77,12 @@ TEST(CommandLine, ReadsAllOptions) {
 
 // What a script is told of sizes is of the volume's picture.
 TEST(CommandLine, APersonSeesFourPanesAndAScriptTheVolume) {
-    EXPECT_EQ(parse({})->layout, app::Layout::fourPanes);
-    EXPECT_EQ(parse({"--script", "orbit"})->layout, app::Layout::volume);
-    EXPECT_EQ(parse({"--script", "orbit", "--layout", "fourPanes"})->layout, app::Layout::fourPanes);
+    EXPECT_EQ(parse({})->layout, scene::Layout::fourPanes);
+    EXPECT_EQ(parse({"--script", "orbit"})->layout, scene::Layout::volume);
+    EXPECT_EQ(parse({"--script", "orbit", "--layout", "fourPanes"})->layout, scene::Layout::fourPanes);
     // These are of the window as a person has it.
     for (const char* name : {"session", "opening"})
-        EXPECT_EQ(parse({"--script", name})->layout, app::Layout::fourPanes) << name;
+        EXPECT_EQ(parse({"--script", name})->layout, scene::Layout::fourPanes) << name;
     const auto stations = parse({"--script", "stations", "--screenshots", "x"});
     ASSERT_TRUE(stations.ok());
     EXPECT_EQ(stations->script, CommandLine::Script::stations);
@@ -96,12 +96,12 @@ TEST(CommandLine, APersonSeesFourPanesAndAScriptTheVolume) {
 
 // A script measures: what was learnt before would be in its figures.
 TEST(CommandLine, SessionsAreKeptUnlessAScriptOrAPersonSaysNo) {
-    EXPECT_TRUE(parse({})->keepsSessions);
+    EXPECT_TRUE(parse({})->keepsStudies);
     EXPECT_EQ(parse({})->sessions, std::nullopt);
-    EXPECT_FALSE(parse({"--no-session"})->keepsSessions);
-    EXPECT_FALSE(parse({"--script", "orbit"})->keepsSessions);
+    EXPECT_FALSE(parse({"--no-session"})->keepsStudies);
+    EXPECT_FALSE(parse({"--script", "orbit"})->keepsStudies);
     const auto told = parse({"--script", "orbit", "--sessions", "x"});
-    EXPECT_TRUE(told->keepsSessions);
+    EXPECT_TRUE(told->keepsStudies);
     EXPECT_EQ(told->sessions, QStringLiteral("x"));
     EXPECT_FALSE(parse({})->choosesView);
     EXPECT_TRUE(parse({"--view", "left"})->choosesView);

@@ -7,7 +7,7 @@
 
 namespace macula::viewer::test {
 
-inline QRect coveredBy(const app::PictureText& text) {
+inline QRect coveredBy(const live::PictureText& text) {
     QRect all;
     for (std::size_t i = 0; i < text.boxes.size(); ++i) {
         const VkRect2D& box = text.boxes[i];

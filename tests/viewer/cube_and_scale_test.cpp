@@ -15,12 +15,12 @@ namespace {
 
 class CubeAndScale : public test::OffscreenTest {
   protected:
-    static MarkedPicture pictureOf(const app::OrbitCamera& camera, QSize pixels = {800, 600},
+    static MarkedPicture pictureOf(const scene::OrbitCamera& camera, QSize pixels = {800, 600},
                                    double ratio = 1.0) {
         return {toCamera(camera), pixels, ratio};
     }
-    static app::OrbitCamera parallel(double heightMm) {
-        app::OrbitCamera camera{.isParallel = true};
+    static scene::OrbitCamera parallel(double heightMm) {
+        scene::OrbitCamera camera{.isParallel = true};
         camera.distanceMm = 0.5 * heightMm / std::tan(glm::radians(15.0));
         return camera;
     }
@@ -34,7 +34,7 @@ class CubeAndScale : public test::OffscreenTest {
         return {corner.x() + 0.5 * marks->size.width, corner.y() + 36.0 * picture.pixelRatio};
     }
     // The upper left one of all that is painted, in the picture.
-    static QPoint cornerOf(const app::PictureText& marks) {
+    static QPoint cornerOf(const live::PictureText& marks) {
         const VkOffset2D at = marks.places.at(0);
         const VkOffset2D in = marks.boxes.at(0).offset;
         return {at.x - in.x, at.y - in.y};
@@ -52,7 +52,7 @@ TEST_F(CubeAndScale, TheBarIsAsLongAsItSays) {
     EXPECT_NEAR(scaleBarOf(pictureOf(parallel(150)))->lengthMm, 20.0, 1e-9);
     EXPECT_NEAR(scaleBarOf(pictureOf(parallel(300), {1600, 1200}, 2.0))->lengthPx, 200.0, 1e-9);
     // Seen by an eye: that of the plane of what it turns around.
-    app::OrbitCamera eye{.targetMm = {10, 20, 30}, .distanceMm = 700};
+    scene::OrbitCamera eye{.targetMm = {10, 20, 30}, .distanceMm = 700};
     const double mmPerPx = 2.0 * 700.0 * std::tan(glm::radians(15.0)) / 600.0;
     const auto seen = scaleBarOf(pictureOf(eye));
     ASSERT_TRUE(seen);
@@ -86,7 +86,7 @@ TEST_F(CubeAndScale, StandInTheLowerRightCorner) {
 
 // A box around all of it would hide what is looked at.
 TEST_F(CubeAndScale, CoverOfThePictureWhatTheyPaint) {
-    app::OrbitCamera turned = parallel(300);
+    scene::OrbitCamera turned = parallel(300);
     turned.azimuthDeg = 35;
     turned.elevationDeg = 25;
     for (const double ratio : {1.0, 2.0}) {
@@ -120,7 +120,7 @@ TEST_F(CubeAndScale, CoverOfThePictureWhatTheyPaint) {
 }
 
 TEST_F(CubeAndScale, AnotherCameraHasOtherMarks) {
-    app::OrbitCamera camera = parallel(300);
+    scene::OrbitCamera camera = parallel(300);
     const auto front = paintCubeAndScale(pictureOf(camera))->rgba;
     EXPECT_EQ(paintCubeAndScale(pictureOf(camera))->rgba, front);
     camera.azimuthDeg = 30;
@@ -133,7 +133,7 @@ TEST_F(CubeAndScale, AnotherCameraHasOtherMarks) {
 // In a second line; the cube stands as much higher, and is clicked there.
 TEST_F(CubeAndScale, TheScaleSaysThatPixelsAreNotCalibrated) {
     for (const bool isParallel : {true, false}) {
-        app::OrbitCamera camera = parallel(300);
+        scene::OrbitCamera camera = parallel(300);
         camera.isParallel = isParallel;
         MarkedPicture picture = pictureOf(camera);
         const auto calibrated = paintCubeAndScale(picture);
@@ -153,7 +153,7 @@ TEST_F(CubeAndScale, TheScaleSaysThatPixelsAreNotCalibrated) {
 }
 
 TEST_F(CubeAndScale, WhatIsClickedIsTheSideThatIsSeen) {
-    app::OrbitCamera camera = parallel(300);
+    scene::OrbitCamera camera = parallel(300);
     const MarkedPicture front = pictureOf(camera);
     EXPECT_EQ(cubeSideAt(front, placeOf(front, cubeMiddle(front))), ViewDirection::anterior);
     camera.azimuthDeg = 40;

@@ -36,7 +36,7 @@ class DrawingTest : public WindowTest {
         return true;
     }
     // Half as many slices as those of tests/segment, to be quick.
-    static app::OpenedStudy personOnATable() {
+    static study::OpenedStudy personOnATable() {
         constexpr glm::ivec3 kSize{330, 280, 24};
         constexpr glm::dvec3 kSpacingMm{1.3, 1.3, 5.0};
         static const auto kVolume = std::make_shared<const Volume>(

@@ -8,7 +8,7 @@
 
 #include "support.h"
 #include "viewer/driven/cold_files.h"
-#include "viewer/driven/session_script.h"
+#include "viewer/driven/workday_script.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {

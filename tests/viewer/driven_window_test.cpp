@@ -16,7 +16,7 @@ namespace {
 
 class DrivenWindowTest : public WindowTest {
   protected:
-    DrivenWindowTest() { layout_ = app::Layout::fourPanes; }
+    DrivenWindowTest() { layout_ = scene::Layout::fourPanes; }
     void openPhantom() {
         window_->open({});
         ASSERT_TRUE(waitUntil([&] { return window_->hasStudy() && last_; }));

@@ -14,8 +14,8 @@
 #include "scene/state/parameters.h"
 #include "scene/state/state_keys.h"
 #include "scene/transfer/same_transfer.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/offscreen.h"
-#include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {
 namespace {
@@ -67,7 +67,7 @@ slices::Measurement aMeasurement(Dice& dice) {
     return made;
 }
 
-void editPreset(app::StudyState& next, const app::Catalogue& catalogue, Dice& dice) {
+void editPreset(scene::StudyState& next, const scene::Catalogue& catalogue, Dice& dice) {
     auto made = std::make_shared<TransferFunction>(*dice.of(catalogue.presets));
     if (dice.coin()) {  // one of a person's own
         made->name = "own";
@@ -77,22 +77,22 @@ void editPreset(app::StudyState& next, const app::Catalogue& catalogue, Dice& di
     next.preset = std::move(made);
 }
 
-void editClip(app::StudyState& next, const app::Catalogue& catalogue, Dice& dice) {
+void editClip(scene::StudyState& next, const scene::Catalogue& catalogue, Dice& dice) {
     next.clip.reset();
     if (dice.below(3) > 0) next.clip = *dice.of(catalogue.clips);
 }
 
-app::ClipChoice aClip(const app::Catalogue& catalogue, Dice& dice) {
-    return dice.coin() ? app::ClipChoice(*dice.of(catalogue.clips)) : std::nullopt;
+scene::OptionalClip aClip(const scene::Catalogue& catalogue, Dice& dice) {
+    return dice.coin() ? scene::OptionalClip(*dice.of(catalogue.clips)) : std::nullopt;
 }
 
-app::Cuts someCuts(Dice& dice) {
-    app::Cuts cuts;
+scene::Cuts someCuts(Dice& dice) {
+    scene::Cuts cuts;
     Camera camera;
     camera.positionMm = dice.pointMm() + glm::dvec3(0.0, -900.0, 0.0);
     if (dice.coin()) camera.parallelHeightMm = dice.number(1, 900);
     if (dice.coin()) {
-        app::EyeCut eye;
+        scene::EyeCut eye;
         eye.plane = {.normal = glm::normalize(camera.targetMm - camera.positionMm),
                      .offsetMm = dice.number(-200, 200)};
         eye.fromMiddleMm = dice.number(-200, 200);
@@ -100,7 +100,7 @@ app::Cuts someCuts(Dice& dice) {
         cuts.eye = eye;
     }
     for (std::size_t i = dice.below(3); i > 0; --i) {
-        app::ScissorCut cut;
+        scene::ScissorCut cut;
         cut.camera = camera;
         cut.outline = {{dice.number(-1, 0), -0.5}, {dice.number(0.1, 1), -0.4}, {0.0, dice.number(0, 1)}};
         cut.removesOutside = dice.coin();
@@ -109,45 +109,45 @@ app::Cuts someCuts(Dice& dice) {
     return cuts;
 }
 
-void editCuts(app::StudyState& next, const app::Catalogue&, Dice& dice) {
+void editCuts(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
     next.cuts = someCuts(dice);
 }
 
-void editNamedClips(app::StudyState& next, const app::Catalogue& catalogue, Dice& dice) {
+void editNamedClips(scene::StudyState& next, const scene::Catalogue& catalogue, Dice& dice) {
     if (!next.namedClips.empty() && dice.below(3) == 0) {
         next.namedClips.pop_back();
         return;
     }
-    app::NamedClip named;
+    scene::NamedClip named;
     named.name = "Kürzer & \"" + std::to_string(next.namedClips.size());
     named.clip = aClip(catalogue, dice);
     named.cuts = someCuts(dice);
     next.namedClips.push_back(named);
 }
 
-void editLights(app::StudyState& next, const app::Catalogue& catalogue, Dice& dice) {
+void editLights(scene::StudyState& next, const scene::Catalogue& catalogue, Dice& dice) {
     next.lights = dice.coin() ? nullptr : dice.of(catalogue.lights);
 }
 
-void editLook(app::StudyState& next, const app::Catalogue&, Dice& dice) {
+void editLook(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
     next.settings.look = dice.of(trace::kLooks).look;
     next.settings.shading = dice.coin() ? trace::Shading::headlight : trace::Shading::none;
 }
 
-void editNumber(app::StudyState& next, const app::Catalogue&, Dice& dice) {
-    const app::Parameter& parameter = dice.of(app::parameters());
+void editNumber(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
+    const scene::Parameter& parameter = dice.of(scene::parameters());
     const double value = dice.number(parameter.low, parameter.high);
     parameter.set(next.settings, parameter.isWhole ? std::floor(value) : value);
 }
 
-void editWindow(app::StudyState& next, const app::Catalogue&, Dice& dice) {
+void editWindow(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
     const std::size_t look = dice.below(trace::kLooks.size());
     if (!trace::isProjection(trace::kLooks[look].look)) return;
     next.windows.at(look).reset();
     if (dice.below(4) > 0) next.windows.at(look) = aWindow(dice);
 }
 
-void editCamera(app::StudyState& next, const app::Catalogue&, Dice& dice) {
+void editCamera(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
     Camera camera;
     camera.positionMm = dice.pointMm() + glm::dvec3(0.0, -900.0, 0.0);
     camera.targetMm = dice.pointMm();
@@ -156,22 +156,22 @@ void editCamera(app::StudyState& next, const app::Catalogue&, Dice& dice) {
     next.camera = camera;
 }
 
-void editMarks(app::StudyState& next, const app::Catalogue&, Dice&) {
+void editMarks(scene::StudyState& next, const scene::Catalogue&, Dice&) {
     next.showsMarks = !next.showsMarks;
 }
 
-void editBackground(app::StudyState& next, const app::Catalogue&, Dice& dice) {
+void editBackground(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
     next.background.reset();
     if (dice.below(4) > 0)
-        next.background = app::BackgroundColour(dice.below(256), dice.below(256), dice.below(256));
+        next.background = scene::BackgroundColour(dice.below(256), dice.below(256), dice.below(256));
 }
 
-void editPanes(app::StudyState& next, const app::Catalogue&, Dice& dice) {
-    next.layout = dice.of(app::kLayouts);
+void editPanes(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
+    next.layout = dice.of(scene::kLayouts);
 }
 
-void editSlices(app::StudyState& next, const app::Catalogue&, Dice& dice) {
-    app::SliceState& slices = next.slices;
+void editSlices(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
+    scene::SliceState& slices = next.slices;
     switch (dice.below(5)) {
         case 0:
             slices.window = aWindow(dice);
@@ -190,7 +190,7 @@ void editSlices(app::StudyState& next, const app::Catalogue&, Dice& dice) {
     }
 }
 
-void editMeasurements(app::StudyState& next, const app::Catalogue&, Dice& dice) {
+void editMeasurements(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
     if (!next.measurements.empty() && dice.below(3) == 0) {
         next.measurements.erase(next.measurements.begin() +
                                 std::ptrdiff_t(dice.below(next.measurements.size())));
@@ -199,54 +199,54 @@ void editMeasurements(app::StudyState& next, const app::Catalogue&, Dice& dice) 
     }
 }
 
-void editSegments(app::StudyState& next, const app::Catalogue&, Dice& dice) {
+void editSegments(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
     const std::string digest(64, "0a"[dice.below(2)]);
-    app::SegmentationChoice choice = app::choiceOf(next.segmentations, digest);
+    scene::SegmentationSettings choice = scene::choiceOf(next.segmentations, digest);
     choice.isShown = dice.coin();
-    app::choose(next.segmentations, choice);
-    app::SegmentChoice segment = app::choiceOf(choice, std::uint16_t(1 + dice.below(5)));
+    scene::choose(next.segmentations, choice);
+    scene::SegmentSettings segment = scene::choiceOf(choice, std::uint16_t(1 + dice.below(5)));
     segment.isVisible = dice.coin();
     segment.opacity = dice.number(0, 1);
-    segment.in3d = dice.of(app::kIn3d);
+    segment.in3d = dice.of(scene::kIn3d);
     if (dice.coin()) segment.rgb = {std::uint8_t(dice.below(256)), 7, 255};
-    app::choose(next.segmentations, digest, segment);
+    scene::choose(next.segmentations, digest, segment);
 }
 
-void editBeside(app::StudyState& next, const app::Catalogue&, Dice& dice) {
-    next.beside.reset();
+void editSecond(scene::StudyState& next, const scene::Catalogue&, Dice& dice) {
+    next.secondVolume.reset();
     if (dice.below(4) == 0) return;
-    app::BesideState beside;
+    scene::SecondVolumeState beside;
     beside.seriesDigest = std::string(64, 'b');
     if (dice.coin()) beside.volume = std::size_t(dice.number(0, 20));
-    beside.link = dice.of(app::kBesideLinks);
-    beside.view = dice.of(app::kBesideViews);
-    if (beside.link != app::BesideLink::sameFrame) {
+    beside.link = dice.of(scene::kSecondVolumeLinks);
+    beside.view = dice.of(scene::kSecondVolumePlaces);
+    if (beside.link != scene::SecondVolumeLink::sameFrame) {
         const double turn = dice.number(-0.5, 0.5);
         beside.secondFromStudy[0] = {std::cos(turn), std::sin(turn), 0.0, 0.0};
         beside.secondFromStudy[1] = {-std::sin(turn), std::cos(turn), 0.0, 0.0};
         beside.secondFromStudy[3] = glm::dvec4(dice.pointMm(), 1.0);
     }
-    if (beside.link == app::BesideLink::registered) beside.boundMm = dice.number(0, 5);
+    if (beside.link == scene::SecondVolumeLink::registered) beside.boundMm = dice.number(0, 5);
     if (dice.coin()) beside.window = aWindow(dice);
     beside.opacity = dice.number(0, 1);
-    next.beside = beside;
+    next.secondVolume = beside;
 }
 
-void editTable(app::StudyState& next, const app::Catalogue&, Dice&) {
+void editTable(scene::StudyState& next, const scene::Catalogue&, Dice&) {
     next.leavesTableOut = !next.leavesTableOut;
 }
 
-using Edit = void (*)(app::StudyState&, const app::Catalogue&, Dice&);
+using Edit = void (*)(scene::StudyState&, const scene::Catalogue&, Dice&);
 constexpr std::array<Edit, 17> kEdits{
     editPreset,   editClip,         editLights, editLook,       editNumber,    editWindow,
-    editCamera,   editMarks,        editPanes,  editSlices,     editTable,     editBeside,
+    editCamera,   editMarks,        editPanes,  editSlices,     editTable,     editSecond,
     editSegments, editMeasurements, editCuts,   editNamedClips, editBackground};
 
 class EditsTest : public test::OffscreenTest {
   protected:
     void SetUp() override {
         OffscreenTest::SetUp();
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok());
         session_.emplace(*std::move(catalogue));
         session_->show(smallStudy(), {});
@@ -257,19 +257,19 @@ class EditsTest : public test::OffscreenTest {
     }
     // Whether something was changed.
     bool edit(Dice& dice) {
-        const app::StudyState before = session_->state();
-        session_->change(QStringLiteral("Edit"), [&](app::StudyState& next) {
+        const scene::StudyState before = session_->state();
+        session_->change(QStringLiteral("Edit"), [&](scene::StudyState& next) {
             kEdits[dice.below(kEdits.size())](next, session_->catalogue(), dice);
         });
         return !(session_->state() == before);
     }
 
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
 };
 
 TEST_F(EditsTest, EachIsUndoneAndDoneAgain) {
     Dice dice(1);
-    std::vector<app::StudyState> states{session_->state()};
+    std::vector<scene::StudyState> states{session_->state()};
     while (states.size() < 150) {  // fewer than are remembered
         if (edit(dice)) states.push_back(session_->state());
     }
@@ -299,25 +299,26 @@ TEST_F(EditsTest, EachIsSavedAndReadBack) {
     std::set<std::string> keys;
     for (int step = 0; step < 400; ++step) {
         edit(dice);
-        const std::string text = app::toJson(session_->state());
-        const auto read = app::studyStateFromJson(text, {});
+        const std::string text = toJson(session_->state());
+        const auto read = scene::studyStateFromJson(text, {});
         ASSERT_TRUE(read.ok()) << read.error().message << " " << read.error().hint << "\n" << text;
-        const app::StudyState& state = session_->state();
+        const scene::StudyState& state = session_->state();
         ASSERT_EQ(read->preset == nullptr, state.preset == nullptr);
-        EXPECT_TRUE(!state.preset || app::isSame(*read->preset, *state.preset));
+        EXPECT_TRUE(!state.preset || scene::isSame(*read->preset, *state.preset));
         ASSERT_TRUE(*read == state) << (read->clip == state.clip) << (read->settings == state.settings)
                                     << (read->windows == state.windows) << (read->camera == state.camera)
                                     << (read->slices == state.slices)
                                     << (read->measurements == state.measurements)
                                     << (read->segmentations == state.segmentations)
-                                    << (read->beside == state.beside) << (read->cuts == state.cuts)
-                                    << (read->namedClips == state.namedClips) << " " << text;
+                                    << (read->secondVolume == state.secondVolume)
+                                    << (read->cuts == state.cuts) << (read->namedClips == state.namedClips)
+                                    << " " << text;
         const nlohmann::json json = nlohmann::json::parse(text);
         for (const auto& [key, value] : json.items()) keys.insert(key);
     }
     // A part of the state that no edit above changes would be tested by nothing.
     for (const char* ofTheStudy : {"series", "grid"}) keys.insert(ofTheStudy);
-    for (const std::string& key : app::stateKeys()) EXPECT_TRUE(keys.contains(key)) << key;
+    for (const std::string& key : scene::stateKeys()) EXPECT_TRUE(keys.contains(key)) << key;
 }
 
 }  // namespace

@@ -5,11 +5,11 @@
 
 #include "scene/choice/catalogue.h"
 #include "viewer/clip/clip_panel.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/keyboard_walk.h"
 #include "viewer/offscreen.h"
 #include "viewer/output/picture_dialog.h"
 #include "viewer/panes/tool_box.h"
-#include "viewer/session/viewer_session.h"
 #include "viewer/settings/settings_dialog.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/status/status_widgets.h"
@@ -24,7 +24,7 @@ class KeyboardTest : public test::OffscreenTest {
     void SetUp() override {
         OffscreenTest::SetUp();
         applyTheme(*application_, {});
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok());
         session_.emplace(*catalogue);
         session_->show(smallStudy(), {});
@@ -53,7 +53,7 @@ class KeyboardTest : public test::OffscreenTest {
         test::expectWalkable(window);
     }
 
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
 };
 
 TEST_F(KeyboardTest, TheClipPanel) {

@@ -18,7 +18,7 @@ namespace {
 class KeyboardWindowTest : public WindowTest {
   protected:
     void SetUp() override {
-        layout_ = app::Layout::fourPanes;
+        layout_ = scene::Layout::fourPanes;
         WindowTest::SetUp();
     }
     void TearDown() override {

@@ -27,7 +27,7 @@ class LightsPanelTest : public testing::Test {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         QLocale::setDefault(QLocale::c());
         application_.emplace(argc_, argv_);
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok()) << catalogue.error().message;
         session_.emplace(*std::move(catalogue));
         editing_.emplace(*session_);
@@ -55,8 +55,8 @@ class LightsPanelTest : public testing::Test {
     }
     static PicturePlace at(const glm::dvec2& place) { return {.picture = fromAnterior(), .at = place}; }
     glm::dvec2 placeOf(std::size_t light) const {
-        const app::LightStand stand = *editing_->stand(fromAnterior().camera);
-        return app::placeOnDome(app::directionTo(rig().lights[light], stand), stand.eye, 1.25);
+        const scene::LightStand stand = *editing_->stand(fromAnterior().camera);
+        return scene::placeOnDome(scene::directionTo(rig().lights[light], stand), stand.eye, 1.25);
     }
 
     template <class Widget>
@@ -74,13 +74,13 @@ class LightsPanelTest : public testing::Test {
     void click(const char* name) { QTest::mouseClick(&find<QPushButton>(name), Qt::LeftButton); }
 
     const trace::LightRig& rig() const { return *editing_->rig(); }
-    const app::StudyState& state() const { return session_->state(); }
+    const scene::StudyState& state() const { return session_->state(); }
 
     int argc_ = 1;
     char name_[5] = "test";
     char* argv_[2] = {name_, nullptr};
     std::optional<QApplication> application_;
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<LightsEditing> editing_;
     std::optional<LightsPanel> panel_;
     std::optional<LightsTool> tool_;
@@ -88,7 +88,7 @@ class LightsPanelTest : public testing::Test {
 
 TEST_F(LightsPanelTest, ShowsTheUsualLightsAndChangesNothingByItself) {
     EXPECT_EQ(state().lights, nullptr);
-    EXPECT_EQ(rig().name, app::kDefaultLights);
+    EXPECT_EQ(rig().name, scene::kDefaultLights);
     EXPECT_EQ(find<QComboBox>("lights-light").count(), int(rig().lights.size()));
     EXPECT_FALSE(session_->canUndo());
 }
@@ -97,7 +97,7 @@ TEST_F(LightsPanelTest, ANumberMakesAnOwnRigInOneStep) {
     const trace::LightRig before = rig();
     type("lights-azimuth", QStringLiteral("-75"));
     ASSERT_NE(state().lights, nullptr);
-    EXPECT_EQ(rig().name, app::kOwnLightsName);
+    EXPECT_EQ(rig().name, scene::kOwnLightsName);
     EXPECT_EQ(rig().lights[0].azimuthDeg, -75.0);
     EXPECT_EQ(rig().lights[0].elevationDeg, before.lights[0].elevationDeg);
     EXPECT_EQ(rig().lights[1], before.lights[1]);
@@ -111,8 +111,8 @@ TEST_F(LightsPanelTest, AHandleIsDraggedToWhereItShinesFrom) {
     ASSERT_TRUE(tool_->press(at(placeOf(1))));
     EXPECT_EQ(editing_->chosen(), 1U);
     tool_->move(at({0.1, 0.1}));
-    tool_->move(at(app::circleOnDome(90.0, 0.0, 1.25)));
-    tool_->release(at(app::circleOnDome(90.0, 0.0, 1.25)));
+    tool_->move(at(scene::circleOnDome(90.0, 0.0, 1.25)));
+    tool_->release(at(scene::circleOnDome(90.0, 0.0, 1.25)));
     EXPECT_NEAR(rig().lights[1].azimuthDeg, 90.0,
                 0.5);  // from the patient's left, at the right of the picture
     EXPECT_NEAR(rig().lights[1].elevationDeg, 0.0, 0.5);
@@ -175,7 +175,7 @@ TEST_F(LightsPanelTest, LightsAreAddedAndRemoved) {
     click("lights-add");
     ASSERT_EQ(rig().lights.size(), before + 1);
     EXPECT_EQ(editing_->chosen(), before);
-    const glm::dvec3 from = app::directionTo(rig().lights.back(), *editing_->stand(fromAnterior().camera));
+    const glm::dvec3 from = scene::directionTo(rig().lights.back(), *editing_->stand(fromAnterior().camera));
     EXPECT_LT(from.x, 0.0);  // above the viewer's left shoulder
     EXPECT_LT(from.y, 0.0);
     EXPECT_GT(from.z, 0.0);
@@ -202,7 +202,7 @@ TEST_F(LightsPanelTest, LightsKeepToTheCamera) {
 
 TEST_F(LightsPanelTest, LooksWithoutLightsHaveNone) {
     session_->change(QStringLiteral("Look"),
-                     [](app::StudyState& next) { next.settings.look = trace::Look::mip; });
+                     [](scene::StudyState& next) { next.settings.look = trace::Look::mip; });
     EXPECT_FALSE(find<QDoubleSpinBox>("lights-azimuth").isEnabled());
     EXPECT_FALSE(find<QPushButton>("lights-meter").isEnabled());
     EXPECT_TRUE(tool_->marks(fromAnterior()).empty());

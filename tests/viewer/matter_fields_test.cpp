@@ -20,7 +20,7 @@ class MatterFieldsTest : public test::OffscreenTest {
   protected:
     void SetUp() override {
         OffscreenTest::SetUp();
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok());
         session_.emplace(*std::move(catalogue));
         editor_.emplace(*session_);
@@ -34,10 +34,10 @@ class MatterFieldsTest : public test::OffscreenTest {
     }
 
     std::shared_ptr<const TransferFunction> preset(const char* name) const {
-        return *app::findPreset(session_->catalogue(), name);
+        return *scene::findPreset(session_->catalogue(), name);
     }
     void show(Volume volume, const char* name) {
-        app::StudyState state;
+        scene::StudyState state;
         state.preset = preset(name);
         session_->show({.volume = std::make_shared<const Volume>(std::move(volume))}, state);
         ASSERT_TRUE(waitUntil([&] { return !editor_->isCounting(); }));
@@ -56,12 +56,12 @@ class MatterFieldsTest : public test::OffscreenTest {
         QTest::keyClick(&field, Qt::Key_Enter);
     }
 
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<TransferFunctionEditor> editor_;
 };
 
 TEST_F(MatterFieldsTest, AreThereForEachNumberAndFoldedAtFirst) {
-    for (const app::MatterParameter& p : app::matterParameters()) {
+    for (const scene::MatterParameter& p : scene::matterParameters()) {
         const QDoubleSpinBox& each = field(std::string(p.id).c_str());
         EXPECT_FALSE(each.isEnabled()) << p.id << ": there is no study";
         EXPECT_FALSE(each.isVisible()) << p.id;
@@ -141,7 +141,7 @@ TEST_F(MatterFieldsTest, APresetWithoutSurfaceGetsOne) {
 
 TEST_F(MatterFieldsTest, NoNumberMakesAPresetThatIsNotValid) {
     showPhantom("ct-bone");
-    for (const app::MatterParameter& p : app::matterParameters()) {
+    for (const scene::MatterParameter& p : scene::matterParameters()) {
         for (const char* number : {"0", "-1e9", "9999999", "-0.5", "0.001"}) {
             type(field(std::string(p.id).c_str()), number);
             ASSERT_TRUE(validate(now()).ok()) << p.id << " " << number;

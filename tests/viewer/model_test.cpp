@@ -16,22 +16,24 @@ using macula::test::VulkanCall;
 
 class ModelTest : public WindowTest {
   protected:
-    std::vector<app::FrameShown> seen_;
+    std::vector<live::FrameShown> seen_;
 
     ModelTest() { usesModel_ = true; }
     void SetUp() override {
         WindowTest::SetUp();
         if (!window_) return;
         QObject::connect(&*window_, &MainWindow::frameShown, &*window_,
-                         [this](const app::FrameShown& frame) { seen_.push_back(frame); });
+                         [this](const live::FrameShown& frame) { seen_.push_back(frame); });
     }
-    bool isOnScreen(app::OnScreen picture) const { return !seen_.empty() && seen_.back().picture == picture; }
-    bool waitFor(app::OnScreen picture) {
+    bool isOnScreen(live::OnScreen picture) const {
+        return !seen_.empty() && seen_.back().picture == picture;
+    }
+    bool waitFor(live::OnScreen picture) {
         return waitUntil([&] { return isOnScreen(picture); });
     }
-    bool hasSeen(app::OnScreen picture) const {
+    bool hasSeen(live::OnScreen picture) const {
         return std::any_of(seen_.begin(), seen_.end(),
-                           [&](const app::FrameShown& frame) { return frame.picture == picture; });
+                           [&](const live::FrameShown& frame) { return frame.picture == picture; });
     }
     void loseNow() {
         seen_.clear();
@@ -92,9 +94,9 @@ TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesI
     press();
     drag(6);
     EXPECT_EQ(window_->badge(), QLatin1String("Preliminary"));
-    for (const app::FrameShown& frame : seen_) {
-        EXPECT_EQ(frame.picture, app::OnScreen::model);
-        EXPECT_EQ(frame.stage, app::Stage::moving);
+    for (const live::FrameShown& frame : seen_) {
+        EXPECT_EQ(frame.picture, live::OnScreen::model);
+        EXPECT_EQ(frame.stage, live::Stage::moving);
         EXPECT_EQ(QSize(frame.width, frame.height), window_->viewport().pictureSize());
         EXPECT_EQ(frame.scale, 1);
         EXPECT_GT(frame.model.splats, 1000u);
@@ -105,13 +107,13 @@ TEST_F(ModelTest, InMotionEveryPictureIsOfTheModelWithAllPixelsAndAtRestItFadesI
     // As long as the hand holds on, the model stays.
     idle.restart();
     waitUntil([&] { return idle.elapsed() > 700; });
-    EXPECT_EQ(seen_.back().stage, app::Stage::moving);
-    EXPECT_TRUE(isOnScreen(app::OnScreen::model));
+    EXPECT_EQ(seen_.back().stage, live::Stage::moving);
+    EXPECT_TRUE(isOnScreen(live::OnScreen::model));
     seen_.clear();
     release();
     ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(hasSeen(app::OnScreen::fading));
-    EXPECT_FALSE(hasSeen(app::OnScreen::preview));
+    EXPECT_TRUE(hasSeen(live::OnScreen::fading));
+    EXPECT_FALSE(hasSeen(live::OnScreen::preview));
     EXPECT_TRUE(window_->fidelity().startsWith(QLatin1String("Path traced, ")));
     // It goes on learning while nothing moves.
     EXPECT_TRUE(waitUntil([&] { return isFit(); }));
@@ -122,13 +124,13 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     ASSERT_TRUE(waitForConverged());
     seen_.clear();
     choosePreset("ct-bone");
-    ASSERT_TRUE(waitUntil([&] { return !seen_.empty() && isOnScreen(app::OnScreen::traced); }));
+    ASSERT_TRUE(waitUntil([&] { return !seen_.empty() && isOnScreen(live::OnScreen::traced); }));
     // Before there was a model of it that is fit to be shown it was estimated from the one before, and no
     // picture was small.
-    EXPECT_EQ(seen_.front().picture, app::OnScreen::estimate);
-    EXPECT_FALSE(hasSeen(app::OnScreen::preview));
-    for (const app::FrameShown& frame : seen_) {
-        EXPECT_TRUE(frame.picture != app::OnScreen::model || isFitToBeShown(frame.model))
+    EXPECT_EQ(seen_.front().picture, live::OnScreen::estimate);
+    EXPECT_FALSE(hasSeen(live::OnScreen::preview));
+    for (const live::FrameShown& frame : seen_) {
+        EXPECT_TRUE(frame.picture != live::OnScreen::model || isFitToBeShown(frame.model))
             << frame.model.steps;
     }
     // The traced picture may have been final when it was first shown.
@@ -140,7 +142,7 @@ TEST_F(ModelTest, AnotherPresetIsNotShownByTheModelOfTheOneBeforeWhichComesBackW
     seen_.clear();
     choosePreset("ct-bone");
     ASSERT_TRUE(waitUntil([&] { return !seen_.empty(); }));
-    EXPECT_EQ(seen_.front().picture, app::OnScreen::model);
+    EXPECT_EQ(seen_.front().picture, live::OnScreen::model);
 
     // A projection has no model; the look after it has one again, of what is seen in that look.
     pressKey(Qt::Key_4, Qt::ControlModifier);
@@ -160,10 +162,10 @@ TEST_F(ModelTest, WithoutItAndInLooksThatHaveNoneThereAreSmallPictures) {
     ASSERT_TRUE(waitForConverged());
     press();
     drag(3);
-    EXPECT_TRUE(isOnScreen(app::OnScreen::preview));
+    EXPECT_TRUE(isOnScreen(live::OnScreen::preview));
     release();
     ASSERT_TRUE(waitForConverged());
-    EXPECT_FALSE(hasSeen(app::OnScreen::model));
+    EXPECT_FALSE(hasSeen(live::OnScreen::model));
     EXPECT_TRUE(window_->modelState().isEmpty());
     window_->viewport().setUsesModel(true);
     pressKey(Qt::Key_4, Qt::ControlModifier);
@@ -171,7 +173,7 @@ TEST_F(ModelTest, WithoutItAndInLooksThatHaveNoneThereAreSmallPictures) {
     seen_.clear();
     pressKey(Qt::Key_L);
     ASSERT_TRUE(waitForConverged());
-    EXPECT_FALSE(hasSeen(app::OnScreen::model));
+    EXPECT_FALSE(hasSeen(live::OnScreen::model));
     EXPECT_TRUE(window_->modelState().isEmpty());
 }
 
@@ -188,10 +190,10 @@ TEST_F(ModelTest, WithoutMemoryForItTheWindowSaysSoAndIsAsItIsWithoutAModel) {
         EXPECT_GT(full.refused(), 0);
         press();
         drag(2);
-        EXPECT_TRUE(isOnScreen(app::OnScreen::preview));
+        EXPECT_TRUE(isOnScreen(live::OnScreen::preview));
         release();
-        ASSERT_TRUE(waitFor(app::OnScreen::traced)) << window_->message().toStdString();
-        EXPECT_FALSE(hasSeen(app::OnScreen::model));
+        ASSERT_TRUE(waitFor(live::OnScreen::traced)) << window_->message().toStdString();
+        EXPECT_FALSE(hasSeen(live::OnScreen::model));
         EXPECT_TRUE(modelSays("No memory for a sharp preview"));
         EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();
     }
@@ -212,13 +214,13 @@ TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItIsSearchedForAndWhileItIsShown) {
 
     press();
     drag(2);
-    EXPECT_TRUE(isOnScreen(app::OnScreen::model));
+    EXPECT_TRUE(isOnScreen(live::OnScreen::model));
     loseNow();
     drag(2);
     release();
     EXPECT_EQ(devicesLost(), 1);
     ASSERT_TRUE(waitForConverged());
-    EXPECT_FALSE(hasSeen(app::OnScreen::preview)) << "what was learnt has outlived the device";
+    EXPECT_FALSE(hasSeen(live::OnScreen::preview)) << "what was learnt has outlived the device";
     EXPECT_TRUE(window_->message().isEmpty()) << window_->message().toStdString();
 }
 
@@ -228,7 +230,7 @@ TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItFadesAndWhileItLearns) {
     press();
     drag(1);
     release();
-    ASSERT_TRUE(waitFor(app::OnScreen::fading));
+    ASSERT_TRUE(waitFor(live::OnScreen::fading));
     loseNow();
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(devicesLost(), 1);
@@ -237,7 +239,7 @@ TEST_F(ModelTest, ALostDeviceIsMadeGoodWhileItFadesAndWhileItLearns) {
     loseDeviceAt(VulkanCall::submit, 3);
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(devicesLost(), 1);
-    EXPECT_FALSE(hasSeen(app::OnScreen::preview));
+    EXPECT_FALSE(hasSeen(live::OnScreen::preview));
     EXPECT_GT(coloursInTheMiddle(), 100);
 }
 

@@ -38,7 +38,7 @@ class MoviePanelTest : public test::OffscreenTest {
         return *panel_->findChild<Widget*>(QLatin1String(name));
     }
     void click(const char* name) { find<QPushButton>(name).click(); }
-    static Camera at(double azimuthDeg) { return toCamera(app::OrbitCamera{.azimuthDeg = azimuthDeg}); }
+    static Camera at(double azimuthDeg) { return toCamera(scene::OrbitCamera{.azimuthDeg = azimuthDeg}); }
 
     std::optional<Camera> camera_ = at(0.0);
     std::optional<MoviePanel> panel_;
@@ -86,7 +86,7 @@ TEST_F(MoviePanelTest, ViewsMakeAWay) {
 }
 
 TEST_F(MoviePanelTest, AWayOfAFileHasItsTimesAndMayBeStretched) {
-    app::CameraPath path;
+    scene::CameraPath path;
     path.stops = {
         {.atS = 0.0, .camera = at(0.0)}, {.atS = 1.0, .camera = at(10.0)}, {.atS = 5.0, .camera = at(50.0)}};
     panel_->setViews(path);
@@ -115,15 +115,15 @@ TEST_F(MoviePanelTest, SaysThatThereIsNoEncoderBeforeAnythingIsDrawn) {
 }
 
 TEST_F(MoviePanelTest, LettersStandAtTheirEdges) {
-    const app::EdgeLetters letters = app::edgeLetters(app::OrbitCamera{});
+    const scene::EdgeLetters letters = scene::edgeLetters(scene::OrbitCamera{});
     for (const glm::ivec2& size : {glm::ivec2(640, 480), glm::ivec2(16, 16), glm::ivec2(4096, 64)}) {
         const auto stamps = stampsOf({"A line", ""}, letters, size);
         ASSERT_EQ(stamps.size(), 5u);
-        for (const app::Stamp& stamp : stamps)
+        for (const pictures::Stamp& stamp : stamps)
             EXPECT_EQ(stamp.rgba.size(), std::size_t(stamp.sizePx.x) * std::size_t(stamp.sizePx.y) * 4);
         EXPECT_LT(stamps[1].atPx.x, stamps[2].atPx.x + stamps[2].sizePx.x) << "left is at the left";
         std::vector<std::uint8_t> picture(std::size_t(size.x) * std::size_t(size.y) * 4, 0);
-        for (const app::Stamp& stamp : stamps) putOver(picture, size, stamp);
+        for (const pictures::Stamp& stamp : stamps) putOver(picture, size, stamp);
     }
     EXPECT_TRUE(stampsOf({}, {}, {640, 480}).empty());
     const auto stamps = stampsOf({}, letters, {640, 480});
@@ -134,8 +134,8 @@ TEST_F(MoviePanelTest, LettersStandAtTheirEdges) {
 }
 
 TEST_F(MoviePanelTest, OverlaysOfASavedPictureAreLettersCubeAndScale) {
-    const Camera anterior = toCamera(app::OrbitCamera{});
-    const auto letters = stampsOf({}, app::edgeLetters(app::OrbitCamera{}), {1280, 720});
+    const Camera anterior = toCamera(scene::OrbitCamera{});
+    const auto letters = stampsOf({}, scene::edgeLetters(scene::OrbitCamera{}), {1280, 720});
     const auto all = overlaysOf(anterior, {1280, 720}, true);
     ASSERT_GT(all.size(), letters.size()) << "cube and scale";
     for (std::size_t i = 0; i < letters.size(); ++i) {
@@ -170,7 +170,7 @@ class VideoEncoderTest : public test::OffscreenTest {
         file.setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
         return path;
     }
-    VideoWish wish() const {
+    VideoRequest request() const {
         return {.folder = folder_.path(),
                 .frames = 12,
                 .picturesPerS = 25.0,
@@ -183,7 +183,7 @@ class VideoEncoderTest : public test::OffscreenTest {
         QObject::connect(&encoder, &VideoEncoder::ended, &encoder, [&](bool isWritten) { told = isWritten; });
         QObject::connect(&encoder, &VideoEncoder::progressed, &encoder,
                          [&](double fraction) { fraction_ = std::max(fraction_, fraction); });
-        encoder.start(program, wish());
+        encoder.start(program, request());
         EXPECT_TRUE(waitUntil([&] { return told.has_value(); }));
         return told;
     }
@@ -201,7 +201,7 @@ TEST_F(ModelExportTest, AModelThatCouldNotBeReadIsAnEndAndTold) {
     QObject::connect(&save, &ModelExport::ended, &save, [&] { ++ends; });
     QObject::connect(&save, &ModelExport::failed, &save, [&](const Error& e) { told.push_back(e.message); });
     save.expect({.path = "/no/such/folder/model.ply"}, 7);
-    app::ModelTaken taken{.wish = 7};
+    live::ModelSnapshot taken{.request = 7};
     taken.error = Error{ErrorCode::deviceLost, "The graphics device stopped.", {}, "Try again."};
     save.onTaken(taken);
     save.onTaken(taken);
@@ -228,12 +228,12 @@ TEST_F(ModelExportTest, HoldsNoStudyAfterItsEnd) {
     save.cancel();
     EXPECT_TRUE(held.expired());
     expect(2);
-    save.onTaken({.wish = 2});
+    save.onTaken({.request = 2});
     EXPECT_TRUE(held.expired());
     expect(3);
     int failures = 0;
     QObject::connect(&save, &ModelExport::failed, &save, [&](const Error&) { ++failures; });
-    save.onTaken({.wish = 3, .splats = std::make_shared<const splat::Splats>()});
+    save.onTaken({.request = 3, .splats = std::make_shared<const splat::Splats>()});
     EXPECT_TRUE(waitUntil([&] { return failures == 1 && held.expired(); }));
 }
 
@@ -241,20 +241,20 @@ TEST_F(ModelExportTest, NorDoesAMovie) {
     MovieExport movie(std::string{});
     int failures = 0;
     QObject::connect(&movie, &MovieExport::failed, &movie, [&](const Error&) { ++failures; });
-    MovieWish wish;  // without a way: refused
-    wish.sequence.picture.volume = smallVolume();
-    wish.sequence.frames = 0;
-    const std::weak_ptr<const Volume> held = wish.sequence.picture.volume;
-    movie.start(std::move(wish));
+    MovieRequest request;  // without a way: refused
+    request.sequence.picture.volume = smallVolume();
+    request.sequence.frames = 0;
+    const std::weak_ptr<const Volume> held = request.sequence.picture.volume;
+    movie.start(std::move(request));
     EXPECT_TRUE(waitUntil([&] { return failures == 1 && held.expired(); }));
 }
 
 TEST_F(VideoEncoderTest, IsGivenWordsAndWritesWhole) {
-    const QStringList words = VideoEncoder::argumentsFor(wish(), 0);
+    const QStringList words = VideoEncoder::argumentsFor(request(), 0);
     EXPECT_TRUE(words.contains(QStringLiteral("frame-%04d.png")));
     EXPECT_TRUE(words.contains(QStringLiteral("libx264")));
     EXPECT_EQ(words.last(), QStringLiteral(".movie.mp4.part"));
-    EXPECT_TRUE(VideoEncoder::argumentsFor(wish(), 99).isEmpty());
+    EXPECT_TRUE(VideoEncoder::argumentsFor(request(), 99).isEmpty());
     // The last word is the file that it writes.
     EXPECT_EQ(run(script("for last; do :; done\necho frame=6\necho frame=12\necho video > \"$last\"\n")),
               true);
@@ -283,7 +283,7 @@ TEST_F(VideoEncoderTest, MayBeStopped) {
     bool wasTold = false;
     QObject::connect(&encoder, &VideoEncoder::ended, &encoder, [&](bool) { wasTold = true; });
     encoder.start(script("for last; do :; done\necho half > \"$last\"\necho frame=1\nexec sleep 60\n"),
-                  wish());
+                  request());
     EXPECT_TRUE(
         waitUntil([&] { return QFileInfo::exists(folder_.filePath(QStringLiteral(".movie.mp4.part"))); }));
     encoder.cancel();

@@ -13,9 +13,9 @@
 #include "study/open/found_volumes.h"
 #include "support.h"
 #include "synthetic.h"
-#include "viewer/beside/beside_study.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/panes/pane_grid.h"
+#include "viewer/second/second_volume_loader.h"
 #include "viewer/window_fixture.h"
 
 namespace macula::viewer {
@@ -34,7 +34,7 @@ const Patient kGamma{"GAMMA^GUS", QStringLiteral("GAMMA, GUS"), 10};
 class NamedPlacesTest : public WindowTest {
   protected:
     NamedPlacesTest() {
-        layout_ = app::Layout::axial;
+        layout_ = scene::Layout::axial;
         refusesRaw_ = false;
     }
 
@@ -119,17 +119,17 @@ class NamedPlacesTest : public WindowTest {
         for (const Patient& other : {kAlpha, kBeta, kGamma})
             EXPECT_TRUE(other.shown == patient.shown || rows.front() != other.shown);
     }
-    void show(app::Layout layout) {
+    void show(scene::Layout layout) {
         window_->session().change(QStringLiteral("Panes"),
-                                  [&](app::StudyState& next) { next.layout = layout; });
+                                  [&](scene::StudyState& next) { next.layout = layout; });
     }
-    void walk(app::Layout layout, const std::filesystem::path& alpha, const std::filesystem::path& beta,
+    void walk(scene::Layout layout, const std::filesystem::path& alpha, const std::filesystem::path& beta,
               const std::filesystem::path& broken);
 
     const dicom::test::TemporaryFolder folder_;
 };
 
-void NamedPlacesTest::walk(app::Layout layout, const std::filesystem::path& alpha,
+void NamedPlacesTest::walk(scene::Layout layout, const std::filesystem::path& alpha,
                            const std::filesystem::path& beta, const std::filesystem::path& broken) {
     show(layout);
     open(alpha);
@@ -155,10 +155,10 @@ void NamedPlacesTest::walk(app::Layout layout, const std::filesystem::path& alph
 
     // A second volume, here of the same patient: the study is still that which is open.
     Progress progress;
-    const auto second = app::openFoundVolume(window_->session().study().found, 1, progress);
+    const auto second = study::openFoundVolume(window_->session().study().found, 1, progress);
     ASSERT_TRUE(second.ok());
-    window_->beside().offer(*second);
-    ASSERT_NE(window_->beside().second(), nullptr);
+    window_->secondVolume().offer(*second);
+    ASSERT_NE(window_->secondVolume().second(), nullptr);
     expectNamed(kBeta);
     action("flip").trigger();
     expectNamed(kBeta);
@@ -182,8 +182,8 @@ TEST_F(NamedPlacesTest, AreOfTheStudyThatIsOpenInEveryLayout) {
     const auto broken = write(kGamma);
     damage(broken);
     EXPECT_EQ(window_->windowTitle(), QStringLiteral("Macula"));
-    for (const app::Layout layout : {app::Layout::axial, app::Layout::coronal, app::Layout::sagittal,
-                                     app::Layout::fourPanes, app::Layout::volume}) {
+    for (const scene::Layout layout : {scene::Layout::axial, scene::Layout::coronal, scene::Layout::sagittal,
+                                       scene::Layout::fourPanes, scene::Layout::volume}) {
         SCOPED_TRACE(std::string(nameOf(layout)));
         walk(layout, alpha, beta, broken);
     }
@@ -194,21 +194,21 @@ TEST_F(NamedPlacesTest, TheStatusLineTellsOfThePictureIn3dOnlyWhileThatIsShown) 
     EXPECT_TRUE(waitUntil([&] { return window_->fidelity() == QStringLiteral("No study is open"); }));
     open(write(kAlpha));
     EXPECT_EQ(window_->fidelity(), QStringLiteral("Axial slices; 3D is not shown"));
-    show(app::Layout::fourPanes);
+    show(scene::Layout::fourPanes);
     ASSERT_TRUE(waitForConverged());
     const QString told = window_->fidelity();
     EXPECT_TRUE(told.contains(QStringLiteral("samples"))) << told.toStdString();
     auto* badge = window_->findChild<FidelityBadge*>();
     ASSERT_NE(badge, nullptr);
     EXPECT_TRUE(badge->isVisible());
-    show(app::Layout::sagittal);
+    show(scene::Layout::sagittal);
     EXPECT_EQ(window_->fidelity(), QStringLiteral("Sagittal slices; 3D is not shown"));
     EXPECT_FALSE(badge->isVisible());
     EXPECT_EQ(window_->rate(), QString());
     // Another patient meanwhile.
     open(write(kBeta));
     EXPECT_EQ(window_->fidelity(), QStringLiteral("Sagittal slices; 3D is not shown"));
-    show(app::Layout::volume);
+    show(scene::Layout::volume);
     EXPECT_NE(window_->fidelity(), told) << "that was said of another patient's picture";
     EXPECT_FALSE(badge->isVisible());
     ASSERT_TRUE(waitForConverged());
@@ -218,7 +218,7 @@ TEST_F(NamedPlacesTest, TheStatusLineTellsOfThePictureIn3dOnlyWhileThatIsShown) 
 // Once it stayed for each later study, with the badge over it.
 TEST_F(NamedPlacesTest, WhyASeriesWasChosenIsSaidOnlyWhereThePointerIs) {
     open(write(kAlpha));
-    show(app::Layout::volume);
+    show(scene::Layout::volume);
     ASSERT_TRUE(waitForConverged());
     auto* badge = window_->findChild<FidelityBadge*>();
     window_->statusBar()->showMessage(QStringLiteral("Shifted by 3 HU"));

@@ -15,21 +15,21 @@
 namespace macula::viewer {
 namespace {
 
-const app::Identity kDoe{.patientName = "DOE^JOHN",
-                         .patientId = "4711",
-                         .studyDate = "20200304",
-                         .studyDescription = "Chest",
-                         .series = "CT, series 3: Lung"};
-const app::Identity kPhantom{.series = "Built-in phantom", .isOfNobody = true};
+const study::Identity kDoe{.patientName = "DOE^JOHN",
+                           .patientId = "4711",
+                           .studyDate = "20200304",
+                           .studyDescription = "Chest",
+                           .series = "CT, series 3: Lung"};
+const study::Identity kPhantom{.series = "Built-in phantom", .isOfNobody = true};
 
 class NamesTest : public WindowTest {
   protected:
-    app::OpenedStudy ofDoe() const {
-        app::OpenedStudy study = smallStudy(Unit::hounsfield);
+    study::OpenedStudy ofDoe() const {
+        study::OpenedStudy study = smallStudy(Unit::hounsfield);
         study.identity = kDoe;
         return study;
     }
-    bool isNamed(const app::Identity& identity) { return WindowTest::isNamed(picture(), identity); }
+    bool isNamed(const study::Identity& identity) { return WindowTest::isNamed(picture(), identity); }
     QString title() const { return window_->windowTitle(); }
 };
 
@@ -142,13 +142,13 @@ TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
     const std::filesystem::path data = macula::test::sharedFolder() / "data";
     if (!std::filesystem::exists(data)) GTEST_SKIP() << "shared data is not here";
     QTemporaryDir empty;
-    std::vector<app::Identity> identities;
+    std::vector<study::Identity> identities;
     const std::filesystem::path paths[] = {data / "mr_head_sag_hfs", empty.path().toStdString(),
                                            data / "odd/nonisotropic_perslice_slope",
                                            data / "odd/gantry_tilt_4slices"};
     for (const auto& path : paths) {
         Progress progress;
-        const auto study = app::openStudy(path, progress);
+        const auto study = study::openStudy(path, progress);
         if (study.ok()) identities.push_back(study->identity);
     }
     ASSERT_EQ(identities.size(), 3u);
@@ -192,8 +192,8 @@ TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
         last_.reset();
         pressKey(Qt::Key_L);
         // The first has a model, the next two are left at their first pictures, the last comes to rest.
-        const auto isFarEnough = [&](const app::FrameShown& frame) {
-            if (frame.stage == app::Stage::converged) return true;
+        const auto isFarEnough = [&](const live::FrameShown& frame) {
+            if (frame.stage == live::Stage::converged) return true;
             if (&path == std::begin(paths)) return frame.model.steps > 0;
             return &path + 1 != std::end(paths);
         };
@@ -201,7 +201,7 @@ TEST_F(ThreeStudiesTest, EveryPictureOfThreeStudiesNamesItsOwn) {
             look();
             return (last_ && isFarEnough(*last_)) || HasFatalFailure();
         }));
-        const app::Identity& identity = identities[std::size_t(wanted)];
+        const study::Identity& identity = identities[std::size_t(wanted)];
         EXPECT_TRUE(waitUntil([&] { return isNamed(identity); }));
         const QString named = QString::fromStdString(titleOf(identity)).simplified();
         EXPECT_TRUE(waitUntil([&] { return title().startsWith(named); }));

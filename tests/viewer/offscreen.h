@@ -27,7 +27,7 @@ class OffscreenTest : public testing::Test {
     static void settle() {
         for (int i = 0; i < 3; ++i) QCoreApplication::processEvents();
     }
-    static app::OpenedStudy smallStudy() {
+    static study::OpenedStudy smallStudy() {
         auto volume = Volume::create({.size = glm::ivec3(8), .unit = Unit::hounsfield, .modality = "CT"},
                                      std::vector<std::uint16_t>(512, 1000));
         return {.volume = std::make_shared<const Volume>(*std::move(volume))};

@@ -35,7 +35,7 @@ class OpeningTest : public WindowTest {
         presets->setCurrentIndex(index);
         emit presets->activated(index);
     }
-    static app::OpenedStudy ofUnit(Unit unit, const char* modality) {
+    static study::OpenedStudy ofUnit(Unit unit, const char* modality) {
         std::vector<std::uint16_t> values(512);
         for (std::size_t i = 0; i < values.size(); ++i) values[i] = std::uint16_t(i);
         auto volume =

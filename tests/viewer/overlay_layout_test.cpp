@@ -59,7 +59,7 @@ TEST_F(OverlayLayoutTest, LettersKeepTheirSideOrGo) {
     int seen = 0;
     for (const auto orientation : kOrientations) {
         const SliceOverlay overlay = chest(orientation);
-        const app::EdgeLetters sides = edgeLetters(overlay.frame.plane);
+        const scene::EdgeLetters sides = edgeLetters(overlay.frame.plane);
         for (int width = 60; width <= 700; width += 40) {
             for (int height = 40; height <= 500; height += 30) {
                 for (const double scale : {1.0, 1.5, 2.0}) {

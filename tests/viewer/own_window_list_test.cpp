@@ -14,13 +14,13 @@ namespace {
 
 class OwnWindowListTest : public test::OffscreenTest {
   protected:
-    static app::OwnWindow window(const std::string& name) {
+    static scene::OwnWindow window(const std::string& name) {
         return {.name = name,
                 .window = {.center = 60.0, .width = 300.0, .explanation = {}, .function = {}},
                 .unit = "HU"};
     }
     std::string stored() const {
-        const auto json = app::machineDocument(
+        const auto json = live::machineDocument(
             folder(), {.kind = session::DocumentKind::preset, .study = {}, .name = "windows of slices"});
         return json ? json->value_or(std::string()) : std::string();
     }
@@ -49,7 +49,7 @@ TEST_F(OwnWindowListTest, TheyComeBack) {
         ASSERT_TRUE(list.add(window("Kidney")).ok());
         ASSERT_TRUE(list.add(window("Liver")).ok());
         const auto isKept = [this] {
-            const auto json = app::machineDocument(
+            const auto json = live::machineDocument(
                 folder(), {.kind = session::DocumentKind::preset, .study = {}, .name = "windows of slices"});
             return json && *json && (*json)->find("Liver") != std::string::npos;
         };

@@ -20,8 +20,8 @@
 namespace macula::viewer {
 namespace {
 
-constexpr std::array kLayouts{app::Layout::axial,   app::Layout::fourPanes, app::Layout::volume,
-                              app::Layout::coronal, app::Layout::sagittal,  app::Layout::fourPanes};
+constexpr std::array kLayouts{scene::Layout::axial,   scene::Layout::fourPanes, scene::Layout::volume,
+                              scene::Layout::coronal, scene::Layout::sagittal,  scene::Layout::fourPanes};
 
 class PaneGridTest : public test::OffscreenTest {
   protected:
@@ -41,10 +41,10 @@ class PaneGridTest : public test::OffscreenTest {
     void makeGrid() {
         grid_ = new PaneGrid(
             {.axial = panes_[0], .volume = panes_[1], .coronal = panes_[2], .sagittal = panes_[3]});
-        beside_ = new QLineEdit;
+        secondVolume_ = new QLineEdit;
         auto* column = new QVBoxLayout(&*window_);
         column->addWidget(grid_, 1);
-        column->addWidget(beside_);
+        column->addWidget(secondVolume_);
         window_->resize(700, 500);
         window_->show();
         settle();
@@ -73,24 +73,24 @@ class PaneGridTest : public test::OffscreenTest {
     std::optional<QWidget> window_;
     std::array<QPointer<QWidget>, kPanes.size()> panes_;
     PaneGrid* grid_ = nullptr;
-    QLineEdit* beside_ = nullptr;
+    QLineEdit* secondVolume_ = nullptr;
 };
 
 TEST_F(PaneGridTest, ShowsThePanesOfALayoutAndMovesNoneToAnotherParent) {
     std::array<QWidget*, kPanes.size()> parents{};
     for (const Pane p : kPanes) parents.at(std::size_t(p)) = pane(p).parentWidget();
-    EXPECT_EQ(grid_->shownLayout(), app::Layout::fourPanes);
-    for (const app::Layout layout : kLayouts) {
+    EXPECT_EQ(grid_->shownLayout(), scene::Layout::fourPanes);
+    for (const scene::Layout layout : kLayouts) {
         grid_->setLayout(layout);
         settle();
         EXPECT_EQ(grid_->shownLayout(), layout);
         for (const Pane p : kPanes) {
             ASSERT_NE(panes_.at(std::size_t(p)), nullptr) << "it is gone";
             EXPECT_EQ(pane(p).parentWidget(), parents.at(std::size_t(p)));
-            const bool shown = layout == app::Layout::fourPanes || layout == layoutOf(p);
+            const bool shown = layout == scene::Layout::fourPanes || layout == layoutOf(p);
             EXPECT_EQ(grid_->isShown(p), shown);
             EXPECT_EQ(pane(p).isVisible(), shown) << int(layout) << ", pane " << int(p);
-            if (shown && layout != app::Layout::fourPanes) {
+            if (shown && layout != scene::Layout::fourPanes) {
                 EXPECT_EQ(pane(p).size(), grid_->size() - QSize(4, 4));
             }
         }
@@ -133,11 +133,11 @@ TEST_F(PaneGridTest, TheCrossOfThePanesMovesAsOneAndStaysWhereItIs) {
     window_->resize(1000, 800);
     settle();
     expectCross();
-    grid_->setLayout(app::Layout::sagittal);
+    grid_->setLayout(scene::Layout::sagittal);
     settle();
     window_->resize(600, 500);
     settle();
-    grid_->setLayout(app::Layout::fourPanes);
+    grid_->setLayout(scene::Layout::fourPanes);
     settle();
     expectCross();
 }
@@ -166,14 +166,14 @@ TEST_F(PaneGridTest, ACrossThatIsNoneIsInTheMiddle) {
 }
 
 TEST_F(PaneGridTest, MaximizingOnlyAsks) {
-    std::vector<app::Layout> asked;
-    QObject::connect(grid_, &PaneGrid::layoutAsked, [&](app::Layout layout) { asked.push_back(layout); });
+    std::vector<scene::Layout> asked;
+    QObject::connect(grid_, &PaneGrid::layoutAsked, [&](scene::Layout layout) { asked.push_back(layout); });
     grid_->maximize(Pane::coronal);
-    EXPECT_EQ(grid_->shownLayout(), app::Layout::fourPanes);
-    grid_->setLayout(app::Layout::coronal);
+    EXPECT_EQ(grid_->shownLayout(), scene::Layout::fourPanes);
+    grid_->setLayout(scene::Layout::coronal);
     grid_->maximize(Pane::coronal);
     grid_->maximize(Pane::volume);
-    EXPECT_EQ(asked, (std::vector{app::Layout::coronal, app::Layout::fourPanes, app::Layout::volume}));
+    EXPECT_EQ(asked, (std::vector{scene::Layout::coronal, scene::Layout::fourPanes, scene::Layout::volume}));
 }
 
 TEST_F(PaneGridTest, ThePaneWithTheFocusHasAFrame) {
@@ -185,7 +185,7 @@ TEST_F(PaneGridTest, ThePaneWithTheFocusHasAFrame) {
         EXPECT_EQ(activeFrames(), 1);
         EXPECT_EQ(pane(p).parentWidget()->grab().toImage().pixelColor(0, 9), QColor(themeColours().accent));
     }
-    beside_->setFocus();
+    secondVolume_->setFocus();
     ASSERT_TRUE(waitUntil([&] { return !grid_->activePane(); }));
     EXPECT_EQ(activeFrames(), 0);
     EXPECT_NE(pane(Pane::axial).parentWidget()->grab().toImage().pixelColor(0, 9),
@@ -196,15 +196,15 @@ TEST_F(PaneGridTest, TheFocusOfAPaneThatIsHiddenGoesToOneThatIsShown) {
     window_->activateWindow();
     grid_->focusPane(Pane::sagittal);
     ASSERT_TRUE(waitUntil([&] { return grid_->activePane() == Pane::sagittal; }));
-    grid_->setLayout(app::Layout::volume);
+    grid_->setLayout(scene::Layout::volume);
     EXPECT_TRUE(waitUntil([&] { return grid_->activePane() == Pane::volume; }));
     grid_->focusPane(Pane::sagittal);  // it is not shown
     settle();
     EXPECT_EQ(grid_->activePane(), Pane::volume);
-    beside_->setFocus();
-    grid_->setLayout(app::Layout::axial);
+    secondVolume_->setFocus();
+    grid_->setLayout(scene::Layout::axial);
     settle();
-    EXPECT_TRUE(beside_->hasFocus()) << "nobody took it from a pane";
+    EXPECT_TRUE(secondVolume_->hasFocus()) << "nobody took it from a pane";
 }
 
 // Its events, as Viewport's window hears them.
@@ -247,7 +247,7 @@ TEST_F(NativePaneTest, KeepsItsSurfaceThroughAllLayouts) {
     const WId id = native_->winId();
     const QWindow* parent = native_->parent();
     ASSERT_NE(parent, nullptr);
-    for (const app::Layout layout : kLayouts) {
+    for (const scene::Layout layout : kLayouts) {
         grid_->setLayout(layout);
         settle();
         EXPECT_EQ(native_->isVisible(), grid_->isShown(Pane::volume)) << int(layout);

@@ -28,7 +28,7 @@ using slices::Orientation;
 
 class PanesTest : public WindowTest {
   protected:
-    PanesTest() { layout_ = app::Layout::fourPanes; }
+    PanesTest() { layout_ = scene::Layout::fourPanes; }
     void SetUp() override {
         sessions_ = folder_.filePath(QStringLiteral("sessions")).toStdString();
         WindowTest::SetUp();
@@ -100,11 +100,11 @@ TEST_F(PanesTest, AClickInOnePaneMovesTheOthers) {
 TEST_F(PanesTest, APaneFillsTheWindowAndComesBack) {
     openPhantom();
     QTest::mouseDClick(&pane(Orientation::coronal), Qt::LeftButton);
-    EXPECT_EQ(window_->state().layout, app::Layout::coronal);
+    EXPECT_EQ(window_->state().layout, scene::Layout::coronal);
     EXPECT_TRUE(window_->panes().isShown(Pane::coronal));
     EXPECT_FALSE(window_->panes().isShown(Pane::volume));
     QTest::mouseDClick(&pane(Orientation::coronal), Qt::LeftButton);
-    EXPECT_EQ(window_->state().layout, app::Layout::fourPanes);
+    EXPECT_EQ(window_->state().layout, scene::Layout::fourPanes);
     // The volume's native window lives on.
     ASSERT_TRUE(waitForConverged());
     EXPECT_GT(coloursInTheMiddle(), 10);
@@ -124,7 +124,7 @@ TEST_F(PanesTest, WhatIsDoubleClickedInTheVolumeIsShownOnSlices) {
 
 TEST_F(PanesTest, ADrivenSessionIsFoundAgain) {
     openPhantom();
-    const app::StudyState first = window_->state();
+    const scene::StudyState first = window_->state();
 
     // A preset, from the list.
     for (QComboBox* box : window_->findChildren<QComboBox*>()) {
@@ -160,10 +160,10 @@ TEST_F(PanesTest, ADrivenSessionIsFoundAgain) {
     EXPECT_NEAR(slices::lengthMm(distance), 60.0 * axial.devicePixelRatioF() * axial.shownFrame()->mmPerPixel,
                 1e-6);
     QTest::mouseDClick(&axial, Qt::LeftButton, {}, QPoint(20, axial.height() / 2));
-    EXPECT_EQ(window_->state().layout, app::Layout::axial);
+    EXPECT_EQ(window_->state().layout, scene::Layout::axial);
 
     // All of it can be undone, and done again.
-    const app::StudyState made = window_->state();
+    const scene::StudyState made = window_->state();
     while (window_->session().canUndo()) window_->session().undo();
     EXPECT_EQ(window_->state().preset->name, first.preset->name);
     EXPECT_TRUE(window_->state().measurements.empty());
@@ -173,8 +173,8 @@ TEST_F(PanesTest, ADrivenSessionIsFoundAgain) {
     window_.reset();
     makeWindow();
     openPhantom();
-    const app::StudyState again = window_->state();
-    EXPECT_TRUE(app::isSame(*again.preset, *made.preset));
+    const scene::StudyState again = window_->state();
+    EXPECT_TRUE(scene::isSame(*again.preset, *made.preset));
     EXPECT_EQ(again.clip, made.clip);
     EXPECT_EQ(again.measurements, made.measurements);
     EXPECT_EQ(again.layout, made.layout);

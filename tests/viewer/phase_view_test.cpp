@@ -6,34 +6,34 @@
 
 #include "scene/state/carried_view.h"
 #include "study/found_by_hand.h"
-#include "viewer/beside/beside_bar.h"
-#include "viewer/beside_fixture.h"
+#include "viewer/second/second_volume_bar.h"
+#include "viewer/second_fixture.h"
 
 namespace macula::viewer {
 namespace {
 
 // Two phases on one grid; the second is twice as bright.
-class PhaseViewTest : public BesideTest {
+class PhaseViewTest : public SecondVolumeTest {
   protected:
     void SetUp() override {
-        BesideTest::SetUp();
+        SecondVolumeTest::SetUp();
         dicom::Scan scan;
-        std::vector<dicom::Stack> phases{app::test::volumeOf(21), app::test::volumeOf(21)};
+        std::vector<dicom::Stack> phases{study::test::volumeOf(21), study::test::volumeOf(21)};
         for (int n = 0; n < 2; ++n) {
             phases[std::size_t(n)].phase = n;
             phases[std::size_t(n)].phases = 2;
         }
-        scan.studies.push_back(app::test::studyOf(0, "DOE^JANE", "20240301", "Thorax",
-                                                  {app::test::seriesOf(3, "DCE", std::move(phases))}));
-        found_ = std::make_shared<const app::FoundVolumes>(std::move(scan));
+        scan.studies.push_back(study::test::studyOf(0, "DOE^JANE", "20240301", "Thorax",
+                                                    {study::test::seriesOf(3, "DCE", std::move(phases))}));
+        found_ = std::make_shared<const study::FoundVolumes>(std::move(scan));
         session_->show(phase(0), {});
         ASSERT_TRUE(settled());
     }
-    app::OpenedStudy phase(std::size_t index) const {
+    study::OpenedStudy phase(std::size_t index) const {
         VolumeOptions options = test::sliceVolumeOptions();
         options.windows.front().width = index == 0 ? 1000.0 : 2000.0;
         options.windows.front().center = index == 0 ? 500.0 : 1000.0;
-        app::OpenedStudy study = studyOf(test::sliceVolume(std::move(options)), "dce", "20240301");
+        study::OpenedStudy study = studyOf(test::sliceVolume(std::move(options)), "dce", "20240301");
         study.found = found_;
         study.volumeIndex = index;
         study.frameOfReferenceUid = "1.2.3";
@@ -52,15 +52,15 @@ class PhaseViewTest : public BesideTest {
         return brightest;
     }
 
-    std::shared_ptr<const app::FoundVolumes> found_;
+    std::shared_ptr<const study::FoundVolumes> found_;
 };
 
 TEST_F(PhaseViewTest, ZoomAndPlaceStayWhenThePhaseChanges) {
     turnWheel(study(), 4, Qt::ControlModifier);
     ASSERT_TRUE(settled());
     const auto before = study().shownFrame();
-    app::StudyState next;
-    next.slices = app::carriedSlices(phase(0), state().slices, phase(1), {});
+    scene::StudyState next;
+    next.slices = scene::carriedSlices(phase(0), state().slices, phase(1), {});
     session_->show(phase(1), next);
     ASSERT_TRUE(settled());
     EXPECT_EQ(study().shownFrame(), before);
@@ -72,12 +72,12 @@ TEST_F(PhaseViewTest, ZoomAndPlaceStayWhenThePhaseChanges) {
 }
 
 TEST_F(PhaseViewTest, BesideEachOtherTheyHaveOneWindowUntilSomebodyPartsThem) {
-    beside_->offer(phase(1));
-    ASSERT_NE(beside_->state(), nullptr);
-    EXPECT_TRUE(beside_->state()->linksWindow);
-    EXPECT_EQ(beside_->state()->link, app::BesideLink::sameFrame);
-    session_->change("Place", [](app::StudyState& next) {
-        next.layout = app::Layout::fourPanes;
+    secondVolume_->offer(phase(1));
+    ASSERT_NE(secondVolume_->state(), nullptr);
+    EXPECT_TRUE(secondVolume_->state()->linksWindow);
+    EXPECT_EQ(secondVolume_->state()->link, scene::SecondVolumeLink::sameFrame);
+    session_->change("Place", [](scene::StudyState& next) {
+        next.layout = scene::Layout::fourPanes;
         next.slices.crosshairMm = test::kBlockCentreMm;
     });
     ASSERT_TRUE(settled());
@@ -85,26 +85,26 @@ TEST_F(PhaseViewTest, BesideEachOtherTheyHaveOneWindowUntilSomebodyPartsThem) {
     QTest::keyClick(&second(), Qt::Key_4);
     ASSERT_TRUE(state().slices.window);
     EXPECT_DOUBLE_EQ(state().slices.window->center, 400.0);
-    EXPECT_FALSE(state().beside->window);
+    EXPECT_FALSE(state().secondVolume->window);
 
-    BesideBar bar(*session_, *beside_);
+    SecondVolumeBar bar(*session_, *secondVolume_);
     auto* one = bar.findChild<QCheckBox*>("beside-one-window");
     ASSERT_NE(one, nullptr);
     EXPECT_TRUE(one->isChecked());
     one->click();
-    EXPECT_FALSE(state().beside->linksWindow);
-    ASSERT_TRUE(state().beside->window) << "nothing jumps";
-    EXPECT_DOUBLE_EQ(state().beside->window->center, 400.0);
+    EXPECT_FALSE(state().secondVolume->linksWindow);
+    ASSERT_TRUE(state().secondVolume->window) << "nothing jumps";
+    EXPECT_DOUBLE_EQ(state().secondVolume->window->center, 400.0);
     QTest::keyClick(&second(), Qt::Key_3);
     EXPECT_DOUBLE_EQ(state().slices.window->center, 400.0);
-    EXPECT_DOUBLE_EQ(state().beside->window->center, -600.0);
+    EXPECT_DOUBLE_EQ(state().secondVolume->window->center, -600.0);
 }
 
 // Slice 17 of both, which is image 107 of one and 167 of the other.
 TEST_F(PhaseViewTest, EachPaneNamesItsOwnImage) {
-    beside_->offer(phase(1));
-    session_->change("Place", [](app::StudyState& next) {
-        next.layout = app::Layout::fourPanes;
+    secondVolume_->offer(phase(1));
+    session_->change("Place", [](scene::StudyState& next) {
+        next.layout = scene::Layout::fourPanes;
         next.slices.crosshairMm = test::kBlockCentreMm;
     });
     ASSERT_TRUE(settled());
@@ -118,11 +118,11 @@ TEST_F(PhaseViewTest, APlaneAcrossTheSecondVolumeNamesNoImage) {
     VolumeOptions options = test::sliceVolumeOptions();
     const glm::dmat4 standing = affine({1, 0, 0}, {0, 0, 1}, {0, -1, 0}, {0, 0, 0});
     options.worldFromVoxel = standing * options.worldFromVoxel;
-    app::OpenedStudy across = studyOf(test::sliceVolume(std::move(options)), "across", "20220301");
+    study::OpenedStudy across = studyOf(test::sliceVolume(std::move(options)), "across", "20220301");
     across.frameOfReferenceUid = "1.2.3";
     for (int k = 0; k < 21; ++k) across.imageNumbers.push_back(21 - k);
-    beside_->offer(across);
-    session_->change("Place", [](app::StudyState& next) { next.layout = app::Layout::fourPanes; });
+    secondVolume_->offer(across);
+    session_->change("Place", [](scene::StudyState& next) { next.layout = scene::Layout::fourPanes; });
     ASSERT_TRUE(settled());
     EXPECT_EQ(second().positionText(), "In the plane of the study: Axial S 0.0 mm");
 }

@@ -4,9 +4,9 @@
 #include <QPushButton>
 
 #include "viewer/covered_by.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/offscreen.h"
 #include "viewer/overlay/painted_text.h"
-#include "viewer/session/viewer_session.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/theme/drawn_icon.h"
 #include "viewer/theme/theme.h"
@@ -21,7 +21,7 @@ class PixelRatioTest : public test::OffscreenTest {
         setenv("QT_SCALE_FACTOR", "2", 1);
         OffscreenTest::SetUp();
         applyTheme(*application_, {});
-        session_.emplace(app::Catalogue{});
+        session_.emplace(scene::Catalogue{});
     }
     void TearDown() override {
         session_.reset();
@@ -29,7 +29,7 @@ class PixelRatioTest : public test::OffscreenTest {
         unsetenv("QT_SCALE_FACTOR");
     }
 
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
 };
 
 TEST_F(PixelRatioTest, ASliceIsSampledForEachPixelOfTheScreen) {

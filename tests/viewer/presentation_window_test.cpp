@@ -17,7 +17,7 @@ namespace {
 
 class PresentationWindowTest : public WindowTest {
   protected:
-    PresentationWindowTest() { layout_ = app::Layout::fourPanes; }
+    PresentationWindowTest() { layout_ = scene::Layout::fourPanes; }
     void SetUp() override {
         WindowTest::SetUp();
         if (!window_) return;
@@ -30,14 +30,14 @@ class PresentationWindowTest : public WindowTest {
         const auto scanned = dicom::test::scan(folder_ / "images");
         ASSERT_TRUE(scanned);
         const dicom::Series& series = scanned->studies.at(0).series.at(0);
-        app::PresentationWish wish;
-        wish.volume = dicom::test::load(series);
-        wish.images = *app::presentedImages(series, series.stacks.at(0));
-        wish.state.preset = app::builtInCatalogue()->presets.at(2);  // not the usual one
-        wish.state.camera = frameBox(wish.volume->worldBox(), ViewDirection::left, 30.0, 1.0);
-        const auto written = app::writePresentation(folder_ / "images" / "view.dcm", wish);
+        scene::PresentationRequest request;
+        request.volume = dicom::test::load(series);
+        request.images = *scene::presentedImages(series, series.stacks.at(0));
+        request.state.preset = scene::builtInCatalogue()->presets.at(2);  // not the usual one
+        request.state.camera = frameBox(request.volume->worldBox(), ViewDirection::left, 30.0, 1.0);
+        const auto written = scene::writePresentation(folder_ / "images" / "view.dcm", request);
         ASSERT_TRUE(written.ok()) << written.error().message;
-        camera_ = *wish.state.camera;
+        camera_ = *request.state.camera;
     }
     QTreeView* tree() { return window_->findChild<QTreeView*>(QStringLiteral("studies")); }
     QModelIndex rowThatBegins(const QString& title) {

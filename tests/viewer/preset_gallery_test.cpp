@@ -32,7 +32,7 @@ class PresetGalleryTest : public test::OffscreenTest {
   protected:
     void SetUp() override {
         OffscreenTest::SetUp();
-        session_.emplace(*app::builtInCatalogue());
+        session_.emplace(*scene::builtInCatalogue());
         library_.emplace(*session_, nullptr);
         makeGallery();
     }
@@ -44,7 +44,7 @@ class PresetGalleryTest : public test::OffscreenTest {
     }
     void makeGallery() {
         gallery_.emplace(*session_, *library_, [this] {
-            app::StudyState state = session_->state();
+            scene::StudyState state = session_->state();
             state.camera = Camera{};
             return state;
         });
@@ -61,8 +61,8 @@ class PresetGalleryTest : public test::OffscreenTest {
     void openStudy(Unit unit = Unit::hounsfield, const char* modality = "CT", std::uint16_t value = 1000) {
         auto volume = Volume::create({.size = glm::ivec3(8), .unit = unit, .modality = modality},
                                      std::vector<std::uint16_t>(512, value));
-        app::StudyState state;
-        state.preset = *app::findPreset(session_->catalogue(), "ct-bone");
+        scene::StudyState state;
+        state.preset = *scene::findPreset(session_->catalogue(), "ct-bone");
         session_->show({.volume = std::make_shared<const Volume>(*std::move(volume))}, state);
         settle();
     }
@@ -139,13 +139,13 @@ class PresetGalleryTest : public test::OffscreenTest {
         answer(name);
     }
 
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<PresetLibrary> library_;
     std::optional<PresetGallery> gallery_;
     QListView* list_ = nullptr;
     QLineEdit* filter_ = nullptr;
     QLabel* note_ = nullptr;
-    std::vector<app::PresetRef> used_;
+    std::vector<live::PresetRef> used_;
 };
 
 TEST_F(PresetGalleryTest, WhatFitsTheImagesStandsFirstAndTheOthersAreFolded) {
@@ -173,7 +173,7 @@ TEST_F(PresetGalleryTest, EnterAndADoubleClickUseAPreset) {
     openStudy();
     select(QStringLiteral("CT-Lung"));
     press(Qt::Key_Return);
-    EXPECT_EQ(used_, std::vector<app::PresetRef>{"ct-lung"});
+    EXPECT_EQ(used_, std::vector<live::PresetRef>{"ct-lung"});
     const QPoint at = middleOf(preset(QStringLiteral("CT-Bone")));
     QTest::mouseClick(list_->viewport(), Qt::LeftButton, {}, at);
     EXPECT_EQ(used_.size(), 1u) << "one click selects";
@@ -268,7 +268,7 @@ TEST_F(PresetGalleryTest, OwnOnesAreRenamedCopiedAndDeletedAndBuiltInOnesAreNot)
 TEST_F(PresetGalleryTest, AllThatIsSeenIsKeptToo) {
     openStudy();
     session_->change(QStringLiteral("Look"),
-                     [](app::StudyState& next) { next.settings.look = trace::Look::dvr; });
+                     [](scene::StudyState& next) { next.settings.look = trace::Look::dvr; });
     gallery_->askToSaveSeen();
     answer("As I like it");
     const std::vector<LibraryPreset> own = library_->own();
@@ -301,7 +301,7 @@ TEST_F(PresetGalleryTest, PicturesOfTheVolumeAreDrawnOfWhatIsSeenAndAnewForAnoth
     };
     ASSERT_TRUE(waitUntil([&] { return !picture().isNull() && !gallery_->isDrawing(); }));
     const QImage first = picture();
-    EXPECT_EQ(first.size(), QSize(app::kPresetThumbnailPx, app::kPresetThumbnailPx));
+    EXPECT_EQ(first.size(), QSize(pictures::kPresetThumbnailPx, pictures::kPresetThumbnailPx));
     EXPECT_NE(first.pixel(first.width() / 2, first.height() / 2), qRgb(0, 0, 0));
     openStudy(Unit::hounsfield, "CT", 250);
     EXPECT_TRUE(waitUntil([&] { return !picture().isNull() && picture() != first; }));
@@ -349,7 +349,7 @@ TEST_F(PresetGalleryTest, WithoutAStoreItSaysThatPresetsLiveForTheRun) {
 TEST_F(PresetGalleryTest, AnotherRunFindsWhatWasKept) {
     const dicom::test::TemporaryFolder folder;
     const auto run = [&] {
-        auto keeper = std::make_shared<app::ModelKeeper>(
+        auto keeper = std::make_shared<live::StudyKeeper>(
             session::StoreOptions{.folder = folder.path() / "sessions"}, nullptr);
         gallery_.reset();
         library_.emplace(*session_, keeper);
@@ -381,7 +381,7 @@ TEST_F(PresetGalleryTest, AStoreThatCannotBeUsedIsAsNone) {
     const dicom::test::TemporaryFolder folder;
     std::ofstream(folder.path() / "sessions") << "no folder";
     gallery_.reset();
-    const auto keeper = std::make_shared<app::ModelKeeper>(
+    const auto keeper = std::make_shared<live::StudyKeeper>(
         session::StoreOptions{.folder = folder.path() / "sessions"}, nullptr);
     library_.emplace(*session_, keeper);
     makeGallery();
@@ -425,7 +425,7 @@ TEST_F(PresetGalleryTest, TheBoxOffersWhatFitsAndNamesWhatWasChosenElsewhere) {
     EXPECT_FALSE(qobject_cast<QListView*>(box.view())->isRowHidden(box.count() - 1)) << "without a study";
     openStudy();
     box.fillAnew();
-    std::vector<app::PresetRef> chosen;
+    std::vector<live::PresetRef> chosen;
     QObject::connect(&box, &PresetBox::chosen, &box,
                      [&](const LibraryPreset& preset) { chosen.push_back(preset.ref); });
     auto* view = qobject_cast<QListView*>(box.view());
@@ -434,7 +434,7 @@ TEST_F(PresetGalleryTest, TheBoxOffersWhatFitsAndNamesWhatWasChosenElsewhere) {
     EXPECT_TRUE(view->isRowHidden(row("uct-skull")));
     EXPECT_FALSE(view->isRowHidden(row("ct-bone")));
     const auto& all = session_->catalogue().presets;
-    const auto skull = *app::findPreset(session_->catalogue(), "uct-skull");
+    const auto skull = *scene::findPreset(session_->catalogue(), "uct-skull");
     box.choose(skull.get());
     EXPECT_EQ(box.currentText(), QStringLiteral("uCT-Skull"));
     EXPECT_TRUE(chosen.empty()) << "nobody has chosen";
@@ -444,7 +444,7 @@ TEST_F(PresetGalleryTest, TheBoxOffersWhatFitsAndNamesWhatWasChosenElsewhere) {
     EXPECT_EQ(box.currentIndex(), -1);
     EXPECT_EQ(box.placeholderText(), QStringLiteral("Edited"));
     emit box.activated(row("ct-lung"));
-    EXPECT_EQ(chosen, std::vector<app::PresetRef>{"ct-lung"});
+    EXPECT_EQ(chosen, std::vector<live::PresetRef>{"ct-lung"});
 
     keepCurve("Mine");
     box.fillAnew();
@@ -485,7 +485,7 @@ TEST_F(PresetGalleryTest, TheCurtainShowsTheFirstAtTheLeftOfItsLine) {
 // The thread has a device to start; the window does not wait for it.
 TEST_F(PresetGalleryTest, ClosingAComparisonLeavesTheWorkToTheWindow) {
     QWidget window;
-    app::ViewPicture picture;
+    pictures::ViewPicture picture;
     picture.volume = smallStudy().volume;
     picture.sizePx = {8, 8};
     auto* dialog = new PresetComparison({QStringLiteral("a"), picture}, {QStringLiteral("b"), picture},

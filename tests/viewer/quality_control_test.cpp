@@ -17,11 +17,11 @@ class QualityControlTest : public test::OffscreenTest {
   protected:
     void SetUp() override {
         OffscreenTest::SetUp();
-        const auto front = app::builtInQualityFront();
+        const auto front = live::builtInQualityFront();
         ASSERT_TRUE(front.ok());
         control_.emplace(*front);
         QObject::connect(&*control_, &QualityControl::changed, &*control_,
-                         [this](const app::LiveQuality& quality) { told_.push_back(quality); });
+                         [this](const live::LiveQuality& quality) { told_.push_back(quality); });
     }
     void TearDown() override {
         control_.reset();
@@ -31,7 +31,7 @@ class QualityControlTest : public test::OffscreenTest {
     QCheckBox& automatic() { return *control_->findChild<QCheckBox*>(QStringLiteral("quality-automatic")); }
 
     std::optional<QualityControl> control_;
-    std::vector<app::LiveQuality> told_;
+    std::vector<live::LiveQuality> told_;
 };
 
 TEST_F(QualityControlTest, ByItselfItChangesNothing) {
@@ -68,10 +68,10 @@ TEST_F(QualityControlTest, EachStopIsToldAndSaysWhatItCosts) {
     }
     ASSERT_EQ(told_.size(), stops.size());
     EXPECT_FALSE(told_.front().hasFovea);
-    EXPECT_EQ(told_.back().fovea, stops.back().fovea->wish);
+    EXPECT_EQ(told_.back().fovea, stops.back().fovea->request);
     automatic().setChecked(true);
     EXPECT_FALSE(control_->stop());
-    EXPECT_EQ(told_.back(), app::LiveQuality());
+    EXPECT_EQ(told_.back(), live::LiveQuality());
 }
 
 TEST_F(QualityControlTest, KeysGoStepByStepAndStopAtTheEnds) {
@@ -121,9 +121,9 @@ class ConvergeNowTest : public testing::Test {
         QObject::connect(&converge_, &ConvergeNow::ended, &converge_,
                          [this](const QString& told) { ended_.push_back(told); });
     }
-    static app::FrameShown frame(double noise, app::Stage stage = app::Stage::converging) {
-        app::FrameShown shown;
-        shown.picture = app::OnScreen::traced;
+    static live::FrameShown frame(double noise, live::Stage stage = live::Stage::converging) {
+        live::FrameShown shown;
+        shown.picture = live::OnScreen::traced;
         shown.stage = stage;
         shown.samplesPerPixel = 100;
         shown.noise = noise;
@@ -145,10 +145,10 @@ TEST_F(ConvergeNowTest, TellsHowFarItIsAndHowLongItTakes) {
     converge_.start();
     ASSERT_EQ(goals_.size(), 1u);
     EXPECT_TRUE(goals_[0].convergesNow);
-    EXPECT_LT(goals_[0].noiseTarget, app::kUnseenNoise);
+    EXPECT_LT(goals_[0].noiseTarget, live::kUnseenNoise);
     EXPECT_GT(goals_[0].sampleLimit, 512u);
-    app::FrameShown early = frame(0.1, app::Stage::converged);
-    early.noiseTarget = app::kUnseenNoise;
+    live::FrameShown early = frame(0.1, live::Stage::converged);
+    early.noiseTarget = live::kUnseenNoise;
     converge_.onFrame(early);
     EXPECT_TRUE(converge_.running()) << "a frame of before";
     converge_.onFrame(frame(std::numeric_limits<double>::infinity()));
@@ -158,7 +158,7 @@ TEST_F(ConvergeNowTest, TellsHowFarItIsAndHowLongItTakes) {
     converge_.onFrame(frame(2.0 * ConvergeNow::kNoiseTarget));  // a quarter
     EXPECT_NEAR(fraction_, 0.25, 1e-9);
     EXPECT_TRUE(stage_.contains(QStringLiteral("32 s left"))) << stage_.toStdString();
-    converge_.onFrame(frame(0.9 * ConvergeNow::kNoiseTarget, app::Stage::converged));
+    converge_.onFrame(frame(0.9 * ConvergeNow::kNoiseTarget, live::Stage::converged));
     EXPECT_FALSE(converge_.running());
     ASSERT_EQ(ended_.size(), 1u);
     EXPECT_TRUE(ended_[0].contains(QStringLiteral("final")));
@@ -177,8 +177,8 @@ TEST_F(ConvergeNowTest, EndsWhenSomebodyStopsItOrSomethingElseIsShown) {
     EXPECT_TRUE(ended_[0].isEmpty());
     EXPECT_FALSE(goals_.back().convergesNow);
     converge_.start();
-    app::FrameShown model = frame(1.0);
-    model.picture = app::OnScreen::model;
+    live::FrameShown model = frame(1.0);
+    model.picture = live::OnScreen::model;
     converge_.onFrame(model);
     EXPECT_TRUE(converge_.running());
     converge_.onOtherPicture();

@@ -24,11 +24,11 @@ class QuitTest : public WindowTest {
     void drawPicture(const QString& file, int sidePx, const char* quality) {
         auto* exporter = window_->findChild<PictureExport*>();
         ASSERT_NE(exporter, nullptr);
-        const ViewerSession& session = window_->session();
+        const StudyEditor& session = window_->session();
         exporter->start({.volume = session.study().volume,
                          .seriesDigest = session.study().seriesDigest,
-                         .drawing = app::drawingOf(session.state(), session.catalogue(), windows_,
-                                                   session.study().volume, nullptr),
+                         .drawing = scene::drawingOf(session.state(), session.catalogue(), windows_,
+                                                     session.study().volume, nullptr),
                          .camera = *window_->state().camera,
                          .sizePx = glm::ivec2(sidePx),
                          .effort = {.quality = quality},
@@ -52,7 +52,7 @@ class QuitTest : public WindowTest {
     }
 
     QTemporaryDir folder_;
-    app::SeriesWindows windows_;
+    scene::SeriesWindows windows_;
 };
 
 TEST_F(QuitTest, FinishesThePictureFirstWhereThatIsChosen) {
@@ -96,15 +96,15 @@ TEST_F(QuitTest, StaysOpenWhereThePictureCouldNotBeDrawn) {
 TEST_F(QuitTest, APictureOf3dThatIsNotShownIsSaidToBeThat) {
     window_->open(std::nullopt);
     ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
-    for (const auto layout : {app::Layout::fourPanes, app::Layout::axial}) {
+    for (const auto layout : {scene::Layout::fourPanes, scene::Layout::axial}) {
         window_->session().change(QStringLiteral("Panes"),
-                                  [&](app::StudyState& next) { next.layout = layout; });
+                                  [&](scene::StudyState& next) { next.layout = layout; });
         window_->findChild<QAction*>(QStringLiteral("save-picture"))->trigger();
         auto* dialog = window_->findChild<PictureDialog*>();
         ASSERT_NE(dialog, nullptr);
         const auto* hidden = dialog->findChild<QLabel*>(QStringLiteral("3d-is-hidden"));
         ASSERT_NE(hidden, nullptr);
-        EXPECT_EQ(hidden->isVisible(), layout == app::Layout::axial);
+        EXPECT_EQ(hidden->isVisible(), layout == scene::Layout::axial);
         EXPECT_GT(dialog->sizePx().width(), 100);
         EXPECT_GT(dialog->sizePx().height(), 100);
         dialog->reject();

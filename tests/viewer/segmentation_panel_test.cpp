@@ -40,7 +40,7 @@ class SegmentationPanelTest : public test::OffscreenTest {
         seg.sopInstanceUid = "2.25.4444";
         seg.seriesUid = "2.25.4445";
         dicom::test::writeSegmentation(folder_ / "seg/b", seg);
-        session_.emplace(app::Catalogue{});
+        session_.emplace(scene::Catalogue{});
         keeper_.emplace(*session_);
         hidden_.emplace();
         panel_.emplace(*session_, *keeper_);
@@ -65,7 +65,7 @@ class SegmentationPanelTest : public test::OffscreenTest {
     }
     void openFolder() {
         Progress progress;
-        auto study = app::openStudy(folder_.path(), progress);
+        auto study = study::openStudy(folder_.path(), progress);
         ASSERT_TRUE(study) << study.error().message;
         hidden_->setVolume(study->volume);
         session_->show(*std::move(study), {});
@@ -108,7 +108,7 @@ class SegmentationPanelTest : public test::OffscreenTest {
     dicom::test::TemporaryFolder folder_;
     dicom::test::SyntheticSeries series_;
     glm::dvec3 centreMm_{0.0};
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<SegmentationKeeper> keeper_;
     std::optional<HiddenVoxels> hidden_;
     std::optional<SegmentationPanel> panel_;
@@ -320,7 +320,7 @@ TEST_F(SegmentationPanelTest, WhatCannotBeHiddenIsNotChosen) {
     select(1);
     click("segment-hide");
     ASSERT_TRUE(settled());
-    const app::StudyState before = session_->state();
+    const scene::StudyState before = session_->state();
     const QString undone = session_->undoText();
     std::optional<Error> told;
     QObject::connect(&*keeper_, &SegmentationKeeper::failed, [&](const Error& error) { told = error; });
@@ -407,9 +407,9 @@ TEST_F(SegmentationPanelTest, AStateThatIsOpenedAgainShowsThemAndWhatIsGoneIsTol
     select(0);
     click("segment-alone");
     ASSERT_TRUE(settled());
-    const app::StudyState state = session_->state();
+    const scene::StudyState state = session_->state();
     const std::size_t alone = left();
-    app::OpenedStudy study = session_->study();
+    study::OpenedStudy study = session_->study();
     hidden_->setVolume(study.volume);
     session_->show(study, state);
     ASSERT_TRUE(settled());

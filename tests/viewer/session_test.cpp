@@ -26,7 +26,7 @@ class SessionTest : public WindowTest {
         origins_.clear();
         makeWindow();
         QObject::connect(&*window_, &MainWindow::frameShown, &*window_,
-                         [this](const app::FrameShown& frame) { origins_.push_back(frame.model.origin); });
+                         [this](const live::FrameShown& frame) { origins_.push_back(frame.model.origin); });
     }
     bool waitForOrigin(hybrid::ModelOrigin origin) {
         return waitUntil([&] { return !origins_.empty() && origins_.back() == origin; });
@@ -46,7 +46,7 @@ TEST_F(SessionTest, ComesBackAsItWasLeftWithItsModel) {
     ASSERT_TRUE(waitForConverged());
     EXPECT_FALSE(window_->notes().contains(QLatin1String("as it was left")));
     ASSERT_TRUE(waitUntil([&] { return steps() >= 60; }));
-    app::StudyState left = window_->state();
+    scene::StudyState left = window_->state();
     left.settings.lightStrength = 1.5;
     left.camera->positionMm += glm::dvec3(40.0, 10.0, 5.0);
     ASSERT_TRUE(window_->setState(left).ok());
@@ -60,14 +60,14 @@ TEST_F(SessionTest, ComesBackAsItWasLeftWithItsModel) {
     // No picture of it ever was of a model that began anew.
     EXPECT_EQ(std::count(origins_.begin(), origins_.end(), hybrid::ModelOrigin::points), 0);
     EXPECT_TRUE(window_->notes().contains(QLatin1String("as it was left"))) << window_->notes().toStdString();
-    const app::StudyState now = window_->state();
+    const scene::StudyState now = window_->state();
     EXPECT_EQ(now.settings.lightStrength, 1.5);
     EXPECT_LT(glm::distance(now.camera->positionMm, left.camera->positionMm), 1e-6);
     ASSERT_TRUE(waitForConverged());
     EXPECT_GE(steps(), stepsLeft);
 
     // And as nobody has left it, which can be undone. What was measured stays.
-    window_->session().change(QStringLiteral("Distance"), [](app::StudyState& next) {
+    window_->session().change(QStringLiteral("Distance"), [](scene::StudyState& next) {
         next.measurements = {
             {.label = {}, .shape = slices::Distance{.endsMm = {glm::dvec3(0.0), glm::dvec3(9.0)}}}};
     });
@@ -107,11 +107,11 @@ TEST_F(SessionStateTest, MenusAndListsShowWhatComesBack) {
     ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
     const QString usual = lights().currentText();
     ASSERT_FALSE(usual.isEmpty());
-    const auto catalogue = app::builtInCatalogue();
+    const auto catalogue = scene::builtInCatalogue();
     ASSERT_TRUE(catalogue.ok());
-    app::StudyState left = window_->state();
+    scene::StudyState left = window_->state();
     for (const auto& rig : catalogue->lights)
-        if (rig != app::defaultLights(*catalogue, trace::Look::cinematic)) left.lights = rig;
+        if (rig != scene::defaultLights(*catalogue, trace::Look::cinematic)) left.lights = rig;
     ASSERT_NE(left.lights, nullptr);
     left.settings.look = trace::Look::average;
     ASSERT_TRUE(window_->setState(left).ok());
@@ -144,7 +144,7 @@ TEST_F(SessionStateTest, AStateThatIsNotShownStaysAsLongAsNothingIsChanged) {
     window_.reset();
     const auto volume = std::make_shared<const Volume>(phantom::make());
     {
-        app::ModelKeeper keeper({.folder = *sessions_}, {});
+        live::StudyKeeper keeper({.folder = *sessions_}, {});
         keeper.keepState(volume, R"({"version": 2, "later": true})");
     }
     makeWindow();
@@ -152,7 +152,7 @@ TEST_F(SessionStateTest, AStateThatIsNotShownStaysAsLongAsNothingIsChanged) {
     ASSERT_TRUE(waitForConverged());
     EXPECT_TRUE(window_->notes().contains(QLatin1String("cannot be read"))) << window_->notes().toStdString();
     window_.reset();
-    app::ModelKeeper keeper({.folder = *sessions_}, {});
+    live::StudyKeeper keeper({.folder = *sessions_}, {});
     const auto left = keeper.stateOf(volume, std::chrono::minutes(1));
     ASSERT_TRUE(left);
     EXPECT_NE(left->find("later"), std::string::npos);

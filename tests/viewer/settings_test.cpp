@@ -25,7 +25,7 @@ Settings someSettings() {
     settings.language = Language::german;
     settings.highContrast = true;
     settings.fontScale = 1.5;
-    settings.sessionFolder = QStringLiteral("/some/folder");
+    settings.storeFolder = QStringLiteral("/some/folder");
     settings.keepDays = 90;
     settings.modelCapMb = 500;
     settings.quality = QStringLiteral("draft");
@@ -185,8 +185,8 @@ TEST_F(SettingsDialogTest, TakesWhatAPersonChooses) {
     EXPECT_EQ(now.language, Language::german);
     EXPECT_TRUE(now.deidentifies);
     EXPECT_EQ(now.keepDays, 30);
-    EXPECT_TRUE(now.sessionFolder.startsWith(QLatin1Char('/')));
-    EXPECT_TRUE(now.sessionFolder.endsWith(QLatin1String("/relative")));
+    EXPECT_TRUE(now.storeFolder.startsWith(QLatin1Char('/')));
+    EXPECT_TRUE(now.storeFolder.endsWith(QLatin1String("/relative")));
 }
 
 }  // namespace

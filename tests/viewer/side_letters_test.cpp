@@ -13,10 +13,10 @@ namespace {
 
 using SideLettersTest = test::OffscreenTest;
 
-const app::EdgeLetters kFront{.left = "R", .right = "L", .top = "S", .bottom = "I"};
+const scene::EdgeLetters kFront{.left = "R", .right = "L", .top = "S", .bottom = "I"};
 
 // How many device pixels of the picture are covered there.
-int coveredIn(const app::PictureText& marks, const QRect& part) {
+int coveredIn(const live::PictureText& marks, const QRect& part) {
     int count = 0;
     for (std::size_t i = 0; i < marks.boxes.size(); ++i) {
         const VkExtent2D size = marks.boxes[i].extent;
@@ -58,7 +58,7 @@ TEST_F(SideLettersTest, WhereTheyHaveNoRoomThereAreNone) {
 }
 
 TEST_F(SideLettersTest, OtherSidesAreOtherPixels) {
-    const app::EdgeLetters back{.left = "L", .right = "R", .top = "S", .bottom = "I"};
+    const scene::EdgeLetters back{.left = "L", .right = "R", .top = "S", .bottom = "I"};
     EXPECT_NE(withSideLetters(nullptr, kFront, QSize(400, 300), 1.0)->rgba,
               withSideLetters(nullptr, back, QSize(400, 300), 1.0)->rgba);
 }

@@ -11,11 +11,11 @@ using slices::Orientation;
 class ClippedSliceTest : public SliceViewTest {
   protected:
     void clipLeft() {
-        session_->change("Clip", [this](app::StudyState& next) {
-            next.clip = *app::withFace({}, app::Face::left, 6.0, *session_->study().volume);
+        session_->change("Clip", [this](scene::StudyState& next) {
+            next.clip = *scene::withFace({}, scene::Face::left, 6.0, *session_->study().volume);
         });
     }
-    double leftMm() const { return app::keptBox(state().clip, *session_->study().volume)->high.x; }
+    double leftMm() const { return scene::keptBox(state().clip, *session_->study().volume)->high.x; }
     static int greyAt(SliceView& view, const glm::dvec3& mm) {
         return qGray(pictureOf(view).pixel(placeOf(view, mm)));
     }
@@ -23,7 +23,7 @@ class ClippedSliceTest : public SliceViewTest {
 
 TEST_F(ClippedSliceTest, WhatIsRemovedIsDimmed) {
     showStudy();
-    session_->change("Cross-hair", [](app::StudyState& next) {
+    session_->change("Cross-hair", [](scene::StudyState& next) {
         next.slices.crosshairMm = {-19.0, -14.0, 12.0};
         next.slices.window =
             DisplayWindow{.center = 0.0, .width = 1000.0, .explanation = {}, .function = "LINEAR"};
@@ -78,14 +78,15 @@ TEST_F(ClippedSliceTest, WithoutAClipABorderOfTheVolumeIsTakenHoldOf) {
     const Box all = session_->study().volume->worldBox();
     drag(*view, Qt::LeftButton, placeOf(*view, {0.0, 0.0, all.high.z}), placeOf(*view, {0.0, 0.0, 8.0}));
     ASSERT_TRUE(state().clip);
-    EXPECT_NEAR(app::keptBox(state().clip, *session_->study().volume)->high.z, 8.0, 0.2) << "superior is up";
+    EXPECT_NEAR(scene::keptBox(state().clip, *session_->study().volume)->high.z, 8.0, 0.2)
+        << "superior is up";
 }
 
 TEST_F(ClippedSliceTest, TheBallIsMovedAndSized) {
     showStudy();
     const auto view = pane(Orientation::axial);
-    session_->change("Clip", [this](app::StudyState& next) {
-        next.clip = *app::withBallRemoved({}, {0.0, 0.0, 4.0}, 8.0, *session_->study().volume);
+    session_->change("Clip", [this](scene::StudyState& next) {
+        next.clip = *scene::withBallRemoved({}, {0.0, 0.0, 4.0}, 8.0, *session_->study().volume);
     });
     view->showClip(true, true);
     const auto ball = [&] { return *clipFor(*state().clip, *session_->study().volume).ball; };

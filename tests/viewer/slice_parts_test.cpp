@@ -264,14 +264,14 @@ TEST(MeasurementHandles, TheNearestOneIsHitBeforeAnyLine) {
 
 TEST(SliceTexts, SidesOfThePictureAreThoseOfThePatient) {
     const auto letters = [](Orientation orientation) {
-        const app::EdgeLetters sides = edgeLetters(slices::planeOf(orientation, {}));
+        const scene::EdgeLetters sides = edgeLetters(slices::planeOf(orientation, {}));
         return sides.left + sides.right + sides.top + sides.bottom;
     };
     EXPECT_EQ(letters(Orientation::axial), "RLAP");
     EXPECT_EQ(letters(Orientation::coronal), "RLSI");
     EXPECT_EQ(letters(Orientation::sagittal), "APSI");
-    const app::EdgeLetters oblique = edgeLetters({.right = glm::normalize(glm::dvec3(1.0, 0.3, 0.0)),
-                                                  .down = glm::normalize(glm::dvec3(-0.3, 1.0, 0.0))});
+    const scene::EdgeLetters oblique = edgeLetters({.right = glm::normalize(glm::dvec3(1.0, 0.3, 0.0)),
+                                                    .down = glm::normalize(glm::dvec3(-0.3, 1.0, 0.0))});
     EXPECT_EQ(oblique.left, "RA");
     EXPECT_EQ(oblique.bottom, "PR");
 }
@@ -321,7 +321,7 @@ TEST(ClipDimming, IsPaintedOnceForAsLongAsNothingChanges) {
     EXPECT_EQ(image.size(), QSize(200, 160));
     EXPECT_EQ(qAlpha(image.pixel(50, 80)), 0);
     EXPECT_GT(qAlpha(image.pixel(150, 80)), 100);
-    clip.held = app::ClipHandle{};
+    clip.held = scene::ClipHandle{};
     EXPECT_EQ(dimming.imageFor(clip, {100, 80}, 2.0).cacheKey(), image.cacheKey()) << "it was painted anew";
     EXPECT_EQ(dimming.imageFor(clip, {50, 80}, 2.0).size(), QSize(100, 160));
     clip.scissors[0].removesOutside = false;

@@ -26,7 +26,7 @@ class SliceViewTest : public testing::Test {
     SliceViewTest() {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         application_.emplace(argc_, argv_);
-        session_.emplace(app::Catalogue{});
+        session_.emplace(scene::Catalogue{});
     }
 
     void showStudy(VolumeOptions options = test::sliceVolumeOptions()) {
@@ -44,7 +44,7 @@ class SliceViewTest : public testing::Test {
         return waitUntil([&] { return view.isUpToDate(); });
     }
 
-    const app::StudyState& state() const { return session_->state(); }
+    const scene::StudyState& state() const { return session_->state(); }
     glm::dvec3 crosshair() const { return state().slices.crosshairMm.value_or(glm::dvec3(0.0)); }
 
     static void move(QWidget& to, QPoint place, Qt::MouseButtons buttons) {
@@ -93,7 +93,7 @@ class SliceViewTest : public testing::Test {
     char name_[5] = "test";
     char* argv_[2] = {name_, nullptr};
     std::optional<QApplication> application_;
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
 };
 
 }  // namespace macula::viewer

@@ -33,7 +33,7 @@ TEST_F(SliceViewTest, WithoutAStudyItIsBlackAndTakesAnyEvent) {
 TEST_F(SliceViewTest, NothingIsMirrored) {
     showStudy();
     session_->change("Cross-hair",
-                     [](app::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
+                     [](scene::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
     // The patient's right is at the left of an axial and a coronal picture, anterior at the left of a
     // sagittal one, and the head is up.
     for (const Orientation orientation : {Orientation::axial, Orientation::coronal, Orientation::sagittal}) {
@@ -50,7 +50,7 @@ TEST_F(SliceViewTest, NothingIsMirrored) {
 TEST_F(SliceViewTest, SegmentsLieOverTheirVoxelsAndTheProbeNamesThem) {
     showStudy();
     session_->change("Cross-hair",
-                     [](app::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
+                     [](scene::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
     VoxelSet set({4, 3, 14}, {10, 9, 18});  // the white block
     for (int k = 14; k <= 18; ++k)
         for (int j = 3; j <= 9; ++j)
@@ -235,7 +235,7 @@ TEST_F(SliceViewTest, ARightDragSetsTheWindow) {
     showStudy();
     const auto view = pane(Orientation::coronal);
     const DisplayWindow series = test::sliceVolumeOptions().windows.front();
-    const DisplayWindow expected = app::dragged(series, {0.1, 0.0}, *session_->study().volume);
+    const DisplayWindow expected = scene::dragged(series, {0.1, 0.0}, *session_->study().volume);
     drag(*view, Qt::RightButton, {200, 200}, {240, 200});
     ASSERT_TRUE(state().slices.window);
     EXPECT_NEAR(state().slices.window->width, expected.width, 1e-6);
@@ -337,7 +337,7 @@ TEST_F(SliceViewTest, WhatIsBegunOnOneSliceDoesNotEndOnAnother) {
 
 // Slices are counted from the feet, images of most series from the head: a report names the image.
 TEST_F(SliceViewTest, TellsTheNumberOfTheImageWhereItIsAnother) {
-    app::OpenedStudy study{.volume = test::sliceVolume()};
+    study::OpenedStudy study{.volume = test::sliceVolume()};
     for (int k = 0; k < 21; ++k) study.imageNumbers.push_back(k == 10 ? 0 : 21 - k);
     session_->show(std::move(study), {});
     const auto axial = pane(Orientation::axial);
@@ -493,7 +493,7 @@ TEST_F(SliceViewTest, ALabelIsTypedWhereTheMeasurementLies) {
 
     // One that is gone meanwhile takes its words along.
     QTest::keyClick(view.get(), Qt::Key_Return);
-    session_->change("Removed", [](app::StudyState& next) { next.measurements.clear(); });
+    session_->change("Removed", [](scene::StudyState& next) { next.measurements.clear(); });
     editor()->setText("late");
     QTest::keyClick(editor(), Qt::Key_Return);
     EXPECT_TRUE(state().measurements.empty());

@@ -14,7 +14,7 @@ TEST_F(SliceViewTest, WhatIsPointedAtAndWhatNobodyTookIsSaid) {
     const auto view = pane(Orientation::axial);
     EXPECT_EQ(view->notes(), QStringList{"Interpolated: no image was taken here"});
     session_->change("Cross-hair",
-                     [](app::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
+                     [](scene::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
     ASSERT_TRUE(settled(*view));
     EXPECT_TRUE(view->notes().isEmpty());
     move(*view, placeOf(*view, test::kBlockCentreMm), Qt::NoButton);
@@ -22,7 +22,7 @@ TEST_F(SliceViewTest, WhatIsPointedAtAndWhatNobodyTookIsSaid) {
         << view->probedText().toStdString();
     move(*view, {200, 5}, Qt::NoButton);
     EXPECT_TRUE(view->probedText().startsWith("Outside")) << view->probedText().toStdString();
-    session_->change("Slab", [](app::StudyState& next) {
+    session_->change("Slab", [](scene::StudyState& next) {
         next.slices.slab = {.thicknessMm = 10.0, .projection = slices::Projection::maximum};
     });
     ASSERT_TRUE(settled(*view));
@@ -48,13 +48,13 @@ TEST_F(SliceViewTest, PlanesAcrossMarkWhereNoImageWasTaken) {
             EXPECT_GT(marked, 60) << z;
         }
     }
-    session_->change("Slab", [](app::StudyState& next) {
+    session_->change("Slab", [](scene::StudyState& next) {
         next.slices.crosshairMm = glm::dvec3(0.0, 0.0, 8.0);  // slice 14
         next.slices.slab.thicknessMm = 12.0;
     });
     const auto axial = pane(Orientation::axial);
     EXPECT_TRUE(axial->notes().contains("Some slices of the slab are interpolated"));
-    session_->change("Slab", [](app::StudyState& next) { next.slices.slab.thicknessMm = 2.0; });
+    session_->change("Slab", [](scene::StudyState& next) { next.slices.slab.thicknessMm = 2.0; });
     ASSERT_TRUE(settled(*axial));
     EXPECT_FALSE(axial->notes().contains("Some slices of the slab are interpolated"));
     move(*axial, placeOf(*axial, {0.0, 0.0, 8.0}), Qt::NoButton);
@@ -74,7 +74,7 @@ TEST_F(SliceViewTest, PetIsBlackOnWhiteFromZeroOn) {
     options.windows = {{.center = 500.0, .width = 1000.0, .explanation = {}, .function = {}}};
     session_->show({.volume = test::sliceVolume(std::move(options)), .isLowBright = true}, {});
     session_->change("Cross-hair",
-                     [](app::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
+                     [](scene::StudyState& next) { next.slices.crosshairMm = test::kBlockCentreMm; });
     const auto view = pane(Orientation::axial);
     EXPECT_TRUE(view->notes().contains("Low values are white, as is custom for PET"));
     const QImage picture = pictureOf(*view);

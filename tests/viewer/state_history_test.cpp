@@ -1,5 +1,5 @@
 // The steps that a person can take back.
-#include "viewer/session/state_history.h"
+#include "viewer/editor/state_history.h"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 const QString kSlab = QStringLiteral("Slab");
 const QString kLayout = QStringLiteral("Layout");
 
-app::StudyState thick(double mm) {
-    app::StudyState state;
+scene::StudyState thick(double mm) {
+    scene::StudyState state;
     state.slices.slab.thicknessMm = mm;
     return state;
 }
@@ -44,8 +44,8 @@ TEST(StateHistory, HasNothingToUndoAtFirst) {
 TEST(StateHistory, GoesBackAndForth) {
     StateHistory history;
     EXPECT_TRUE(history.push(kSlab, thick(1)));
-    app::StudyState axial = thick(1);
-    axial.layout = app::Layout::axial;
+    scene::StudyState axial = thick(1);
+    axial.layout = scene::Layout::axial;
     EXPECT_TRUE(history.push(kLayout, axial));
     EXPECT_EQ(history.undoText(), kLayout);
     history.undo();
@@ -53,7 +53,7 @@ TEST(StateHistory, GoesBackAndForth) {
     EXPECT_EQ(history.undoText(), kSlab);
     EXPECT_EQ(history.redoText(), kLayout);
     history.undo();
-    EXPECT_EQ(history.now(), app::StudyState());
+    EXPECT_EQ(history.now(), scene::StudyState());
     EXPECT_FALSE(history.canUndo());
     history.redo();
     history.redo();
@@ -133,10 +133,10 @@ TEST(StateHistory, ForgetsTheOldestOfTooMany) {
 }
 
 // A star with as many points as an outline may have.
-app::SharedOutline outlineOf(double size) {
+scene::SharedOutline outlineOf(double size) {
     std::vector<glm::dvec2> points;
-    for (std::size_t i = 0; i < app::kMostOutlinePoints; ++i) {
-        const double turn = double(i) / double(app::kMostOutlinePoints) * 6.28;
+    for (std::size_t i = 0; i < scene::kMostOutlinePoints; ++i) {
+        const double turn = double(i) / double(scene::kMostOutlinePoints) * 6.28;
         points.emplace_back(size * std::cos(turn), size * std::sin(turn));
     }
     return points;
@@ -144,22 +144,22 @@ app::SharedOutline outlineOf(double size) {
 
 // The most cuts that there may be, and then other things are changed.
 TEST(StateHistory, StepsShareTheOutlinesOfScissors) {
-    constexpr std::size_t kOutlineBytes = app::kMostOutlinePoints * sizeof(glm::dvec2);
+    constexpr std::size_t kOutlineBytes = scene::kMostOutlinePoints * sizeof(glm::dvec2);
     StateHistory history;
-    app::StudyState state;
-    for (std::size_t i = 0; i < app::kMostScissorCuts; ++i) {
+    scene::StudyState state;
+    for (std::size_t i = 0; i < scene::kMostScissorCuts; ++i) {
         state.cuts.scissors.push_back({.camera = {}, .outline = outlineOf(1.0 + double(i))});
         history.push(QStringLiteral("Scissors"), state);
     }
     const std::size_t cut = history.bytes();
-    EXPECT_GE(cut, app::kMostScissorCuts * kOutlineBytes);
-    EXPECT_LT(cut, 4 * app::kMostScissorCuts * kOutlineBytes) << "each of them once, not 25 times";
+    EXPECT_GE(cut, scene::kMostScissorCuts * kOutlineBytes);
+    EXPECT_LT(cut, 4 * scene::kMostScissorCuts * kOutlineBytes) << "each of them once, not 25 times";
     for (int mm = 1; mm <= 100; ++mm) {
         state.slices.slab.thicknessMm = mm;
         history.push(kSlab, state);
     }
     EXPECT_LT(history.bytes() - cut,
-              100 * 2 * (sizeof state + app::kMostScissorCuts * sizeof(app::ScissorCut)));
+              100 * 2 * (sizeof state + scene::kMostScissorCuts * sizeof(scene::ScissorCut)));
     EXPECT_EQ(undoAll(history), 150);
     // What nobody can go to any more is gone.
     history.push(kSlab, thick(2));
@@ -169,7 +169,7 @@ TEST(StateHistory, StepsShareTheOutlinesOfScissors) {
 
 TEST(StateHistory, ForgetsTheOldestOfStepsThatAreTooLargeTogether) {
     StateHistory history;
-    app::StudyState large;
+    scene::StudyState large;
     large.otherKeys.assign(kMostHistoryBytes / 4, ' ');
     for (int mm = 1; mm <= 10; ++mm) {
         large.slices.slab.thicknessMm = mm;
@@ -192,7 +192,7 @@ TEST(StateHistory, ForgetsTheOldestOfStepsThatAreTooLargeTogether) {
 
 TEST(StateHistory, CountsWhatIsPutInThePlaceOfAnother) {
     StateHistory history;
-    app::StudyState state;
+    scene::StudyState state;
     const std::size_t empty = history.bytes();
     state.cuts.scissors.push_back({.camera = {}, .outline = outlineOf(1.0)});
     history.push(kSlab, state, true);
@@ -200,7 +200,7 @@ TEST(StateHistory, CountsWhatIsPutInThePlaceOfAnother) {
     state.cuts.scissors[0].outline = outlineOf(2.0);
     history.push(kSlab, state, true);
     EXPECT_EQ(history.bytes(), one) << "it took the place of the other";
-    history.correct([](app::StudyState& next) { next.cuts = {}; });
+    history.correct([](scene::StudyState& next) { next.cuts = {}; });
     EXPECT_EQ(history.bytes(), empty) << "the step was of nothing else";
     history.begin({});
     EXPECT_EQ(history.bytes(), empty);
@@ -210,11 +210,11 @@ TEST(StateHistory, CountsThePresetOfASecondVolumeOnce) {
     auto preset = std::make_shared<TransferFunction>();
     preset->document.assign(100'000, ' ');
     StateHistory history;
-    app::StudyState state;
-    state.beside.emplace();
-    state.beside->preset = std::move(preset);
+    scene::StudyState state;
+    state.secondVolume.emplace();
+    state.secondVolume->preset = std::move(preset);
     for (const double opacity : {0.1, 0.2, 0.3}) {
-        state.beside->opacity = opacity;
+        state.secondVolume->opacity = opacity;
         history.push(kSlab, state);
     }
     EXPECT_GT(history.bytes(), 100'000u);
@@ -231,7 +231,7 @@ TEST(StateHistory, WhatComesOfItselfIsNoStep) {
     EXPECT_EQ(thicknessMm(history), 7);
     EXPECT_TRUE(history.canRedo());
     EXPECT_EQ(undoAll(history), 1);
-    EXPECT_EQ(history.now(), app::StudyState());
+    EXPECT_EQ(history.now(), scene::StudyState());
 }
 
 // With a step after it, which stays: the undo goes to before what was not to be had.
@@ -239,10 +239,10 @@ TEST(StateHistory, WhatIsNotToBeHadIsNoStep) {
     StateHistory history;
     history.push(kSlab, thick(1));
     history.push(kSlab, thick(9));
-    app::StudyState axial = thick(9);
-    axial.layout = app::Layout::axial;
+    scene::StudyState axial = thick(9);
+    axial.layout = scene::Layout::axial;
     history.push(kLayout, axial);
-    EXPECT_TRUE(history.correct([](app::StudyState& each) {
+    EXPECT_TRUE(history.correct([](scene::StudyState& each) {
         if (each.slices.slab.thicknessMm == 9) each.slices.slab.thicknessMm = 1;
     }));
     EXPECT_EQ(thicknessMm(history), 1);
@@ -250,12 +250,12 @@ TEST(StateHistory, WhatIsNotToBeHadIsNoStep) {
     EXPECT_FALSE(history.canRedo());
     history.undo();
     EXPECT_EQ(history.now(), thick(1));
-    EXPECT_FALSE(history.correct([](app::StudyState&) {}));
+    EXPECT_FALSE(history.correct([](scene::StudyState&) {}));
     EXPECT_EQ(undoAll(history), 1);
-    EXPECT_EQ(history.now(), app::StudyState());
+    EXPECT_EQ(history.now(), scene::StudyState());
     history.redo();
     history.redo();
-    EXPECT_EQ(history.now().layout, app::Layout::axial);
+    EXPECT_EQ(history.now().layout, scene::Layout::axial);
 }
 
 }  // namespace

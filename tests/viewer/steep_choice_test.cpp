@@ -24,7 +24,7 @@ class SteepChoiceTest : public test::OffscreenTest {
   protected:
     void SetUp() override {
         OffscreenTest::SetUp();
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok());
         session_.emplace(*std::move(catalogue));
         editor_.emplace(*session_);
@@ -38,8 +38,8 @@ class SteepChoiceTest : public test::OffscreenTest {
     }
 
     void showPhantom(const char* name) {
-        app::StudyState state;
-        state.preset = *app::findPreset(session_->catalogue(), name);
+        scene::StudyState state;
+        state.preset = *scene::findPreset(session_->catalogue(), name);
         session_->show({.volume = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 16}}))},
                        state);
         ASSERT_TRUE(waitUntil([&] { return !editor_->isCounting(); }));
@@ -63,7 +63,7 @@ class SteepChoiceTest : public test::OffscreenTest {
         QTest::mouseRelease(&curve(), Qt::LeftButton, {}, from + QPoint(0, -20));
     }
 
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<TransferFunctionEditor> editor_;
 };
 
@@ -166,7 +166,7 @@ TEST_F(SteepChoiceTest, AreKeptWithTheState) {
     showPhantom("ct-bone");
     addSteep();
     dragPointUp(2);
-    const Result<app::StudyState> again = app::studyStateFromJson(app::toJson(session_->state()), "state");
+    const Result<scene::StudyState> again = scene::studyStateFromJson(toJson(session_->state()), "state");
     ASSERT_TRUE(again.ok()) << again.error().message;
     EXPECT_EQ(again->preset->steep, now().steep);
 }

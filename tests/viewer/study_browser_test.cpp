@@ -90,7 +90,7 @@ TEST_F(StudyBrowserTest, SaysThatThereIsNoFolder) {
     EXPECT_TRUE(nothing_->isVisible());
     EXPECT_FALSE(nothing_->text().isEmpty());
     EXPECT_FALSE(tree_->isVisible());
-    browser_->setFound(app::test::twoPatients(), 0);
+    browser_->setFound(study::test::twoPatients(), 0);
     EXPECT_FALSE(nothing_->isVisible());
     EXPECT_TRUE(tree_->isVisible());
     browser_->setFound(nullptr, std::nullopt);
@@ -103,7 +103,7 @@ TEST_F(StudyBrowserTest, ControlsHaveNamesAndToolTips) {
         EXPECT_FALSE(control->accessibleName().isEmpty());
         EXPECT_FALSE(control->toolTip().isEmpty());
     }
-    browser_->setFound(app::test::twoPatients(), 0);
+    browser_->setFound(study::test::twoPatients(), 0);
     for (const QModelIndex& index : allRows())
         EXPECT_TRUE(index.data(Qt::AccessibleTextRole).toString().startsWith(index.data().toString()));
     const QString scout =
@@ -112,7 +112,7 @@ TEST_F(StudyBrowserTest, ControlsHaveNamesAndToolTips) {
 }
 
 TEST_F(StudyBrowserTest, TheModelKeepsItsWord) {
-    browser_->setFound(app::test::twoPatients(), 0);
+    browser_->setFound(study::test::twoPatients(), 0);
     const QAbstractItemModelTester tester(tree_->model(),
                                           QAbstractItemModelTester::FailureReportingMode::Fatal);
     type("echo");
@@ -120,13 +120,13 @@ TEST_F(StudyBrowserTest, TheModelKeepsItsWord) {
     browser_->showNames(false);
     browser_->setShown(3);
     browser_->setStored({1, 3});
-    browser_->setFound(app::test::manySeries(20), 7);
+    browser_->setFound(study::test::manySeries(20), 7);
     type("thorax 1");
     browser_->setFound(nullptr, std::nullopt);
 }
 
 TEST_F(StudyBrowserTest, WhatIsOpenIsSelectedAndSeen) {
-    browser_->setFound(app::test::twoPatients(), 2);
+    browser_->setFound(study::test::twoPatients(), 2);
     const QModelIndex open = rowTitled(QStringLiteral("TE 9.2 ms, phase 2 of 2"));
     EXPECT_TRUE(isOpen(open));
     EXPECT_EQ(tree_->currentIndex(), open);
@@ -136,13 +136,13 @@ TEST_F(StudyBrowserTest, WhatIsOpenIsSelectedAndSeen) {
 
 TEST_F(StudyBrowserTest, WhatIsSelectedIsOpenedBesideUnlessItIsOpen) {
     std::vector<std::size_t> asked;
-    QObject::connect(&*browser_, &StudyBrowser::besideAsked, &*browser_,
+    QObject::connect(&*browser_, &StudyBrowser::secondAsked, &*browser_,
                      [&](std::size_t index) { asked.push_back(index); });
     auto* beside = tree_->findChild<QAction*>(QStringLiteral("open-beside-row"));
     ASSERT_NE(beside, nullptr);
     beside->trigger();
     EXPECT_FALSE(browser_->selectedOther()) << "there is no folder";
-    browser_->setFound(app::test::twoPatients(), 2);
+    browser_->setFound(study::test::twoPatients(), 2);
     beside->trigger();
     EXPECT_TRUE(asked.empty()) << "it is open already";
     browser_->setShown(0);
@@ -154,7 +154,7 @@ TEST_F(StudyBrowserTest, WhatIsSelectedIsOpenedBesideUnlessItIsOpen) {
 }
 
 TEST_F(StudyBrowserTest, AClickSelectsAndADoubleClickChooses) {
-    browser_->setFound(app::test::twoPatients(), 3);
+    browser_->setFound(study::test::twoPatients(), 3);
     const QModelIndex portal = rowTitled(QStringLiteral("Series 2: Portal venous"));
     QTest::mouseClick(tree_->viewport(), Qt::LeftButton, {}, middleOf(portal));
     EXPECT_EQ(tree_->currentIndex(), portal);
@@ -170,7 +170,7 @@ TEST_F(StudyBrowserTest, AClickSelectsAndADoubleClickChooses) {
 }
 
 TEST_F(StudyBrowserTest, ArrowsAndEnterChoose) {
-    browser_->setFound(app::test::manySeries(5), 1);
+    browser_->setFound(study::test::manySeries(5), 1);
     EXPECT_TRUE(isOpen(tree_->currentIndex()));
     QTest::keyClick(tree_, Qt::Key_Down);
     EXPECT_EQ(chosen_, Chosen{});
@@ -183,13 +183,13 @@ TEST_F(StudyBrowserTest, ArrowsAndEnterChoose) {
 
 TEST_F(StudyBrowserTest, LettersFindTheNextRowThatBeginsSo) {
     QApplication::setKeyboardInputInterval(60'000);  // letters are of one word, however slow this machine is
-    browser_->setFound(app::test::manySeries(5), 1);
+    browser_->setFound(study::test::manySeries(5), 1);
     QTest::keyClicks(tree_, QStringLiteral("Series 4"));
     EXPECT_EQ(tree_->currentIndex().data().toString(), QStringLiteral("Series 4: Thorax 3"));
 }
 
 TEST_F(StudyBrowserTest, WhatCannotBeOpenedIsNotChosen) {
-    browser_->setFound(app::test::twoPatients(), 3);
+    browser_->setFound(study::test::twoPatients(), 3);
     for (const char* title :
          {"Series 1: Scout", "Series 9: Report of Jane", "Müller, Jörg", "4 files left out"}) {
         const QModelIndex row = rowTitled(QString::fromUtf8(title));
@@ -201,7 +201,7 @@ TEST_F(StudyBrowserTest, WhatCannotBeOpenedIsNotChosen) {
 }
 
 TEST_F(StudyBrowserTest, ASeriesOfSeveralVolumesUnfolds) {
-    browser_->setFound(app::test::twoPatients(), 3);
+    browser_->setFound(study::test::twoPatients(), 3);
     const QModelIndex series = rowTitled(QStringLiteral("Series 3: T2 two echoes"));
     EXPECT_FALSE(tree_->isExpanded(series));
     tree_->setCurrentIndex(series);
@@ -213,7 +213,7 @@ TEST_F(StudyBrowserTest, ASeriesOfSeveralVolumesUnfolds) {
 }
 
 TEST_F(StudyBrowserTest, SearchLeavesWhatMatches) {
-    browser_->setFound(app::test::twoPatients(), 3);
+    browser_->setFound(study::test::twoPatients(), 3);
     type("muller portal");
     EXPECT_EQ(titles(),
               (QStringList{QStringLiteral("Müller, Jörg"), QStringLiteral("2019-02-03, Abdomen of Jörg"),
@@ -227,7 +227,7 @@ TEST_F(StudyBrowserTest, SearchLeavesWhatMatches) {
 }
 
 TEST_F(StudyBrowserTest, SearchUnfoldsWhatItFound) {
-    browser_->setFound(app::test::twoPatients(), 3);
+    browser_->setFound(study::test::twoPatients(), 3);
     type("9.2");
     const QModelIndex found = rowTitled(QStringLiteral("TE 9.2 ms, phase 2 of 2"));
     EXPECT_TRUE(tree_->isExpanded(found.parent()));
@@ -235,7 +235,7 @@ TEST_F(StudyBrowserTest, SearchUnfoldsWhatItFound) {
 }
 
 TEST_F(StudyBrowserTest, NothingMatchesIsSaidAndEscEndsTheSearch) {
-    browser_->setFound(app::test::twoPatients(), 3);
+    browser_->setFound(study::test::twoPatients(), 3);
     const QStringList before = titles();
     const QModelIndex patient = rowTitled(QStringLiteral("Müller, Jörg"));
     tree_->collapse(patient);
@@ -253,7 +253,7 @@ TEST_F(StudyBrowserTest, NothingMatchesIsSaidAndEscEndsTheSearch) {
 }
 
 TEST_F(StudyBrowserTest, FocusSearchSelectsWhatWasTyped) {
-    browser_->setFound(app::test::twoPatients(), 3);
+    browser_->setFound(study::test::twoPatients(), 3);
     type("lung");
     tree_->setFocus();
     browser_->focusSearch();
@@ -262,15 +262,15 @@ TEST_F(StudyBrowserTest, FocusSearchSelectsWhatWasTyped) {
 }
 
 TEST_F(StudyBrowserTest, ANewFolderIsNotSearched) {
-    browser_->setFound(app::test::twoPatients(), 3);
+    browser_->setFound(study::test::twoPatients(), 3);
     type("lung");
-    browser_->setFound(app::test::manySeries(3), 0);
+    browser_->setFound(study::test::manySeries(3), 0);
     EXPECT_TRUE(search_->text().isEmpty());
     EXPECT_EQ(allRows().size(), 5u);
 }
 
 TEST_F(StudyBrowserTest, TheSameFolderKeepsItsSearchWhenAnotherVolumeIsOpen) {
-    const auto found = app::test::twoPatients();
+    const auto found = study::test::twoPatients();
     browser_->setFound(found, 3);
     type("muller");
     browser_->setFound(found, 0);
@@ -279,7 +279,7 @@ TEST_F(StudyBrowserTest, TheSameFolderKeepsItsSearchWhenAnotherVolumeIsOpen) {
 }
 
 TEST_F(StudyBrowserTest, NamesAreHiddenEverywhere) {
-    browser_->setFound(app::test::twoPatients(), 3);
+    browser_->setFound(study::test::twoPatients(), 3);
     type("Doe");
     browser_->showNames(false);
     EXPECT_TRUE(search_->text().isEmpty()) << "what was typed is a name";
@@ -299,9 +299,9 @@ TEST_F(StudyBrowserTest, NamesAreHiddenEverywhere) {
 TEST_F(StudyBrowserTest, TextOfFilesIsNoHtmlAndTurnsNothingRound) {
     dicom::Scan scan;
     scan.studies.push_back(
-        app::test::studyOf(0, "DOE\u202e^JANE", "20200102", "a\nb",
-                           {app::test::seriesOf(1, "<b>x</b>", {app::test::volumeOf(3)})}));
-    browser_->setFound(std::make_shared<const app::FoundVolumes>(std::move(scan)), std::nullopt);
+        study::test::studyOf(0, "DOE\u202e^JANE", "20200102", "a\nb",
+                             {study::test::seriesOf(1, "<b>x</b>", {study::test::volumeOf(3)})}));
+    browser_->setFound(std::make_shared<const study::FoundVolumes>(std::move(scan)), std::nullopt);
     const QString tip = rowTitled(QStringLiteral("Series 1: <b>x</b>")).data(Qt::ToolTipRole).toString();
     EXPECT_TRUE(tip.contains(QStringLiteral("&lt;b&gt;x"))) << tip.toStdString();
     EXPECT_EQ(titles().first(), QStringLiteral("DOE, JANE"));
@@ -322,9 +322,10 @@ TEST_F(StudyBrowserTest, OnlyWordsOfTheProgramAreInItsLanguage) {
     words.close();
     useCoreWords(words.fileName());
     dicom::Scan scan;
-    scan.studies.push_back(app::test::studyOf(0, "DOE^JANE", "20200102", "Tracing",
-                                              {app::test::seriesOf(1, "Tracing", {app::test::volumeOf(3)})}));
-    browser_->setFound(std::make_shared<const app::FoundVolumes>(std::move(scan)), std::nullopt);
+    scan.studies.push_back(
+        study::test::studyOf(0, "DOE^JANE", "20200102", "Tracing",
+                             {study::test::seriesOf(1, "Tracing", {study::test::volumeOf(3)})}));
+    browser_->setFound(std::make_shared<const study::FoundVolumes>(std::move(scan)), std::nullopt);
     const QStringList shown = titles();
     useCoreWords({});
     EXPECT_EQ(shown, (QStringList{QStringLiteral("DOE, JANE"), QStringLiteral("2020-01-02, Tracing"),
@@ -332,7 +333,7 @@ TEST_F(StudyBrowserTest, OnlyWordsOfTheProgramAreInItsLanguage) {
 }
 
 TEST_F(StudyBrowserTest, WhatIsKeptOfIsTold) {
-    browser_->setFound(app::test::manySeries(3), 0);
+    browser_->setFound(study::test::manySeries(3), 0);
     const QModelIndex second = rowTitled(QStringLiteral("Series 2: Thorax 1"));
     const qsizetype before = second.data(StudyTreeModel::detailsRole).toStringList().size();
     browser_->setStored({1});
@@ -342,7 +343,7 @@ TEST_F(StudyBrowserTest, WhatIsKeptOfIsTold) {
 }
 
 // Left half dark, right half bright.
-std::shared_ptr<const app::FoundVolumes> foundOf(const std::filesystem::path& folder) {
+std::shared_ptr<const study::FoundVolumes> foundOf(const std::filesystem::path& folder) {
     dicom::test::SyntheticSeries series;
     series.size = {40, 20, 5};
     series.rawInstead = [](const dicom::test::Slice&, int i, int) -> std::optional<int> {
@@ -351,7 +352,7 @@ std::shared_ptr<const app::FoundVolumes> foundOf(const std::filesystem::path& fo
     dicom::test::writeFiles(folder, series);
     auto scan = dicom::test::scan(folder);
     if (!scan) return nullptr;
-    return std::make_shared<const app::FoundVolumes>(std::move(*scan));
+    return std::make_shared<const study::FoundVolumes>(std::move(*scan));
 }
 
 TEST_F(StudyBrowserTest, PicturesComeByThemselvesAndAreNotMirrored) {
@@ -376,11 +377,11 @@ TEST_F(StudyBrowserTest, PicturesComeByThemselvesAndAreNotMirrored) {
 }
 
 TEST_F(StudyBrowserTest, OnlyRowsThatAreSeenHavePicturesMade) {
-    browser_->setFound(app::test::manySeries(2000), 0);
+    browser_->setFound(study::test::manySeries(2000), 0);
     auto* model = static_cast<StudyTreeModel*>(tree_->model());
     const auto asked = [&] {
         std::size_t count = 0;
-        for (const app::StudyRow& row : model->tree().rows)
+        for (const study::StudyRow& row : model->tree().rows)
             count += row.picture != nullptr && model->isAsked(row.picture) ? 1 : 0;
         return count;
     };
@@ -405,7 +406,7 @@ TEST_F(StudyBrowserTest, MayGetAnotherFolderAndEndWhilePicturesAreMade) {
     const auto found = foundOf(folder.path());
     ASSERT_NE(found, nullptr);
     for (int n = 0; n < 10; ++n) {
-        browser_->setFound(n % 2 == 0 ? found : app::test::manySeries(5), 0);
+        browser_->setFound(n % 2 == 0 ? found : study::test::manySeries(5), 0);
         settle();
     }
     browser_->setFound(found, 0);
@@ -413,13 +414,13 @@ TEST_F(StudyBrowserTest, MayGetAnotherFolderAndEndWhilePicturesAreMade) {
     browser_.reset();
 }
 
-std::shared_ptr<const app::FoundVolumes> glimpseOf(std::size_t series) {
-    dicom::Scan scan = app::test::manySeries(series)->scan();
+std::shared_ptr<const study::FoundVolumes> glimpseOf(std::size_t series) {
+    dicom::Scan scan = study::test::manySeries(series)->scan();
     for (dicom::Series& each : scan.studies[0].series) {
         each.instances = each.stacks[0].frames.size();
         each.stacks.clear();
     }
-    return std::make_shared<const app::FoundVolumes>(std::move(scan), app::FoundVolumes::Extent::soFar);
+    return std::make_shared<const study::FoundVolumes>(std::move(scan), study::FoundVolumes::Extent::soFar);
 }
 
 TEST_F(StudyBrowserTest, ShowsAFolderWhileItIsReadAndKeepsTheSearch) {
@@ -439,7 +440,7 @@ TEST_F(StudyBrowserTest, ShowsAFolderWhileItIsReadAndKeepsTheSearch) {
     EXPECT_EQ(searched.size(), 3);
     browser_->setFound(glimpseOf(4), std::nullopt);
     EXPECT_EQ(titles(), searched);
-    browser_->setFound(app::test::manySeries(4), std::nullopt);
+    browser_->setFound(study::test::manySeries(4), std::nullopt);
     EXPECT_EQ(titles(), searched);
     EXPECT_FALSE(reading->isVisible());
     settle();
@@ -447,7 +448,7 @@ TEST_F(StudyBrowserTest, ShowsAFolderWhileItIsReadAndKeepsTheSearch) {
     QTest::keyClick(tree_, Qt::Key_Return);
     EXPECT_EQ(chosen_, Chosen{2});
 
-    browser_->setFound(app::test::twoPatients(), 0);  // another folder
+    browser_->setFound(study::test::twoPatients(), 0);  // another folder
     EXPECT_TRUE(search_->text().isEmpty());
 }
 
@@ -455,13 +456,13 @@ TEST_F(StudyBrowserTest, ShowsAFolderWhileItIsReadAndKeepsTheSearch) {
 TEST_F(StudyBrowserTest, OfAFolderThatNothingIsOpenOfNoRowIsLit) {
     const auto* elsewhere = browser_->findChild<QLabel*>(QStringLiteral("elsewhere"));
     ASSERT_NE(elsewhere, nullptr);
-    browser_->setFound(app::test::twoPatients(), 0);
+    browser_->setFound(study::test::twoPatients(), 0);
     EXPECT_TRUE(tree_->selectionModel()->hasSelection());
     EXPECT_FALSE(elsewhere->isVisible());
     browser_->setFound(glimpseOf(3), std::nullopt);
     EXPECT_FALSE(tree_->selectionModel()->hasSelection());
     EXPECT_FALSE(elsewhere->isVisible()) << "it may be on its way";
-    const auto found = app::test::manySeries(3);
+    const auto found = study::test::manySeries(3);
     browser_->setFound(found, std::nullopt);
     EXPECT_FALSE(tree_->selectionModel()->hasSelection());
     EXPECT_EQ(browser_->selectedOther(), std::nullopt);
@@ -514,11 +515,11 @@ TEST_F(StudyBrowserTest, TheMenuOfWhatWasOpenedHasTheLastFirst) {
 }
 
 // A series, a presentation state of it, and one of another series.
-std::shared_ptr<const app::FoundVolumes> withPresentations() {
+std::shared_ptr<const study::FoundVolumes> withPresentations() {
     dicom::Scan scan;
-    dicom::Series images = app::test::seriesOf(2, "Thorax", {app::test::volumeOf(4)});
+    dicom::Series images = study::test::seriesOf(2, "Thorax", {study::test::volumeOf(4)});
     images.seriesInstanceUid = "1.2";
-    dicom::Series states = app::test::seriesOf(9, "Views", {}, "PR");
+    dicom::Series states = study::test::seriesOf(9, "Views", {}, "PR");
     for (const std::string uid : {"1.2", "7.7"}) {
         dicom::OtherObject object{.file = "/doe/" + uid,
                                   .sopClassUid = "1.2.840.10008.5.1.4.1.1.11.9",
@@ -530,16 +531,16 @@ std::shared_ptr<const app::FoundVolumes> withPresentations() {
         states.objects.push_back(std::move(object));
     }
     scan.studies.push_back(
-        app::test::studyOf(0, "DOE^JANE", "20210405", "Chest", {std::move(images), std::move(states)}));
+        study::test::studyOf(0, "DOE^JANE", "20210405", "Chest", {std::move(images), std::move(states)}));
     scan.patients = 1;
-    return std::make_shared<const app::FoundVolumes>(std::move(scan));
+    return std::make_shared<const study::FoundVolumes>(std::move(scan));
 }
 
 TEST_F(StudyBrowserTest, APresentationStateIsChosenByMouseAndKeys) {
     std::vector<std::string> presented;
     std::vector<std::string> refused;
     QObject::connect(&*browser_, &StudyBrowser::presentationChosen, &*browser_,
-                     [&](const app::StudyRow::Presentation& chosen) {
+                     [&](const study::StudyRow::Presentation& chosen) {
                          presented.push_back(chosen.file.string());
                          EXPECT_EQ(chosen.volume, 0u);
                      });

@@ -32,7 +32,7 @@ class StudyLoaderTest : public testing::Test {
 TEST_F(StudyLoaderTest, DeliversThePhantomOnTheThreadThatAsked) {
     StudyLoader loader;
     std::shared_ptr<const Volume> volume;
-    QObject::connect(&loader, &StudyLoader::loaded, &loader, [&](const app::OpenedStudy& study) {
+    QObject::connect(&loader, &StudyLoader::loaded, &loader, [&](const study::OpenedStudy& study) {
         EXPECT_EQ(QThread::currentThread(), application_.thread());
         volume = study.volume;
     });
@@ -58,7 +58,7 @@ TEST_F(StudyLoaderTest, CancelEndsTheLoadAndNothingIsDelivered) {
     StudyLoader loader;
     int outcomes = 0;
     bool cancelled = false;
-    QObject::connect(&loader, &StudyLoader::loaded, &loader, [&](const app::OpenedStudy&) { ++outcomes; });
+    QObject::connect(&loader, &StudyLoader::loaded, &loader, [&](const study::OpenedStudy&) { ++outcomes; });
     QObject::connect(&loader, &StudyLoader::failed, &loader, [&](const Error&) { ++outcomes; });
     QObject::connect(&loader, &StudyLoader::cancelled, &loader, [&] { cancelled = true; });
     loader.open(macula::test::sharedFolder() / "data");
@@ -82,7 +82,7 @@ TEST_F(StudyLoaderTest, ANewLoadReplacesTheOneBefore) {
     std::shared_ptr<const Volume> volume;
     QObject::connect(&loader, &StudyLoader::failed, &loader, [&](const Error&) { ++failures; });
     QObject::connect(&loader, &StudyLoader::loaded, &loader,
-                     [&](const app::OpenedStudy& study) { volume = study.volume; });
+                     [&](const study::OpenedStudy& study) { volume = study.volume; });
     loader.open("/no/such/folder");
     loader.open(std::nullopt);
     ASSERT_TRUE(waitUntil([&] { return volume != nullptr; }));
@@ -98,15 +98,15 @@ TEST_F(StudyLoaderTest, TellsOfTheWholeFolderBeforeTheVolumeIsThere) {
     const dicom::test::TemporaryFolder folder;
     dicom::test::write(dicom::test::smallVolume(), folder.path());
     StudyLoader loader;
-    std::vector<std::shared_ptr<const app::FoundVolumes>> found;
-    std::shared_ptr<const app::FoundVolumes> ofStudy;
+    std::vector<std::shared_ptr<const study::FoundVolumes>> found;
+    std::shared_ptr<const study::FoundVolumes> ofStudy;
     QObject::connect(&loader, &StudyLoader::found, &loader,
-                     [&](const std::shared_ptr<const app::FoundVolumes>& f) {
+                     [&](const std::shared_ptr<const study::FoundVolumes>& f) {
                          EXPECT_EQ(ofStudy, nullptr);
                          found.push_back(f);
                      });
     QObject::connect(&loader, &StudyLoader::loaded, &loader,
-                     [&](const app::OpenedStudy& study) { ofStudy = study.found; });
+                     [&](const study::OpenedStudy& study) { ofStudy = study.found; });
     loader.open(folder.path());
     EXPECT_EQ(loader.source(), folder.path());
     ASSERT_TRUE(waitUntil([&] { return ofStudy != nullptr; }));

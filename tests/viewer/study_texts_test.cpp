@@ -10,8 +10,8 @@ namespace {
 
 class StudyTextsTest : public test::OffscreenTest {
   protected:
-    static app::OpenedStudy ofDoe() {
-        app::OpenedStudy study = smallStudy();
+    static study::OpenedStudy ofDoe() {
+        study::OpenedStudy study = smallStudy();
         study.identity = {.patientName = "DOE^JOHN",
                           .patientId = "4711",
                           .studyDate = "20200304",
@@ -45,7 +45,7 @@ TEST_F(StudyTextsTest, WithoutNamesSayNothingThatTheFilesSayOfAPerson) {
 
 // Qt takes it for a mark of what is not saved.
 TEST_F(StudyTextsTest, AStarInAName) {
-    app::OpenedStudy study = ofDoe();
+    study::OpenedStudy study = ofDoe();
     study.identity.patientName = "[*]DOE";
     EXPECT_TRUE(textsOf(study, true).title.startsWith(QStringLiteral("[*][*]DOE")));
 }
@@ -64,9 +64,9 @@ TEST_F(StudyTextsTest, NotesSayEachSentenceOnce) {
 
 TEST_F(StudyTextsTest, EachLayoutWithout3dSaysWhatIsShownInstead) {
     QStringList told;
-    for (const app::Layout layout : app::kLayouts) {
+    for (const scene::Layout layout : scene::kLayouts) {
         const QString text = withoutVolumeText(layout);
-        const bool has3d = layout == app::Layout::volume || layout == app::Layout::fourPanes;
+        const bool has3d = layout == scene::Layout::volume || layout == scene::Layout::fourPanes;
         EXPECT_EQ(text.isEmpty(), has3d);
         if (!has3d) told << text;
     }

@@ -73,7 +73,7 @@ TEST(ThemeColours, NothingIsBrightInTheDark) {
         EXPECT_LT(luminance(ground), 0.1);
 }
 
-TEST(ThemeChoice, AScaleOutOfRangeIsTakenAsTheNearest) {
+TEST(ThemeOptions, AScaleOutOfRangeIsTakenAsTheNearest) {
     const auto scale = [](double asked) { return usable({.fontScale = asked}).fontScale; };
     EXPECT_EQ(scale(1.25), 1.25);
     EXPECT_EQ(scale(0.0), kSmallestFontScale);

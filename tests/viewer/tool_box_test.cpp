@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "viewer/editor/study_editor.h"
 #include "viewer/keys/keys.h"
 #include "viewer/keys/slice_tool_keys.h"
 #include "viewer/offscreen.h"
-#include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {
 namespace {
@@ -24,7 +24,7 @@ class ToolBoxTest : public test::OffscreenTest {
   protected:
     void SetUp() override {
         OffscreenTest::SetUp();
-        session_.emplace(app::Catalogue{});
+        session_.emplace(scene::Catalogue{});
         box_.emplace(*session_);
     }
     void TearDown() override {
@@ -32,7 +32,7 @@ class ToolBoxTest : public test::OffscreenTest {
         session_.reset();
         OffscreenTest::TearDown();
     }
-    void showStudy(app::StudyState state = {}) { session_->show(smallStudy(), std::move(state)); }
+    void showStudy(scene::StudyState state = {}) { session_->show(smallStudy(), std::move(state)); }
     QAction& action(const char* name) {
         auto* found = box_->findChild<QAction*>(QLatin1String(name));
         if (found == nullptr) throw std::runtime_error(std::string("no action ") + name);
@@ -41,14 +41,14 @@ class ToolBoxTest : public test::OffscreenTest {
     QDoubleSpinBox& thickness() {
         return *box_->findChild<QDoubleSpinBox*>(QStringLiteral("slab-thickness"));
     }
-    const app::SliceState& slices() const { return session_->state().slices; }
+    const scene::SliceState& slices() const { return session_->state().slices; }
     int undoAll() {
         int steps = 0;
         for (; session_->canUndo(); ++steps) session_->undo();
         return steps;
     }
 
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<ToolBox> box_;
 };
 
@@ -104,7 +104,7 @@ TEST_F(ToolBoxTest, ProposesWhatIsChosen) {
     action("slab-minimum").trigger();
     EXPECT_EQ(slices().slab.projection, slices::Projection::minimum);
     action("layout-coronal").trigger();
-    EXPECT_EQ(session_->state().layout, app::Layout::coronal);
+    EXPECT_EQ(session_->state().layout, scene::Layout::coronal);
     action("layout-coronal").trigger();  // it is chosen already
     EXPECT_EQ(undoAll(), 5);
     EXPECT_FALSE(action("slices-invert").isChecked());
@@ -141,8 +141,8 @@ TEST_F(ToolBoxTest, EnterEndsTypingAThickness) {
 }
 
 TEST_F(ToolBoxTest, ShowsWhatWasChosenElsewhereAndProposesNothing) {
-    app::StudyState state;
-    state.layout = app::Layout::sagittal;
+    scene::StudyState state;
+    state.layout = scene::Layout::sagittal;
     state.slices.slab = {.thicknessMm = 12.5, .projection = slices::Projection::maximum};
     state.slices.isInverted = true;
     showStudy(state);
@@ -151,7 +151,8 @@ TEST_F(ToolBoxTest, ShowsWhatWasChosenElsewhereAndProposesNothing) {
     EXPECT_FALSE(action("slab-mean").isChecked());
     EXPECT_TRUE(action("slices-invert").isChecked());
     EXPECT_TRUE(action("layout-sagittal").isChecked());
-    session_->change(QStringLiteral("Planes"), [](app::StudyState& next) { next.slices.asAcquired = true; });
+    session_->change(QStringLiteral("Planes"),
+                     [](scene::StudyState& next) { next.slices.asAcquired = true; });
     EXPECT_TRUE(action("slices-as-acquired").isChecked());
     EXPECT_EQ(undoAll(), 1);
     EXPECT_EQ(session_->state(), state);
@@ -160,7 +161,7 @@ TEST_F(ToolBoxTest, ShowsWhatWasChosenElsewhereAndProposesNothing) {
 }
 
 TEST_F(ToolBoxTest, ASlabThatIsThickerOrFinerThanItsStepsIsShownAndKept) {
-    app::StudyState state;
+    scene::StudyState state;
     for (const double mm : {250.0, 0.625}) {
         state.slices.slab.thicknessMm = mm;
         showStudy(state);

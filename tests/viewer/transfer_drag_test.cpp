@@ -19,7 +19,7 @@ class TransferDragTest : public test::OffscreenTest {
   protected:
     void SetUp() override {
         OffscreenTest::SetUp();
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok());
         session_.emplace(*std::move(catalogue));
         editor_.emplace(*session_);
@@ -34,8 +34,8 @@ class TransferDragTest : public test::OffscreenTest {
         OffscreenTest::TearDown();
     }
     void showPhantom() {
-        app::StudyState state;
-        state.preset = *app::findPreset(session_->catalogue(), "ct-bone");
+        scene::StudyState state;
+        state.preset = *scene::findPreset(session_->catalogue(), "ct-bone");
         session_->show({.volume = std::make_shared<const Volume>(phantom::make({.size = {32, 28, 20}}))},
                        state);
         ASSERT_TRUE(waitUntil([&] { return !editor_->isCounting(); }));
@@ -55,7 +55,7 @@ class TransferDragTest : public test::OffscreenTest {
         return last - first;
     }
 
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<TransferFunctionEditor> editor_;
     std::optional<TransferDrag> drag_;
     QStringList told_;

@@ -34,7 +34,7 @@ class TransferEditorTest : public testing::Test {
     void SetUp() override {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         application_.emplace(argc_, argv_);
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok());
         session_.emplace(*std::move(catalogue));
         editor_.emplace(*session_);
@@ -49,10 +49,10 @@ class TransferEditorTest : public testing::Test {
     }
 
     std::shared_ptr<const TransferFunction> preset(const char* name) const {
-        return *app::findPreset(session_->catalogue(), name);
+        return *scene::findPreset(session_->catalogue(), name);
     }
     void show(Volume volume, std::shared_ptr<const TransferFunction> preset) {
-        app::StudyState state;
+        scene::StudyState state;
         state.preset = std::move(preset);
         session_->show({.volume = std::make_shared<const Volume>(std::move(volume))}, state);
         waitUntilCounted();
@@ -112,7 +112,7 @@ class TransferEditorTest : public testing::Test {
     char name_[5] = "test";
     char* argv_[2] = {name_, nullptr};
     std::optional<QApplication> application_;
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<TransferFunctionEditor> editor_;
 };
 
@@ -389,7 +389,7 @@ TEST_F(TransferEditorTest, SomebodyElseMayChangeThePreset) {
     EXPECT_EQ(session_->state().preset, preset("ct-bone")) << "the hand holds nothing any more";
     QTest::mouseRelease(&curve(), Qt::LeftButton, {}, placeOf(kOpacity2));
 
-    session_->change("Preset", [&](app::StudyState& next) { next.preset = preset("ct-fat"); });
+    session_->change("Preset", [&](scene::StudyState& next) { next.preset = preset("ct-fat"); });
     EXPECT_TRUE(editor_->line().contains("CT-Fat")) << editor_->line().toStdString();
     curve().select(PointId{Curve::opacity, 1});
     QTest::keyClick(&curve(), Qt::Key_Right);

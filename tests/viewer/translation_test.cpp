@@ -235,7 +235,7 @@ TEST_F(GermanTest, KeysAndTitlesOfWhatIsBuiltInHaveOne) {
     }
     for (const LayoutRow& row : kLayouts) EXPECT_TRUE(has(row.title)) << row.title;
     for (const trace::LookTraits& look : trace::kLooks) EXPECT_TRUE(has(std::string(look.title)));
-    const auto catalogue = app::builtInCatalogue();
+    const auto catalogue = scene::builtInCatalogue();
     ASSERT_TRUE(catalogue.ok());
     for (const auto& lights : catalogue->lights) EXPECT_TRUE(has(lights->title)) << lights->title;
     for (const auto& clip : catalogue->clips) EXPECT_TRUE(has(clip->title)) << clip->title;
@@ -245,7 +245,7 @@ TEST_F(GermanTest, KeysAndTitlesOfWhatIsBuiltInHaveOne) {
             EXPECT_TRUE(has(preset->title)) << preset->title;
         }
     }
-    const auto qualities = app::builtInQualities();
+    const auto qualities = scene::builtInQualities();
     ASSERT_TRUE(qualities.ok());
     for (const trace::Quality& quality : *qualities) EXPECT_TRUE(has(quality.title)) << quality.title;
 }

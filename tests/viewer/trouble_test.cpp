@@ -29,7 +29,7 @@ class TroubleTest : public WindowTest {
     }
 
     QTemporaryDir folder_;
-    app::SeriesWindows windows_;
+    scene::SeriesWindows windows_;
 };
 
 TEST_F(TroubleTest, WithoutAHeadsetASentenceIsSaidOnceAndTheWindowGoesOn) {
@@ -42,7 +42,7 @@ TEST_F(TroubleTest, WithoutAHeadsetASentenceIsSaidOnceAndTheWindowGoesOn) {
     ASSERT_TRUE(waitUntil([&] { return ended == 1; }));
     EXPECT_TRUE(window_->hasStudy());
     EXPECT_FALSE(window_->message().isEmpty());
-    const app::StudyState before = window_->state();
+    const scene::StudyState before = window_->state();
     expectThatItGoesOn();
     // It can be tried again, and nothing that was chosen is lost.
     auto* again = window_->findChild<QAction*>(QStringLiteral("show-in-headset"));
@@ -108,16 +108,17 @@ TEST_F(TroubleTest, AFullDiskAtAnExportLeavesNoFileAndIsTold) {
     auto* exporter = window_->findChild<PictureExport*>();
     ASSERT_NE(exporter, nullptr);
     const std::string file = fileOf("picture.exr");
-    const ViewerSession& session = window_->session();
-    const app::ViewPicture picture{.volume = session.study().volume,
-                                   .seriesDigest = session.study().seriesDigest,
-                                   .drawing = app::drawingOf(session.state(), session.catalogue(), windows_,
-                                                             session.study().volume, nullptr),
-                                   .camera = *window_->state().camera,
-                                   .sizePx = {64, 64},
-                                   .effort = {},
-                                   .output = file,
-                                   .isOfNobody = true};
+    const StudyEditor& session = window_->session();
+    const pictures::ViewPicture picture{
+        .volume = session.study().volume,
+        .seriesDigest = session.study().seriesDigest,
+        .drawing =
+            scene::drawingOf(session.state(), session.catalogue(), windows_, session.study().volume, nullptr),
+        .camera = *window_->state().camera,
+        .sizePx = {64, 64},
+        .effort = {},
+        .output = file,
+        .isOfNobody = true};
     {
         const FullDisk full(1000);
         exporter->start(picture);

@@ -18,7 +18,7 @@ class TwoWindowsTest : public WindowTest {
         WindowTest::SetUp();
     }
     static void measure(MainWindow& window, double lengthMm) {
-        window.session().change(QStringLiteral("Distance"), [&](app::StudyState& next) {
+        window.session().change(QStringLiteral("Distance"), [&](scene::StudyState& next) {
             next.measurements.push_back(
                 {.label = {},
                  .shape = slices::Distance{.endsMm = {glm::dvec3(0.0), glm::dvec3(lengthMm, 0.0, 0.0)}}});
@@ -68,10 +68,10 @@ TEST_F(TwoWindowsTest, WhatWasMeasuredJustNowIsKeptWhenTheProgramIsAskedToEnd) {
     ASSERT_TRUE(openPhantom(*window_));
     measure(*window_, 10.0);
     ASSERT_TRUE(window_->keepStateNow());
-    app::ModelKeeper other({.folder = *sessions_}, {});
+    live::StudyKeeper other({.folder = *sessions_}, {});
     const auto left = other.stateOf(std::make_shared<const Volume>(phantom::make()), std::chrono::minutes(1));
     ASSERT_TRUE(left);
-    const auto state = app::studyStateFromJson(*left, {});
+    const auto state = scene::studyStateFromJson(*left, {});
     ASSERT_TRUE(state.ok());
     EXPECT_EQ(state->measurements, window_->state().measurements);
 }
@@ -80,7 +80,7 @@ TEST_F(TwoWindowsTest, WhatWasMeasuredJustNowIsKeptWhenTheProgramIsAskedToEnd) {
 TEST_F(TwoWindowsTest, WhatWasMeasuredIsKeptByItself) {
     ASSERT_TRUE(openPhantom(*window_));
     measure(*window_, 10.0);
-    app::ModelKeeper other({.folder = *sessions_}, {});
+    live::StudyKeeper other({.folder = *sessions_}, {});
     const auto volume = std::make_shared<const Volume>(phantom::make());
     EXPECT_TRUE(waitUntil([&] {
         const auto left = other.stateOf(volume, std::chrono::minutes(1));

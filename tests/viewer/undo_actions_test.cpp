@@ -1,11 +1,11 @@
 // Undo and redo in menus: what they say, and when they can be used.
-#include "viewer/session/undo_actions.h"
+#include "viewer/editor/undo_actions.h"
 
 #include <QKeySequence>
 #include <QRegularExpression>
 
+#include "viewer/editor/study_editor.h"
 #include "viewer/offscreen.h"
-#include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {
 namespace {
@@ -14,7 +14,7 @@ class UndoActionsTest : public test::OffscreenTest {
   protected:
     void SetUp() override {
         OffscreenTest::SetUp();
-        session_.emplace(app::Catalogue{});
+        session_.emplace(scene::Catalogue{});
         actions_.emplace(*session_);
         session_->show(smallStudy(), {});
     }
@@ -23,14 +23,14 @@ class UndoActionsTest : public test::OffscreenTest {
         session_.reset();
         OffscreenTest::TearDown();
     }
-    void choose(const QString& what, app::Layout layout) {
-        session_->change(what, [&](app::StudyState& next) { next.layout = layout; });
+    void choose(const QString& what, scene::Layout layout) {
+        session_->change(what, [&](scene::StudyState& next) { next.layout = layout; });
     }
     static QString plain(const QAction& action) {
         return QString(action.text()).remove(QRegularExpression(QStringLiteral("&(?!&)")));
     }
 
-    std::optional<ViewerSession> session_;
+    std::optional<StudyEditor> session_;
     std::optional<UndoActions> actions_;
 };
 
@@ -40,33 +40,33 @@ TEST_F(UndoActionsTest, CanBeUsedOnlyWhereThereIsSomething) {
     EXPECT_FALSE(undo.isEnabled());
     EXPECT_FALSE(redo.isEnabled());
     EXPECT_EQ(plain(undo), QStringLiteral("Undo"));
-    choose(QStringLiteral("Layout"), app::Layout::axial);
+    choose(QStringLiteral("Layout"), scene::Layout::axial);
     EXPECT_TRUE(undo.isEnabled());
     EXPECT_FALSE(redo.isEnabled());
     EXPECT_EQ(plain(undo), QStringLiteral("Undo Layout"));
     undo.trigger();
-    EXPECT_EQ(session_->state().layout, app::Layout::fourPanes);
+    EXPECT_EQ(session_->state().layout, scene::Layout::fourPanes);
     EXPECT_FALSE(undo.isEnabled());
     EXPECT_EQ(plain(redo), QStringLiteral("Redo Layout"));
     redo.trigger();
-    EXPECT_EQ(session_->state().layout, app::Layout::axial);
+    EXPECT_EQ(session_->state().layout, scene::Layout::axial);
     EXPECT_FALSE(redo.isEnabled());
     EXPECT_EQ(plain(redo), QStringLiteral("Redo"));
 }
 
 TEST_F(UndoActionsTest, AnotherStudyHasNothingToUndo) {
-    choose(QStringLiteral("Layout"), app::Layout::axial);
+    choose(QStringLiteral("Layout"), scene::Layout::axial);
     session_->show(smallStudy(), {});
     EXPECT_FALSE(actions_->undo().isEnabled());
     actions_->undo().trigger();
-    EXPECT_EQ(session_->state(), app::StudyState());
+    EXPECT_EQ(session_->state(), scene::StudyState());
 }
 
 TEST_F(UndoActionsTest, HaveTheKeysOfTheDesktopAndTellAnyWord) {
     EXPECT_EQ(actions_->undo().shortcuts(), QKeySequence::keyBindings(QKeySequence::Undo));
     EXPECT_EQ(actions_->redo().shortcuts(), QKeySequence::keyBindings(QKeySequence::Redo));
     EXPECT_FALSE(actions_->undo().shortcuts().isEmpty());
-    choose(QStringLiteral("A & %1"), app::Layout::axial);
+    choose(QStringLiteral("A & %1"), scene::Layout::axial);
     EXPECT_TRUE(actions_->undo().text().endsWith(QStringLiteral(" A && %1")))
         << actions_->undo().text().toStdString();
 }

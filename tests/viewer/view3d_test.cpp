@@ -18,7 +18,7 @@ namespace {
 class View3dTest : public WindowTest {
   protected:
     Viewport& viewport() { return window_->viewport(); }
-    const app::OrbitCamera& camera() { return viewport().camera(); }
+    const scene::OrbitCamera& camera() { return viewport().camera(); }
     void openPhantom() {
         window_->open(std::nullopt);
         ASSERT_TRUE(waitForConverged());
@@ -91,7 +91,7 @@ TEST_F(View3dTest, HandsAndKeysRollAndFly) {
     pressKey(Qt::Key_A);
     EXPECT_EQ(camera().rollDeg, 0.0) << "a standard view is upright";
 
-    const app::OrbitCamera before = camera();
+    const scene::OrbitCamera before = camera();
     turnWheel(2, Qt::AltModifier);
     EXPECT_EQ(camera().distanceMm, before.distanceMm);
     EXPECT_GT(camera().targetMm.y, before.targetMm.y + 1.0)
@@ -106,7 +106,7 @@ TEST_F(View3dTest, HandsAndKeysRollAndFly) {
 
 TEST_F(View3dTest, ParallelRaysAreSaidAndComeBackWithTheView) {
     openPhantom();
-    const app::OrbitCamera before = camera();
+    const scene::OrbitCamera before = camera();
     EXPECT_FALSE(action("parallel-rays").isChecked());
     pressKey(Qt::Key_O);
     EXPECT_TRUE(action("parallel-rays").isChecked());
@@ -122,7 +122,7 @@ TEST_F(View3dTest, ParallelRaysAreSaidAndComeBackWithTheView) {
     turnWheel(1, Qt::AltModifier);
     EXPECT_EQ(camera().targetMm, before.targetMm) << "nothing comes nearer";
 
-    const auto view = app::studyStateFromJson(app::toJson(window_->state()), "view.json");
+    const auto view = scene::studyStateFromJson(toJson(window_->state()), "view.json");
     ASSERT_TRUE(view.ok());
     action("parallel-rays").trigger();
     EXPECT_FALSE(camera().isParallel);
@@ -179,7 +179,7 @@ TEST_F(View3dTest, TheCubeIsOfThePictureAndAClickOnItTurnsThere) {
 TEST_F(View3dTest, AHandShiftsAndWidensTheTransferFunctionAsOneStep) {
     openPhantom();
     const auto before = window_->session().state().preset;
-    const app::OrbitCamera camera = viewport().camera();
+    const scene::OrbitCamera camera = viewport().camera();
     const double height = viewport().window().height();
     const auto lastValue = [&] { return window_->session().state().preset->opacity.back().value; };
     const double value = lastValue();
@@ -211,7 +211,7 @@ TEST_F(View3dTest, ADragDoesNotGoOnOverTheNextStudy) {
     for (const auto& [button, modifiers] :
          {std::pair(Qt::RightButton, Qt::KeyboardModifiers(Qt::AltModifier)),
           std::pair(Qt::LeftButton, Qt::KeyboardModifiers())}) {
-        const app::OrbitCamera before = camera();
+        const scene::OrbitCamera before = camera();
         const auto presetBefore = window_->session().state().preset;
         mouse(QEvent::MouseButtonPress, {50, 50}, button, button, modifiers);
         mouse(QEvent::MouseMove, {80, 60}, Qt::NoButton, button, modifiers);
@@ -219,7 +219,7 @@ TEST_F(View3dTest, ADragDoesNotGoOnOverTheNextStudy) {
                     toCamera(camera()) != toCamera(before));
         window_->showStudy(smallStudy(Unit::hounsfield));
         EXPECT_TRUE(window_->statusBar()->currentMessage().isEmpty());
-        const app::OrbitCamera now = camera();
+        const scene::OrbitCamera now = camera();
         const auto preset = window_->session().state().preset;
         mouse(QEvent::MouseMove, {120, 90}, Qt::NoButton, button, modifiers);
         mouse(QEvent::MouseButtonRelease, {120, 90}, button, Qt::NoButton, modifiers);
@@ -236,10 +236,10 @@ class ParallelModelTest : public View3dTest {
 
 // The model is drawn with parallel rays too: what follows the hand has all pixels, and none of it is a fovea.
 TEST_F(ParallelModelTest, WithParallelRaysTheModelFollowsTheHand) {
-    std::vector<app::FrameShown> seen;
+    std::vector<live::FrameShown> seen;
     QObject::connect(&*window_, &MainWindow::frameShown, &*window_,
-                     [&](const app::FrameShown& frame) { seen.push_back(frame); });
-    const auto hasSeen = [&](app::OnScreen picture) {
+                     [&](const live::FrameShown& frame) { seen.push_back(frame); });
+    const auto hasSeen = [&](live::OnScreen picture) {
         return std::ranges::any_of(seen, [&](const auto& frame) { return frame.picture == picture; });
     };
     openPhantom();
@@ -257,20 +257,20 @@ TEST_F(ParallelModelTest, WithParallelRaysTheModelFollowsTheHand) {
     EXPECT_TRUE(window_->fidelity().startsWith(QStringLiteral("Preview, ")))
         << window_->fidelity().toStdString();
     EXPECT_TRUE(window_->fidelity().contains(QStringLiteral("parallel rays")));
-    for (const app::FrameShown& frame : seen) {
-        if (frame.stage != app::Stage::moving) continue;  // traced before the hand came
-        EXPECT_EQ(frame.picture, app::OnScreen::model);
+    for (const live::FrameShown& frame : seen) {
+        if (frame.stage != live::Stage::moving) continue;  // traced before the hand came
+        EXPECT_EQ(frame.picture, live::OnScreen::model);
         EXPECT_FALSE(frame.foveaAgeMs);
     }
     mouse(QEvent::MouseButtonRelease, {130, 100}, Qt::LeftButton, Qt::NoButton, {});
     ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(hasSeen(app::OnScreen::fading));
-    EXPECT_FALSE(hasSeen(app::OnScreen::preview));
+    EXPECT_TRUE(hasSeen(live::OnScreen::fading));
+    EXPECT_FALSE(hasSeen(live::OnScreen::preview));
     // Seen by an eye again, the model is there at once.
     seen.clear();
     pressKey(Qt::Key_O);
     ASSERT_TRUE(waitForConverged());
-    EXPECT_TRUE(hasSeen(app::OnScreen::model));
+    EXPECT_TRUE(hasSeen(live::OnScreen::model));
 }
 
 TEST_F(View3dTest, TheBackgroundIsChosenKeptAndTakenBack) {
@@ -280,9 +280,9 @@ TEST_F(View3dTest, TheBackgroundIsChosenKeptAndTakenBack) {
     EXPECT_LT(qGreen(usual), 12) << "nearly black";
     EXPECT_TRUE(action("background-usual").isChecked());
     action("background-white").trigger();
-    EXPECT_EQ(window_->state().background, app::BackgroundColour(255, 255, 255));
+    EXPECT_EQ(window_->state().background, scene::BackgroundColour(255, 255, 255));
     EXPECT_TRUE(waitUntil([&] { return corner() == qRgb(255, 255, 255); }));
-    const auto saved = app::studyStateFromJson(app::toJson(window_->state()), "view.json");
+    const auto saved = scene::studyStateFromJson(toJson(window_->state()), "view.json");
     ASSERT_TRUE(saved.ok());
 
     window_->session().undo();
@@ -292,8 +292,8 @@ TEST_F(View3dTest, TheBackgroundIsChosenKeptAndTakenBack) {
     EXPECT_TRUE(action("background-white").isChecked());
     EXPECT_TRUE(waitUntil([&] { return corner() == qRgb(255, 255, 255); }));
 
-    window_->session().change(QStringLiteral("Background"), [](app::StudyState& next) {
-        next.background = app::BackgroundColour(10, 200, 60);
+    window_->session().change(QStringLiteral("Background"), [](scene::StudyState& next) {
+        next.background = scene::BackgroundColour(10, 200, 60);
     });
     for (const char* name : {"background-usual", "background-black", "background-grey", "background-white"})
         EXPECT_FALSE(action(name).isChecked()) << name;
@@ -308,7 +308,7 @@ class FirstViewTest : public View3dTest {
   protected:
     FirstViewTest() { firstView_.reset(); }
     // A ball in so many slices of 4 mm, 24 voxels wide.
-    static app::OpenedStudy ballOf(int slices) {
+    static study::OpenedStudy ballOf(int slices) {
         std::vector<std::uint16_t> voxels;
         for (int k = 0; k < slices; ++k)
             for (int j = 0; j < 24; ++j)

@@ -20,7 +20,7 @@ class ViewerWidgetTest : public testing::Test {
     void SetUp() override {
         if (const std::string why = test::ensureDisplay(); !why.empty()) GTEST_SKIP() << why;
         application_.emplace(argc_, argv_);
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok());
         session_.emplace(*std::move(catalogue));
     }
@@ -39,7 +39,7 @@ class ViewerWidgetTest : public testing::Test {
         widget->viewport().setUsesModel(false);
         widget->viewport().setSampleLimit(2);
         QObject::connect(widget.get(), &ViewerWidget::frameShown, widget.get(),
-                         [this](const app::FrameShown& frame) { last_ = frame; });
+                         [this](const live::FrameShown& frame) { last_ = frame; });
         widget->resize(200, 160);
         widget->show();
         return widget;
@@ -47,21 +47,21 @@ class ViewerWidgetTest : public testing::Test {
     void openPhantom() {
         StudyLoader loader;
         QObject::connect(&loader, &StudyLoader::loaded, &loader,
-                         [this](const app::OpenedStudy& study) { session_->show(study); });
+                         [this](const study::OpenedStudy& study) { session_->show(study); });
         loader.open(std::nullopt);
         ASSERT_TRUE(waitUntil([&] { return session_->hasStudy(); }));
     }
     bool waitForConverged() {
         last_.reset();
-        return waitUntil([&] { return last_ && last_->stage == app::Stage::converged; });
+        return waitUntil([&] { return last_ && last_->stage == live::Stage::converged; });
     }
 
     int argc_ = 1;
     char name_[5] = "test";
     char* argv_[2] = {name_, nullptr};
     std::optional<QApplication> application_;
-    std::optional<ViewerSession> session_;
-    std::optional<app::FrameShown> last_;
+    std::optional<StudyEditor> session_;
+    std::optional<live::FrameShown> last_;
 };
 
 TEST_F(ViewerWidgetTest, ShowsWhatPanelsChooseAndItsStateComesBackAsText) {
@@ -74,26 +74,26 @@ TEST_F(ViewerWidgetTest, ShowsWhatPanelsChooseAndItsStateComesBackAsText) {
 
     // Another panel chooses a look; the host turns the camera.
     session_->change(QStringLiteral("Look"),
-                     [](app::StudyState& next) { next.settings.look = trace::Look::mip; });
+                     [](scene::StudyState& next) { next.settings.look = trace::Look::mip; });
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(last_->look, trace::Look::mip);
     widget->viewport().showFrom(ViewDirection::left);
     ASSERT_TRUE(waitForConverged());
 
-    const std::string text = app::toJson(widget->state());
+    const std::string text = toJson(widget->state());
     const Camera camera = toCamera(widget->viewport().camera());
     session_->undo();
     widget->viewport().showFrom(ViewDirection::superior);
-    EXPECT_NE(app::toJson(widget->state()), text);
+    EXPECT_NE(toJson(widget->state()), text);
 
-    const auto read = app::studyStateFromJson(text, {});
+    const auto read = scene::studyStateFromJson(text, {});
     ASSERT_TRUE(read.ok());
     ASSERT_TRUE(widget->setState(*read).ok());
     ASSERT_TRUE(waitForConverged());
     EXPECT_EQ(last_->look, trace::Look::mip);
     EXPECT_LT(glm::distance(toCamera(widget->viewport().camera()).positionMm, camera.positionMm), 1e-6);
 
-    app::StudyState ofAnother = *read;
+    scene::StudyState ofAnother = *read;
     ofAnother.seriesDigest = std::string(64, '0');
     EXPECT_FALSE(widget->setState(ofAnother).ok());
 }

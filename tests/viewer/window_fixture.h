@@ -35,14 +35,15 @@ class WindowTest : public testing::Test {
         auto instance = createInstanceForWindows();
         if (!instance) FAIL() << "packaging/bootstrap installs a Vulkan driver: " << instance.error().message;
         window_.emplace(*std::move(instance), windowOptions());
-        QObject::connect(&*window_, &MainWindow::frameShown, &*window_, [this](const app::FrameShown& frame) {
-            last_ = frame;
-            ++frames_;
-        });
+        QObject::connect(&*window_, &MainWindow::frameShown, &*window_,
+                         [this](const live::FrameShown& frame) {
+                             last_ = frame;
+                             ++frames_;
+                         });
         window_->show();
     }
     MainWindowOptions windowOptions() const {
-        MainWindowOptions options{.catalogue = app::builtInCatalogue().value()};
+        MainWindowOptions options{.catalogue = scene::builtInCatalogue().value()};
         // Not used for CT; and refused by the device's side of the program for all else.
         if (refusesRaw_)
             options.preset = std::make_shared<const TransferFunction>(
@@ -62,14 +63,14 @@ class WindowTest : public testing::Test {
         application_.reset();
     }
 
-    static app::OpenedStudy smallStudy(Unit unit) {
+    static study::OpenedStudy smallStudy(Unit unit) {
         auto volume = Volume::create({.size = glm::ivec3(8), .unit = unit, .modality = "CT"},
                                      std::vector<std::uint16_t>(512, 1000));
         return {.volume = std::make_shared<const Volume>(*std::move(volume)),
                 .identity = {.series = "Second", .isOfNobody = true},
                 .description = "Second"};
     }
-    static app::OpenedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
+    static study::OpenedStudy studyThatCannotBeShown() { return smallStudy(Unit::raw); }
     // What a person sees there.
     QImage middle() {
         VulkanWindow& target = window_->viewport().window();
@@ -87,7 +88,7 @@ class WindowTest : public testing::Test {
             .toImage();
     }
     // Whether exactly this stands over the picture.
-    static bool isNamed(const QImage& picture, const app::Identity& identity, std::size_t mostLines = 4) {
+    static bool isNamed(const QImage& picture, const study::Identity& identity, std::size_t mostLines = 4) {
         std::vector<std::string> lines = linesOf(identity);
         lines.resize(std::min(lines.size(), mostLines));
         const auto text = paintText({.names = lines}, picture.size(), 1.0);
@@ -116,7 +117,7 @@ class WindowTest : public testing::Test {
 
     bool waitForConverged() {
         last_.reset();
-        return waitUntil([&] { return last_ && last_->stage == app::Stage::converged; });
+        return waitUntil([&] { return last_ && last_->stage == live::Stage::converged; });
     }
     void sendMouse(QEvent::Type type, QPointF at, Qt::MouseButton button, Qt::MouseButtons held) {
         VulkanWindow& target = window_->viewport().window();
@@ -129,7 +130,7 @@ class WindowTest : public testing::Test {
     }
 
     bool refusesRaw_ = true;  // what is no CT cannot be shown
-    app::Layout layout_ = app::Layout::volume;
+    scene::Layout layout_ = scene::Layout::volume;
     std::optional<ViewDirection> firstView_ = ViewDirection::anterior;  // nothing: as programs do
     bool showsInHeadset_ = false;
     bool usesModel_ = false;  // to search for one takes seconds: for tests that are about it
@@ -139,7 +140,7 @@ class WindowTest : public testing::Test {
     char* argv_[2] = {name_, nullptr};
     std::optional<QApplication> application_;
     std::optional<MainWindow> window_;
-    std::optional<app::FrameShown> last_;
+    std::optional<live::FrameShown> last_;
     int frames_ = 0;
 };
 

@@ -38,17 +38,17 @@ TEST_F(WindowTest, ThePhantomConvergesThenStopsAndStartsAgainWhenDragged) {
     waitUntil([&] { return idle.elapsed() > 500; });
     EXPECT_EQ(frames_, before);
 
-    const app::OrbitCamera camera = window_->viewport().camera();
+    const scene::OrbitCamera camera = window_->viewport().camera();
     sendMouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
     sendMouse(QEvent::MouseMove, {160, 120}, Qt::NoButton, Qt::LeftButton);
     EXPECT_NE(window_->viewport().camera().azimuthDeg, camera.azimuthDeg);
     ASSERT_TRUE(waitUntil([&] { return frames_ > before; }));
-    EXPECT_EQ(last_->stage, app::Stage::moving);
-    EXPECT_EQ(last_->picture, app::OnScreen::preview);
+    EXPECT_EQ(last_->stage, live::Stage::moving);
+    EXPECT_EQ(last_->picture, live::OnScreen::preview);
     // As long as the hand holds on, no picture with all pixels begins.
     idle.restart();
     waitUntil([&] { return idle.elapsed() > 700; });
-    EXPECT_EQ(last_->stage, app::Stage::moving);
+    EXPECT_EQ(last_->stage, live::Stage::moving);
     sendMouse(QEvent::MouseButtonRelease, {160, 120}, Qt::LeftButton, Qt::NoButton);
     EXPECT_TRUE(waitForConverged());
 }
@@ -82,7 +82,7 @@ TEST_F(WindowTest, FitsWhatIsVisible) {
     Viewport& viewport = window_->viewport();
     const auto corners = cornersOf(phantom::make().worldBox());
     const double aspect = double(viewport.window().width()) / viewport.window().height();
-    const app::OrbitCamera ofBox = app::framed(corners, ViewDirection::anterior, 30.0, aspect);
+    const scene::OrbitCamera ofBox = scene::framed(corners, ViewDirection::anterior, 30.0, aspect);
     EXPECT_LT(viewport.camera().distanceMm, 0.99 * ofBox.distanceMm);
     EXPECT_EQ(viewport.camera().azimuthDeg, 0.0);
 }
@@ -91,37 +91,37 @@ TEST_F(WindowTest, FitsWhatIsVisible) {
 TEST_F(WindowTest, AViewComesBackAsItWas) {
     window_->open(std::nullopt);
     ASSERT_TRUE(waitUntil([&] { return window_->hasStudy(); }));
-    app::StudyState state = window_->state();
+    scene::StudyState state = window_->state();
     EXPECT_EQ(state.seriesDigest, "phantom");
     state.settings.look = trace::Look::average;
     state.windows.at(std::size_t(trace::Look::average)) =
         DisplayWindow{.center = 40.0, .width = 400.0, .explanation = {}, .function = "LINEAR_EXACT"};
     state.camera->positionMm += glm::dvec3(100.0, 0.0, 50.0);
-    const auto read = app::studyStateFromJson(app::toJson(state), "view.json");
+    const auto read = scene::studyStateFromJson(toJson(state), "view.json");
     ASSERT_TRUE(read.ok());
     ASSERT_TRUE(window_->setState(*read).ok());
-    const app::StudyState now = window_->state();
-    EXPECT_LE(staleAfter(*read, now), app::Stale::camera) << "whose last bits may differ";
+    const scene::StudyState now = window_->state();
+    EXPECT_LE(staleAfter(*read, now), scene::Stale::camera) << "whose last bits may differ";
     EXPECT_LT(glm::distance(now.camera->positionMm, state.camera->positionMm), 1e-6);
 
-    app::StudyState bright = state;
+    scene::StudyState bright = state;
     bright.settings.exposure = 3.0;
     bright.leavesTableOut = true;
     ASSERT_TRUE(window_->setState(bright).ok());
     EXPECT_EQ(window_->state().settings.exposure, 3.0);
 
-    app::StudyState ofAnother = state;
+    scene::StudyState ofAnother = state;
     ofAnother.seriesDigest = "another";
     EXPECT_FALSE(window_->setState(ofAnother).ok());
     EXPECT_EQ(window_->state().settings.look, trace::Look::average);
 
     // How the next study is drawn nobody has chosen yet; how the window is arranged stays.
     window_->session().change(QStringLiteral("Panes"),
-                              [](app::StudyState& next) { next.layout = app::Layout::coronal; });
+                              [](scene::StudyState& next) { next.layout = scene::Layout::coronal; });
     window_->open(std::nullopt);
     ASSERT_TRUE(waitUntil([&] { return window_->state().settings.exposure == 1.0; }));
     EXPECT_EQ(window_->state().settings.look, trace::Look::cinematic);
-    EXPECT_EQ(window_->state().layout, app::Layout::coronal);
+    EXPECT_EQ(window_->state().layout, scene::Layout::coronal);
     EXPECT_FALSE(window_->state().leavesTableOut);
     EXPECT_EQ(window_->state().windows.at(std::size_t(trace::Look::average)), std::nullopt);
 }
@@ -131,7 +131,7 @@ TEST_F(WindowTest, WithoutAStudyItSaysSoOnceTheDeviceIsThere) {
     bool isReady = false;
     const auto listening = QObject::connect(
         &window_->viewport(), &Viewport::rendered, &*window_,
-        [&](const app::RenderEvent& event) { isReady |= std::holds_alternative<app::DeviceReady>(event); });
+        [&](const live::RenderEvent& event) { isReady |= std::holds_alternative<live::DeviceReady>(event); });
     ASSERT_TRUE(waitUntil([&] { return isReady; }));
     QObject::disconnect(listening);
     QElapsedTimer since;
@@ -147,7 +147,7 @@ TEST_F(WindowTest, AClipOfItsOwnGoesWithNoClip) {
     auto* noClip = window_->findChild<QAction*>(QStringLiteral("no-clip"));
     ASSERT_NE(noClip, nullptr);
     EXPECT_TRUE(noClip->isChecked());
-    app::StudyState clipped = window_->state();
+    scene::StudyState clipped = window_->state();
     clipped.clip = ClipPreset{.name = "own", .title = "Own", .clip = {}, .planesAt = {glm::dvec3(0.5)}};
     clipped.clip->clip.planes = {{glm::dvec3(1.0, 0.0, 0.0), 0.0}};
     ASSERT_TRUE(window_->setState(clipped).ok());
@@ -259,7 +259,7 @@ TEST_F(WindowTest, HidingAndShowingKeepsThePicture) {
     window_->open(std::nullopt);
     ASSERT_TRUE(waitForConverged());
     const QImage before = picture();
-    const app::FrameShown shown = *last_;
+    const live::FrameShown shown = *last_;
     EXPECT_GT(coloursInTheMiddle(), 100);
     for (int i = 0; i < 2; ++i) {
         window_->hide();
@@ -267,7 +267,7 @@ TEST_F(WindowTest, HidingAndShowingKeepsThePicture) {
         window_->show();
         ASSERT_TRUE(waitUntil([&] { return window_->viewport().window().isExposed(); }));
         EXPECT_TRUE(waitUntil([&] { return picture() == before; }));
-        EXPECT_EQ(last_->stage, app::Stage::converged);
+        EXPECT_EQ(last_->stage, live::Stage::converged);
         EXPECT_EQ(last_->samplesPerPixel, shown.samplesPerPixel);
     }
     window_->resize(window_->size() + QSize(64, 32));
@@ -332,7 +332,7 @@ TEST_F(WindowTest, ConvergingGoesOnFromThePictureThereIsAndCanBeStopped) {
     EXPECT_TRUE(stop->isEnabled());
     last_.reset();
     ASSERT_TRUE(waitUntil([&] { return last_ && last_->noiseTarget == ConvergeNow::kNoiseTarget; }));
-    EXPECT_EQ(last_->picture, app::OnScreen::traced) << "it does not begin anew";
+    EXPECT_EQ(last_->picture, live::OnScreen::traced) << "it does not begin anew";
     stop->trigger();
     EXPECT_FALSE(stop->isEnabled());
     EXPECT_TRUE(waitForConverged());
@@ -381,7 +381,7 @@ TEST_F(WindowTest, MayBeClosedAtAnyMoment) {
              if (!waitUntil([&] { return last_.has_value(); })) return false;
              sendMouse(QEvent::MouseButtonPress, {100, 100}, Qt::LeftButton, Qt::LeftButton);
              sendMouse(QEvent::MouseMove, {160, 120}, Qt::NoButton, Qt::LeftButton);
-             return waitUntil([&] { return last_->stage == app::Stage::moving; });
+             return waitUntil([&] { return last_->stage == live::Stage::moving; });
          }}};
     for (const auto& [name, reach] : moments) {
         SCOPED_TRACE(name);

@@ -21,7 +21,7 @@ class HeadsetWindowTest : public test::OffscreenTest {
     void SetUp() override {
         OffscreenTest::SetUp();
         setenv("XR_RUNTIME_JSON", MACULA_XR_MANIFEST, 1);
-        auto catalogue = app::builtInCatalogue();
+        auto catalogue = scene::builtInCatalogue();
         ASSERT_TRUE(catalogue.ok());
         catalogue_ = *std::move(catalogue);
         volume_ =
@@ -32,7 +32,7 @@ class HeadsetWindowTest : public test::OffscreenTest {
             picture_ = picture;
         });
         QObject::connect(&*show_, &HeadsetShow::chosen, &*show_,
-                         [this](const HeadsetChoice& choice) { chosen_ = choice; });
+                         [this](const HeadsetSelection& choice) { chosen_ = choice; });
         QObject::connect(&*show_, &HeadsetShow::failed, &*show_,
                          [this](const Error& error) { error_ = error; });
         QObject::connect(&*show_, &HeadsetShow::ended, &*show_, [this](const QString& figures) {
@@ -47,14 +47,14 @@ class HeadsetWindowTest : public test::OffscreenTest {
         OffscreenTest::TearDown();
     }
 
-    HeadsetWish wish() const {
-        app::StudyState state;
-        state.preset = app::presetFor(catalogue_, *volume_);
-        HeadsetWish made;
+    HeadsetRequest request() const {
+        scene::StudyState state;
+        state.preset = scene::presetFor(catalogue_, *volume_);
+        HeadsetRequest made;
         made.volume = volume_;
-        made.drawing = app::drawingOf(state, catalogue_, app::SeriesWindows(), volume_, nullptr);
-        made.presets = {state.preset, app::findPreset(catalogue_, "ct-bone").ok()
-                                          ? *app::findPreset(catalogue_, "ct-bone")
+        made.drawing = scene::drawingOf(state, catalogue_, scene::SeriesWindows(), volume_, nullptr);
+        made.presets = {state.preset, scene::findPreset(catalogue_, "ct-bone").ok()
+                                          ? *scene::findPreset(catalogue_, "ct-bone")
                                           : catalogue_.presets.front()};
         return made;
     }
@@ -75,14 +75,14 @@ class HeadsetWindowTest : public test::OffscreenTest {
         return made;
     }
 
-    app::Catalogue catalogue_;
+    scene::Catalogue catalogue_;
     std::shared_ptr<const Volume> volume_;
     std::optional<HeadsetShow> show_;
     int mirrored_ = 0;
     int ended_ = 0;
     QImage picture_;
     QString figures_;
-    std::optional<HeadsetChoice> chosen_;
+    std::optional<HeadsetSelection> chosen_;
     std::optional<Error> error_;
 };
 
@@ -90,7 +90,7 @@ TEST_F(HeadsetWindowTest, IsMirroredChosenFromEndedAndBegunAgain) {
     xr_script::Script script;
     script.hand = hand;
     xr_script::follow(script);
-    const HeadsetWish asked = wish();
+    const HeadsetRequest asked = request();
     show_->start(asked);
     EXPECT_TRUE(show_->isRunning());
     ASSERT_TRUE(waitUntil([this] { return mirrored_ >= 1 || ended_ > 0; }));
@@ -120,7 +120,7 @@ TEST_F(HeadsetWindowTest, AHeadsetThatIsUnpluggedForAMomentIsFoundAgain) {
     QObject::connect(&*show_, &HeadsetShow::noted, &*show_,
                      [&](const QString& sentence) { noted = sentence; });
     xr_script::follow({});
-    show_->start(wish());
+    show_->start(request());
     ASSERT_TRUE(waitUntil([this] { return mirrored_ >= 1 || ended_ > 0; }));
     xr_script::Script gone;
     gone.hasHeadset = false;
@@ -146,7 +146,7 @@ TEST_F(HeadsetWindowTest, WithoutAHeadsetASentenceIsSaidAndItCanBeTriedAgain) {
     xr_script::Script script;
     script.hasHeadset = false;
     xr_script::follow(script);
-    show_->start(wish());
+    show_->start(request());
     ASSERT_TRUE(waitUntil([this] { return ended_ > 0; }));
     ASSERT_TRUE(error_);
     EXPECT_EQ(error_->code, ErrorCode::deviceNotUsable);
@@ -154,14 +154,14 @@ TEST_F(HeadsetWindowTest, WithoutAHeadsetASentenceIsSaidAndItCanBeTriedAgain) {
     EXPECT_FALSE(error_->hint.empty());
     error_.reset();
     setenv("XR_RUNTIME_JSON", "/nonexistent/runtime.json", 1);
-    show_->start(wish());
+    show_->start(request());
     ASSERT_TRUE(waitUntil([this] { return ended_ > 1; }));
     ASSERT_TRUE(error_);
     EXPECT_NE(error_->message.find("XR_RUNTIME_JSON"), std::string::npos);
     setenv("XR_RUNTIME_JSON", MACULA_XR_MANIFEST, 1);
     xr_script::follow({});
     error_.reset();
-    show_->start(wish());
+    show_->start(request());
     ASSERT_TRUE(waitUntil([this] { return mirrored_ >= 1 || ended_ > 2; }));
     EXPECT_FALSE(error_);
 }

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "dicom/messages/messages.h"
 #include "dicom/pixels/frame_decoder.h"
-#include "dicom/stack/messages.h"
 
 namespace macula::dicom {
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/sha256.h"
+#include "dicom/messages/messages.h"
 #include "dicom/presentation/palette_tables.h"
 #include "dicom/presentation/presentation_state.h"
 #include "dicom/presentation/srgb_profile.h"
@@ -15,7 +16,6 @@
 #include "dicom/read/presentation_tags.h"
 #include "dicom/read/referenced_frames.h"
 #include "dicom/read/sop_class.h"
-#include "dicom/stack/messages.h"
 
 namespace macula::dicom {
 

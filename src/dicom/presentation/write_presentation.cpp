@@ -51,7 +51,7 @@ bool isPlain(const std::string& text, std::size_t longest) {
 bool isPoint(const glm::dvec3& p) {
     return std::abs(p.x) <= kFarthestMm && std::abs(p.y) <= kFarthestMm && std::abs(p.z) <= kFarthestMm;
 }
-bool isUnit(const glm::dvec3& v) {
+bool isUnitVector(const glm::dvec3& v) {
     return std::abs(glm::length(v) - 1.0) <= kUnitLength;
 }
 bool isPart(double part) {
@@ -109,7 +109,7 @@ Result<void> checkGeometry(const VolumePresentation& p) {
             return refused("The clip of the presentation state is not usable.", "Choose another clip.");
     }
     for (const CroppingPlane& plane : p.cropping.planes) {
-        if (!isUnit(plane.outward) || !(std::abs(plane.offsetMm) <= kFarthestMm))
+        if (!isUnitVector(plane.outward) || !(std::abs(plane.offsetMm) <= kFarthestMm))
             return refused("The clip of the presentation state is not usable.", "Choose another clip.");
     }
     if (p.samplingStepMm && !(*p.samplingStepMm > 0.0 && *p.samplingStepMm <= kFarthestMm))
@@ -117,7 +117,7 @@ Result<void> checkGeometry(const VolumePresentation& p) {
     if (!p.shading) return {};
     const PresentedShading& s = *p.shading;
     if (isPart(s.ambient) && isPart(s.diffuse) && isPart(s.specular) && isPart(s.shininess.value_or(0.0)) &&
-        isUnit(s.lightDirection))
+        isUnitVector(s.lightDirection))
         return {};
     return refused("The shading of the presentation state is not usable.", "Choose another preset.");
 }

@@ -76,7 +76,7 @@ class Resolver {
         fs::path asNamed;
         for (const std::string& name : *way) asNamed /= name;
         for (const std::string& name : *way) {
-            const auto real = lookUp(found, name);
+            const auto real = nameOnDisk(found, name);
             if (!real) {
                 std::error_code error;
                 const fs::path folder = fs::canonical(folder_ / found, error);
@@ -116,7 +116,7 @@ class Resolver {
                                               .instanceNumber = record.instanceNumber});
     }
 
-    std::optional<std::string> lookUp(const fs::path& folder, const std::string& name) {
+    std::optional<std::string> nameOnDisk(const fs::path& folder, const std::string& name) {
         const auto [entry, isNew] = names_.try_emplace(folder);
         if (isNew) {
             std::error_code error;

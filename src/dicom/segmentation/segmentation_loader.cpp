@@ -7,11 +7,11 @@
 #include "base/available_memory.h"
 #include "base/check.h"
 #include "base/exceptions.h"
+#include "dicom/messages/messages.h"
 #include "dicom/pixels/pixels.h"
 #include "dicom/segmentation/segment_cells.h"
 #include "dicom/segmentation/segmentation.h"
 #include "dicom/segmentation/segmentation_grid.h"
-#include "dicom/stack/messages.h"
 
 namespace macula::dicom {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/frames.h"
-#include "dicom/stack/messages.h"
+#include "dicom/messages/messages.h"
 
 namespace macula::dicom {
 

@@ -39,7 +39,7 @@ bool isNearlyInteger(double value) {
 }
 
 // The greatest common measure by Euclid's algorithm, for numbers that were written in decimal digits.
-double commonMeasure(double a, double b) {
+double greatestCommonDivisor(double a, double b) {
     const double negligible = 1e-9 * std::max(a, b);
     while (b > negligible) {
         const double rest = std::abs(a - std::round(a / b) * b);
@@ -54,8 +54,8 @@ std::optional<double> commonStep(std::span<const Line> lines) {
     double step = std::abs(lines[0].slope);
     double steepest = 0.0;
     for (const Line& line : lines) {
-        step = commonMeasure(step, std::abs(line.slope));
-        step = commonMeasure(step, std::abs(line.intercept - lines[0].intercept));
+        step = greatestCommonDivisor(step, std::abs(line.slope));
+        step = greatestCommonDivisor(step, std::abs(line.intercept - lines[0].intercept));
         steepest = std::max(steepest, std::abs(line.slope));
         if (!(step * kMostStepsOfASlope >= steepest)) return {};
     }

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "dicom/messages/messages.h"
 #include "dicom/stack/instance.h"
-#include "dicom/stack/messages.h"
 
 namespace macula::dicom {
 

@@ -3,7 +3,7 @@
 #include <mutex>
 #include <utility>
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -34,4 +34,4 @@ gpu::DeviceOptions deviceOptions(const std::string& preferred) {
     return options;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

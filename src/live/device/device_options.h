@@ -6,7 +6,7 @@
 
 #include "pipeline/gpu/device.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // From here on the devices of this process store compiled kernels in `folder` (gpu::DeviceOptions), and start
 // faster. A program calls this before it opens its first device; a library never does, because its host
@@ -16,4 +16,4 @@ void keepKernelsIn(std::filesystem::path folder);
 // `preferred` as in gpu::chooseDevice.
 gpu::DeviceOptions deviceOptions(const std::string& preferred);
 
-}  // namespace macula::app
+}  // namespace macula::live

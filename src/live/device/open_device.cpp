@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -33,4 +33,4 @@ Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::Lasting
     return gpu::LastingDevice::open(std::move(instance), deviceOptions(preferred), std::move(tell));
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

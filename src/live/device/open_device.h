@@ -8,7 +8,7 @@
 #include "live/device/device_options.h"
 #include "pipeline/gpu/recovery.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // $MACULA_KERNELS, which may be empty, else $XDG_CACHE_HOME/macula/kernels, else ~/.cache/macula/kernels.
 // Empty: kernels are not stored.
@@ -17,4 +17,4 @@ std::filesystem::path usualKernelsFolder();
 // `preferred` as in gpu::chooseDevice. `tell` is called for each device that is lost and replaced.
 Result<gpu::LastingDevice> openDevice(const std::string& preferred, gpu::LastingDevice::Tell tell);
 
-}  // namespace macula::app
+}  // namespace macula::live

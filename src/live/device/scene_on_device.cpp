@@ -3,7 +3,7 @@
 
 #include <utility>
 
-namespace macula::app {
+namespace macula::live {
 
 Result<hybrid::TracedScene> visibleScene(const StudyScene& scene) {
     MACULA_TRY(hybrid::TracedScene traced,
@@ -33,4 +33,4 @@ Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, co
     return onDevice;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

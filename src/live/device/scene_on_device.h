@@ -15,7 +15,7 @@
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::live {
 
 struct StudyScene {
     std::shared_ptr<const Volume> volume;  // stored16
@@ -36,4 +36,4 @@ struct SceneOnDevice {
 Result<hybrid::TracedScene> visibleScene(const StudyScene& scene);
 Result<SceneOnDevice> putOnDevice(const std::shared_ptr<gpu::Device>& device, const StudyScene& scene);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -9,43 +9,43 @@
 #include "pipeline/volume/volume_fit.h"
 #include "pipeline/volume/window.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
 // With no more than these a CPU keeps up with a hand.
 constexpr hybrid::SplatEstimateOptions kOptionsOnCpu{.mostNewSplats = 24'000};
 
-bool hasAdditions(const Drawing& drawing) {
+bool hasAdditions(const scene::Drawing& drawing) {
     return drawing.additions && !drawing.additions->isNothing();
 }
 
-bool isEstimated(const Drawing& drawing) {
+bool isEstimated(const scene::Drawing& drawing) {
     return drawing.transferFunction && !usesGradientOpacity(*drawing.transferFunction) &&
            !hasAdditions(drawing);
 }
 
 // Grey faces pass exposure and tone map unchanged, and are made for them; all other light is the same with
 // any.
-trace::Settings lightOf(const Drawing& drawing) {
-    trace::Settings settings = settingsOfLight(drawing);
+trace::Settings lightOf(const scene::Drawing& drawing) {
+    trace::Settings settings = scene::settingsOfLight(drawing);
     settings.exposure = trace::Settings{}.exposure;
     settings.toneMap = trace::Settings{}.toneMap;
     return settings;
 }
 
-bool isSame(const Drawing& a, const Drawing& b) {
+bool isSame(const scene::Drawing& a, const scene::Drawing& b) {
     return a.transferFunction == b.transferFunction && a.clip == b.clip && a.lights == b.lights &&
-           settingsOfLight(a) == settingsOfLight(b);
+           scene::settingsOfLight(a) == scene::settingsOfLight(b);
 }
 
 }  // namespace
 
-bool EstimatedModel::isInLightOf(const Drawing& drawing) const {
+bool EstimatedModel::isInLightOf(const scene::Drawing& drawing) const {
     return drawing.lights == learntOf_.lights && lightOf(drawing) == lightOf(learntOf_);
 }
 
-void EstimatedModel::begin(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) {
+void EstimatedModel::begin(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing) {
     if (canTell(volume, drawing) || !isEstimated(drawing)) return;
     splat::Splats none;
     const Box box = volume->worldBox();
@@ -53,7 +53,7 @@ void EstimatedModel::begin(const std::shared_ptr<const Volume>& volume, const Dr
     learnt(volume, drawing, std::make_shared<const splat::Splats>(std::move(none)), 1.0);
 }
 
-void EstimatedModel::learnt(const std::shared_ptr<const Volume>& volume, const Drawing& drawing,
+void EstimatedModel::learnt(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing,
                             std::shared_ptr<const splat::Splats> model, double gain) {
     forget();
     if (volume_ != volume) {
@@ -68,12 +68,13 @@ void EstimatedModel::learnt(const std::shared_ptr<const Volume>& volume, const D
     estimate_.reset();
 }
 
-bool EstimatedModel::canTell(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const {
+bool EstimatedModel::canTell(const std::shared_ptr<const Volume>& volume,
+                             const scene::Drawing& drawing) const {
     return model_ && volume_ == volume && volume->format() == VoxelFormat::stored16 && isInLightOf(drawing) &&
            isEstimated(drawing) && (isEstimated(learntOf_) || !hasLearnt());
 }
 
-bool EstimatedModel::isOf(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const {
+bool EstimatedModel::isOf(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing) const {
     return painter_ && volume_ == volume && isEstimated(drawing) && isSame(drawing, shown_);
 }
 
@@ -83,7 +84,7 @@ void EstimatedModel::forget() {
     shown_ = {};
 }
 
-hybrid::ShownMatter EstimatedModel::shownMatter(const Drawing& drawing) {
+hybrid::ShownMatter EstimatedModel::shownMatter(const scene::Drawing& drawing) {
     const TimelineStage stage("curve of estimate");
     const TransferFunction function = fitted(*drawing.transferFunction, *volume_);
     hybrid::ShownMatter shown{.optics = opticsByEntry(*volume_, function),
@@ -93,7 +94,7 @@ hybrid::ShownMatter EstimatedModel::shownMatter(const Drawing& drawing) {
         shown.steep = opticsByEntry(*volume_, withCurvesSwapped(function));
         shown.steepGradientPerMm = function.steep.gradientPerMm;
     }
-    if (hasGreyFaces(drawing)) {
+    if (scene::hasGreyFaces(drawing)) {
         const auto [low, high] = entriesOf(*shown.clip.greyFaces, *volume_);
         shown.faces = hybrid::GreyValues{.low = low,
                                          .high = high,
@@ -111,7 +112,7 @@ hybrid::ShownMatter EstimatedModel::shownMatter(const Drawing& drawing) {
     return shown;
 }
 
-Result<void> EstimatedModel::make(const Drawing& drawing) {
+Result<void> EstimatedModel::make(const scene::Drawing& drawing) {
     MACULA_CHECK(canTell(volume_, drawing));
     if (isOf(volume_, drawing)) return {};
     const TimelineStage stage("estimate model");
@@ -137,4 +138,4 @@ Result<hybrid::DrawnSplats> EstimatedModel::draw(const Camera& eye, const glm::i
     return hybrid::DrawnSplats{picture, &painter_->depthsOnDevice()};
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -16,7 +16,7 @@
 #include "pipeline/splat/draw/model_painter.h"
 #include "scene/drawing/drawing.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Used by one thread at a time: the one that uses the device.
 class EstimatedModel {
@@ -25,17 +25,17 @@ class EstimatedModel {
 
     // Makes estimates from the voxels alone, lit as the drawing: no model of the volume exists yet. Does
     // nothing if canTell() already accepts the drawing, or would not accept it afterwards.
-    void begin(const std::shared_ptr<const Volume>& volume, const Drawing& drawing);
+    void begin(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing);
     // From now on estimates are made from this model. It was learnt from that drawing of the volume, and its
     // light is `gain` times that of traced pictures.
-    void learnt(const std::shared_ptr<const Volume>& volume, const Drawing& drawing,
+    void learnt(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing,
                 std::shared_ptr<const splat::Splats> model, double gain);
     // Whether an estimate of that drawing is possible: another curve, clip or both, of the same volume under
     // the same lights. False for gradient opacity, second volumes and coloured segments.
-    bool canTell(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const;
+    bool canTell(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing) const;
     // Makes the estimate; does nothing if it exists already. Requires canTell(). Fails with outOfMemory.
-    Result<void> make(const Drawing& drawing);
-    bool isOf(const std::shared_ptr<const Volume>& volume, const Drawing& drawing) const;
+    Result<void> make(const scene::Drawing& drawing);
+    bool isOf(const std::shared_ptr<const Volume>& volume, const scene::Drawing& drawing) const;
     // Drops the estimate, and frees its memory on the device.
     void forget();
 
@@ -47,21 +47,21 @@ class EstimatedModel {
 
   private:
     bool hasLearnt() const { return model_ && model_->size() > 0; }
-    bool isInLightOf(const Drawing& drawing) const;
-    hybrid::ShownMatter shownMatter(const Drawing& drawing);
+    bool isInLightOf(const scene::Drawing& drawing) const;
+    hybrid::ShownMatter shownMatter(const scene::Drawing& drawing);
 
     std::shared_ptr<gpu::Device> device_;
     std::shared_ptr<const Volume> volume_;
-    Drawing learntOf_;
+    scene::Drawing learntOf_;
     std::shared_ptr<const splat::Splats> model_;  // without splats: none was learnt
     double gain_ = 1.0;
     std::shared_ptr<const hybrid::CoarseMatter> matter_;  // of volume_; made when first needed
     std::optional<hybrid::SplatEstimate> estimate_;       // of model_; made when first needed
     Mask masked_;                                         // the mask of bits_
     std::shared_ptr<const MaskBits> bits_;
-    Drawing shown_;  // the drawing of splats_
+    scene::Drawing shown_;  // the drawing of splats_
     std::shared_ptr<const splat::Splats> splats_;
     std::optional<splat::ModelPainter> painter_;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -44,4 +44,4 @@ Fidelity fidelityOf(const FrameShown& frame) {
     return fidelity;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

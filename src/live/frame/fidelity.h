@@ -6,7 +6,7 @@
 
 #include "live/frame/render_events.h"
 
-namespace macula::app {
+namespace macula::live {
 
 struct Fidelity {
     bool isFinal = false;  // the picture stays as it is until the input changes
@@ -17,4 +17,4 @@ struct Fidelity {
 
 Fidelity fidelityOf(const FrameShown& frame);
 
-}  // namespace macula::app
+}  // namespace macula::live

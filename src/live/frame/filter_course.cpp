@@ -4,7 +4,7 @@
 
 #include "live/frame/frame_input.h"
 
-namespace macula::app {
+namespace macula::live {
 
 void FilterCourse::begin(std::uint64_t firstSamples, bool filters) {
     *this = {};
@@ -36,4 +36,4 @@ void FilterCourse::showed(double samples, double filterMs, TimePoint now) {
     shownAt_ = now;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -10,7 +10,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace macula::app {
+namespace macula::live {
 
 class FilterCourse {
   public:
@@ -47,4 +47,4 @@ class FilterCourse {
     TimePoint shownAt_{};
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

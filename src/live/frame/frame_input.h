@@ -16,7 +16,7 @@
 #include "scene/camera/orbit_camera.h"
 #include "scene/drawing/drawing.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Noise too low to see: the standard error of the displayed picture (black to white is 1). One step of eight
 // bits.
@@ -36,23 +36,23 @@ struct FrameInput {
 
     std::uint64_t study = 0;                 // grows with each volume
     std::shared_ptr<const Volume> volume{};  // null: no volume is open
-    Drawing drawing{};
+    scene::Drawing drawing{};
     Camera camera{};
-    EdgeLetters letters{};                      // for this camera; FrameShown returns them with its pictures
+    scene::EdgeLetters letters{};               // for this camera; FrameShown returns them with its pictures
     std::shared_ptr<const PictureText> text{};  // over every picture of the study; null: none
     // Drawn only over pictures of this camera and size; null: none.
     std::shared_ptr<const PictureText> marks{};
-    glm::vec3 background{kWindowBackground};  // as displayed, in linear light: backgroundInWindow
-    std::uint32_t sampleLimit = 512;          // per pixel; then the picture counts as converged
-    double noiseTarget = kUnseenNoise;        // below it the picture counts as converged; above 0
-    bool convergesNow = false;                // no training at rest: all time is for tracing
-    bool interacting = false;                 // the user is moving something: stay fast
-    glm::dvec2 gaze{0.0};                     // where the user looks in the picture, -1 to 1; x right, y up
-    bool usesModel = true;                    // draw the peripheral model while the view moves
-    LiveQuality live{};                       // what is traced over the model
-    // Grows with each request for the drawn model (ModelTaken); wishesTraining: with its training.
-    std::uint64_t modelWishes = 0;
-    bool wishesTraining = false;
+    glm::vec3 background{scene::kWindowBackground};  // as displayed, in linear light: backgroundInWindow
+    std::uint32_t sampleLimit = 512;                 // per pixel; then the picture counts as converged
+    double noiseTarget = kUnseenNoise;               // below it the picture counts as converged; above 0
+    bool convergesNow = false;                       // no training at rest: all time is for tracing
+    bool interacting = false;                        // the user is moving something: stay fast
+    glm::dvec2 gaze{0.0};   // where the user looks in the picture, -1 to 1; x right, y up
+    bool usesModel = true;  // draw the peripheral model while the view moves
+    LiveQuality live{};     // what is traced over the model
+    // Grows with each request for the drawn model (ModelSnapshot); requestsTraining: with its training.
+    std::uint64_t modelRequests = 0;
+    bool requestsTraining = false;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -2,7 +2,7 @@
 
 #include "live/frame/fidelity.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -44,4 +44,4 @@ nlohmann::ordered_json toJson(const FrameShown& frame) {
     return json;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -5,10 +5,10 @@
 
 #include "live/frame/render_events.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // "picture" is nameOf(OnScreen), "tracedShare" the share of traced pixels. "fidelity" is "final" or
 // "preliminary", and "because" gives the reasons (fidelity.h). Times in ms. No patient data.
 nlohmann::ordered_json toJson(const FrameShown& frame);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -10,7 +10,7 @@
 #include "base/srgb.h"
 #include "pipeline/trace/device_scene.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -115,17 +115,17 @@ void FrameRenderer::accept(FrameInput input) {
     input_ = std::move(input);
     lookForModel();
     tellCourse();
-    if (input_.modelWishes == modelsGiven_) return;
-    modelsGiven_ = input_.modelWishes;
+    if (input_.modelRequests == modelsGiven_) return;
+    modelsGiven_ = input_.modelRequests;
     if (const Result<void> given = giveModel(); !given) handle(given.error());
 }
 
 // Whoever asked waits for an answer, and gets one.
 Result<void> FrameRenderer::giveModel() {
-    ModelTaken taken{.wish = input_.modelWishes};
+    ModelSnapshot taken{.request = input_.modelRequests};
     Result<void> done;
     try {
-        done = takeModel(taken);
+        done = snapshotModel(taken);
     } catch (const std::bad_alloc&) {
         // The picture goes on without that.
         taken.error = {ErrorCode::outOfMemory,
@@ -143,12 +143,12 @@ Result<void> FrameRenderer::giveModel() {
 }
 
 // What is drawn now, and only of what is wanted now.
-Result<void> FrameRenderer::takeModel(ModelTaken& taken) {
+Result<void> FrameRenderer::snapshotModel(ModelSnapshot& taken) {
     if (!isComplete() || !canDrawModel()) return {};
     if (model_->key() != sceneNames_.of(input_.study, input_.drawing)) return {};
     taken.splats = model_->shown();
     taken.gain = model_->gain();
-    if (input_.wishesTraining) {
+    if (input_.requestsTraining) {
         MACULA_TRY(taken.state, model_->state());
     }
     return {};
@@ -166,7 +166,7 @@ void FrameRenderer::lookForModel() {
     std::string name = sceneNames_.of(input_.study, input_.drawing);
     if (name == lookedFor_) return;
     lookedFor_ = std::move(name);
-    if (!shelf_ || !shelf_->find(lookedFor_)) keeper_->look(lookedFor_, input_.volume, input_.drawing);
+    if (!shelf_ || !shelf_->find(lookedFor_)) keeper_->willShow(lookedFor_, input_.volume, input_.drawing);
 }
 
 void FrameRenderer::tellCourse() {
@@ -384,7 +384,7 @@ Result<void> FrameRenderer::clearWindow() {
 
 Result<bool> FrameRenderer::applyScene(const Interrupts& interrupts) {
     const TimelineStage stage("set scene");
-    const Drawing& drawing = input_.drawing;
+    const scene::Drawing& drawing = input_.drawing;
     // Each part may take long. Whoever waits for the surface, or has changed something, waits for one of
     // them; what is done stays done, so that a hand that never rests does not keep the scene from being
     // applied.
@@ -570,8 +570,8 @@ Result<void> FrameRenderer::closeScreen() {
     screen.reset();
     // Dropping only queued the destruction; a surface may go only after its swapchain is really gone.
     MACULA_TRY_VOID(device_->waitForAll());
-    device_->collect();
+    device_->destroyUnused();
     return {};
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -16,8 +16,8 @@
 #include "live/frame/picture_course.h"
 #include "live/frame/render_duty.h"
 #include "live/frame/render_events.h"
+#include "live/frame/scene_ids.h"
 #include "live/frame/scene_keeper.h"
-#include "live/frame/scene_names.h"
 #include "live/frame/screen.h"
 #include "live/frame/traced_pictures.h"
 #include "pipeline/gpu/device.h"
@@ -26,7 +26,7 @@
 #include "pipeline/hybrid/frame/hybrid_frame.h"
 #include "pipeline/hybrid/model/live_model.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Asked between dispatches. Both must be cheap.
 struct Interrupts {
@@ -120,7 +120,7 @@ class FrameRenderer {
     void tellOfModel();
     void tellOfTime();
     Result<void> giveModel();
-    Result<void> takeModel(ModelTaken& taken);
+    Result<void> snapshotModel(ModelSnapshot& taken);
     void handle(Error error);
     void dropDevice();
     double framesPerSecond() const;
@@ -137,7 +137,7 @@ class FrameRenderer {
     std::optional<hybrid::LiveModel> model_;
     hybrid::ModelStage whyNoModel_ = hybrid::ModelStage::none;  // why model_ is empty
     std::optional<hybrid::HybridFrame> hybrid_;                 // draws the model with its fovea
-    Drawing modelOf_;                                           // the drawing that model_->key() names
+    scene::Drawing modelOf_;                                    // the drawing that model_->key() names
     std::optional<EstimatedModel> estimate_;                    // reset when the study or volume changes
     bool estimateHasRoom_ = true;                               // like foveaHasRoom_
     std::optional<Clock::time_point> editShownAt_;  // when an estimate of this drawing was first shown
@@ -148,7 +148,7 @@ class FrameRenderer {
     std::shared_ptr<hybrid::ModelShelf> shelf_;
     std::shared_ptr<SceneKeeper> keeper_;
     std::string lookedFor_;  // the scene name last passed to the keeper
-    SceneNames sceneNames_;
+    SceneIds sceneNames_;
 
     FrameInput input_;
     // The scene on the device. Comparing it with the input shows what to upload next.
@@ -186,4 +186,4 @@ class FrameRenderer {
     std::optional<FrameShown> unreported_;  // for the kept picture, until it is visible
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -9,7 +9,7 @@
 #include "live/frame/frame_renderer.h"
 #include "pipeline/hybrid/frame/fovea_size.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -397,7 +397,7 @@ Result<void> FrameRenderer::show(const gpu::Image& picture) {
         frame.foveaSamples = lastFrame_.foveaSamples;
         frame.foveaShare = lastFrame_.foveaShare;
     }
-    frame.greyFacesAreCoarse = isOfSplats(kind) && hasGreyFaces(input_.drawing);
+    frame.greyFacesAreCoarse = isOfSplats(kind) && scene::hasGreyFaces(input_.drawing);
     frame.mixesModel = kind == OnScreen::traced && mixesModel_;
     const bool isTraced = kind == OnScreen::traced || kind == OnScreen::fading;
     if (isTraced) frame.stage = course_.hasConverged() ? Stage::converged : Stage::converging;
@@ -425,4 +425,4 @@ double FrameRenderer::framesPerSecond() const {
     return spanMs > 0.0 ? 1000.0 * double(shown_.size() - 1) / spanMs : 0.0;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace macula::app {
+namespace macula::live {
 
 void HandRhythm::input(TimePoint published, bool moves) {
     if (!moves) {
@@ -29,4 +29,4 @@ double HandRhythm::leftMs(TimePoint now) const {
     return std::max(std::chrono::duration<double, std::milli>(due - now).count() - kReserveMs, 0.0);
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -7,7 +7,7 @@
 #include <deque>
 #include <optional>
 
-namespace macula::app {
+namespace macula::live {
 
 class HandRhythm {
   public:
@@ -26,4 +26,4 @@ class HandRhythm {
     std::deque<std::chrono::steady_clock::duration> gaps_;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

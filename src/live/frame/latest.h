@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-namespace macula::app {
+namespace macula::live {
 
 // Any thread publishes, one thread takes. Publishing never waits for the taker: the lock is held only to move
 // a value in or out, never to make, use or destroy one.
@@ -70,4 +70,4 @@ class Latest {
     bool closed_ = false;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

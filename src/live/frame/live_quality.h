@@ -5,16 +5,16 @@
 
 #include "pipeline/hybrid/frame/fovea_size.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Affects the noise and sharpness of a frame, never the simulated light.
 struct LiveQuality {
     bool hasFovea = true;  // false: no new fovea is traced; an earlier traced picture is reused
-    hybrid::FoveaWish fovea{};
+    hybrid::FoveaOptions fovea{};
     double foveaMs = hybrid::kFoveaBudgetMs;  // tracing time for one; less makes it smaller or coarser
     double betweenFramesMs = 12.0;            // the part of foveaMs between two frames
 
     bool operator==(const LiveQuality&) const = default;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -12,7 +12,7 @@
 #include "scene/camera/orbit_camera.h"
 #include "scene/camera/usual_view.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -242,7 +242,7 @@ class Recording {
     }
 
     Result<LiveRecording> run() {
-        MACULA_TRY(const CameraPath path, open());
+        MACULA_TRY(const scene::CameraPath path, open());
         MACULA_TRY_VOID(move(path));
         MACULA_TRY_VOID(rest(RecordingPhase::resting, path.stops.back().camera));
         if (options_.thenDrawing) {
@@ -276,9 +276,9 @@ class Recording {
         return wait([&] { return secondsBetween(start, Clock::now()) >= seconds; });
     }
 
-    Result<CameraPath> open() {
+    Result<scene::CameraPath> open() {
         progress_.beginStage("Opening", 1);
-        CameraPath path;
+        scene::CameraPath path;
         if (options_.path) {
             path = *options_.path;
             publish(RecordingPhase::opening, path.stops.front().camera);
@@ -286,15 +286,16 @@ class Recording {
             // What can be seen is known when it is on the device.
             const double aspect = double(options_.sizePx.x) / double(options_.sizePx.y);
             const auto corners = cornersOf(input_.volume->worldBox());
-            OrbitCamera start = turnedTo({}, firstDirection(options_.from, *input_.volume));
+            scene::OrbitCamera start =
+                scene::turnedTo({}, scene::firstDirection(options_.from, *input_.volume));
             start.isParallel = options_.isParallel;
-            publish(RecordingPhase::opening, toCamera(fitted(start, corners, aspect)));
+            publish(RecordingPhase::opening, scene::toCamera(scene::fitted(start, corners, aspect)));
             MACULA_TRY_VOID(wait([&] { return tape_->outlineMm() != nullptr; }));
             std::vector<glm::dvec3> outlineMm = *tape_->outlineMm();
             if (outlineMm.empty() || trace::isProjection(input_.drawing.settings.look))
                 outlineMm.assign(corners.begin(), corners.end());
-            const Camera first = toCamera(fitted(start, outlineMm, aspect));
-            path = turntable(first, options_.turnS, options_.movingS);
+            const Camera first = scene::toCamera(scene::fitted(start, outlineMm, aspect));
+            path = scene::turntable(first, options_.turnS, options_.movingS);
             publish(RecordingPhase::opening, first);
         }
         MACULA_TRY_VOID(wait([&] { return tape_->hasTraced(); }));
@@ -303,13 +304,13 @@ class Recording {
         return path;
     }
 
-    Result<void> move(const CameraPath& path) {
+    Result<void> move(const scene::CameraPath& path) {
         progress_.beginStage("Moving", 1);
         const Clock::time_point start = Clock::now();
         const auto atS = [&] { return secondsBetween(start, Clock::now()); };
         MACULA_TRY_VOID(wait([&] {
             if (atS() >= path.seconds()) return true;
-            publish(RecordingPhase::moving, cameraAt(path, atS()));
+            publish(RecordingPhase::moving, scene::cameraAt(path, atS()));
             return false;
         }));
         progress_.advance();
@@ -355,4 +356,4 @@ Result<LiveRecording> recordLive(FrameInput scene, const RecordingOptions& optio
     return recording.run();
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

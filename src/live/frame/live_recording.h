@@ -18,13 +18,13 @@
 #include "live/frame/scene_keeper.h"
 #include "scene/camera/camera_path.h"
 
-namespace macula::app {
+namespace macula::live {
 
 struct RecordingOptions {
     glm::ivec2 sizePx{1280, 720};
     // The camera's path. Nothing: the camera starts at `from`, with the visible matter filling the picture,
     // and orbits for `movingS`, one turn in `turnS`; with `movingS` 0 it stands still.
-    std::optional<CameraPath> path;
+    std::optional<scene::CameraPath> path;
     std::optional<ViewDirection> from = {};  // nothing: usualView
     bool isParallel = false;                 // for the camera made without `path`
     double turnS = 60.0;
@@ -35,7 +35,7 @@ struct RecordingOptions {
     std::string device;                   // as gpu::DeviceOptions::preferred
     std::shared_ptr<SceneKeeper> keeper;  // stores models between runs; null: none
     // Drawn afterwards from the last camera, for another `restingS`; must differ from the scene's drawing.
-    std::optional<Drawing> thenDrawing;
+    std::optional<scene::Drawing> thenDrawing;
 };
 
 enum class RecordingPhase { opening, moving, resting, changed };
@@ -90,4 +90,4 @@ inline constexpr std::uint64_t kMostRecordedBytes = std::uint64_t(1) << 30;
 // `cancelled`, and with the renderer's errors.
 Result<LiveRecording> recordLive(FrameInput scene, const RecordingOptions& options, Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -49,4 +49,4 @@ int MotionScale::choose(int windowWidth, int windowHeight) {
     return last_ = best;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -6,7 +6,7 @@
 
 #include "pipeline/trace/look.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Learns the cost of a pixel on this device with this study. From it follows the divisor of the window's
 // width and height that keeps a moving picture within the time budget.
@@ -52,4 +52,4 @@ class MotionScales {
 // Pixels of an edge of the window divided by `scale`, rounded up, at least 1.
 int scaledEdge(int windowEdge, int scale);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace macula::app {
+namespace macula::live {
 
 std::string_view nameOf(OnScreen picture) {
     switch (picture) {
@@ -188,4 +188,4 @@ void PictureCourse::spent(Step step, double ms) {
     hasSearched_ = true;  // a small picture is next, where one is worth it
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -18,7 +18,7 @@
 #include <optional>
 #include <string_view>
 
-namespace macula::app {
+namespace macula::live {
 
 // How much of the wanted picture is on screen.
 enum class OnScreen {
@@ -142,4 +142,4 @@ class PictureCourse {
     double learntMs_ = 0.0;  // training and search
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

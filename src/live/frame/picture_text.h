@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace macula::app {
+namespace macula::live {
 
 // Each line and each mark has its own box, so that little of the picture is covered. A native window can have
 // no widgets on top, so the code that shows the picture copies the boxes into it: a picture and its text
@@ -21,4 +21,4 @@ struct PictureText {
     VkExtent2D of{};
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

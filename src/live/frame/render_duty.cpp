@@ -1,6 +1,6 @@
 #include "live/frame/render_duty.h"
 
-namespace macula::app {
+namespace macula::live {
 
 void RenderDuty::otherStudy() {
     isForeign_ = true;
@@ -39,4 +39,4 @@ void RenderDuty::lostTooOften() {
     isForeign_ = true;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -7,7 +7,7 @@
 //   screen    ours ──other study, failure──▶ foreign ──cleared, or a picture of ours shown──▶ ours
 #pragma once
 
-namespace macula::app {
+namespace macula::live {
 
 class RenderDuty {
   public:
@@ -58,4 +58,4 @@ class RenderDuty {
     bool isForeign_ = false;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

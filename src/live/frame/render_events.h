@@ -19,7 +19,7 @@
 #include "pipeline/trace/look.h"
 #include "scene/camera/orbit_camera.h"
 
-namespace macula::app {
+namespace macula::live {
 
 struct DeviceReady {
     std::string name;           // for people
@@ -47,9 +47,9 @@ struct ModelChanged {
     hybrid::ModelNews model{};
 };
 
-// The answer to a request for the peripheral model (FrameInput::modelWishes).
-struct ModelTaken {
-    std::uint64_t wish = 0;
+// The answer to a request for the peripheral model (FrameInput::modelRequests).
+struct ModelSnapshot {
+    std::uint64_t request = 0;
     std::shared_ptr<const splat::Splats> splats{};           // null: the current scene has none
     double gain = 1.0;                                       // as hybrid::LiveModel::gain
     std::shared_ptr<const hybrid::PeripheralState> state{};  // null: not requested, or untrained
@@ -66,7 +66,7 @@ struct OutlineFound {
 struct FrameShown {
     std::uint64_t inputSequence = 0;       // of its input
     std::uint64_t study = 0;               // of its input
-    EdgeLetters letters{};                 // the sides of the patient in it
+    scene::EdgeLetters letters{};          // the sides of the patient in it
     Camera camera{};                       // of its view
     OnScreen picture = OnScreen::nothing;  // its kind
     Stage stage = Stage::moving;
@@ -110,7 +110,7 @@ struct TimeSpent {
 };
 
 using RenderEvent = std::variant<DeviceReady, DeviceRestarting, Preparing, ModelChanged, OutlineFound,
-                                 FrameShown, PictureRemoved, RenderFailure, ModelTaken, TimeSpent>;
+                                 FrameShown, PictureRemoved, RenderFailure, ModelSnapshot, TimeSpent>;
 using RenderListener = std::function<void(RenderEvent)>;
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -9,7 +9,7 @@
 #include "live/device/device_options.h"
 #include "live/frame/frame_renderer.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -80,4 +80,4 @@ void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std:
     }
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -11,7 +11,7 @@
 #include "live/frame/scene_keeper.h"
 #include "pipeline/gpu/instance.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Takes inputs, of which the latest wins, and reports events. Publishing never waits for the GPU. All members
 // are called by the thread that created the object.
@@ -42,4 +42,4 @@ class RenderThread {
     std::jthread thread_;             // last, because it uses all of the above
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

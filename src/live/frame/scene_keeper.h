@@ -8,15 +8,15 @@
 #include "pipeline/hybrid/model/model_store.h"
 #include "scene/drawing/drawing.h"
 
-namespace macula::app {
+namespace macula::live {
 
-// The live model calls find() and keep(), with names that were passed to look().
+// The live model calls find() and keep(), with names that were passed to willShow().
 class SceneKeeper : public hybrid::ModelStore {
   public:
     // Announces that the scene with this complete drawing is about to be shown, and gives it `name`. Drops
     // the search for the scene before, and what it found. Returns at once.
-    virtual void look(const std::string& name, std::shared_ptr<const Volume> volume,
-                      const Drawing& drawing) = 0;
+    virtual void willShow(const std::string& name, std::shared_ptr<const Volume> volume,
+                          const scene::Drawing& drawing) = 0;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -11,7 +11,7 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/resources.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Used by the render thread only.
 class Screen {
@@ -51,4 +51,4 @@ class ScreenPlace {
                                                  VkExtent2D extent) const = 0;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::string tableOf(const nlohmann::ordered_json& times) {
     return table;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -7,7 +7,7 @@
 
 #include "base/timeline.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // A list of {stage, times, ms, waitedMs, longestMs}, by total ms, largest first. If `watchedMs` exceeds their
 // sum, a last entry holds the rest, in which the thread was idle.
@@ -16,4 +16,4 @@ nlohmann::ordered_json toJson(std::vector<StageTimes> stages, double watchedMs =
 // The list as a table, without stages below a thousandth of the total time.
 std::string tableOf(const nlohmann::ordered_json& times);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -5,7 +5,7 @@
 
 #include "base/log.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -46,7 +46,7 @@ trace::Settings denoised(trace::Settings settings, bool isDenoised) {
 }
 
 // How low the noise has to be is no part of what is seen.
-bool sameDrawing(const Drawing& a, Drawing b) {
+bool sameDrawing(const scene::Drawing& a, scene::Drawing b) {
     b.settings.errorThreshold = a.settings.errorThreshold;
     return a == b;
 }
@@ -220,4 +220,4 @@ Result<const gpu::Image*> TracedPictures::display(const glm::vec3& background) {
     return tracer_.display(background, smoothing());
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

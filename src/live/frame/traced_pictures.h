@@ -16,7 +16,7 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/trace/path_tracer.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Used by one thread at a time: the one that uses the device. Only one picture exists at a time: beginning a
 // small one loses the full one, and the reverse.
@@ -105,4 +105,4 @@ class TracedPictures {
 // Whether both inputs give the same picture, pixel for pixel; the noise target does not count.
 bool isSamePicture(const FrameInput& a, const FrameInput& b);
 
-}  // namespace macula::app
+}  // namespace macula::live

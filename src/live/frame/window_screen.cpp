@@ -6,7 +6,7 @@
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -140,4 +140,4 @@ Result<bool> WindowScreen::showColour(const VkClearColorValue& colour) {
     return showAgain();
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -8,7 +8,7 @@
 #include "live/frame/screen.h"
 #include "pipeline/gpu/swapchain.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // A surface of the window system, owned by the window.
 class WindowPlace final : public ScreenPlace {
@@ -62,4 +62,4 @@ class WindowScreen final : public Screen {
     Overlay marks_;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -8,7 +8,7 @@
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/transfer.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -172,7 +172,7 @@ Result<bool> HostPicture::shareTo(const std::shared_ptr<const gpu::SharedMemory>
     MACULA_CHECK(target != nullptr);
     if (!kept_) return false;
     MACULA_TRY(const gpu::SharedImage* const image, importOf(target));
-    const gpu::SharedMemoryOptions& made = target->options();
+    const gpu::SharedMemoryHandles& made = target->options();
     MACULA_TRY_VOID(
         send(image->layer(), {std::int32_t(made.width), std::int32_t(made.height)}, image->semaphores()));
     if (!image->signals()) MACULA_TRY_VOID(kept_->device()->waitForAll());
@@ -183,4 +183,4 @@ std::shared_ptr<const ScreenPlace> placeOf(std::shared_ptr<HostPicture> picture)
     return std::make_shared<const HostPlace>(std::move(picture));
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

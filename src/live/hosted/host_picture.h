@@ -15,7 +15,7 @@
 #include "pipeline/gpu/resources.h"
 #include "pipeline/gpu/shared_image.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // RGBA, row 0 on top. Pictures of a moving view may be smaller than the size that the host wants, and are
 // scaled by repeating pixels. Used by the renderer's thread.
@@ -58,4 +58,4 @@ class HostPicture {
 // The place for FrameInput whose pictures `picture` keeps.
 std::shared_ptr<const ScreenPlace> placeOf(std::shared_ptr<HostPicture> picture);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -9,15 +9,15 @@
 
 #include "live/frame/traced_pictures.h"
 #include "live/model/model_output.h"
-#include "live/model/taken_model.h"
-#include "live/store/scene_key.h"
+#include "live/model/model_to_write.h"
+#include "live/store/model_key_of_drawing.h"
 #include "scene/camera/orbit_camera.h"
 #include "scene/camera/usual_view.h"
 #include "scene/choice/lights_choice.h"
 #include "scene/state/study_state.h"
 #include "scene/transfer/same_transfer.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -44,22 +44,22 @@ bool hasEnded(hybrid::ModelStage stage) {
 }
 
 // That there can be a model of the drawing.
-Result<void> checkHasModel(const Drawing& drawing) {
+Result<void> checkHasModel(const scene::Drawing& drawing) {
     if (!trace::isPathTraced(drawing.settings.look))
         return Error{ErrorCode::usage,
                      "Only what is path-traced has a peripheral model.",
                      {},
                      "Choose the look cinematic or clear."};
-    return checkPatientLights(trace::Environment::fromRig(*drawing.lights), {});
+    return scene::checkPatientLights(trace::Environment::fromRig(*drawing.lights), {});
 }
 
 // The renderer knows parts of a scene by their address: what is the same stays on the device, and so does its
 // model.
-void keepWhatIsSame(Drawing& drawing, const Drawing& before) {
+void keepWhatIsSame(scene::Drawing& drawing, const scene::Drawing& before) {
     const auto isSameClip = [](const std::shared_ptr<const Clip>& a, const std::shared_ptr<const Clip>& b) {
         return a && b ? *a == *b : a == b;
     };
-    if (isSame(*drawing.transferFunction, *before.transferFunction))
+    if (scene::isSame(*drawing.transferFunction, *before.transferFunction))
         drawing.transferFunction = before.transferFunction;
     if (*drawing.lights == *before.lights) drawing.lights = before.lights;
     if (isSameClip(drawing.clip, before.clip)) drawing.clip = before.clip;
@@ -124,7 +124,7 @@ HostedLoop::HostedLoop(HostedOptions options, gpu::Instance instance)
         session::StoreOptions store;
         if (!options_.store->empty()) store.folder = *options_.store;
         if (options_.storeBytes > 0) store.modelCapBytes = options_.storeBytes;
-        keeper_ = std::make_shared<ModelKeeper>(
+        keeper_ = std::make_shared<StudyKeeper>(
             std::move(store), [troubles = troubles_](const Error& error) { troubles->add(error); });
     }
     renderer_ = std::make_unique<FrameRenderer>(std::move(instance), options_.way.device, keeper_,
@@ -146,7 +146,7 @@ void HostedLoop::hear(RenderEvent event) {
         knowsModel_ = true;
     }
     if (std::holds_alternative<PictureRemoved>(event)) shown_.reset();
-    if (auto* taken = std::get_if<ModelTaken>(&event)) taken_ = std::move(*taken);
+    if (auto* taken = std::get_if<ModelSnapshot>(&event)) taken_ = std::move(*taken);
     if (auto* failure = std::get_if<RenderFailure>(&event)) failure_ = failure->error;
     if (std::holds_alternative<DeviceRestarting>(event))
         notes_.emplace_back("The graphics device stopped responding and was started again.");
@@ -216,45 +216,45 @@ void HostedLoop::change(HostedScene scene) {
     if (isOther || scene.drawing != input.drawing) knowsModel_ = false;
     input.volume = std::move(scene.volume);
     input.drawing = std::move(scene.drawing);
-    input.background = backgroundInWindow(input.drawing);
+    input.background = scene::backgroundInWindow(input.drawing);
     publish(input);
 }
 
 Result<Camera> HostedLoop::fittingCamera(FrameInput input, std::optional<ViewDirection> asked,
                                          Progress& progress) {
-    const ViewDirection from = firstDirection(asked, *input.volume);
+    const ViewDirection from = scene::firstDirection(asked, *input.volume);
     const auto corners = cornersOf(input.volume->worldBox());
     const double aspect = double(input.width) / double(input.height);
     if (!outlineMm_) {
-        input.camera = toCamera(framed(corners, from, kUsualFovDeg, aspect));
+        input.camera = scene::toCamera(scene::framed(corners, from, kUsualFovDeg, aspect));
         publish(input);
         // The outline is told of each scene that is brought to the device, once.
         MACULA_TRY_VOID(goOn([this] { return outlineMm_ != nullptr; }, [] { return false; }, progress));
     }
     const bool fitsAll =
         !outlineMm_ || outlineMm_->empty() || trace::isProjection(input.drawing.settings.look);
-    return toCamera(fitsAll ? framed(corners, from, kUsualFovDeg, aspect)
-                            : framed(*outlineMm_, from, kUsualFovDeg, aspect));
+    return scene::toCamera(fitsAll ? scene::framed(corners, from, kUsualFovDeg, aspect)
+                                   : scene::framed(*outlineMm_, from, kUsualFovDeg, aspect));
 }
 
-Result<HostedFrame> HostedLoop::frame(const HostedWish& wish, Progress& progress) {
-    MACULA_CHECK(input_.volume && wish.sizePx.x > 0 && wish.sizePx.y > 0);
+Result<HostedFrame> HostedLoop::frame(const HostedFrameRequest& request, Progress& progress) {
+    MACULA_CHECK(input_.volume && request.sizePx.x > 0 && request.sizePx.y > 0);
     const Clock::time_point start = Clock::now();
     const std::uint64_t before = picture_->count();
     FrameInput input = input_;
-    input.width = wish.sizePx.x;
-    input.height = wish.sizePx.y;
-    input.gaze = wish.gaze;
-    input.interacting = wish.isMoving;
+    input.width = request.sizePx.x;
+    input.height = request.sizePx.y;
+    input.gaze = request.gaze;
+    input.interacting = request.isMoving;
     input.sampleLimit = FrameInput().sampleLimit;
-    if (wish.camera) {
-        input.camera = *wish.camera;
+    if (request.camera) {
+        input.camera = *request.camera;
     } else {
-        MACULA_TRY(input.camera, fittingCamera(input, wish.from, progress));
+        MACULA_TRY(input.camera, fittingCamera(input, request.from, progress));
     }
     MACULA_TRY_VOID(basis(input.camera));
     publish(input);
-    const double mostMs = std::max(wish.forAboutMs, kLeastMs);
+    const double mostMs = std::max(request.forAboutMs, kLeastMs);
     const auto isTimeUp = [&] { return millisecondsSince(start) >= mostMs; };
     MACULA_TRY_VOID(goOn([&] { return hasPicture() && isTimeUp(); }, isTimeUp, progress));
     if (!hasPicture())
@@ -265,7 +265,7 @@ Result<HostedFrame> HostedLoop::frame(const HostedWish& wish, Progress& progress
     return HostedFrame{.shown = *shown_, .isNew = picture_->count() != before};
 }
 
-Result<void> HostedLoop::train(const TrainingWish& wish, Progress& progress) {
+Result<void> HostedLoop::train(const TrainingRequest& request, Progress& progress) {
     MACULA_CHECK(input_.volume != nullptr);
     if (!options_.usesModel)
         return Error{ErrorCode::usage, "This was opened without a model.", {}, "Open it with one."};
@@ -287,7 +287,7 @@ Result<void> HostedLoop::train(const TrainingWish& wish, Progress& progress) {
     };
     std::optional<std::uint64_t> firstStep;
     const auto isSpent = [&] {
-        return wish.seconds > 0.0 && millisecondsSince(start) >= 1000.0 * wish.seconds;
+        return request.seconds > 0.0 && millisecondsSince(start) >= 1000.0 * request.seconds;
     };
     const auto isDone = [&] {
         if (!knowsModel_) return isSpent();
@@ -297,10 +297,10 @@ Result<void> HostedLoop::train(const TrainingWish& wish, Progress& progress) {
             news.origin == hybrid::ModelOrigin::stored || news.origin == hybrid::ModelOrigin::shelf;
         if (!firstStep && learns) firstStep = isResumed ? news.steps : 0;
         const std::uint64_t made = news.steps - std::min(news.steps, firstStep.value_or(news.steps));
-        double share = wish.seconds > 0.0 ? millisecondsSince(start) / (1000.0 * wish.seconds) : 0.0;
-        if (wish.steps > 0) share = std::max(share, double(made) / double(wish.steps));
+        double share = request.seconds > 0.0 ? millisecondsSince(start) / (1000.0 * request.seconds) : 0.0;
+        if (request.steps > 0) share = std::max(share, double(made) / double(request.steps));
         advanceTo(share);
-        return hasEnded(news.stage) || isSpent() || (wish.steps > 0 && made >= wish.steps);
+        return hasEnded(news.stage) || isSpent() || (request.steps > 0 && made >= request.steps);
     };
     // A model that learns already has its steps behind it.
     if (knowsModel_ && model().stage == hybrid::ModelStage::learning) firstStep = model().steps;
@@ -309,17 +309,17 @@ Result<void> HostedLoop::train(const TrainingWish& wish, Progress& progress) {
     return whatBecameOf(model());
 }
 
-Result<ModelTaken> HostedLoop::takeModel(bool withTraining) {
+Result<ModelSnapshot> HostedLoop::snapshotModel(bool withTraining) {
     FrameInput input = input_;
     if (isParallel(input.camera)) input.camera = inPerspective(input.camera);  // of which models are drawn
-    ++input.modelWishes;
-    input.wishesTraining = withTraining;
+    ++input.modelRequests;
+    input.requestsTraining = withTraining;
     taken_.reset();
     publish(input);
     if (!taken_ || (!taken_->error && !taken_->splats))
         return Error{
             ErrorCode::inputNotUsable, "There is no model of what is shown yet.", {}, "Train it first."};
-    ModelTaken taken = *std::exchange(taken_, std::nullopt);
+    ModelSnapshot taken = *std::exchange(taken_, std::nullopt);
     if (taken.error) return *taken.error;
     return taken;
 }
@@ -327,7 +327,7 @@ Result<ModelTaken> HostedLoop::takeModel(bool withTraining) {
 Result<void> HostedLoop::save(Progress& progress) {
     if (!keeper_)
         return Error{ErrorCode::usage, "No folder was given to keep models in.", {}, "Open it with one."};
-    MACULA_TRY(const ModelTaken taken, takeModel(true));
+    MACULA_TRY(const ModelSnapshot taken, snapshotModel(true));
     if (!taken.state)
         return Error{ErrorCode::inputNotUsable,
                      "The model has learnt nothing yet that could be kept.",
@@ -346,7 +346,7 @@ Result<void> HostedLoop::checkIsStored(std::int64_t sinceMs) {
     const std::vector<Error> troubles = troubles_->take();
     if (!troubles.empty()) return troubles.front();
     PartDigests& known = keeper_->digests();
-    const session::ModelKey key = sceneKey(known.of(input_.volume), *input_.volume, input_.drawing, known);
+    const session::ModelKey key = modelKeyOf(known.of(input_.volume), *input_.volume, input_.drawing, known);
     const auto asked = std::make_shared<std::promise<Result<void>>>();
     std::future<Result<void>> answer = asked->get_future();
     keeper_->withStore([asked, key, sinceMs](session::Store* store) {
@@ -377,13 +377,13 @@ Result<void> HostedLoop::checkIsStored(std::int64_t sinceMs) {
 
 Result<void> HostedLoop::writeModel(const std::filesystem::path& path, Progress& progress) {
     MACULA_TRY_VOID(checkModelName(path));
-    MACULA_TRY(ModelTaken taken, takeModel(holdsTraining(path)));
-    const TakenModel model{.splats = std::move(taken.splats),
-                           .gain = taken.gain,
-                           .state = std::move(taken.state),
-                           .volume = input_.volume,
-                           .drawing = input_.drawing};
-    MACULA_TRY([[maybe_unused]] const std::size_t limited, writeTakenModel(path, model, false, progress));
+    MACULA_TRY(ModelSnapshot taken, snapshotModel(holdsTraining(path)));
+    const ModelToWrite model{.splats = std::move(taken.splats),
+                             .gain = taken.gain,
+                             .state = std::move(taken.state),
+                             .volume = input_.volume,
+                             .drawing = input_.drawing};
+    MACULA_TRY([[maybe_unused]] const std::size_t limited, writeModelFile(path, model, false, progress));
     return {};
 }
 
@@ -400,4 +400,4 @@ std::vector<std::string> HostedLoop::notes() {
     return notes;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -27,9 +27,9 @@
 #include "live/frame/render_events.h"
 #include "live/hosted/host_picture.h"
 #include "live/hosted/lent_handles.h"
-#include "live/store/model_keeper.h"
+#include "live/store/study_keeper.h"
 
-namespace macula::app {
+namespace macula::live {
 
 struct HostedOptions {
     DeviceWay way;
@@ -42,10 +42,10 @@ struct HostedOptions {
 
 struct HostedScene {
     std::shared_ptr<const Volume> volume;  // stored16
-    Drawing drawing;                       // complete
+    scene::Drawing drawing;                // complete
 };
 
-struct HostedWish {
+struct HostedFrameRequest {
     glm::ivec2 sizePx{0};
     std::optional<Camera> camera = {};       // nothing: fits what is visible, seen from `from`
     std::optional<ViewDirection> from = {};  // nothing: usualView
@@ -60,7 +60,7 @@ struct HostedFrame {
     bool isNew = false;  // a picture was shown during this call
 };
 
-struct TrainingWish {
+struct TrainingRequest {
     std::uint64_t steps = 0;  // further steps; 0: no limit
     double seconds = 0.0;     // 0: no limit
 };
@@ -80,13 +80,13 @@ class HostedLoop {
     Result<void> show(HostedScene scene, Progress& progress);
 
     // Fails with the renderer's errors, again and again until the input changes; and with `cancelled`.
-    Result<HostedFrame> frame(const HostedWish& wish, Progress& progress);
+    Result<HostedFrame> frame(const HostedFrameRequest& request, Progress& progress);
     // The picture of the last frame; none after a failure.
     HostPicture& picture() { return *picture_; }
 
     // Trains the model of the current scene, until a limit or until its training has nothing left to learn.
     // Fails with usage if the scene can have no model; `cancelled` keeps what was learnt.
-    Result<void> train(const TrainingWish& wish, Progress& progress);
+    Result<void> train(const TrainingRequest& request, Progress& progress);
     // State of the model last shown or trained.
     hybrid::ModelNews model() const { return renderer_->modelNews(); }
     std::optional<hybrid::PeripheralReport> report() const { return renderer_->modelReport(); }
@@ -94,7 +94,7 @@ class HostedLoop {
     // Stores the model; returns when it is on disk. Fails with usage without a store; with inputNotUsable
     // when nothing is learnt yet; as the store; and with `cancelled`, after which it is still stored later.
     Result<void> save(Progress& progress);
-    // Writes the model as a file. Fails as writeTakenModel.
+    // Writes the model as a file. Fails as writeModelFile.
     Result<void> writeModel(const std::filesystem::path& path, Progress& progress);
 
     const std::string& deviceName() const { return device_; }
@@ -113,7 +113,7 @@ class HostedLoop {
                       Progress& progress);
     Result<Camera> fittingCamera(FrameInput input, std::optional<ViewDirection> asked, Progress& progress);
     Result<void> waitForStore(Progress& progress, const char* stage);
-    Result<ModelTaken> takeModel(bool withTraining);
+    Result<ModelSnapshot> snapshotModel(bool withTraining);
     Result<void> checkIsStored(std::int64_t sinceMs);
     void note(const Error& error);
     bool hasPicture() const { return shown_ && picture_->isThere(); }
@@ -121,7 +121,7 @@ class HostedLoop {
     HostedOptions options_;
     std::shared_ptr<HostPicture> picture_ = std::make_shared<HostPicture>();
     std::shared_ptr<Troubles> troubles_;
-    std::shared_ptr<ModelKeeper> keeper_;  // null: no store
+    std::shared_ptr<StudyKeeper> keeper_;  // null: no store
     std::unique_ptr<FrameRenderer> renderer_;
     FrameInput input_;
     Progress* progress_ = nullptr;  // while goOn() runs
@@ -130,8 +130,8 @@ class HostedLoop {
     std::shared_ptr<const std::vector<glm::dvec3>> outlineMm_;  // of the scene
     std::optional<FrameShown> shown_;
     std::optional<Error> failure_;  // of the input
-    std::optional<ModelTaken> taken_;
+    std::optional<ModelSnapshot> taken_;
     std::vector<std::string> notes_;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

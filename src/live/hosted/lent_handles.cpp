@@ -4,7 +4,7 @@
 #include <mutex>
 #include <utility>
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -59,4 +59,4 @@ Result<DeviceWay> lentWay(const LentHandles& lent) {
     return way;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

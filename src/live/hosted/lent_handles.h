@@ -8,7 +8,7 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/gpu/instance.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // How to open a device, any number of times: each has its own instance, or shares what is lent.
 struct DeviceWay {
@@ -39,4 +39,4 @@ struct LentPicture {
     std::int32_t layout = 0;  // final VkImageLayout; 0: VK_IMAGE_LAYOUT_GENERAL
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -10,7 +10,7 @@
 #include "base/sha256.h"
 #include "live/model/scene_digests.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -34,8 +34,8 @@ std::string takeAdditions(std::vector<std::string>& lines) {
 
 }  // namespace
 
-std::string trainingKey(const Volume& volume, const TransferFunction& function, const Clip& clip,
-                        const trace::Environment& lights, const Additions& additions) {
+std::string trainingIdentity(const Volume& volume, const TransferFunction& function, const Clip& clip,
+                             const trace::Environment& lights, const Additions& additions) {
     PartDigests parts;
     std::string key = fmt::format("{}\nstudy {}\npreset {}\nclip {}\nlights {}\n", kFirstLine,
                                   sha256Hex(fingerprint(volume)), digestOf(function),
@@ -44,8 +44,8 @@ std::string trainingKey(const Volume& volume, const TransferFunction& function, 
     return key;
 }
 
-Result<void> checkTrainingKey(const std::string& saved, const std::string& now,
-                              const std::filesystem::path& file) {
+Result<void> checkTrainingIdentity(const std::string& saved, const std::string& now,
+                                   const std::filesystem::path& file) {
     if (saved == now) return {};
     std::vector<std::string> before = linesOf(saved);
     std::vector<std::string> after = linesOf(now);
@@ -70,4 +70,4 @@ Result<void> checkTrainingKey(const std::string& saved, const std::string& now,
                  fmt::format("The saved training is of {}.", fmt::join(other, " and ")), file.string(), hint};
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -6,7 +6,7 @@
 #include "pipeline/splat/files/model_file.h"
 #include "pipeline/splat/files/training_file.h"
 
-namespace macula::app {
+namespace macula::live {
 
 Result<void> checkModelName(const std::filesystem::path& path) {
     if (splat::modelFormatOf(path) != nullptr) return {};
@@ -38,4 +38,4 @@ Result<std::size_t> writeSplats(const std::filesystem::path& path, const splat::
     return splat::writeModel(path, displayColours ? splat::asDisplayed(splats) : splats);
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "pipeline/splat/train/trainer.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Fails with usage if the name has the ending of none of splat::kModelFormats.
 Result<void> checkModelName(const std::filesystem::path& path);
@@ -28,4 +28,4 @@ Result<std::size_t> writeTrained(const std::filesystem::path& path, const splat:
 Result<std::size_t> writeSplats(const std::filesystem::path& path, const splat::Splats& splats,
                                 bool displayColours);
 
-}  // namespace macula::app
+}  // namespace macula::live

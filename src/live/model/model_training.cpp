@@ -7,7 +7,7 @@
 
 #include "pipeline/splat/files/training_file.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -132,4 +132,4 @@ std::uint64_t stepsLeft(const splat::TrainingState& state) {
     return plannedSteps(state) - std::min(plannedSteps(state), state.steps);
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

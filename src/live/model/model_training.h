@@ -16,7 +16,7 @@
 #include "pipeline/hybrid/model/first_model.h"
 #include "pipeline/splat/train/trainer.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // When to stop: at the first of both.
 struct TrainingEnd {
@@ -76,4 +76,4 @@ std::uint64_t plannedSteps(const splat::TrainingState& state);
 // The number of planned steps that are left.
 std::uint64_t stepsLeft(const splat::TrainingState& state);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -10,7 +10,7 @@
 #include "base/sha256.h"
 #include "pipeline/volume/mask_bits.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::string PartDigests::known(const std::shared_ptr<const void>& part, std::str
     }
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -14,7 +14,7 @@
 #include "pipeline/volume/additions.h"
 #include "pipeline/volume/clip.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // No part ever changes: each is read once, however many scenes have it, and its digest dropped when it is
 // destroyed. Any thread may call. A caller waits for a digest that another thread is computing, and for no
@@ -42,4 +42,4 @@ class PartDigests {
     std::size_t made_ = 0;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

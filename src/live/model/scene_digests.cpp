@@ -8,7 +8,7 @@
 #include "base/sha256.h"
 #include "pipeline/volume/transfer_function_json.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -95,4 +95,4 @@ std::string digestOf(const trace::Settings& settings) {
     return sha256Hex(text);
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -12,7 +12,7 @@
 #include "pipeline/volume/clip.h"
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Digest of the preset's numbers: the same curves under another name are the same preset.
 std::string digestOf(TransferFunction function);
@@ -26,4 +26,4 @@ std::string digestOf(const trace::Environment& lights);
 // Digest of all settings; set those that do not matter to their defaults before.
 std::string digestOf(const trace::Settings& settings);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -6,7 +6,7 @@
 
 #include "live/model/model_output.h"
 
-namespace macula::app {
+namespace macula::live {
 
 nlohmann::ordered_json toJson(const TrainingRecord& record, const Trained& trained) {
     nlohmann::ordered_json json{{"version", MACULA_VERSION},
@@ -60,4 +60,4 @@ std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const std
     return sentence;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

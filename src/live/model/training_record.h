@@ -10,7 +10,7 @@
 #include "live/model/model_training.h"
 #include "pipeline/hybrid/model/first_model.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Holds no patient data: the series is a digest, and the user's own files are named by kind only.
 struct TrainingRecord {
@@ -32,4 +32,4 @@ std::string howTimeWasSpent(const Trained& trained, std::size_t views);
 // Sentences on a training that stopped before all of its `steps`, and whose model went to `path`.
 std::string whatIsWritten(const Trained& trained, std::uint64_t steps, const std::filesystem::path& path);
 
-}  // namespace macula::app
+}  // namespace macula::live

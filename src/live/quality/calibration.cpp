@@ -20,7 +20,7 @@
 #include "scene/choice/lights_choice.h"
 #include "scene/choice/preset_choice.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -45,7 +45,7 @@ std::string meantDevice(const std::string& preferred) {
 Result<trace::PathTracer> tracerOf(const std::shared_ptr<gpu::Device>& device,
                                    const TransferFunction& function) {
     const auto volume = std::make_shared<const Volume>(phantom::make());
-    MACULA_TRY(const trace::Environment lights, chooseLights(kDefaultLights));
+    MACULA_TRY(const trace::Environment lights, scene::chooseLights(scene::kDefaultLights));
     MACULA_TRY(trace::PathTracer tracer, trace::PathTracer::create(device));
     MACULA_TRY_VOID(tracer.scene().setVolume(volume));
     MACULA_TRY_VOID(tracer.scene().setTransferFunction(function));
@@ -81,7 +81,7 @@ Result<Calibration> measureCalibration(const std::shared_ptr<gpu::Device>& devic
     };
     MACULA_TRY_VOID(stopped());
     progress.beginStage("Measuring this machine", kTimes + 1);
-    MACULA_TRY(const presets::ImportedPreset preset, choosePreset(kPreset));
+    MACULA_TRY(const presets::ImportedPreset preset, scene::choosePreset(kPreset));
     MACULA_TRY(trace::PathTracer tracer, tracerOf(device, preset.function));
     const auto keepGoing = [&] { return !progress.cancelled(); };
     Calibration calibration{.traceMs = std::numeric_limits<double>::infinity(),
@@ -135,4 +135,4 @@ Result<Calibration> calibrationOf(const std::string& preferredDevice,
     return calibration;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -12,7 +12,7 @@
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
 
-namespace macula::app {
+namespace macula::live {
 
 struct Calibration {
     double traceMs = 0.0;  // the least of five, as other load only adds to it
@@ -36,4 +36,4 @@ Result<Calibration> calibrationOf(const std::string& preferredDevice,
                                   const std::optional<std::filesystem::path>& folder, bool anew,
                                   Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -8,7 +8,7 @@
 #include "pipeline/volume/json_reader.h"
 #include "scene/choice/built_in_choice.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -28,9 +28,9 @@ FrontPoint pointFrom(const JsonNode& node) {
     if (const auto fovea = node.find("fovea")) {
         fovea->allowOnly({"fieldDeg", "samplesPerPixel", "denoise", "framesPerFovea"});
         FrontPoint::Fovea is;
-        is.wish.fieldDeg = (*fovea)["fieldDeg"].number({1.0, 120.0});
-        is.wish.samplesPerPixel = static_cast<std::uint32_t>(whole((*fovea)["samplesPerPixel"], 1, 1024));
-        is.wish.denoising = (*fovea)["denoise"].boolean() ? trace::Denoising::on : trace::Denoising::off;
+        is.request.fieldDeg = (*fovea)["fieldDeg"].number({1.0, 120.0});
+        is.request.samplesPerPixel = static_cast<std::uint32_t>(whole((*fovea)["samplesPerPixel"], 1, 1024));
+        is.request.denoising = (*fovea)["denoise"].boolean() ? trace::Denoising::on : trace::Denoising::off;
         is.framesPerFovea = static_cast<int>(whole((*fovea)["framesPerFovea"], 1, 1000));
         point.fovea = is;
     }
@@ -60,11 +60,11 @@ double drawMs(const QualityFront& front, double pixels) {
     return std::max(a.ms + slope * (pixels - a.pixels), 0.1 * drawn.front().ms);
 }
 
-double foveaPixels(const WindowView& view, const hybrid::FoveaWish& wish) {
+double foveaPixels(const WindowView& view, const hybrid::FoveaOptions& request) {
     const trace::View whole{.camera = {.verticalFovDeg = view.verticalFovDeg},
                             .width = std::max(view.sizePx.x, 1),
                             .height = std::max(view.sizePx.y, 1)};
-    const double side = hybrid::affordableFovea(whole, glm::dvec2(0.0), 1.0, kEnoughTime, wish).sidePx;
+    const double side = hybrid::affordableFovea(whole, glm::dvec2(0.0), 1.0, kEnoughTime, request).sidePx;
     return side * side;
 }
 
@@ -102,7 +102,7 @@ Result<QualityFront> qualityFrontFromJson(std::string_view text, const std::stri
 }
 
 Result<QualityFront> builtInQualityFront() {
-    const presets::EmbeddedFile* file = findBuiltIn(presets::frontFiles(), "live-frame");
+    const presets::EmbeddedFile* file = scene::findBuiltIn(presets::frontFiles(), "live-frame");
     MACULA_CHECK(file != nullptr);
     return qualityFrontFromJson(file->text, std::string(file->name));
 }
@@ -114,8 +114,8 @@ FrameCost costOf(const QualityFront& front, const FrontPoint& stop, const Window
     const double measuredMs =
         std::max(stop.ms - drawMs(front, double(front.sizePx.x) * front.sizePx.y), 0.0) *
         stop.fovea->framesPerFovea;
-    cost.foveaMs =
-        slowness * measuredMs * foveaPixels(view, stop.fovea->wish) / foveaPixels(measured, stop.fovea->wish);
+    cost.foveaMs = slowness * measuredMs * foveaPixels(view, stop.fovea->request) /
+                   foveaPixels(measured, stop.fovea->request);
     cost.betweenMs =
         std::clamp(cost.foveaMs / stop.fovea->framesPerFovea, kLeastBetweenFramesMs, kMostBetweenFramesMs);
     return cost;
@@ -124,7 +124,7 @@ FrameCost costOf(const QualityFront& front, const FrontPoint& stop, const Window
 LiveQuality liveQualityOf(const FrontPoint& stop, const FrameCost& cost) {
     LiveQuality quality{.hasFovea = stop.fovea.has_value()};
     if (!stop.fovea) return quality;
-    quality.fovea = stop.fovea->wish;
+    quality.fovea = stop.fovea->request;
     quality.betweenFramesMs = cost.betweenMs;
     // Where that is not enough for all of it, it is smaller. A machine that is quick needs no limit.
     quality.foveaMs = std::max(hybrid::kFoveaBudgetMs, cost.betweenMs * stop.fovea->framesPerFovea);
@@ -139,4 +139,4 @@ std::size_t stopOf(const QualityFront& front, const WindowView& view, double slo
     return found;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

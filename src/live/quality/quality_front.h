@@ -12,11 +12,11 @@
 #include "base/result.h"
 #include "live/frame/live_quality.h"
 
-namespace macula::app {
+namespace macula::live {
 
 struct FrontPoint {
     struct Fovea {
-        hybrid::FoveaWish wish{};
+        hybrid::FoveaOptions request{};
         int framesPerFovea = 1;  // one fovea is traced per so many frames
         bool operator==(const Fovea&) const = default;
     };
@@ -76,4 +76,4 @@ LiveQuality liveQualityOf(const FrontPoint& stop, const FrameCost& cost);
 // The last stop whose frames take at most `ms`, or the first stop.
 std::size_t stopOf(const QualityFront& front, const WindowView& view, double slowness, double ms);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -9,7 +9,7 @@
 
 #include "base/parsing.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::optional<std::uint64_t> bytesOfText(std::string_view text) {
     return static_cast<std::uint64_t>(*value * known->second);
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace macula::app {
+namespace macula::live {
 
 // "1.4 MB", "140 MB", "2.0 GB".
 std::string sizeForPeople(std::uint64_t bytes);
@@ -15,4 +15,4 @@ std::string sizeForPeople(std::uint64_t bytes);
 // without a unit, which would be ambiguous, and for sizes larger than any disk.
 std::optional<std::uint64_t> bytesOfText(std::string_view text);
 
-}  // namespace macula::app
+}  // namespace macula::live

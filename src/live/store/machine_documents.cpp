@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -38,4 +38,4 @@ Result<void> keepMachineDocument(const std::filesystem::path& folder, const sess
     return store.putDocument(id, version, json, known);
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

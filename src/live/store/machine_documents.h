@@ -12,7 +12,7 @@
 #include "base/result.h"
 #include "session/store.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Nothing if there is none. `id` names no study. Fails as session::Store.
 Result<std::optional<std::string>> machineDocument(const std::filesystem::path& folder,
@@ -22,4 +22,4 @@ Result<std::optional<std::string>> machineDocument(const std::filesystem::path& 
 Result<void> keepMachineDocument(const std::filesystem::path& folder, const session::DocumentId& id,
                                  std::int64_t version, std::string_view json);
 
-}  // namespace macula::app
+}  // namespace macula::live

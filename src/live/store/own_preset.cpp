@@ -20,7 +20,7 @@
 #include "pipeline/volume/transfer_function_json.h"
 #include "scene/transfer/same_transfer.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -118,8 +118,8 @@ RelativeCamera cameraFrom(const JsonNode& node) {
 }
 
 // Nothing of it is of a study, whatever was stored.
-StudyState withoutStudy(const StudyState& state) {
-    StudyState seen;
+scene::StudyState withoutStudy(const scene::StudyState& state) {
+    scene::StudyState seen;
     seen.clip = state.clip;
     seen.lights = state.lights;
     seen.settings = state.settings;
@@ -172,7 +172,7 @@ Camera cameraIn(const RelativeCamera& relative, const Volume& volume) {
     return camera;
 }
 
-SeenLook seenOf(const StudyState& state, const Volume& volume) {
+SeenLook seenOf(const scene::StudyState& state, const Volume& volume) {
     SeenLook seen{.state = withoutStudy(state)};
     // The explanation of a window is in words of the file, which may name anybody.
     if (auto& window = seen.state.slices.window) window->explanation.clear();
@@ -183,13 +183,13 @@ SeenLook seenOf(const StudyState& state, const Volume& volume) {
 }
 
 bool OwnPreset::operator==(const OwnPreset& b) const {
-    return id == b.id && isSame(*function, *b.function) && seen == b.seen;
+    return id == b.id && scene::isSame(*function, *b.function) && seen == b.seen;
 }
 
-void use(const OwnPreset& preset, const Volume& volume, StudyState& next) {
+void use(const OwnPreset& preset, const Volume& volume, scene::StudyState& next) {
     next.preset = preset.function;
     if (!preset.seen) return;
-    const StudyState& seen = preset.seen->state;
+    const scene::StudyState& seen = preset.seen->state;
     next.settings = seen.settings;
     next.lights = seen.lights;
     next.clip = seen.clip;
@@ -235,10 +235,10 @@ Result<OwnPreset> ownPresetFromJson(const std::string& id, std::string_view text
     function.title = name;
     OwnPreset preset{.id = id, .function = std::make_shared<const TransferFunction>(std::move(function))};
     if (all.contains("seen")) {
-        MACULA_TRY(const StudyState state, studyStateFromJson(all["seen"].dump(), {}));
+        MACULA_TRY(const scene::StudyState state, scene::studyStateFromJson(all["seen"].dump(), {}));
         preset.seen = SeenLook{.state = withoutStudy(state), .camera = camera};
     }
     return preset;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -14,7 +14,7 @@
 #include "pipeline/volume/transfer_function.h"
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Counts UTF-8 code points of any script.
 inline constexpr std::size_t kMostPresetNameLetters = 48;
@@ -40,13 +40,13 @@ Camera cameraIn(const RelativeCamera& camera, const Volume& volume);
 
 // The settings besides the curve: look and numbers, lights, windows, and clip.
 struct SeenLook {
-    StudyState state;  // without preset, camera and what is of one study
+    scene::StudyState state;  // without preset, camera and what is of one study
     std::optional<RelativeCamera> camera = {};
 
     bool operator==(const SeenLook&) const = default;
 };
 // The look and camera of `state`, without what belongs to one study: measurements, panes, table removal.
-SeenLook seenOf(const StudyState& state, const Volume& volume);
+SeenLook seenOf(const scene::StudyState& state, const Volume& volume);
 
 struct OwnPreset {
     std::string id;  // never changes: "own-" and hexadecimal digits
@@ -60,11 +60,11 @@ struct OwnPreset {
 
 // Applies the preset to `next`, but for the camera, which the caller sets. Leaves the windows as they are if
 // the preset does not suit the volume's unit, or that is raw.
-void use(const OwnPreset& preset, const Volume& volume, StudyState& next);
+void use(const OwnPreset& preset, const Volume& volume, scene::StudyState& next);
 
 // The JSON in the store. Reading gives an equal preset. Fails with inputNotUsable, also for a document of
 // another version of the program.
 std::string toJson(const OwnPreset& preset);
 Result<OwnPreset> ownPresetFromJson(const std::string& id, std::string_view text);
 
-}  // namespace macula::app
+}  // namespace macula::live

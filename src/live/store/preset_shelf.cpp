@@ -11,7 +11,7 @@
 #include "presets/preset_name.h"
 #include "scene/transfer/own_copy.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -129,7 +129,8 @@ Result<PresetRef> PresetShelf::add(std::string_view title, const TransferFunctio
         return Error{ErrorCode::usage, "There are too many presets of your own.", {}, "Delete some first."};
     MACULA_TRY_VOID(validate(function));
     // What is a copy already says of what; of all else ownCopy writes it down.
-    TransferFunction copy = copiedFrom(function).empty() ? ownCopy(function, builtInNames_) : function;
+    TransferFunction copy =
+        scene::copiedFrom(function).empty() ? scene::ownCopy(function, builtInNames_) : function;
     copy.title = name;
     copy.name = freeKey(name, {});
     copy.number.reset();
@@ -209,4 +210,4 @@ std::vector<PresetDocument> PresetShelf::takeChanges() {
     return std::exchange(changes_, {});
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -16,7 +16,7 @@
 #include "pipeline/volume/transfer_function.h"
 #include "session/store_values.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Names a preset: the name of a built-in one, or the id of one's own. No built-in name looks like an id.
 using PresetRef = std::string;
@@ -95,4 +95,4 @@ class PresetShelf {
     std::vector<PresetDocument> changes_;
 };
 
-}  // namespace macula::app
+}  // namespace macula::live

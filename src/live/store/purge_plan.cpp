@@ -5,21 +5,21 @@
 #include <set>
 #include <utility>
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
 constexpr std::int64_t kDayMs = 86'400'000;
 
 Result<std::vector<session::StudyEntry>> chosen(session::Listing<session::StudyEntry> stored,
-                                                const PurgeWish& wish, std::int64_t nowMs) {
-    if (wish.all) return std::move(stored.entries);
-    if (!wish.unusedDays) {
-        MACULA_TRY(session::StudyEntry study, studyOfPrefix(stored, wish.study));
+                                                const PurgeRequest& request, std::int64_t nowMs) {
+    if (request.all) return std::move(stored.entries);
+    if (!request.unusedDays) {
+        MACULA_TRY(session::StudyEntry study, studyOfPrefix(stored, request.study));
         return std::vector{std::move(study)};
     }
     std::erase_if(stored.entries, [&](const session::StudyEntry& study) {
-        return study.lastOpenedMs >= nowMs - *wish.unusedDays * kDayMs;
+        return study.lastOpenedMs >= nowMs - *request.unusedDays * kDayMs;
     });
     return std::move(stored.entries);
 }
@@ -28,7 +28,7 @@ Result<std::vector<session::StudyEntry>> chosen(session::Listing<session::StudyE
 Result<std::size_t> withThoseOfVolumes(session::Store& store, std::size_t documents) {
     using session::DocumentKind;
     for (const DocumentKind kind :
-         {DocumentKind::session, DocumentKind::view, DocumentKind::layout, DocumentKind::measurement}) {
+         {DocumentKind::studyState, DocumentKind::view, DocumentKind::layout, DocumentKind::measurement}) {
         MACULA_TRY(const auto listing, store.listDocuments(kind, {}));
         documents += static_cast<std::size_t>(std::ranges::count_if(
             listing.entries, [](const auto& entry) { return session::isOfVolume(entry.id); }));
@@ -52,19 +52,19 @@ Error keptForClock(session::ClockDoubt doubt) {
                        "delete now, run `macula sessions purge --unused-days N --trust-clock`."};
 }
 
-Result<PurgePlan> planPurge(session::Store& store, const PurgeWish& wish, std::int64_t nowMs) {
-    PurgePlan plan{.wish = wish};
+Result<PurgePlan> planPurge(session::Store& store, const PurgeRequest& request, std::int64_t nowMs) {
+    PurgePlan plan{.request = request};
     MACULA_TRY(const session::Listing<session::StudyEntry> stored, store.listStudies());
-    MACULA_TRY(plan.studies, chosen(stored, wish, nowMs));
+    MACULA_TRY(plan.studies, chosen(stored, request, nowMs));
     std::set<std::string> goes;
     for (const session::StudyEntry& study : plan.studies) {
         goes.insert(study.identity);
         plan.documents += study.documents;
     }
-    if (wish.unusedDays && wish.clock == session::Store::Clock::checked) {
-        MACULA_TRY(plan.clock, store.clockDoubt(std::chrono::days(*wish.unusedDays)));
+    if (request.unusedDays && request.clock == session::Store::Clock::checked) {
+        MACULA_TRY(plan.clock, store.clockDoubt(std::chrono::days(*request.unusedDays)));
     }
-    if (wish.all) {
+    if (request.all) {
         MACULA_TRY(plan.documents, withThoseOfVolumes(store, plan.documents));
     }
     MACULA_TRY(const StudiesByVolume studies, studiesByVolume(store, stored.entries));
@@ -72,18 +72,18 @@ Result<PurgePlan> planPurge(session::Store& store, const PurgeWish& wish, std::i
     for (const session::ModelInfo& model : models.entries) {
         const auto owners = studies.find(model.key.volume);
         const bool isOfNone = owners == studies.end();
-        if (isOfNone ? wish.all : std::ranges::includes(goes, owners->second)) plan.models.add(model);
+        if (isOfNone ? request.all : std::ranges::includes(goes, owners->second)) plan.models.add(model);
     }
     return plan;
 }
 
 Result<session::PurgeReport> purge(session::Store& store, const PurgePlan& plan) {
-    const PurgeWish& wish = plan.wish;
-    if (wish.all) return store.purgeAll(wish.damaged);
-    if (wish.unusedDays)
-        return store.purgeUnused(std::chrono::days(*wish.unusedDays), wish.damaged, wish.clock);
+    const PurgeRequest& request = plan.request;
+    if (request.all) return store.purgeAll(request.damaged);
+    if (request.unusedDays)
+        return store.purgeUnused(std::chrono::days(*request.unusedDays), request.damaged, request.clock);
     MACULA_CHECK(plan.studies.size() == 1);
-    return store.purgeStudy(plan.studies.front().identity, wish.damaged);
+    return store.purgeStudy(plan.studies.front().identity, request.damaged);
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

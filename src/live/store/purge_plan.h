@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "base/result.h"
-#include "live/store/stored_sessions.h"
+#include "live/store/stored_studies.h"
 #include "session/store.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Set one of study, all and unusedDays.
-struct PurgeWish {
+struct PurgeRequest {
     std::string study;  // the first digits of its identity
     bool all = false;
     std::optional<int> unusedDays;                                 // everything not opened for so many days
@@ -25,7 +25,7 @@ struct PurgeWish {
 // The counts before the purge. `models` includes those of files without a study only if `all` is set; with
 // `unusedDays`, the purge deletes old ones of these too, and only it counts them.
 struct PurgePlan {
-    PurgeWish wish;
+    PurgeRequest request;
     std::vector<session::StudyEntry> studies;
     ModelSum models;  // of volumes that no remaining study has
     std::size_t documents = 0;
@@ -33,7 +33,7 @@ struct PurgePlan {
 };
 
 // `nowMs`: milliseconds since 1970 (UTC). Fails as studyOfPrefix does.
-Result<PurgePlan> planPurge(session::Store& store, const PurgeWish& wish, std::int64_t nowMs);
+Result<PurgePlan> planPurge(session::Store& store, const PurgeRequest& request, std::int64_t nowMs);
 
 // Says why old entries were not deleted, and what to do. `doubt` is not none.
 Error keptForClock(session::ClockDoubt doubt);
@@ -41,4 +41,4 @@ Error keptForClock(session::ClockDoubt doubt);
 // Carries out the plan. Fails as Store::purgeStudy.
 Result<session::PurgeReport> purge(session::Store& store, const PurgePlan& plan);
 
-}  // namespace macula::app
+}  // namespace macula::live

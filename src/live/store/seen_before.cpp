@@ -5,11 +5,11 @@
 
 #include "session/model_key.h"
 
-namespace macula::app {
+namespace macula::live {
 
-Result<std::set<std::size_t>> volumesSeenBefore(session::Store& store, const FoundVolumes& found) {
+Result<std::set<std::size_t>> volumesSeenBefore(session::Store& store, const study::FoundVolumes& found) {
     std::map<const dicom::Series*, std::size_t> volumesOf;
-    for (const FoundVolume& volume : found.volumes()) ++volumesOf[volume.series];
+    for (const study::FoundVolume& volume : found.volumes()) ++volumesOf[volume.series];
     std::map<std::string, std::size_t> opened;  // volumes, by the identity of the series
     std::set<std::string> asked;                // studies
     std::set<std::size_t> seen;
@@ -29,4 +29,4 @@ Result<std::set<std::size_t>> volumesSeenBefore(session::Store& store, const Fou
     return seen;
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -8,10 +8,10 @@
 #include "session/store.h"
 #include "study/open/found_volumes.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Returns indices into FoundVolumes::volumes(). A volume's digest is unknown until its voxels are read. So
 // volumes of a series count as seen once as many were opened as it has, and none before. Waits for the disk.
-Result<std::set<std::size_t>> volumesSeenBefore(session::Store& store, const FoundVolumes& found);
+Result<std::set<std::size_t>> volumesSeenBefore(session::Store& store, const study::FoundVolumes& found);
 
-}  // namespace macula::app
+}  // namespace macula::live

@@ -8,7 +8,7 @@
 #include "pipeline/volume/json_reader.h"
 #include "session/trouble.h"
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -127,4 +127,4 @@ Result<void> writePresetDocument(session::Store& store, const PresetDocument& do
     return removed ? Result<void>() : Result<void>(removed.error());
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

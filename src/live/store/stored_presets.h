@@ -10,7 +10,7 @@
 #include "live/store/preset_shelf.h"
 #include "session/store.h"
 
-namespace macula::app {
+namespace macula::live {
 
 // Below the store's limit: a preset has two curves of at most 4096 points.
 inline constexpr std::size_t kLargestPresetBytes = 4'000'000;
@@ -29,4 +29,4 @@ Result<StoredPresets> readStoredPresets(session::Store& store);
 
 Result<void> writePresetDocument(session::Store& store, const PresetDocument& document);
 
-}  // namespace macula::app
+}  // namespace macula::live

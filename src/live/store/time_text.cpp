@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <ctime>
 
-namespace macula::app {
+namespace macula::live {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::string localTime(std::int64_t sinceEpochMs) {
                        std::labs(minutes) % 60);
 }
 
-}  // namespace macula::app
+}  // namespace macula::live

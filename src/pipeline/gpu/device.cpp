@@ -223,7 +223,7 @@ Result<bool> Device::waitFor(Ticket ticket, std::uint64_t timeoutNs) {
         return vkWaitSemaphores(device_, &info, timeoutNs);
     }();
     if (result < 0) return failed(result, "wait for the graphics device");
-    collect();
+    destroyUnused();
     return result == VK_SUCCESS;
 }
 
@@ -252,7 +252,7 @@ bool Device::isFirstStart() const {
     return pipelineCache_ && pipelineCache_->beganEmpty();
 }
 
-void Device::collect() {
+void Device::destroyUnused() {
     const Ticket completed = completedTicket();
     std::vector<Dropped> due;
     {
@@ -345,7 +345,7 @@ Result<Device::Commands> Device::makeCommands() {
 
 Result<Device::Commands> Device::takeCommands() {
     MACULA_TRY_VOID(checkNotLost("prepare work for the graphics device"));
-    collect();
+    destroyUnused();
     const Ticket completed = completedTicket();
     const auto idle = std::find_if(freeCommands_.begin(), freeCommands_.end(),
                                    [&](const Commands& commands) { return commands.busyUntil <= completed; });

@@ -130,7 +130,7 @@ class Device : public std::enable_shared_from_this<Device> {
     StagingPool& staging() { return *staging_; }
 
     // Destroys what was dropped and is no longer in use. Submitting and waiting do it as well.
-    void collect();
+    void destroyUnused();
     std::size_t pendingDestructions() const;
 
     // Names an object for validation messages and debuggers; nothing where debug utils are missing.

@@ -25,7 +25,7 @@ Function functionOf(const Device& device, const char* name) {
     return reinterpret_cast<Function>(vkGetDeviceProcAddr(device.handle(), name));
 }
 
-Result<void> checkDevice(const Device& device, const SharedMemoryOptions& options) {
+Result<void> checkDevice(const Device& device, const SharedMemoryHandles& options) {
     if (identityOf(device) != options.card)
         return refused(
             fmt::format(
@@ -42,7 +42,7 @@ Result<void> checkDevice(const Device& device, const SharedMemoryOptions& option
     return {};
 }
 
-VkImageCreateInfo imageInfo(const SharedMemoryOptions& options) {
+VkImageCreateInfo imageInfo(const SharedMemoryHandles& options) {
     VkImageCreateInfo info{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
     info.flags = options.flags;
     info.imageType = VK_IMAGE_TYPE_2D;
@@ -96,7 +96,7 @@ Result<Handle<VkImage>> imageLike(const std::shared_ptr<Device>& device, VkImage
 }
 
 // That the image lies in the memory as it would lie in memory of ours.
-Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryOptions& options) {
+Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryHandles& options) {
     VkImageMemoryRequirementsInfo2 of{VK_STRUCTURE_TYPE_IMAGE_MEMORY_REQUIREMENTS_INFO_2};
     of.image = image;
     VkMemoryDedicatedRequirements dedicated{VK_STRUCTURE_TYPE_MEMORY_DEDICATED_REQUIREMENTS};
@@ -133,7 +133,7 @@ Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryOp
 // must be those it was made with.
 Result<Handle<VkDeviceMemory>> importMemory(const std::shared_ptr<Device>& device, VkImage image,
                                             const SharedMemory& shared) {
-    const SharedMemoryOptions& options = shared.options();
+    const SharedMemoryHandles& options = shared.options();
     MACULA_TRY(FileDescriptor mine, FileDescriptor::copyOf(shared.memory().get()));
     VkMemoryDedicatedAllocateInfo dedicated{VK_STRUCTURE_TYPE_MEMORY_DEDICATED_ALLOCATE_INFO};
     dedicated.image = image;
@@ -208,7 +208,7 @@ Result<Handle<VkSemaphore>> importSemaphore(const std::shared_ptr<Device>& devic
 Result<SharedImage> SharedImage::import(const std::shared_ptr<Device>& device, const SharedMemory& memory) {
     MACULA_CHECK(device != nullptr);
     MACULA_TRY_VOID(device->checkNotLost(kDoing));
-    const SharedMemoryOptions& options = memory.options();
+    const SharedMemoryHandles& options = memory.options();
     MACULA_TRY_VOID(checkDevice(*device, options));
     const VkImageCreateInfo info = imageInfo(options);
     MACULA_TRY_VOID(checkImportable(*device, info, options.isDedicated));

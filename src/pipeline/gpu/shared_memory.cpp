@@ -40,7 +40,7 @@ std::uint32_t usagesOf(std::uint32_t layout) {
     }
 }
 
-Result<void> checkImage(const SharedMemoryOptions& options) {
+Result<void> checkImage(const SharedMemoryHandles& options) {
     if (options.width < 1 || options.height < 1 || options.width > kMostEdgePx ||
         options.height > kMostEdgePx)
         return refused(
@@ -67,7 +67,7 @@ Result<void> checkImage(const SharedMemoryOptions& options) {
     return {};
 }
 
-Result<void> checkAllocation(const SharedMemoryOptions& options) {
+Result<void> checkAllocation(const SharedMemoryHandles& options) {
     if (options.memory <= 0)
         return refused("No memory was shared.", "Give a file descriptor of vkGetMemoryFdKHR, above 0.");
     const std::uint64_t leastBytes = std::uint64_t{4} * options.width * options.height;
@@ -122,7 +122,7 @@ CardIdentity identityOf(const Device& device) {
     return identity;
 }
 
-Result<SharedMemory> SharedMemory::create(const SharedMemoryOptions& options) {
+Result<SharedMemory> SharedMemory::create(const SharedMemoryHandles& options) {
     SharedMemory shared;
     shared.options_ = options;
     if (options.layout == VK_IMAGE_LAYOUT_UNDEFINED) shared.options_.layout = VK_IMAGE_LAYOUT_GENERAL;

@@ -22,7 +22,7 @@ struct CardIdentity {
 CardIdentity identityOf(const Device& device);
 
 // As the other program made it. Numbers: none is taken for one of Vulkan before it was checked.
-struct SharedMemoryOptions {
+struct SharedMemoryHandles {
     // Opaque file descriptors of VkDeviceMemory and of binary VkSemaphores; 0 and below: none.
     int memory = 0;
     int wait = 0;    // waited for before the image is written
@@ -44,10 +44,10 @@ struct SharedMemoryOptions {
 class SharedMemory {
   public:
     // Duplicates the descriptors. usage when something is missing, or can be of no image.
-    static Result<SharedMemory> create(const SharedMemoryOptions& options);
+    static Result<SharedMemory> create(const SharedMemoryHandles& options);
 
     // Checked; the descriptors in it are those of the other program, and may be closed by now.
-    const SharedMemoryOptions& options() const { return options_; }
+    const SharedMemoryHandles& options() const { return options_; }
     const FileDescriptor& memory() const { return memory_; }
     const FileDescriptor& wait() const { return wait_; }      // may be none
     const FileDescriptor& signal() const { return signal_; }  // may be none
@@ -55,7 +55,7 @@ class SharedMemory {
   private:
     SharedMemory() = default;
 
-    SharedMemoryOptions options_;
+    SharedMemoryHandles options_;
     FileDescriptor memory_;
     FileDescriptor wait_;
     FileDescriptor signal_;

@@ -139,7 +139,7 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
     nextSlot_ = 0;
     extent_ = extent;
     isBroken_ = false;
-    device_->collect();
+    device_->destroyUnused();
     return {};
 }
 

@@ -134,8 +134,8 @@ class DeviceScene {
     struct Second {
         std::shared_ptr<const Volume> volume;
         SecondMedium made;
-        std::vector<float> bounds;            // by brick of the volume
-        std::optional<SecondVolume> shownAs;  // what both are of; nothing: they are still to be made
+        std::vector<float> bounds;                 // by brick of the volume
+        std::optional<DrawnSecondVolume> shownAs;  // what both are of; nothing: they are still to be made
         DeviceVolume voxels;
     };
     std::optional<Second> second_;

@@ -94,7 +94,7 @@ void writeCast(const Settings& settings, const Medium& medium, const Volume& vol
 // Both volumes have integers at faces there: centres are half a voxel on.
 void writeAdditions(const Additions& additions, const Volume& volume, shared::TraceParams& params) {
     if (additions.second) {
-        const SecondVolume& second = *additions.second;
+        const DrawnSecondVolume& second = *additions.second;
         const glm::dmat4 map = secondVoxelFromVoxel(second, volume);
         params.secondOrigin = transformPoint(map, glm::dvec3(-0.5)) + 0.5;
         params.secondFromVoxelX = glm::dvec3(map[0]);

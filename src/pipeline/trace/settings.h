@@ -93,7 +93,7 @@ enum class Shading {
 };
 
 // Raised whenever the same scene and settings get other light, chance aside, or the filter another blur:
-// what was learnt from pictures of another version is not gone on with (live/store/scene_key.h).
+// what was learnt from pictures of another version is not gone on with (live/store/model_key_of_drawing.h).
 inline constexpr std::uint32_t kTracerVersion = 3;
 
 inline constexpr int kMaxBounces = 1024;

@@ -20,7 +20,7 @@ bool isShare(float x) {
     return x >= 0.0f && x <= 1.0f;
 }
 
-Result<void> validate(const SecondVolume& second) {
+Result<void> validate(const DrawnSecondVolume& second) {
     if (!second.volume || !second.function || second.volume->format() != VoxelFormat::stored16)
         return Error{ErrorCode::usage,
                      "There is no second volume with a preset.",
@@ -94,19 +94,19 @@ bool isSameMatter(const Additions& a, const Additions& b) {
     return a.second == b.second;
 }
 
-glm::dmat4 secondVoxelFromVoxel(const SecondVolume& second, const Volume& volume) {
+glm::dmat4 secondVoxelFromVoxel(const DrawnSecondVolume& second, const Volume& volume) {
     return glm::inverse(second.volume->worldFromVoxel()) * second.secondFromVolumeMm *
            volume.worldFromVoxel();
 }
 
-SecondMedium makeSecondMedium(const SecondVolume& second) {
+SecondMedium makeSecondMedium(const DrawnSecondVolume& second) {
     SecondMedium made{.grid = makeBrickGrid(*second.volume), .medium = {}};
     made.medium = makeMedium(*second.volume, made.grid, *second.function);
     return made;
 }
 
-std::vector<float> boundsInVolume(const SecondVolume& second, const SecondMedium& made, const Volume& volume,
-                                  const BrickGrid& grid) {
+std::vector<float> boundsInVolume(const DrawnSecondVolume& second, const SecondMedium& made,
+                                  const Volume& volume, const BrickGrid& grid) {
     MACULA_CHECK_EQ(made.medium.bounds.size(), made.grid.ranges.size());
     const glm::dmat4 secondFromVoxel = secondVoxelFromVoxel(second, volume);
     const glm::dvec3 end = glm::dvec3(second.volume->size()) - 0.5;
@@ -151,12 +151,12 @@ std::vector<glm::vec4> additionTable(const Additions& additions) {
     return table;
 }
 
-double stepsPerEntryOf(const SecondVolume& second) {
+double stepsPerEntryOf(const DrawnSecondVolume& second) {
     const Volume& volume = *second.volume;
     return volume.unitsFromStored().slope / featureUnitsOf(*second.function, volume);
 }
 
-SecondExtinction::SecondExtinction(const SecondVolume& second, const Volume& volume)
+SecondExtinction::SecondExtinction(const DrawnSecondVolume& second, const Volume& volume)
     : second_(second.volume),
       optics_(opticsByEntry(*second.volume, *second.function)),
       secondFromVoxel_(secondVoxelFromVoxel(second, volume)) {}

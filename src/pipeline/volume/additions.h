@@ -21,13 +21,13 @@ namespace macula {
 
 // Shown as far as the box of the volume reaches. Its gradient opacity counts for nothing, and its phase
 // function is that of the volume.
-struct SecondVolume {
+struct DrawnSecondVolume {
     std::shared_ptr<const Volume> volume;  // stored16
     // Used as it is: fit it to that volume before (fitted).
     std::shared_ptr<const TransferFunction> function;
     glm::dmat4 secondFromVolumeMm{1.0};  // LPS to LPS, mm: a registration; 1: one frame
 
-    bool operator==(const SecondVolume&) const = default;  // of the same objects
+    bool operator==(const DrawnSecondVolume&) const = default;  // of the same objects
 };
 
 // Which colour each voxel of a volume has, within the smallest box that holds all that have any.
@@ -54,7 +54,7 @@ struct SegmentTints {
 };
 
 struct Additions {
-    std::optional<SecondVolume> second;
+    std::optional<DrawnSecondVolume> second;
     std::optional<SegmentTints> tints;  // of the volume; never of no voxel
     std::string remark = {};            // of pictures with these: "with PT"; no patient data
 
@@ -72,19 +72,19 @@ Result<void> validate(const Additions& additions, const Volume& volume, const Ad
 bool isSameMatter(const Additions& a, const Additions& b);
 
 // With integers at voxel centres, from the volume to the second one.
-glm::dmat4 secondVoxelFromVoxel(const SecondVolume& second, const Volume& volume);
+glm::dmat4 secondVoxelFromVoxel(const DrawnSecondVolume& second, const Volume& volume);
 
 // The second volume by itself, on its own grid and with bounds of its own.
 struct SecondMedium {
     BrickGrid grid;
     Medium medium;
 };
-SecondMedium makeSecondMedium(const SecondVolume& second);
+SecondMedium makeSecondMedium(const DrawnSecondVolume& second);
 
 // By brick of the volume: a bound of the extinction that the second volume has anywhere in it, 0 where it has
 // none; for makeMedium. On all cores.
-std::vector<float> boundsInVolume(const SecondVolume& second, const SecondMedium& made, const Volume& volume,
-                                  const BrickGrid& grid);
+std::vector<float> boundsInVolume(const DrawnSecondVolume& second, const SecondMedium& made,
+                                  const Volume& volume, const BrickGrid& grid);
 // All of that at once; empty where there is no second volume.
 std::vector<float> addedBounds(const Additions& additions, const Volume& volume, const BrickGrid& grid);
 
@@ -93,12 +93,12 @@ std::vector<float> addedBounds(const Additions& additions, const Volume& volume,
 std::vector<glm::vec4> additionTable(const Additions& additions);
 
 // See TraceParams::stepsPerEntry.
-double stepsPerEntryOf(const SecondVolume& second);
+double stepsPerEntryOf(const DrawnSecondVolume& second);
 
 // The second volume's extinction at single points, on the host.
 class SecondExtinction {
   public:
-    SecondExtinction(const SecondVolume& second, const Volume& volume);
+    SecondExtinction(const DrawnSecondVolume& second, const Volume& volume);
 
     // Per mm; 0 outside of it. The point is in voxels of the volume, integers at centres.
     double at(const glm::dvec3& voxel) const;

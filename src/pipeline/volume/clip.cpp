@@ -14,7 +14,7 @@ bool isFinite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-bool isUnit(const glm::dvec3& v) {
+bool isUnitVector(const glm::dvec3& v) {
     return isFinite(v) && std::abs(glm::length(v) - 1.0) < 1e-6;
 }
 
@@ -111,7 +111,7 @@ Result<void> validate(const Clip& clip) {
         }
     }
     for (const HalfSpace& plane : clip.planes) {
-        if (!isUnit(plane.normal) || !std::isfinite(plane.offsetMm))
+        if (!isUnitVector(plane.normal) || !std::isfinite(plane.offsetMm))
             return notUsable("a plane has no direction",
                              "Give its normal as a unit vector, and its distance in mm.");
     }

@@ -3,7 +3,7 @@
 #include "base/atomic_file.h"
 #include "pipeline/volume/json_reader.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -51,4 +51,4 @@ Result<Camera> readCamera(const std::filesystem::path& path) {
     return camera;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -15,7 +15,7 @@ namespace macula {
 class JsonNode;
 }
 
-namespace macula::app {
+namespace macula::scene {
 
 Result<Camera> readCamera(const std::filesystem::path& path);
 
@@ -24,4 +24,4 @@ Result<Camera> readCamera(const std::filesystem::path& path);
 Camera cameraFrom(const JsonNode& node);
 nlohmann::ordered_json toJson(const Camera& camera);
 
-}  // namespace macula::app
+}  // namespace macula::scene

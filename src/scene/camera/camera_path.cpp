@@ -14,7 +14,7 @@
 #include "scene/camera/camera_file.h"
 #include "scene/camera/orbit_camera.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -192,4 +192,4 @@ Camera cameraAt(const CameraPath& path, double atS) {
     return basis(now) ? now : a;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -10,7 +10,7 @@
 #include "base/camera.h"
 #include "base/result.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct CameraPath {
     struct Stop {
@@ -38,4 +38,4 @@ std::string toJson(const CameraPath& path);
 // it by the shorter way. Rays are parallel between two parallel stops, else in perspective.
 Camera cameraAt(const CameraPath& path, double atS);
 
-}  // namespace macula::app
+}  // namespace macula::scene

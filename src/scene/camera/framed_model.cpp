@@ -7,7 +7,7 @@
 #include "base/camera.h"
 #include "scene/camera/view_directions.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -96,4 +96,4 @@ Result<std::vector<SplatCamera>> framedCameras(const splat::Splats& splats,
     return cameras;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include "pipeline/splat/model/splats.h"
 #include "scene/camera/splat_cameras.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The default near distance, closer than which nothing is drawn: 2 mm, or 0.2 as in 3DGS for a model whose
 // axes and unit are unknown.
@@ -23,4 +23,4 @@ double usualNearOf(const splat::Splats& splats);
 Result<std::vector<SplatCamera>> framedCameras(const splat::Splats& splats,
                                                std::span<const ViewDirection> from, const glm::ivec2& sizePx);
 
-}  // namespace macula::app
+}  // namespace macula::scene

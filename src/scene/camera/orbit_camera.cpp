@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -181,4 +181,4 @@ EdgeLetters edgeLetters(const OrbitCamera& camera) {
             .bottom = orientationLetters(-d.up)};
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

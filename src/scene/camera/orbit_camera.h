@@ -6,7 +6,7 @@
 #include "base/camera.h"
 #include "base/frames.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The angles give the direction from the target to the eye. Azimuth 0 is anterior, positive towards the
 // patient's left; elevation 90 is superior. The up direction follows from both, at the poles too, so the view
@@ -69,4 +69,4 @@ struct EdgeLetters {
 };
 EdgeLetters edgeLetters(const OrbitCamera& camera);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::optional<ViewDirection> faceAt(const CameraBasis& axes, const glm::dvec2& p
     return std::nullopt;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

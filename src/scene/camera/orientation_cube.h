@@ -10,7 +10,7 @@
 #include "base/camera.h"
 #include "base/frames.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // A visible face, in halves of an edge of the cube from its middle, x to the right, y down. The projection of
 // the cube is always parallel.
@@ -33,4 +33,4 @@ std::vector<CubeFace> facesSeen(const CameraBasis& axes);
 // The face at `place`, or nothing beside the cube.
 std::optional<ViewDirection> faceAt(const CameraBasis& axes, const glm::dvec2& place);
 
-}  // namespace macula::app
+}  // namespace macula::scene

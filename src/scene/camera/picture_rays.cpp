@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -74,4 +74,4 @@ std::optional<glm::dvec3> meets(const PictureRay& ray, const glm::dvec3& pointMm
     return ray.at(mm);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -7,7 +7,7 @@
 
 #include "base/camera.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct PictureRay {
     glm::dvec3 originMm{0.0};
@@ -54,4 +54,4 @@ std::optional<double> nearestOnLine(const PictureRay& ray, const glm::dvec3& poi
 // Where the ray meets the plane through `pointMm`. Nothing if it misses or grazes the plane.
 std::optional<glm::dvec3> meets(const PictureRay& ray, const glm::dvec3& pointMm, const glm::dvec3& normal);
 
-}  // namespace macula::app
+}  // namespace macula::scene

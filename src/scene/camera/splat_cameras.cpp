@@ -7,7 +7,7 @@
 #include "pipeline/volume/json_reader.h"
 #include "scene/camera/camera_file.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -133,4 +133,4 @@ Result<std::vector<SplatCamera>> readSplatCameras(const std::filesystem::path& l
     return cameras;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -21,7 +21,7 @@
 #include "base/result.h"
 #include "pipeline/splat/draw/raster_view.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct SplatCamera {
     std::string name;        // from the file; any text
@@ -47,4 +47,4 @@ Result<std::vector<SplatCamera>> readSplatCameras(const std::filesystem::path& l
                                                   std::span<const std::string> files,
                                                   std::optional<glm::ivec2> size);
 
-}  // namespace macula::app
+}  // namespace macula::scene

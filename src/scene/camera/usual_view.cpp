@@ -9,7 +9,7 @@
 
 #include "base/check.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -169,4 +169,4 @@ std::string sentenceOf(const UsualView& view) {
     return {};
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

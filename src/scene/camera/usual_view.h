@@ -9,7 +9,7 @@
 #include "base/frames.h"
 #include "base/volume.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Why usualView chose its direction.
 enum class ViewReason {
@@ -56,4 +56,4 @@ struct MatterExtent {
 };
 std::optional<MatterExtent> matterExtent(const Volume& volume);
 
-}  // namespace macula::app
+}  // namespace macula::scene

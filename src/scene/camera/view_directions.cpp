@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::string nameOf(ViewDirection direction) {
     return found->first;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,11 +8,11 @@
 
 #include "base/frames.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Nothing for an unknown name.
 std::optional<ViewDirection> viewDirectionOf(std::string_view name);
 
 std::string nameOf(ViewDirection direction);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include "base/atomic_file.h"
 #include "scene/choice/nearest_name.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 const presets::EmbeddedFile* findBuiltIn(std::span<const presets::EmbeddedFile> files,
                                          std::string_view name) {
@@ -40,4 +40,4 @@ std::string publicName(std::span<const presets::EmbeddedFile> files, const std::
     return findBuiltIn(files, nameOrFile) != nullptr ? nameOrFile : "custom";
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

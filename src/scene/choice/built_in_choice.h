@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "presets/embedded_files.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Null when no file has that name.
 const presets::EmbeddedFile* findBuiltIn(std::span<const presets::EmbeddedFile> files, std::string_view name);
@@ -40,4 +40,4 @@ Result<std::vector<T>> parseAll(std::span<const presets::EmbeddedFile> files, co
     return all;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

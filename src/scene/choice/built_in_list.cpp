@@ -12,7 +12,7 @@
 #include "scene/choice/lights_choice.h"
 #include "scene/choice/quality_choice.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::vector<TransferFunction> withDifferentNames(std::span<const presets::Import
     return functions;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -13,7 +13,7 @@
 #include "pipeline/volume/transfer_function.h"
 #include "presets/imported_preset.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct BuiltIns {
     std::vector<TransferFunction> presets;
@@ -34,4 +34,4 @@ std::string_view unitOf(const TransferFunction& preset);
 // file of its own.
 std::vector<TransferFunction> withDifferentNames(std::span<const presets::ImportedPreset> imported);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include "scene/choice/lights_choice.h"
 #include "scene/choice/nearest_name.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue,
     return catalogue.lights.front();
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -12,7 +12,7 @@
 #include "pipeline/volume/clip_json.h"
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct Catalogue {
     std::vector<std::shared_ptr<const TransferFunction>> presets;  // never empty
@@ -32,4 +32,4 @@ std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, co
 // The default lights of a look.
 std::shared_ptr<const trace::LightRig> defaultLights(const Catalogue& catalogue, trace::Look look);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -4,7 +4,7 @@
 
 #include "scene/choice/built_in_choice.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 Result<std::vector<ClipPreset>> builtInClips() {
     return parseAll<ClipPreset>(presets::clipFiles(), clipPresetFromJson);
@@ -28,4 +28,4 @@ std::string publicClipName(const ClipPreset& clip) {
     return all && std::ranges::any_of(*all, isIt) ? clip.name : "custom";
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "pipeline/volume/clip_json.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // All built-in clips, by name.
 Result<std::vector<ClipPreset>> builtInClips();
@@ -20,4 +20,4 @@ Result<ClipPreset> chooseClip(const std::string& nameOrFile);
 std::string publicClipName(const std::string& nameOrFile);
 std::string publicClipName(const ClipPreset& clip);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -11,7 +11,7 @@
 #include "scene/choice/built_in_choice.h"
 #include "scene/choice/nearest_name.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace fs = std::filesystem;
 
@@ -113,4 +113,4 @@ Result<trace::Environment> choosePatientLights(const std::string& nameOrFile) {
     return lights;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/look.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 inline constexpr const char* kDefaultLights = "studio";
 // The name of the default rig of a look. The clear look gets soft light from everywhere, which shows shape by
@@ -35,4 +35,4 @@ std::string publicLightsName(const trace::LightRig& rig);
 Result<trace::Environment> choosePatientLights(const std::string& nameOrFile);
 Result<void> checkPatientLights(const trace::Environment& lights, const std::string& name);
 
-}  // namespace macula::app
+}  // namespace macula::scene

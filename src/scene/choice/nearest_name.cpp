@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -52,4 +52,4 @@ Error noSuchName(std::string_view sentence, const std::string& typed, const std:
             fmt::format("{}{}{}", choiceAmong(typed, names), orElse.empty() ? "" : " ", orElse)};
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

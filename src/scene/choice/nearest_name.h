@@ -7,7 +7,7 @@
 
 #include "base/result.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The name at the smallest edit distance; empty if that is above a third of the typed length, rounded up.
 std::string nearestName(std::string_view typed, const std::vector<std::string>& names);
@@ -20,4 +20,4 @@ std::string choiceAmong(std::string_view typed, const std::vector<std::string>& 
 Error noSuchName(std::string_view sentence, const std::string& typed, const std::vector<std::string>& names,
                  std::string_view orElse = {});
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include "scene/choice/nearest_name.h"
 #include "scene/transfer/same_transfer.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string publicPresetName(const TransferFunction& preset) {
     return found == all->end() ? "custom" : found->name;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -7,7 +7,7 @@
 #include "pipeline/volume/transfer_function.h"
 #include "presets/imported_preset.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // A built-in preset by name or number, or a file of any known format, "FILE#NAME" where it holds several.
 // usage when it is none of these; inputNotUsable when the file is malformed.
@@ -19,4 +19,4 @@ std::string publicPresetName(const std::string& typed);
 // The same of a preset that nobody typed, whether it is fitted to the volume or not.
 std::string publicPresetName(const TransferFunction& preset);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -4,7 +4,7 @@
 
 #include "presets/default_preset.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 std::string kindOf(const TransferFunction& preset) {
     std::string kind;
@@ -28,4 +28,4 @@ bool FitsVolume::operator()(const TransferFunction& preset) const {
     return made.empty() || modality_.empty() || std::ranges::find(made, modality_) != made.end();
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -6,7 +6,7 @@
 #include "base/volume.h"
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The kind of images, for display, from the preset's modalities: "CT", "µCT", "MR", "DTI", "US", "PT", "CT,
 // MR"; empty without any. CT with raw values is micro-CT; MR titled "DTI-..." is DTI.
@@ -25,4 +25,4 @@ class FitsVolume {
     std::string usual_;
 };
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -4,7 +4,7 @@
 
 #include "scene/choice/built_in_choice.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 Result<std::vector<trace::Quality>> builtInQualities() {
     MACULA_TRY(std::vector<trace::Quality> qualities,
@@ -18,4 +18,4 @@ Result<trace::Quality> chooseQuality(const std::string& nameOrFile) {
     return trace::qualityFromJson(chosen.text, chosen.where);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -12,7 +12,7 @@
 #include "scene/choice/preset_choice.h"
 #include "scene/choice/preset_kinds.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -63,17 +63,17 @@ PresetNotes notesToDraw(const presets::ImportedPreset& preset, const Volume& vol
     return told;
 }
 
-void tellOf(const presets::ImportedPreset& preset, StudyInput& study) {
+void tellOf(const presets::ImportedPreset& preset, study::LoadedStudy& study) {
     PresetNotes told = notesToDraw(preset, *study.volume);
     std::ranges::move(told.notes, std::back_inserter(study.notes));
     std::ranges::move(told.warnings, std::back_inserter(study.warnings));
 }
 
-Result<StudyPreset> choosePresetFor(StudyInput& study, const std::string& typed, bool fit) {
+Result<StudyPreset> choosePresetFor(study::LoadedStudy& study, const std::string& typed, bool fit) {
     const std::string name = typed.empty() ? presets::defaultTransfer(*study.volume) : typed;
     MACULA_TRY(presets::ImportedPreset preset, presetToDraw(name, fit));
     tellOf(preset, study);
     return StudyPreset{.publicName = publicPresetName(name), .function = std::move(preset.function)};
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

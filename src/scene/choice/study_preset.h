@@ -7,9 +7,9 @@
 
 #include "base/result.h"
 #include "presets/imported_preset.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The preset as choosePreset finds it; `fit` stretches its range to the volume. Fails also for an invalid
 // preset (validate).
@@ -26,7 +26,7 @@ struct PresetNotes {
 };
 PresetNotes notesToDraw(const presets::ImportedPreset& preset, const Volume& volume);
 // Adds the notes and warnings of notesToDraw to those of the study.
-void tellOf(const presets::ImportedPreset& preset, StudyInput& study);
+void tellOf(const presets::ImportedPreset& preset, study::LoadedStudy& study);
 
 struct StudyPreset {
     std::string publicName;     // see publicPresetName
@@ -34,6 +34,6 @@ struct StudyPreset {
 };
 
 // The preset that was typed, or the volume's default for empty text. Adds its notes to those of the study.
-Result<StudyPreset> choosePresetFor(StudyInput& study, const std::string& typed, bool fit = false);
+Result<StudyPreset> choosePresetFor(study::LoadedStudy& study, const std::string& typed, bool fit = false);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -10,7 +10,7 @@
 #include "base/parsing.h"
 #include "pipeline/trace/settings.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -65,4 +65,4 @@ Result<glm::vec3> parseBackground(const std::string& text) {
     return glm::vec3((*read)[0], (*read)[1], (*read)[2]);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

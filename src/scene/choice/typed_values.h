@@ -7,7 +7,7 @@
 #include "base/result.h"
 #include "base/volume.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // --size WIDTHxHEIGHT: in pixels, each from 1 to trace::kMaxPictureSide.
 Result<glm::ivec2> parseSize(const std::string& text);
@@ -19,4 +19,4 @@ Result<DisplayWindow> parseWindow(const std::string& text);
 // --background R,G,B: each from 0 to 1.
 Result<glm::vec3> parseBackground(const std::string& text);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include "scene/clip/edited_clip.h"
 #include "scene/clip/eye_cut.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -154,7 +154,7 @@ class OnSlice {
 
 }  // namespace
 
-std::vector<PlacedHandle> handlesOf(const ClipChoice& clip, const Cuts& cuts, const Volume& volume) {
+std::vector<PlacedHandle> handlesOf(const OptionalClip& clip, const Cuts& cuts, const Volume& volume) {
     std::vector<PlacedHandle> handles;
     const Box all = volume.worldBox();
     if (const Result<Box> kept = keptBox(clip, volume)) addFaces(handles, Kind::face, *kept);
@@ -185,8 +185,8 @@ std::vector<PlacedHandle> handlesOf(const ClipChoice& clip, const Cuts& cuts, co
     return handles;
 }
 
-std::vector<PlacedHandle> handlesOn(const slices::SliceFrame& frame, const ClipChoice& clip, const Cuts& cuts,
-                                    const Volume& volume) {
+std::vector<PlacedHandle> handlesOn(const slices::SliceFrame& frame, const OptionalClip& clip,
+                                    const Cuts& cuts, const Volume& volume) {
     if (!frame.isUsable() || frame.sizePx.x < 1 || frame.sizePx.y < 1) return {};
     OnSlice slice(frame, volume);
     if (const Result<Box> kept = keptBox(clip, volume)) slice.addFaces(Kind::face, *kept);
@@ -205,7 +205,7 @@ std::vector<PlacedHandle> handlesOn(const slices::SliceFrame& frame, const ClipC
     return slice.take();
 }
 
-Result<MovedClip> withHandleAt(const ClipChoice& clip, const Cuts& cuts, const ClipHandle& handle,
+Result<MovedClip> withHandleAt(const OptionalClip& clip, const Cuts& cuts, const ClipHandle& handle,
                                const glm::dvec3& mm, const Volume& volume) {
     const Error gone{
         ErrorCode::usage, "That part of the clip is not there any more.", {}, "Take hold of another one."};
@@ -245,7 +245,7 @@ Result<MovedClip> withHandleAt(const ClipChoice& clip, const Cuts& cuts, const C
 }
 
 glm::dvec3 draggedTo(const ClipHandle& handle, const glm::dvec3& onSliceMm, const slices::SliceFrame& frame,
-                     const ClipChoice& clip, const Volume& volume) {
+                     const OptionalClip& clip, const Volume& volume) {
     if (!clip) return onSliceMm;
     const Clip inMm = macula::clipFor(*clip, volume);
     if (handle.kind == Kind::ballCentre && inMm.ball)
@@ -255,4 +255,4 @@ glm::dvec3 draggedTo(const ClipHandle& handle, const glm::dvec3& onSliceMm, cons
     return onSliceMm;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

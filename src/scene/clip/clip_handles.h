@@ -9,7 +9,7 @@
 #include "scene/clip/cuts.h"
 #include "slices/slice_plane.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct ClipHandle {
     enum class Kind {
@@ -37,25 +37,25 @@ struct PlacedHandle {
 // Handles are in the middle of each face, where each oblique plane is nearest to the middle of the volume, at
 // the corner, at the ball's centre, and on its surface towards the patient's left. Without a clip, faces at
 // the border of the volume let a user begin one. A clip that leaves nothing has no kept faces.
-std::vector<PlacedHandle> handlesOf(const ClipChoice& clip, const Cuts& cuts, const Volume& volume);
+std::vector<PlacedHandle> handlesOf(const OptionalClip& clip, const Cuts& cuts, const Volume& volume);
 
 // The same on a slice: in the middle of the line where a part's border meets it, as far as that is within the
 // picture. A part that misses the slice, or is nearly parallel to it, has none. `along` lies in the slice.
-std::vector<PlacedHandle> handlesOn(const slices::SliceFrame& frame, const ClipChoice& clip, const Cuts& cuts,
-                                    const Volume& volume);
+std::vector<PlacedHandle> handlesOn(const slices::SliceFrame& frame, const OptionalClip& clip,
+                                    const Cuts& cuts, const Volume& volume);
 
 struct MovedClip {
-    ClipChoice clip;
+    OptionalClip clip;
     Cuts cuts;
 };
 // Moves the part of the handle through `mm`; for a ball its surface or its centre. Fails with usage as the
 // functions of edited_clip.h, and for a part that no longer exists.
-Result<MovedClip> withHandleAt(const ClipChoice& clip, const Cuts& cuts, const ClipHandle& handle,
+Result<MovedClip> withHandleAt(const OptionalClip& clip, const Cuts& cuts, const ClipHandle& handle,
                                const glm::dvec3& mm, const Volume& volume);
 
 // The point to give withHandleAt for a drag to `onSliceMm`. The corner and the ball's centre keep their
 // distance from the slice; other handles move to `onSliceMm` itself.
 glm::dvec3 draggedTo(const ClipHandle& handle, const glm::dvec3& onSliceMm, const slices::SliceFrame& frame,
-                     const ClipChoice& clip, const Volume& volume);
+                     const OptionalClip& clip, const Volume& volume);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -6,7 +6,7 @@
 
 #include "scene/clip/edited_clip.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -26,7 +26,7 @@ bool isAlongPatient(const OrientedBox& box) {
 
 }  // namespace
 
-Result<ClipChoice> clipOfShape(const Clip& shapeMm, const ClipChoice& before, const Volume& volume) {
+Result<OptionalClip> clipOfShape(const Clip& shapeMm, const OptionalClip& before, const Volume& volume) {
     MACULA_TRY_VOID(validate(shapeMm));
     const Box all = volume.worldBox();
     const glm::dvec3 size = all.high - all.low;
@@ -53,13 +53,13 @@ Result<ClipChoice> clipOfShape(const Clip& shapeMm, const ClipChoice& before, co
         next.clip.ball->centreMm = fraction(next.clip.ball->centreMm);
         next.clip.ball->radiusMm /= std::min({size.x, size.y, size.z});
     }
-    if (!next.clip.hasShape()) return ClipChoice{};
+    if (!next.clip.hasShape()) return OptionalClip{};
     next.name = kOwnClipName;
     next.title = "Own clip";
     // What cannot be read again would be lost with all else of the study.
     const Result<ClipPreset> read = clipPresetFromJson(toJson(next), {});
     if (!read) return notKept();
-    return ClipChoice(*read);
+    return OptionalClip(*read);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -3,11 +3,11 @@
 
 #include "scene/clip/kept_box.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The clip with this shape, shadows and cut faces; of `before` only a window that follows the series stays.
 // Ignores the mask. Nothing for no shape. A plane beyond the volume's box moves to its border, where it
 // removes the same. Fails with usage for a turned box, or numbers, that a study cannot store.
-Result<ClipChoice> clipOfShape(const Clip& shapeMm, const ClipChoice& before, const Volume& volume);
+Result<OptionalClip> clipOfShape(const Clip& shapeMm, const OptionalClip& before, const Volume& volume);
 
-}  // namespace macula::app
+}  // namespace macula::scene

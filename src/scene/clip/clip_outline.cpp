@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -74,7 +74,7 @@ std::vector<glm::dvec3> outlineMm(const Box& box, const slices::SlicePlane& plan
     return polygon;
 }
 
-std::vector<glm::dvec3> keptOutlineMm(const ClipChoice& clip, const Volume& volume,
+std::vector<glm::dvec3> keptOutlineMm(const OptionalClip& clip, const Volume& volume,
                                       const slices::SlicePlane& plane) {
     const Result<Box> kept = keptBox(clip, volume);
     const Box all = volume.worldBox();
@@ -82,4 +82,4 @@ std::vector<glm::dvec3> keptOutlineMm(const ClipChoice& clip, const Volume& volu
     return outlineMm(*kept, plane);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -6,14 +6,14 @@
 #include "scene/clip/kept_box.h"
 #include "slices/slice_plane.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The convex polygon in which the box meets the plane, in order from the plane's right towards its down.
 // Empty if they do not meet in an area, or a number is not finite.
 std::vector<glm::dvec3> outlineMm(const Box& box, const slices::SlicePlane& plane);
 
 // The outline of keptBox; empty also when that is all of the volume, or nothing.
-std::vector<glm::dvec3> keptOutlineMm(const ClipChoice& clip, const Volume& volume,
+std::vector<glm::dvec3> keptOutlineMm(const OptionalClip& clip, const Volume& volume,
                                       const slices::SlicePlane& plane);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -6,7 +6,7 @@
 
 #include "pipeline/volume/mask_bits.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 Result<std::optional<Mask>> combinedMask(std::span<const Mask> masks, const Volume& volume,
                                          Progress& progress) try {
@@ -34,4 +34,4 @@ Result<std::optional<Mask>> combinedMask(std::span<const Mask> masks, const Volu
                  "Close other programs, or hide less. The picture and what is chosen stay as before."};
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include "base/volume.h"
 #include "pipeline/volume/clip.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Shows the voxels that all masks show; nothing without masks. A single mask is returned as it is, at no
 // cost; several become one bit per voxel of the volume, with the remarks joined in order. Runs on all cores;
@@ -17,4 +17,4 @@ namespace macula::app {
 Result<std::optional<Mask>> combinedMask(std::span<const Mask> masks, const Volume& volume,
                                          Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -12,7 +12,7 @@
 #include "scene/clip/kept_box.h"
 #include "scene/clip/shared_outline.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // A plane across the line of sight that removes what lies before it. Only `plane` cuts; the other fields say
 // how it changes when the camera moves.
@@ -51,10 +51,10 @@ inline constexpr std::size_t kLongestClipNameBytes = 200;  // in UTF-8
 
 struct NamedClip {
     std::string name;  // typed by a user; may identify a person
-    ClipChoice clip = {};
+    OptionalClip clip = {};
     Cuts cuts = {};
 
     bool operator==(const NamedClip&) const = default;
 };
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -46,17 +46,17 @@ glm::dvec3 fractionOf(const Volume& volume, const glm::dvec3& pointMm) {
 }
 
 // The last step of every edit.
-Result<ClipChoice> own(ClipPreset next, const Volume& volume) {
+Result<OptionalClip> own(ClipPreset next, const Volume& volume) {
     next.name = kOwnClipName;
     next.title = "Own clip";
     if (next == ClipPreset{.name = next.name, .title = next.title, .clip = {}, .planesAt = {}})
-        return ClipChoice{};
+        return OptionalClip{};
     Clip clip = clipFor(next, volume);
     clip.greyFaces.reset();  // of the series, and nothing that was edited
     MACULA_TRY_VOID(validate(clip));
     const Box voxels{glm::dvec3(-0.5), glm::dvec3(volume.size()) - 0.5};
     if (removesAll(clip, volume.worldFromVoxel(), voxels)) return nothingLeft();
-    return ClipChoice(std::move(next));
+    return OptionalClip(std::move(next));
 }
 
 void removeFaces(ClipPreset& clip) {
@@ -90,7 +90,7 @@ Box fractionsOf(const Box& boxMm, const Volume& volume) {
     return {fractionOf(volume, boxMm.low), fractionOf(volume, boxMm.high)};
 }
 
-Result<ClipChoice> withKept(ClipPreset next, const Box& keptMm, const Volume& volume) {
+Result<OptionalClip> withKept(ClipPreset next, const Box& keptMm, const Volume& volume) {
     removeFaces(next);
     const Box fractions = fractionsOf(keptMm, volume);
     std::vector<Face> cut;
@@ -119,7 +119,7 @@ Result<ClipChoice> withKept(ClipPreset next, const Box& keptMm, const Volume& vo
 
 }  // namespace
 
-Result<ClipChoice> withFace(const ClipChoice& clip, Face face, double atMm, const Volume& volume) {
+Result<OptionalClip> withFace(const OptionalClip& clip, Face face, double atMm, const Volume& volume) {
     if (!std::isfinite(atMm)) return notANumber();
     MACULA_TRY(Box kept, keptBox(clip, volume));
     const Box all = volume.worldBox();
@@ -137,12 +137,12 @@ Result<ClipChoice> withFace(const ClipChoice& clip, Face face, double atMm, cons
     return withKept(clip.value_or(ClipPreset{}), kept, volume);
 }
 
-Result<ClipChoice> withFaceOpen(const ClipChoice& clip, Face face, const Volume& volume) {
+Result<OptionalClip> withFaceOpen(const OptionalClip& clip, Face face, const Volume& volume) {
     return withFace(clip, face, faceMm(volume.worldBox(), face), volume);
 }
 
-Result<ClipChoice> withSideRemoved(const ClipChoice& clip, Face side, const glm::dvec3& pointMm,
-                                   const Volume& volume) {
+Result<OptionalClip> withSideRemoved(const OptionalClip& clip, Face side, const glm::dvec3& pointMm,
+                                     const Volume& volume) {
     if (!isFinite(pointMm)) return notANumber();
     MACULA_TRY(const Box kept, keptBox(clip, volume));
     const int axis = axisOf(side);
@@ -157,8 +157,8 @@ Result<ClipChoice> withSideRemoved(const ClipChoice& clip, Face side, const glm:
     return withFace(clip, side, atMm, volume);
 }
 
-Result<ClipChoice> withSlabKept(const ClipChoice& clip, slices::Orientation orientation,
-                                const glm::dvec3& pointMm, double thicknessMm, const Volume& volume) {
+Result<OptionalClip> withSlabKept(const OptionalClip& clip, slices::Orientation orientation,
+                                  const glm::dvec3& pointMm, double thicknessMm, const Volume& volume) {
     if (!isFinite(pointMm)) return notANumber();
     if (!std::isfinite(thicknessMm) || thicknessMm <= 0.0)
         return error("The slab has no thickness.", "Give it in mm, more than 0.");
@@ -181,8 +181,8 @@ Result<ClipChoice> withSlabKept(const ClipChoice& clip, slices::Orientation orie
     return withKept(clip.value_or(ClipPreset{}), kept, volume);
 }
 
-Result<ClipChoice> withCornerRemoved(const ClipChoice& clip, const std::array<Face, 3>& sides,
-                                     const glm::dvec3& pointMm, const Volume& volume) {
+Result<OptionalClip> withCornerRemoved(const OptionalClip& clip, const std::array<Face, 3>& sides,
+                                       const glm::dvec3& pointMm, const Volume& volume) {
     if (!isFinite(pointMm)) return notANumber();
     if (!isWithin(volume.worldBox(), pointMm))
         return error("The corner would be outside of the volume.", "Move the cross-hair into the volume.");
@@ -201,8 +201,8 @@ ValueRange ballRadiiMm(const Volume& volume) {
     return {.low = std::min(0.5 * std::min({spacing.x, spacing.y, spacing.z}), most), .high = most};
 }
 
-Result<ClipChoice> withBallRemoved(const ClipChoice& clip, const glm::dvec3& centreMm, double radiusMm,
-                                   const Volume& volume) {
+Result<OptionalClip> withBallRemoved(const OptionalClip& clip, const glm::dvec3& centreMm, double radiusMm,
+                                     const Volume& volume) {
     if (!isFinite(centreMm)) return notANumber();
     const ValueRange radii = ballRadiiMm(volume);
     if (!(radii.low <= radiusMm && radiusMm <= radii.high))
@@ -239,8 +239,8 @@ glm::dvec3 nearestIn(const Box& box, const glm::dvec3& point) {
 
 }  // namespace
 
-Result<ClipChoice> withPlaneThrough(const ClipChoice& clip, std::size_t plane, const glm::dvec3& pointMm,
-                                    const Volume& volume) {
+Result<OptionalClip> withPlaneThrough(const OptionalClip& clip, std::size_t plane, const glm::dvec3& pointMm,
+                                      const Volume& volume) {
     if (!isFinite(pointMm)) return notANumber();
     if (!clip || plane >= clip->clip.planes.size()) return notThere();
     const Box all = volume.worldBox();
@@ -254,7 +254,7 @@ Result<ClipChoice> withPlaneThrough(const ClipChoice& clip, std::size_t plane, c
     return own(std::move(next), volume);
 }
 
-Result<ClipChoice> withRemovedFace(const ClipChoice& clip, Face face, double atMm, const Volume& volume) {
+Result<OptionalClip> withRemovedFace(const OptionalClip& clip, Face face, double atMm, const Volume& volume) {
     if (!std::isfinite(atMm)) return notANumber();
     if (!clip || !clip->clip.box || clip->clip.ofBox != Keep::outside ||
         clip->clip.box->axes != glm::dmat3(1.0))
@@ -273,7 +273,7 @@ Result<ClipChoice> withRemovedFace(const ClipChoice& clip, Face face, double atM
     return own(std::move(next), volume);
 }
 
-Result<ClipChoice> withCornerAt(const ClipChoice& clip, const glm::dvec3& pointMm, const Volume& volume) {
+Result<OptionalClip> withCornerAt(const OptionalClip& clip, const glm::dvec3& pointMm, const Volume& volume) {
     if (!isFinite(pointMm)) return notANumber();
     if (!clip || !clip->clip.cut) return notThere();
     ClipPreset next = *clip;
@@ -281,8 +281,8 @@ Result<ClipChoice> withCornerAt(const ClipChoice& clip, const glm::dvec3& pointM
     return own(std::move(next), volume);
 }
 
-Result<ClipChoice> withBallAt(const ClipChoice& clip, const glm::dvec3& centreMm, double radiusMm,
-                              const Volume& volume) {
+Result<OptionalClip> withBallAt(const OptionalClip& clip, const glm::dvec3& centreMm, double radiusMm,
+                                const Volume& volume) {
     if (!isFinite(centreMm) || !std::isfinite(radiusMm)) return notANumber();
     if (!clip || !clip->clip.ball) return notThere();
     const ValueRange radii = ballRadiiMm(volume);
@@ -321,7 +321,7 @@ Parts partsOf(const Clip& clip) {
 }
 
 // What the corner removes is kept, as a box.
-Result<ClipChoice> cornerKept(ClipPreset next, const Volume& volume) {
+Result<OptionalClip> cornerKept(ClipPreset next, const Volume& volume) {
     const Octant corner = *clipFor(next, volume).cut;
     next.clip.cut.reset();
     Box kept = volume.worldBox();
@@ -335,7 +335,7 @@ Result<ClipChoice> cornerKept(ClipPreset next, const Volume& volume) {
 
 }  // namespace
 
-Result<ClipChoice> turnedInsideOut(const ClipChoice& clip, const Volume& volume) {
+Result<OptionalClip> turnedInsideOut(const OptionalClip& clip, const Volume& volume) {
     if (!clip || !clip->clip.hasShape())
         return error("There is no clip to turn inside out.", "Choose a clip, or cut something off.");
     const Parts parts = partsOf(clip->clip);
@@ -363,4 +363,4 @@ Result<ClipChoice> turnedInsideOut(const ClipChoice& clip, const Volume& volume)
     return own(std::move(next), volume);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

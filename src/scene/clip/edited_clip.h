@@ -10,34 +10,34 @@
 #include "scene/clip/kept_box.h"
 #include "slices/slice_plane.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 inline constexpr const char* kOwnClipName = "own";
 
 // Moves one face of keptBox to `atMm`, and pushes the opposite face where it must. If the clip removes a box
 // or keeps a turned one, the faces become planes, of which a clip has six.
-Result<ClipChoice> withFace(const ClipChoice& clip, Face face, double atMm, const Volume& volume);
-Result<ClipChoice> withFaceOpen(const ClipChoice& clip, Face face, const Volume& volume);
+Result<OptionalClip> withFace(const OptionalClip& clip, Face face, double atMm, const Volume& volume);
+Result<OptionalClip> withFaceOpen(const OptionalClip& clip, Face face, const Volume& volume);
 
 // Also removes all that lies further to that side than the point. Fails if nothing that is kept lies there.
-Result<ClipChoice> withSideRemoved(const ClipChoice& clip, Face side, const glm::dvec3& pointMm,
-                                   const Volume& volume);
+Result<OptionalClip> withSideRemoved(const OptionalClip& clip, Face side, const glm::dvec3& pointMm,
+                                     const Volume& volume);
 
 // Moves both faces along the normal of that orientation so that the point is in the middle; at the border of
 // the volume the slab is thinner.
-Result<ClipChoice> withSlabKept(const ClipChoice& clip, slices::Orientation orientation,
-                                const glm::dvec3& pointMm, double thicknessMm, const Volume& volume);
+Result<OptionalClip> withSlabKept(const OptionalClip& clip, slices::Orientation orientation,
+                                  const glm::dvec3& pointMm, double thicknessMm, const Volume& volume);
 
 // Removes one of the eight parts around the point, which is within the volume's box: the one on these sides,
 // one for each axis. Replaces a corner that was removed before.
-Result<ClipChoice> withCornerRemoved(const ClipChoice& clip, const std::array<Face, 3>& sides,
-                                     const glm::dvec3& pointMm, const Volume& volume);
+Result<OptionalClip> withCornerRemoved(const OptionalClip& clip, const std::array<Face, 3>& sides,
+                                       const glm::dvec3& pointMm, const Volume& volume);
 
 // The usable radii: from half the smallest voxel spacing to the box diagonal, or ten shortest sides if less.
 ValueRange ballRadiiMm(const Volume& volume);
 // Removes a ball around a point within the volume's box. Replaces a previous ball, removed or kept.
-Result<ClipChoice> withBallRemoved(const ClipChoice& clip, const glm::dvec3& centreMm, double radiusMm,
-                                   const Volume& volume);
+Result<OptionalClip> withBallRemoved(const OptionalClip& clip, const glm::dvec3& centreMm, double radiusMm,
+                                     const Volume& volume);
 
 // A point, in fractions of the volume's box, of the plane at this distance from the box's middle along the
 // unit normal. A plane that misses the box is moved until it touches it.
@@ -46,15 +46,15 @@ glm::dvec3 fractionOnPlane(const glm::dvec3& normal, double fromMiddleMm, const 
 // Moves an existing part as near to the point as the volume allows, and keeps whether its inside or outside
 // is removed. usage also when the clip lacks the part: that plane, a removed box (moved by its face), a
 // corner, a ball.
-Result<ClipChoice> withPlaneThrough(const ClipChoice& clip, std::size_t plane, const glm::dvec3& pointMm,
-                                    const Volume& volume);
-Result<ClipChoice> withRemovedFace(const ClipChoice& clip, Face face, double atMm, const Volume& volume);
-Result<ClipChoice> withCornerAt(const ClipChoice& clip, const glm::dvec3& pointMm, const Volume& volume);
-Result<ClipChoice> withBallAt(const ClipChoice& clip, const glm::dvec3& centreMm, double radiusMm,
-                              const Volume& volume);
+Result<OptionalClip> withPlaneThrough(const OptionalClip& clip, std::size_t plane, const glm::dvec3& pointMm,
+                                      const Volume& volume);
+Result<OptionalClip> withRemovedFace(const OptionalClip& clip, Face face, double atMm, const Volume& volume);
+Result<OptionalClip> withCornerAt(const OptionalClip& clip, const glm::dvec3& pointMm, const Volume& volume);
+Result<OptionalClip> withBallAt(const OptionalClip& clip, const glm::dvec3& centreMm, double radiusMm,
+                                const Volume& volume);
 
 // Shows what was removed, and removes what was shown. usage for a clip of several parts, as no clip can show
 // the rest; parts are all faces together, each oblique plane, a box, a corner and a ball.
-Result<ClipChoice> turnedInsideOut(const ClipChoice& clip, const Volume& volume);
+Result<OptionalClip> turnedInsideOut(const OptionalClip& clip, const Volume& volume);
 
-}  // namespace macula::app
+}  // namespace macula::scene

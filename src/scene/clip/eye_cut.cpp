@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -45,15 +45,15 @@ Result<EyeCut> eyeCut(const Camera& camera, double fromMiddleMm, bool followsCam
               fromMiddleMm, volume);
 }
 
-bool hasRoomForEyeCut(const ClipChoice& clip) {
+bool hasRoomForEyeCut(const OptionalClip& clip) {
     return !clip || clip->clip.planes.size() < Clip::kMostPlanes;
 }
 
-Clip clipFor(const ClipChoice& clip, const Cuts& cuts, const Volume& volume) {
+Clip clipFor(const OptionalClip& clip, const Cuts& cuts, const Volume& volume) {
     Clip all;
     if (clip) all = macula::clipFor(*clip, volume);
     if (cuts.eye && hasRoomForEyeCut(clip)) all.planes.push_back(cuts.eye->plane);
     return all;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -7,7 +7,7 @@
 #include "pipeline/volume/clip.h"
 #include "scene/clip/cuts.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Cuts across the view of `camera` at this distance from the middle of the volume's box. The plane leaves at
 // least a voxel of the box, while fromMiddleMm keeps the distance asked for: along another direction the box
@@ -23,9 +23,9 @@ EyeCut through(EyeCut cut, const glm::dvec3& mm, const Volume& volume);
 ValueRange eyeCutRangeMm(const glm::dvec3& normal, const Volume& volume);
 
 // Whether the clip has room for one more plane; if not, the cut from the eye is left out.
-bool hasRoomForEyeCut(const ClipChoice& clip);
+bool hasRoomForEyeCut(const OptionalClip& clip);
 
 // The clip in mm of the volume, with the plane of the cut from the eye, which no other function adds.
-Clip clipFor(const ClipChoice& clip, const Cuts& cuts, const Volume& volume);
+Clip clipFor(const OptionalClip& clip, const Cuts& cuts, const Volume& volume);
 
-}  // namespace macula::app
+}  // namespace macula::scene

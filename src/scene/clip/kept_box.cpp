@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -45,7 +45,7 @@ glm::dvec3 voxelExtentMm(const Volume& volume) {
     return glm::min(extent, all.high - all.low);
 }
 
-Result<Box> keptBox(const ClipChoice& clip, const Volume& volume) {
+Result<Box> keptBox(const OptionalClip& clip, const Volume& volume) {
     Box kept = volume.worldBox();
     if (!clip) return kept;
     const Clip inMm = clipFor(*clip, volume);
@@ -69,4 +69,4 @@ Result<Box> keptBox(const ClipChoice& clip, const Volume& volume) {
     return kept;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

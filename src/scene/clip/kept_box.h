@@ -10,10 +10,10 @@
 #include "base/volume.h"
 #include "pipeline/volume/clip_json.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // As in StudyState::clip. Nothing: all of the volume is shown.
-using ClipChoice = std::optional<ClipPreset>;
+using OptionalClip = std::optional<ClipPreset>;
 
 // Named after the side of the patient that it faces; low and high face of x, of y, of z.
 enum class Face { right, left, anterior, posterior, inferior, superior };
@@ -46,6 +46,6 @@ glm::dvec3 voxelExtentMm(const Volume& volume);
 
 // The part of the volume's box (Volume::worldBox) that the box and planes along the patient's axes leave.
 // Ignores oblique planes, removed or turned boxes, corners and balls. usage when nothing is left.
-Result<Box> keptBox(const ClipChoice& clip, const Volume& volume);
+Result<Box> keptBox(const OptionalClip& clip, const Volume& volume);
 
-}  // namespace macula::app
+}  // namespace macula::scene

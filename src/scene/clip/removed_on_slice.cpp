@@ -9,7 +9,7 @@
 #include "scene/clip/clip_outline.h"
 #include "scene/clip/eye_cut.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -218,7 +218,7 @@ std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame&
     return contours;
 }
 
-std::vector<Contour> clipLines(const ClipChoice& clip, const Cuts& cuts, const Volume& volume,
+std::vector<Contour> clipLines(const OptionalClip& clip, const Cuts& cuts, const Volume& volume,
                                const slices::SliceFrame& frame) {
     std::vector<Contour> lines;
     if (!frame.isUsable()) return lines;
@@ -267,7 +267,7 @@ std::vector<Contour> behindOutline(const ScissorCut& cut, const slices::SliceFra
     return {std::move(contour)};
 }
 
-bool windAround(std::span<const Contour> contours, const glm::dvec2& px) {
+bool isInsideContours(std::span<const Contour> contours, const glm::dvec2& px) {
     int winding = 0;
     for (const Contour& contour : contours) {
         for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -281,4 +281,4 @@ bool windAround(std::span<const Contour> contours, const glm::dvec2& px) {
     return winding != 0;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

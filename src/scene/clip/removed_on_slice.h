@@ -8,7 +8,7 @@
 #include "scene/clip/cuts.h"
 #include "slices/slice_plane.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 using Contour = std::vector<glm::dvec2>;  // closed
 
@@ -19,7 +19,7 @@ std::vector<Contour> removedContours(const Clip& clip, const slices::SliceFrame&
 
 // The lines where the border of each part meets the slice, within the volume but for a ball; faces are those
 // of keptBox. A closed line ends with its first point.
-std::vector<Contour> clipLines(const ClipChoice& clip, const Cuts& cuts, const Volume& volume,
+std::vector<Contour> clipLines(const OptionalClip& clip, const Cuts& cuts, const Volume& volume,
                                const slices::SliceFrame& frame);
 
 // The part of the slice behind the outline of a scissor cut, whichever side the cut removes. Empty if there
@@ -27,6 +27,6 @@ std::vector<Contour> clipLines(const ClipChoice& clip, const Cuts& cuts, const V
 std::vector<Contour> behindOutline(const ScissorCut& cut, const slices::SliceFrame& frame);
 
 // Whether the contours enclose `px` by the nonzero winding rule.
-bool windAround(std::span<const Contour> contours, const glm::dvec2& px);
+bool isInsideContours(std::span<const Contour> contours, const glm::dvec2& px);
 
-}  // namespace macula::app
+}  // namespace macula::scene

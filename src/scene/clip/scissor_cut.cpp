@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -149,4 +149,4 @@ bool ScissorBlades::isClearOf(const glm::dvec3& from, const glm::dvec3& to) cons
     return glm::any(glm::lessThan(glm::max(a, b), low_)) || glm::any(glm::greaterThan(glm::min(a, b), high_));
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include "scene/camera/picture_rays.h"
 #include "scene/clip/cuts.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // usage for an invalid camera, fewer than three or more than kMostOutlinePoints points, numbers that are not
 // finite, and an outline without width or height.
@@ -49,4 +49,4 @@ class ScissorBlades {
     std::vector<std::vector<Edge>> rows_;  // the edges in each horizontal strip of the outline
 };
 
-}  // namespace macula::app
+}  // namespace macula::scene

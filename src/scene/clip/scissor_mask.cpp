@@ -12,7 +12,7 @@
 #include "pipeline/volume/mask_bits.h"
 #include "scene/clip/scissor_cut.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -113,4 +113,4 @@ Result<std::optional<Mask>> scissorMask(std::optional<Mask> before, std::span<co
     }
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -11,7 +11,7 @@
 #include "pipeline/volume/clip.h"
 #include "scene/clip/cuts.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 inline constexpr std::string_view kCutWithScissors = "cut with scissors";  // Mask::remark
 
@@ -23,4 +23,4 @@ inline constexpr std::string_view kCutWithScissors = "cut with scissors";  // Ma
 Result<std::optional<Mask>> scissorMask(std::optional<Mask> before, std::span<const ScissorCut> scissors,
                                         const Volume& volume, Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace macula::app {
+namespace macula::scene {
 
 class SharedOutline {
   public:
@@ -40,4 +40,4 @@ class SharedOutline {
     std::shared_ptr<const Points> points_;  // null: none
 };
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -1,6 +1,6 @@
 #include "scene/drawing/drawing.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 glm::vec3 backgroundInWindow(const Drawing& drawing) {
     return drawing.background ? lightOf(*drawing.background) : kWindowBackground;
@@ -25,4 +25,4 @@ trace::Settings settingsOfLight(const Drawing& drawing) {
     return settings;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -13,7 +13,7 @@
 #include "pipeline/volume/transfer_function.h"
 #include "scene/lights/background_colour.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Complete once it has a transfer function and lights.
 struct Drawing {
@@ -38,4 +38,4 @@ bool hasGreyFaces(const Drawing& drawing);
 // The settings of a drawing, with those that do not affect the light at their defaults.
 trace::Settings settingsOfLight(const Drawing& drawing);
 
-}  // namespace macula::app
+}  // namespace macula::scene

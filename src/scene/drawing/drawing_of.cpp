@@ -9,7 +9,7 @@
 #include "scene/clip/eye_cut.h"
 #include "scene/transfer/own_copy.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -90,4 +90,4 @@ std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume
     return clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(clip));
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

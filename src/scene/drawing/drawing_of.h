@@ -13,7 +13,7 @@
 #include "scene/drawing/projection_windows.h"
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The settings that a state is drawn with: a ray cast is shaded if both the preset and the state ask for it,
 // and a projection has the window of the state, or else that of the series. Without a volume no window is
@@ -39,4 +39,4 @@ void setAdditions(Drawing& drawing, std::shared_ptr<const Additions> additions);
 // The clip of the state with `mask`, if anything is hidden; else null.
 std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume, std::optional<Mask> mask);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -12,7 +12,7 @@
 #include "scene/camera/picture_rays.h"
 #include "slices/voxel_grid.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -229,4 +229,4 @@ std::optional<glm::dvec3> firstMatterMm(const Volume& volume, const Drawing& dra
     return drawing.transferFunction ? matterAlong(walk, matter, volume, drawing) : std::nullopt;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

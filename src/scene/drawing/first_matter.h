@@ -8,7 +8,7 @@
 #include "base/volume.h"
 #include "scene/drawing/drawing.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The point in patient LPS mm where the ray through `place` (-1 to 1 in the picture, right and up positive)
 // meets the first shown matter: where the ray has lost half of the light that it loses in all, or where it
@@ -19,4 +19,4 @@ namespace macula::app {
 std::optional<glm::dvec3> firstMatterMm(const Volume& volume, const Drawing& drawing, const Camera& camera,
                                         const glm::dvec2& place, double aspectWidthOverHeight);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -10,7 +10,7 @@
 #include "presets/seen_values.h"
 #include "scene/drawing/projection_windows.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::string whyNothingIsVisible(const Volume& volume, const DisplayWindow& windo
                windowText(window, volume.unitName()));
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -5,7 +5,7 @@
 
 #include "base/volume.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The range of the values, and up to six built-in presets that show some of them. The volume must be
 // stored16.
@@ -13,4 +13,4 @@ std::string whyNothingIsVisible(const Volume& volume);
 // For a projection, which has no preset: the range of the values, and the window.
 std::string whyNothingIsVisible(const Volume& volume, const DisplayWindow& window);
 
-}  // namespace macula::app
+}  // namespace macula::scene

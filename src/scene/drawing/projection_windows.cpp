@@ -7,7 +7,7 @@
 
 #include "pipeline/volume/window.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::string windowText(const DisplayWindow& window, const std::string& unit) {
     return unit.empty() ? text : text + " " + unit;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

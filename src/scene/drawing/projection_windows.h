@@ -9,7 +9,7 @@
 #include "base/volume.h"
 #include "pipeline/trace/look.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The default windows for projections of a volume: that of the series, for MIP only if that is not mostly
 // white (maximumWindow). Each look has its own window, as the largest value along a ray and the mean have
@@ -36,4 +36,4 @@ DisplayWindow dragged(const DisplayWindow& from, glm::dvec2 byHeights, const Vol
 // Width and level, as radiologists have them: "W 400 L 40 HU".
 std::string windowText(const DisplayWindow& window, const std::string& unit);
 
-}  // namespace macula::app
+}  // namespace macula::scene

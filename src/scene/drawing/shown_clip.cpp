@@ -7,7 +7,7 @@
 #include "scene/clip/scissor_mask.h"
 #include "scene/second/second_curve.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& found) {
     if (!(found->removedMl > 0.0)) return std::nullopt;
@@ -71,9 +71,9 @@ Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progr
         shown.notes.emplace_back("The view keeps or hides segments; here they change nothing.");
     if (!colouredIn3dOf(state.segmentations).empty())
         shown.notes.emplace_back("The view has segments in colour; here they have none.");
-    if (state.beside && isIn3d(*state.beside))
+    if (state.secondVolume && isSecondIn3d(*state.secondVolume))
         shown.notes.emplace_back("The view has a second volume in the picture; here it is left out.");
     return shown;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -14,7 +14,7 @@
 #include "scene/state/study_state.h"
 #include "segment/patient.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 inline constexpr std::string_view kTableLeftOut = "table left out";  // Mask::remark
 
@@ -37,9 +37,9 @@ enum class UnaskedTable { stays, goesWhereSure };
 Result<ShownClip> shownClip(const ClipPreset& preset, bool removeTable, const Volume& volume,
                             Progress& progress);
 // Ignores the segments and the second volume of the state, with notes that say so; callers that draw them
-// take them out of the state first (app::additionChoice). `unasked` is for a state that does not leave the
-// table out. If the search for a table in HU fails or is not sure, a note says so, and all is shown.
+// take them out of the state first (pictures::resolveAdditions). `unasked` is for a state that does not leave
+// the table out. If the search for a table in HU fails or is not sure, a note says so, and all is shown.
 Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progress& progress,
                             UnaskedTable unasked = UnaskedTable::stays);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -11,7 +11,7 @@
 
 #include "base/srgb.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -53,4 +53,4 @@ glm::vec3 lightOf(BackgroundColour colour) {
     return light;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

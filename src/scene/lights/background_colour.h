@@ -8,7 +8,7 @@
 
 #include "base/result.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 using BackgroundColour = glm::u8vec3;  // display-encoded (IEC 61966-2-1)
 
@@ -25,4 +25,4 @@ std::optional<BackgroundColour> colourOfHex(std::string_view text);
 // The linear colour that PathTracer and Compositor take for display.
 glm::vec3 lightOf(BackgroundColour colour);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -7,7 +7,7 @@
 #include "pipeline/trace/light_rig_json.h"
 #include "scene/lights/light_meter.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -92,4 +92,4 @@ Result<LightRig> keptTo(LightRig rig, trace::LightFrame frame, const LightStand&
     return own(std::move(rig));
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include "pipeline/trace/environment.h"
 #include "scene/lights/light_direction.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 inline constexpr const char* kOwnLightsName = "own";
 inline constexpr const char* kOwnLightsTitle = "Own";
@@ -26,4 +26,4 @@ double skyOf(const trace::LightRig& rig);
 // Fixes the lights to the patient or to the camera without moving them in the world. The sky turns along.
 Result<trace::LightRig> keptTo(trace::LightRig rig, trace::LightFrame frame, const LightStand& stand);
 
-}  // namespace macula::app
+}  // namespace macula::scene

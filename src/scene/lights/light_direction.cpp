@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -67,4 +67,4 @@ glm::dvec3 directionOnDome(const glm::dvec2& place, const CameraBasis& eye, doub
     return std::sin(fromMiddle) * (unit.x * eye.right + unit.y * eye.up) - std::cos(fromMiddle) * eye.forward;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -7,7 +7,7 @@
 #include "base/camera.h"
 #include "pipeline/trace/environment.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The orientation of a rig: its frame, the camera of a rig that hangs on it, and Settings::lightRotationDeg.
 struct LightStand {
@@ -32,4 +32,4 @@ glm::dvec3 directionOnDome(const glm::dvec2& place, const CameraBasis& eye,
 // The place at `fromMiddleDeg` from the middle, counter-clockwise by `aroundRad` from the right.
 glm::dvec2 circleOnDome(double fromMiddleDeg, double aroundRad, double aspect);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -25,4 +25,4 @@ std::optional<double> meteredExposure(std::span<const glm::vec4> radiance) {
     return std::clamp(kMeteredLuminance / std::max(*place, 1e-12), 1.0 / kMostMetered, kMostMetered);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-namespace macula::app {
+namespace macula::scene {
 
 // Luminance (Rec. 709) of a linear colour.
 inline double brightnessOf(const glm::dvec3& linear) {
@@ -20,4 +20,4 @@ std::optional<double> meteredExposure(std::span<const glm::vec4> radiance);
 inline constexpr double kMeteredLuminance = 0.7;  // 0.83 as it is displayed
 inline constexpr double kMostMetered = 32.0;
 
-}  // namespace macula::app
+}  // namespace macula::scene

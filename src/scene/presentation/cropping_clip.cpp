@@ -8,7 +8,7 @@
 #include "scene/clip/edited_clip.h"
 #include "scene/presentation/voxel_axes.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -111,4 +111,4 @@ Result<std::optional<ClipPreset>> clipOf(const dicom::Cropping& cropping, const 
     return cutting.clip(where);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,11 +9,11 @@
 #include "dicom/presentation/volume_presentation.h"
 #include "pipeline/volume/clip_json.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Returns no clip where the cropping keeps all of the volume; drops what cuts nothing off. Error:
 // inputNotUsable, naming `where`, if nothing is left or more than Clip::kMostPlanes planes cut.
 Result<std::optional<ClipPreset>> clipOf(const dicom::Cropping& cropping, const Volume& volume,
                                          const std::string& where);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 
 #include "base/srgb.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -153,4 +153,4 @@ TransferFunction transferOf(const dicom::Palette& palette, double layerMm) {
     return function;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

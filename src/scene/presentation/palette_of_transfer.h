@@ -4,7 +4,7 @@
 #include "dicom/presentation/volume_presentation.h"
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Samples the curves from their first to their last point, at each whole value if these span 16 to 65535.
 // Colours include the albedo; opacities are of a layer of layerMmOf(). `function` is already fitted to its
@@ -18,4 +18,4 @@ double layerMmOf(const TransferFunction& function);
 // from black to white, one without alpha from clear to opaque. Its opacities are of a layer of `layerMm`.
 TransferFunction transferOf(const dicom::Palette& palette, double layerMm);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include "dicom/presentation/presentation_state.h"
 #include "scene/presentation/presentation_of_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom::Stack& stack) {
     PresentedImages images;
@@ -48,21 +48,22 @@ Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom
 }
 
 Result<std::vector<std::string>> writePresentation(const std::filesystem::path& path,
-                                                   const PresentationWish& wish) {
-    const std::shared_ptr<const Volume> volume = in16Bits(wish.volume);
+                                                   const PresentationRequest& request) {
+    const std::shared_ptr<const Volume> volume = in16Bits(request.volume);
     MACULA_TRY(SaidState said,
-               presentationOf(wish.state, *volume, wish.aspectWidthOverHeight, wish.isDeidentified));
-    if (volume->unit() == Unit::suvBodyWeight && wish.images.suvFactor) {
+               presentationOf(request.state, *volume, request.aspectWidthOverHeight, request.isDeidentified));
+    if (volume->unit() == Unit::suvBodyWeight && request.images.suvFactor) {
         ValueRange& values = said.presentation.palette.values;
-        values = {values.low / *wish.images.suvFactor, values.high / *wish.images.suvFactor};
+        values = {values.low / *request.images.suvFactor, values.high / *request.images.suvFactor};
     }
-    said.presentation.series = wish.images.series;
+    said.presentation.series = request.images.series;
     const dicom::PresentationOwner owner{
-        .image = dicom::SecondaryCapture::Source{wish.images.middleFile, wish.images.middleSopInstanceUid},
-        .isDeidentified = wish.isDeidentified,
+        .image =
+            dicom::SecondaryCapture::Source{request.images.middleFile, request.images.middleSopInstanceUid},
+        .isDeidentified = request.isDeidentified,
         .softwareVersion = MACULA_VERSION};
     MACULA_TRY_VOID(dicom::writePresentationState(path, said.presentation, owner));
     return std::move(said.leftOut);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

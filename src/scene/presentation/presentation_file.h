@@ -13,7 +13,7 @@
 #include "dicom/stack/series.h"
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Its only patient data: UIDs of images, series and frame of reference, classes of images, and one path.
 struct PresentedImages {
@@ -26,7 +26,7 @@ struct PresentedImages {
 // Describes the stack that is shown. Error: usage if it lacks images, a frame of reference or UIDs.
 Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom::Stack& stack);
 
-struct PresentationWish {
+struct PresentationRequest {
     StudyState state;                      // with preset and camera
     std::shared_ptr<const Volume> volume;  // any format
     PresentedImages images;
@@ -37,6 +37,6 @@ struct PresentationWish {
 // Returns sentences on what other programs will show differently. Errors: those of presentationOf and
 // dicom::writePresentationState; nothing is written then.
 Result<std::vector<std::string>> writePresentation(const std::filesystem::path& path,
-                                                   const PresentationWish& wish);
+                                                   const PresentationRequest& request);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -20,7 +20,7 @@
 #include "scene/presentation/voxel_axes.h"
 #include "scene/second/second_curve.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -130,7 +130,7 @@ void sayClip(SaidState& said, const StudyState& state, const Volume& volume) {
         said.leftOut.emplace_back("Others show segments that are hidden here.");
     if (!colouredIn3dOf(state.segmentations).empty())
         said.leftOut.emplace_back("Others show no colours of segments.");
-    if (state.beside && isIn3d(*state.beside))
+    if (state.secondVolume && isSecondIn3d(*state.secondVolume))
         said.leftOut.emplace_back("Others show the study without the second volume.");
     if (!state.cuts.scissors.empty())
         said.leftOut.emplace_back("Others show what is cut off with scissors here.");
@@ -168,7 +168,7 @@ void removeNames(std::shared_ptr<const TransferFunction>& named) {
 // guessed.
 StudyState withoutNames(StudyState state) {
     removeNames(state.preset);
-    if (state.beside) removeNames(state.beside->preset);
+    if (state.secondVolume) removeNames(state.secondVolume->preset);
     if (state.clip && publicClipName(*state.clip) == kCustom) {
         state.clip->name = kCustom;
         state.clip->title = "Custom";
@@ -180,9 +180,9 @@ StudyState withoutNames(StudyState state) {
         state.lights = std::make_shared<const trace::LightRig>(std::move(lights));
     }
     state.seriesDigest.clear();  // that of the object counts
-    if (state.beside) {
-        state.beside->seriesDigest = kNobodys;
-        state.beside->volumeKey.clear();
+    if (state.secondVolume) {
+        state.secondVolume->seriesDigest = kNobodys;
+        state.secondVolume->volumeKey.clear();
     }
     state.segmentations.clear();
     for (slices::Measurement& measurement : state.measurements) measurement.label.clear();
@@ -213,7 +213,7 @@ Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, 
     MACULA_TRY_VOID(say(said, state, volume, axes));
     sayClip(said, state, volume);
     said.presentation.ownState = ownStateOf(state, isDeidentified);
-    if (isDeidentified && (state.beside || !state.segmentations.empty()))
+    if (isDeidentified && (state.secondVolume || !state.segmentations.empty()))
         said.leftOut.emplace_back(
             "Without patient and study, the second volume and segmentations are not found again.");
     if (said.presentation.ownState.size() > kLongestOwnState) {
@@ -224,4 +224,4 @@ Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, 
     return said;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

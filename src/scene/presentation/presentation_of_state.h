@@ -9,7 +9,7 @@
 #include "dicom/presentation/volume_presentation.h"
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct SaidState {
     dicom::VolumePresentation presentation;  // the caller fills in its `series`
@@ -23,4 +23,4 @@ struct SaidState {
 Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, double aspectWidthOverHeight,
                                  bool isDeidentified = false);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <utility>
 
-#include "dicom/stack/messages.h"
+#include "dicom/messages/messages.h"
 #include "study/open/found_volumes.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -180,7 +180,7 @@ Result<SoftcopyOnSlices> softcopyOn(const dicom::SoftcopyState& said, const dico
     return Showing(said, stack, volume, isLowBright, std::move(usual)).show(where);
 }
 
-Result<SoftcopyOnSlices> openSoftcopy(const std::filesystem::path& path, const OpenedStudy& study,
+Result<SoftcopyOnSlices> openSoftcopy(const std::filesystem::path& path, const study::OpenedStudy& study,
                                       SliceState usual) {
     if (!study.volume || !study.found)
         return Error{ErrorCode::usage,
@@ -192,4 +192,4 @@ Result<SoftcopyOnSlices> openSoftcopy(const std::filesystem::path& path, const O
                       study.isLowBright, std::move(usual), path.string());
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -13,7 +13,7 @@
 #include "slices/slice_plane.h"
 #include "study/open/opened_study.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The part of a slice to show, scaled to fit the pane.
 struct SliceArea {
@@ -41,7 +41,7 @@ Result<SoftcopyOnSlices> softcopyOn(const dicom::SoftcopyState& said, const dico
                                     const std::string& where);
 
 // Reads the file and applies it to the open study. Error: usage if that is not from a DICOM folder.
-Result<SoftcopyOnSlices> openSoftcopy(const std::filesystem::path& path, const OpenedStudy& study,
+Result<SoftcopyOnSlices> openSoftcopy(const std::filesystem::path& path, const study::OpenedStudy& study,
                                       SliceState usual);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -10,7 +10,7 @@
 #include "scene/presentation/cropping_clip.h"
 #include "scene/presentation/palette_of_transfer.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -247,4 +247,4 @@ Result<PresentedState> openPresentation(const std::filesystem::path& path, const
     return presented;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -13,7 +13,7 @@
 #include "dicom/read/referenced_frames.h"
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct PresentedState {
     StudyState state;
@@ -28,7 +28,7 @@ struct PresentedState {
 Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState usual,
                                const std::string& where);
 
-// Checks that the object refers to the open series (StudyInput::seriesDigest) and to images of its volume
+// Checks that the object refers to the open series (LoadedStudy::seriesDigest) and to images of its volume
 // (imagesOf; empty: not compared), then sets what needs the volume: clip, unit and modality. Error:
 // inputNotUsable if it refers to another series or none of the images, or (a state that is not Macula's own)
 // if its clip leaves nothing or has too many planes, or the volume is in SUV.
@@ -46,4 +46,4 @@ Result<PresentedState> openPresentation(const std::filesystem::path& path, const
                                         std::span<const dicom::ReferencedFrames> images,
                                         StudyState usual = {});
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace macula::app {
+namespace macula::scene {
 
 bool isAlongPatient(const Volume& volume) {
     constexpr double kStraight = 1e-6;
@@ -21,4 +21,4 @@ ValueRange valuesSeen(const DisplayWindow& window) {
     return {window.center - shift - 0.5 * width, window.center - shift + 0.5 * width};
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -3,7 +3,7 @@
 
 #include "base/volume.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Whether each axis of the voxels runs along one of the patient's, in either direction.
 bool isAlongPatient(const Volume& volume);
@@ -11,4 +11,4 @@ bool isAlongPatient(const Volume& volume);
 // From black to white; for SIGMOID the centre and half the width to both sides (PS3.3 C.11.2).
 ValueRange valuesSeen(const DisplayWindow& window);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 #include "pipeline/volume/volume_fit.h"
 #include "pipeline/volume/window.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -37,12 +37,12 @@ TransferFunction secondCurve(const Volume& second, const DisplayWindow& window, 
     return function;
 }
 
-bool isIn3d(const BesideState& state) {
-    return state.in3d && state.isLinked() && state.view != BesideView::hidden;
+bool isSecondIn3d(const SecondVolumeState& state) {
+    return state.in3d && state.isLinked() && state.view != SecondVolumePlace::hidden;
 }
 
-BesideState partIn3d(BesideState state) {
-    const BesideState usual;
+SecondVolumeState secondPartIn3d(SecondVolumeState state) {
+    const SecondVolumeState usual;
     state.view = usual.view;
     state.linksWindow = usual.linksWindow;
     state.boundMm = usual.boundMm;
@@ -54,31 +54,31 @@ BesideState partIn3d(BesideState state) {
     return state;
 }
 
-bool mayBeIn3d(const Identity& study, const Identity& second) {
-    return samePatient(study, second) != SamePatient::no;
+bool maySecondBeIn3d(const study::Identity& study, const study::Identity& second) {
+    return study::samePatient(study, second) != study::SamePatient::no;
 }
 
-SecondVolume secondIn3d(const BesideState& state, std::shared_ptr<const Volume> second) {
+DrawnSecondVolume secondIn3d(const SecondVolumeState& state, std::shared_ptr<const Volume> second) {
     TransferFunction function = state.preset
                                     ? fitted(*state.preset, *second)
                                     : secondCurve(*second, state.window.value_or(seriesWindow(*second)),
                                                   state.colours, state.opacity);
-    SecondVolume made;
+    DrawnSecondVolume made;
     made.function = std::make_shared<const TransferFunction>(std::move(function));
     made.secondFromVolumeMm = state.secondFromStudy;
     made.volume = std::move(second);
     return made;
 }
 
-std::string secondRemark(const Volume& second, const BesideState& state, SamePatient patient) {
+std::string secondRemark(const Volume& second, const SecondVolumeState& state, study::SamePatient patient) {
     const std::string& modality = second.modality();
     const bool isCode = !modality.empty() && modality.size() <= 16 &&
                         std::ranges::all_of(modality, [](unsigned char c) { return std::isalnum(c) != 0; });
     std::string remark = "with " + (isCode ? modality : std::string("a second volume"));
-    if (state.link == BesideLink::registered && state.isDoubtful) remark += ", registration doubtful";
-    if (patient == SamePatient::no) remark += ", of ANOTHER PATIENT";
-    if (patient == SamePatient::unknown) remark += ", perhaps of another patient";
+    if (state.link == SecondVolumeLink::registered && state.isDoubtful) remark += ", registration doubtful";
+    if (patient == study::SamePatient::no) remark += ", of ANOTHER PATIENT";
+    if (patient == study::SamePatient::unknown) remark += ", perhaps of another patient";
     return remark;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,10 +8,10 @@
 #include "base/volume.h"
 #include "pipeline/volume/additions.h"
 #include "pipeline/volume/transfer_function.h"
-#include "scene/second/beside_state.h"
 #include "scene/second/second_study.h"
+#include "scene/second/second_volume_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The transfer function without a preset: the colours and the window used over slices. The lowest quarter of
 // the window is clear, so that regions without uptake hide nothing; at its upper end the opacity of a
@@ -20,22 +20,22 @@ TransferFunction secondCurve(const Volume& second, const DisplayWindow& window, 
                              double opacity);
 
 // Whether the state shows it in 3D: in3d is set, and it is linked and not hidden.
-bool isIn3d(const BesideState& state);
+bool isSecondIn3d(const SecondVolumeState& state);
 
 // The state with the defaults for what the 3D picture does not depend on: view, boundMm, rivalMm, and with a
 // preset window, opacity and colours too.
-BesideState partIn3d(BesideState state);
+SecondVolumeState secondPartIn3d(SecondVolumeState state);
 
 // Whether both may be in one picture. Only slices show a second volume of another patient; there each pane
 // names its patient.
-bool mayBeIn3d(const Identity& study, const Identity& second);
+bool maySecondBeIn3d(const study::Identity& study, const study::Identity& second);
 
 // The second volume as the state shows it. Fitting its preset may take as long as reading all voxels.
 // `second` is stored16, and the volume that the state names.
-SecondVolume secondIn3d(const BesideState& state, std::shared_ptr<const Volume> second);
+DrawnSecondVolume secondIn3d(const SecondVolumeState& state, std::shared_ptr<const Volume> second);
 
 // The remark for pictures, without patient data: "with PT", and whether the registration is doubtful, or the
 // patient is, or may be, another.
-std::string secondRemark(const Volume& second, const BesideState& state, SamePatient patient);
+std::string secondRemark(const Volume& second, const SecondVolumeState& state, study::SamePatient patient);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -12,18 +12,18 @@
 #include "scene/choice/study_preset.h"
 #include "scene/second/second_curve.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
-void warn(SecondToDraw& drawn, std::string sentence) {
+void warn(DrawableSecond& drawn, std::string sentence) {
     drawn.notes.push_back(sentence);
     drawn.warnings.push_back(std::move(sentence));
 }
 
 // By the positions alone, which are comparable in one frame of reference (PS3.3 C.7.4.1).
-void placeByPositions(const StudyInput& study, const StudyInput& second, BesideState& state,
-                      SecondToDraw& drawn) {
+void placeByPositions(const study::LoadedStudy& study, const study::LoadedStudy& second,
+                      SecondVolumeState& state, DrawableSecond& drawn) {
     const std::string& frame = study.frameOfReferenceUid;
     if (frame.empty() || second.frameOfReferenceUid.empty()) {
         warn(drawn,
@@ -34,20 +34,21 @@ void placeByPositions(const StudyInput& study, const StudyInput& second, BesideS
              "The second volume has another frame of reference than the study: its positions are not the "
              "study's. Register both by --registration search.");
     } else {
-        state.link = BesideLink::sameFrame;
+        state.link = SecondVolumeLink::sameFrame;
         drawn.notes.emplace_back(
             "Second volume: Same frame of reference, not registered: the patient may have moved.");
     }
 }
 
-Result<void> place(const SecondWish& wish, const StudyInput& studyInput, const StudyInput& secondInput,
-                   bool isPlaced, BesideState& state, SecondToDraw& drawn, Progress& progress) {
+Result<void> place(const SecondVolumeRequest& request, const study::LoadedStudy& studyInput,
+                   const study::LoadedStudy& secondInput, bool isPlaced, SecondVolumeState& state,
+                   DrawableSecond& drawn, Progress& progress) {
     const Volume& study = *studyInput.volume;
     const Volume& second = *secondInput.volume;
-    if (wish.link == SecondLink::search) {
+    if (request.link == SecondPlacement::search) {
         MACULA_TRY(const registration::RigidRegistration found,
                    registration::registerRigid(study, second, progress));
-        state.link = BesideLink::registered;
+        state.link = SecondVolumeLink::registered;
         state.secondFromStudy = found.movingFromFixed;
         state.boundMm = found.boundMm;
         state.isDoubtful = found.isDoubtful();
@@ -73,7 +74,7 @@ Result<void> place(const SecondWish& wish, const StudyInput& studyInput, const S
 }
 
 // What was registered of one phase says nothing of another.
-bool names(const BesideState& beside, const StudyInput& second) {
+bool namesSecond(const SecondVolumeState& beside, const study::LoadedStudy& second) {
     const bool isOtherVolume =
         !beside.volumeKey.empty() && !second.volumeKey.empty() && beside.volumeKey != second.volumeKey;
     return beside.isLinked() && beside.seriesDigest == second.seriesDigest && !isOtherVolume;
@@ -82,14 +83,14 @@ bool names(const BesideState& beside, const StudyInput& second) {
 // What the view says of the second volume; its place only where that is of these voxels and positions.
 // Nothing where it is of another volume.
 struct Known {
-    std::optional<BesideState> state;
+    std::optional<SecondVolumeState> state;
     bool isPlaced = false;
 };
-Known known(const BesideState* beside, const StudyInput& study, const StudyInput& second,
-            SecondToDraw& drawn) {
+Known known(const SecondVolumeState* beside, const study::LoadedStudy& study,
+            const study::LoadedStudy& second, DrawableSecond& drawn) {
     if (beside == nullptr) return {};
-    if (!names(*beside, second)) {
-        if (isIn3d(*beside))
+    if (!namesSecond(*beside, second)) {
+        if (isSecondIn3d(*beside))
             drawn.notes.emplace_back(
                 "The view was saved with another second volume: its place and look are not those of this "
                 "one.");
@@ -103,22 +104,23 @@ Known known(const BesideState* beside, const StudyInput& study, const StudyInput
     return {.state = withLookOf({}, *beside)};
 }
 
-// Files tell by their place alone (see additionChoice), and the phantom may stand in for a second one.
-bool isTheStudy(const StudyInput& study, const StudyInput& second) {
+// Files tell by their place alone (see resolveAdditions), and the phantom may stand in for a second one.
+bool isTheStudy(const study::LoadedStudy& study, const study::LoadedStudy& second) {
     static const std::string kOfNoUid = sha256Hex("");
     return !second.volumeKey.empty() && study.volumeKey == second.volumeKey &&
            study.seriesDigest == second.seriesDigest && second.seriesDigest != kOfNoUid &&
            fingerprint(*study.volume) == fingerprint(*second.volume);  // and was not exported anew
 }
 
-Result<SamePatient> patientOf(const StudyInput& study, const StudyInput& second, SecondToDraw& drawn) {
-    const SamePatient same = samePatient(study.identity, second.identity);
-    if (same == SamePatient::no)
+Result<study::SamePatient> patientOf(const study::LoadedStudy& study, const study::LoadedStudy& second,
+                                     DrawableSecond& drawn) {
+    const study::SamePatient same = study::samePatient(study.identity, second.identity);
+    if (same == study::SamePatient::no)
         return Error{ErrorCode::inputNotUsable,
                      "The second volume is of another patient than the study.",
                      {},
                      "Choose a series of the same patient by --second and --second-series."};
-    if (same == SamePatient::unknown)
+    if (same == study::SamePatient::unknown)
         drawn.notes.emplace_back("The images do not tell whether both volumes are of one patient.");
     return same;
 }
@@ -133,28 +135,29 @@ Error secondIsTheStudy() {
             "--second."};
 }
 
-Result<void> check(const SecondWish& wish, bool linkIsGiven) {
-    if (wish.isGiven() || (wish.series.empty() && wish.preset.empty() && !linkIsGiven)) return {};
+Result<void> check(const SecondVolumeRequest& request, bool linkIsGiven) {
+    if (request.isGiven() || (request.series.empty() && request.preset.empty() && !linkIsGiven)) return {};
     return Error{ErrorCode::usage,
                  "There is no second volume.",
                  {},
                  "Give its folder or file by --second, or leave out what else is said of it."};
 }
 
-Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& study, const BesideState* beside,
-                                  Progress& progress) {
-    MACULA_TRY(StudyInput input, loadStudy(wish.path, wish.series, progress, 0, wish.how));
-    SecondToDraw drawn;
-    MACULA_TRY(const SamePatient patient, patientOf(study, input, drawn));
-    bringTo16Bits(input);
+Result<DrawableSecond> secondToDraw(const SecondVolumeRequest& request, const study::LoadedStudy& study,
+                                    const SecondVolumeState* beside, Progress& progress) {
+    MACULA_TRY(study::LoadedStudy input,
+               study::loadStudy(request.path, request.series, progress, 0, request.how));
+    DrawableSecond drawn;
+    MACULA_TRY(const study::SamePatient patient, patientOf(study, input, drawn));
+    study::bringTo16Bits(input);
     if (isTheStudy(study, input)) return secondIsTheStudy();
     for (const std::string& note : input.notes) drawn.notes.push_back("Second volume: " + note);
     for (const std::string& warning : input.warnings) drawn.warnings.push_back("Second volume: " + warning);
     const Known view = known(beside, study, input, drawn);
-    BesideState state = view.state.value_or(BesideState());
-    MACULA_TRY_VOID(place(wish, study, input, view.isPlaced, state, drawn, progress));
-    if (!wish.preset.empty()) {
-        MACULA_TRY(presets::ImportedPreset preset, presetToDraw(wish.preset, false));
+    SecondVolumeState state = view.state.value_or(SecondVolumeState());
+    MACULA_TRY_VOID(place(request, study, input, view.isPlaced, state, drawn, progress));
+    if (!request.preset.empty()) {
+        MACULA_TRY(presets::ImportedPreset preset, presetToDraw(request.preset, false));
         const PresetNotes told = notesToDraw(preset, *input.volume);
         for (const std::string& note : told.notes) drawn.notes.push_back("Second volume: " + note);
         for (const std::string& warning : told.warnings)
@@ -170,4 +173,4 @@ Result<SecondToDraw> secondToDraw(const SecondWish& wish, const StudyInput& stud
     return drawn;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,22 +8,22 @@
 #include "base/sha256.h"
 #include "study/open/same_place.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
 // Empty where no folder was read.
-std::string keyOf(const OpenedStudy& study) {
+std::string keyOf(const study::OpenedStudy& study) {
     const bool isFound = study.found && study.volumeIndex < study.found->volumes().size();
     return isFound ? study.found->key(study.volumeIndex) : std::string();
 }
 
 }  // namespace
 
-PlaceInSeries placeInSeries(const OpenedStudy& study) {
+PlaceInSeries placeInSeries(const study::OpenedStudy& study) {
     PlaceInSeries at;
     if (!study.found || study.volumeIndex >= study.found->volumes().size()) return at;
-    const std::vector<FoundVolume>& volumes = study.found->volumes();
+    const std::vector<study::FoundVolume>& volumes = study.found->volumes();
     at.count = 0;
     for (std::size_t n = 0; n < volumes.size(); ++n) {
         if (volumes[n].series != volumes[study.volumeIndex].series) continue;
@@ -33,11 +33,11 @@ PlaceInSeries placeInSeries(const OpenedStudy& study) {
     return at;
 }
 
-std::string plainTag(const OpenedStudy& study) {
+std::string plainTag(const study::OpenedStudy& study) {
     if (study.identity.isOfNobody) return "phantom";
     std::string tag = study.volume->modality().empty() ? "images" : study.volume->modality();
-    const std::string day = studyDay(study.identity);
-    tag += ", " + (day.empty() ? std::string("no study date") : dateForPeople(day));
+    const std::string day = study::studyDay(study.identity);
+    tag += ", " + (day.empty() ? std::string("no study date") : study::dateForPeople(day));
     if (!study.found || study.volumeIndex >= study.found->volumes().size()) return tag;
     if (const auto& number = study.found->volumes()[study.volumeIndex].series->number)
         tag += fmt::format(", series {}", *number);
@@ -46,15 +46,16 @@ std::string plainTag(const OpenedStudy& study) {
     return tag;
 }
 
-BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second, const std::string& pair) {
-    BesideState state;
+SecondVolumeState firstLink(const study::OpenedStudy& study, const study::OpenedStudy& second,
+                            const std::string& pair) {
+    SecondVolumeState state;
     state.pair = pair;
     state.seriesDigest = second.seriesDigest;
     if (const PlaceInSeries at = placeInSeries(second); at.count > 1) state.volume = at.place;
     state.volumeKey = keyOf(second);
-    state.linksWindow = arePhases(study, second);
-    if (shareFrameOfReference(study, second)) {
-        state.link = BesideLink::sameFrame;
+    state.linksWindow = study::arePhases(study, second);
+    if (study::shareFrameOfReference(study, second)) {
+        state.link = SecondVolumeLink::sameFrame;
         return state;
     }
     const glm::dvec3 shift = second.volume->worldBox().centre() - study.volume->worldBox().centre();
@@ -66,9 +67,9 @@ std::string pairDigest(const std::string& studyFingerprint, const std::string& s
     return sha256Hex(studyFingerprint + " " + secondFingerprint);
 }
 
-BesideState withLookOf(BesideState place, const BesideState& before) {
-    const bool mayLieOver = place.isLinked() || before.view != BesideView::over;
-    place.view = mayLieOver ? before.view : BesideView::beside;
+SecondVolumeState withLookOf(SecondVolumeState place, const SecondVolumeState& before) {
+    const bool mayLieOver = place.isLinked() || before.view != SecondVolumePlace::over;
+    place.view = mayLieOver ? before.view : SecondVolumePlace::beside;
     place.window = before.window;
     place.linksWindow = before.linksWindow;
     place.opacity = before.opacity;
@@ -78,18 +79,18 @@ BesideState withLookOf(BesideState place, const BesideState& before) {
     return place;
 }
 
-bool isOf(const BesideState& state, const OpenedStudy& second, const std::string& pair) {
-    return !pair.empty() && state.pair == pair && names(state, second);
+bool isPlacedFor(const SecondVolumeState& state, const study::OpenedStudy& second, const std::string& pair) {
+    return !pair.empty() && state.pair == pair && namesSecond(state, second);
 }
 
-bool names(const BesideState& state, const OpenedStudy& second) {
+bool namesSecond(const SecondVolumeState& state, const study::OpenedStudy& second) {
     if (state.seriesDigest != second.seriesDigest) return false;
     if (!state.volumeKey.empty() && second.found) return keyOf(second) == state.volumeKey;
     const PlaceInSeries at = placeInSeries(second);
     return state.volume ? *state.volume == at.place : at.count == 1;
 }
 
-std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState& state) {
+std::optional<std::size_t> volumeOf(const study::FoundVolumes& found, const SecondVolumeState& state) {
     std::vector<std::size_t> ofSeries;
     for (std::size_t n = 0; n < found.volumes().size(); ++n)
         if (sha256Hex(found.volumes()[n].series->seriesInstanceUid) == state.seriesDigest)
@@ -105,4 +106,4 @@ std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState
     return place < ofSeries.size() ? std::optional(ofSeries[place]) : std::nullopt;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

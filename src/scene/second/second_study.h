@@ -7,27 +7,28 @@
 #include <vector>
 
 #include "base/volume.h"
-#include "scene/second/beside_state.h"
+#include "scene/second/second_volume_state.h"
 #include "study/open/found_volumes.h"
 #include "study/open/opened_study.h"
 #include "study/open/same_patient.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Index among the volumes of its series, such as cardiac phases, and their number; without a folder 0 of 1.
 struct PlaceInSeries {
     std::size_t place = 0;
     std::size_t count = 1;
 };
-PlaceInSeries placeInSeries(const OpenedStudy& study);
+PlaceInSeries placeInSeries(const study::OpenedStudy& study);
 
 // "CT, 2020-03-04, series 3, volume 2 of 20": shown over a pane even if other text is hidden, so it contains
 // no word that a person typed.
-std::string plainTag(const OpenedStudy& study);
+std::string plainTag(const study::OpenedStudy& study);
 
 // The link before any registration: by the frame of reference, or by hand with the middles of both volumes
 // aligned. Phases of one series share a window. `pair` is pairDigest of both.
-BesideState firstLink(const OpenedStudy& study, const OpenedStudy& second, const std::string& pair);
+SecondVolumeState firstLink(const study::OpenedStudy& study, const study::OpenedStudy& second,
+                            const std::string& pair);
 
 // A digest of both fingerprints, so of voxels and geometry. Images that are exported anew keep their UIDs,
 // but may have other positions.
@@ -35,14 +36,14 @@ std::string pairDigest(const std::string& studyFingerprint, const std::string& s
 
 // Whether the state names this volume, by UIDs and attributes. That justifies opening it, not trusting its
 // place: a registration of one phase says nothing about another.
-bool names(const BesideState& state, const OpenedStudy& second);
+bool namesSecond(const SecondVolumeState& state, const study::OpenedStudy& second);
 // Whether the state names this volume and its place is of this pair of volumes (pairDigest).
-bool isOf(const BesideState& state, const OpenedStudy& second, const std::string& pair);
-// `place` with the window, colours, opacity, preset, in3d and view of `before`. BesideView::over becomes
-// beside where `place` has no link.
-BesideState withLookOf(BesideState place, const BesideState& before);
+bool isPlacedFor(const SecondVolumeState& state, const study::OpenedStudy& second, const std::string& pair);
+// `place` with the window, colours, opacity, preset, in3d and view of `before`. SecondVolumePlace::over
+// becomes beside where `place` has no link.
+SecondVolumeState withLookOf(SecondVolumeState place, const SecondVolumeState& before);
 // Index of the state's volume among `found`. Nothing if it is missing, or the series has several and the
 // state names none.
-std::optional<std::size_t> volumeOf(const FoundVolumes& found, const BesideState& state);
+std::optional<std::size_t> volumeOf(const study::FoundVolumes& found, const SecondVolumeState& state);
 
-}  // namespace macula::app
+}  // namespace macula::scene

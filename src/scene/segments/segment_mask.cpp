@@ -6,7 +6,7 @@
 
 #include "pipeline/volume/mask_bits.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -15,13 +15,13 @@ struct Wanted {
     std::vector<const VoxelSet*> hidden;
 };
 
-Wanted wantedOf(std::span<const SegmentationChoice> choices, const LoadedSegmentations& loaded) {
+Wanted wantedOf(std::span<const SegmentationSettings> choices, const LoadedSegmentations& loaded) {
     Wanted wanted;
     for (const auto& [digest, number, in3d] : in3dOf(choices)) {
         const auto found = std::ranges::find_if(
             loaded, [&, &digest = digest](const auto& each) { return each && each->digest == digest; });
         if (found == loaded.end()) continue;
-        const LoadedSegment* segment = (*found)->segment(number);
+        const study::LoadedSegment* segment = (*found)->segment(number);
         if (segment == nullptr || !segment->isInVolume()) continue;
         (in3d == In3d::alone ? wanted.alone : wanted.hidden).push_back(segment->voxels.get());
     }
@@ -45,7 +45,7 @@ void set(MaskBits& bits, const VoxelSet& voxels, bool isShown) {
 
 }  // namespace
 
-Result<std::optional<Mask>> segmentMask(std::span<const SegmentationChoice> choices,
+Result<std::optional<Mask>> segmentMask(std::span<const SegmentationSettings> choices,
                                         const LoadedSegmentations& loaded, const Volume& volume,
                                         Progress& progress) try {
     const Wanted wanted = wantedOf(choices, loaded);
@@ -81,4 +81,4 @@ Result<std::optional<Mask>> segmentMask(std::span<const SegmentationChoice> choi
                  "Close other programs, or hide fewer. The picture and what is chosen stay as before."};
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -10,18 +10,18 @@
 #include "base/result.h"
 #include "base/volume.h"
 #include "pipeline/volume/clip.h"
-#include "scene/segments/segmentation_choice.h"
+#include "scene/segments/segmentation_settings.h"
 #include "study/segmentation/loaded_segmentation.h"
 
-namespace macula::app {
+namespace macula::scene {
 
-using LoadedSegmentations = std::vector<std::shared_ptr<const LoadedSegmentation>>;
+using LoadedSegmentations = std::vector<std::shared_ptr<const study::LoadedSegmentation>>;
 
 // Shows the voxels of segments that are `alone` (all voxels if there is none), except those of `hidden`
 // segments. Ignores segments without a voxel in the volume, or not in `loaded`. No mask if all is shown.
 // `loaded` is on the grid of `volume`. Errors: cancelled, outOfMemory.
-Result<std::optional<Mask>> segmentMask(std::span<const SegmentationChoice> choices,
+Result<std::optional<Mask>> segmentMask(std::span<const SegmentationSettings> choices,
                                         const LoadedSegmentations& loaded, const Volume& volume,
                                         Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 
 #include "base/check.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -17,15 +17,15 @@ struct Coloured {
     SegmentTints::Colour colour;
 };
 
-std::vector<Coloured> colouredOf(std::span<const SegmentationChoice> choices,
+std::vector<Coloured> colouredOf(std::span<const SegmentationSettings> choices,
                                  const LoadedSegmentations& loaded) {
     std::vector<Coloured> all;
     for (const auto& [digest, number, rgb, opacity] : colouredIn3dOf(choices)) {
         const auto found = std::ranges::find_if(
             loaded, [&, &digest = digest](const auto& each) { return each && each->digest == digest; });
-        const LoadedSegment* segment = found == loaded.end() ? nullptr : (*found)->segment(number);
+        const study::LoadedSegment* segment = found == loaded.end() ? nullptr : (*found)->segment(number);
         if (segment == nullptr || !segment->isInVolume()) continue;
-        const std::array<std::uint8_t, 3> own = rgb.value_or(usualRgb(segment->segment));
+        const std::array<std::uint8_t, 3> own = rgb.value_or(study::usualRgb(segment->segment));
         all.push_back({segment->voxels,
                        {.rgb = glm::vec3(own[0], own[1], own[2]) / 255.0f,
                         .opacity = static_cast<float>(std::clamp(opacity, 0.0, 1.0))}});
@@ -61,7 +61,7 @@ void fill(TintBox& box, const VoxelSet& voxels, std::uint8_t colour) {
 
 }  // namespace
 
-Result<PlannedTints> plannedTints(std::span<const SegmentationChoice> choices,
+Result<PlannedTints> plannedTints(std::span<const SegmentationSettings> choices,
                                   const LoadedSegmentations& loaded) {
     std::vector<Coloured> segments = colouredOf(choices, loaded);
     const bool eachHasItsOwn = segments.size() <= SegmentTints::kMostColours;
@@ -102,7 +102,7 @@ Result<std::shared_ptr<const TintBox>> tintBox(const TintGeometry& geometry, con
                  "Close other programs, or colour fewer. The picture and what is chosen stay as before."};
 }
 
-Result<std::optional<SegmentTints>> segmentTints(std::span<const SegmentationChoice> choices,
+Result<std::optional<SegmentTints>> segmentTints(std::span<const SegmentationSettings> choices,
                                                  const LoadedSegmentations& loaded, const Volume& volume,
                                                  Progress& progress) {
     MACULA_TRY(PlannedTints planned, plannedTints(choices, loaded));
@@ -113,4 +113,4 @@ Result<std::optional<SegmentTints>> segmentTints(std::span<const SegmentationCho
     return std::optional<SegmentTints>(std::move(tints));
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -13,9 +13,9 @@
 #include "base/voxel_set.h"
 #include "pipeline/volume/additions.h"
 #include "scene/segments/segment_mask.h"
-#include "scene/segments/segmentation_choice.h"
+#include "scene/segments/segmentation_settings.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The voxels of each colour index, without the colours: all that a TintBox depends on.
 struct TintGeometry {
@@ -39,7 +39,7 @@ struct PlannedTints {
     TintGeometry geometry;
     std::vector<SegmentTints::Colour> colours;
 };
-Result<PlannedTints> plannedTints(std::span<const SegmentationChoice> choices,
+Result<PlannedTints> plannedTints(std::span<const SegmentationSettings> choices,
                                   const LoadedSegmentations& loaded);
 
 // `geometry` has at least one part. Errors: cancelled, outOfMemory.
@@ -47,8 +47,8 @@ Result<std::shared_ptr<const TintBox>> tintBox(const TintGeometry& geometry, con
                                                Progress& progress);
 
 // Calls plannedTints, then tintBox; nothing where no segment is coloured.
-Result<std::optional<SegmentTints>> segmentTints(std::span<const SegmentationChoice> choices,
+Result<std::optional<SegmentTints>> segmentTints(std::span<const SegmentationSettings> choices,
                                                  const LoadedSegmentations& loaded, const Volume& volume,
                                                  Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::scene

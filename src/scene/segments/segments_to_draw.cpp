@@ -7,7 +7,7 @@
 #include "scene/segments/segment_mask.h"
 #include "study/segmentation/loaded_segmentation.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -17,21 +17,21 @@ bool isSameLabel(const std::string& a, const std::string& b) {
 }
 
 // Whether there was a segment to choose.
-bool chooseByLabel(const std::vector<FoundSegmentation>& found, const SegmentWish& wish,
-                   std::vector<SegmentationChoice>& choices) {
+bool chooseByLabel(const std::vector<study::FoundSegmentation>& found, const SegmentRequest& request,
+                   std::vector<SegmentationSettings>& choices) {
     bool isThere = false;
-    for (const FoundSegmentation& each : found) {
+    for (const study::FoundSegmentation& each : found) {
         if (!each.canBeShown()) continue;
         for (const Segment& segment : each.header.segments) {
-            if (!isSameLabel(segment.label, wish.label)) continue;
-            SegmentationChoice whole = choiceOf(choices, each.digest);
+            if (!isSameLabel(segment.label, request.label)) continue;
+            SegmentationSettings whole = choiceOf(choices, each.digest);
             whole.isShown = true;
             choose(choices, whole);
-            SegmentChoice one = choiceOf(whole, segment.number);
-            if (wish.isColoured) {
+            SegmentSettings one = choiceOf(whole, segment.number);
+            if (request.isColoured) {
                 one.isColouredIn3d = true;
             } else {
-                one.in3d = wish.in3d;
+                one.in3d = request.in3d;
             }
             choose(choices, each.digest, one);
             isThere = true;
@@ -42,28 +42,29 @@ bool chooseByLabel(const std::vector<FoundSegmentation>& found, const SegmentWis
 
 }  // namespace
 
-Result<SegmentWish> segmentWishFrom(const std::string& typed) {
+Result<SegmentRequest> segmentRequestFrom(const std::string& typed) {
     const std::size_t colon = typed.find(':');
     const std::string what = typed.substr(0, colon);
-    SegmentWish wish;
-    if (colon != std::string::npos) wish.label = typed.substr(colon + 1);
-    if (what == "hide") wish.in3d = In3d::hidden;
-    wish.isColoured = what == "colour";
-    if ((what != "keep" && what != "hide" && !wish.isColoured) || wish.label.empty())
+    SegmentRequest request;
+    if (colon != std::string::npos) request.label = typed.substr(colon + 1);
+    if (what == "hide") request.in3d = In3d::hidden;
+    request.isColoured = what == "colour";
+    if ((what != "keep" && what != "hide" && !request.isColoured) || request.label.empty())
         return Error{ErrorCode::usage, "That does not say what to do with which segment.", typed,
                      "Write keep:LABEL, hide:LABEL or colour:LABEL; macula info lists the labels."};
-    return wish;
+    return request;
 }
 
-Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolume& volume,
-                                      std::vector<SegmentationChoice> choices,
-                                      std::span<const SegmentWish> wishes, const Volume& voxels,
+Result<SegmentsToDraw> segmentsToDraw(const study::FoundVolumes& found, const study::FoundVolume& volume,
+                                      std::vector<SegmentationSettings> choices,
+                                      std::span<const SegmentRequest> requests, const Volume& voxels,
                                       Progress& progress) {
-    MACULA_TRY(const std::vector<FoundSegmentation> all, findSegmentations(found, volume, progress));
-    for (const SegmentWish& wish : wishes) {
-        if (!chooseByLabel(all, wish, choices))
+    MACULA_TRY(const std::vector<study::FoundSegmentation> all,
+               study::findSegmentations(found, volume, progress));
+    for (const SegmentRequest& request : requests) {
+        if (!chooseByLabel(all, request, choices))
             return Error{ErrorCode::usage, "No segmentation of this volume has a segment of that label.",
-                         wish.label, "macula info lists the labels."};
+                         request.label, "macula info lists the labels."};
     }
     SegmentsToDraw drawn;
     LoadedSegmentations loaded;
@@ -74,9 +75,9 @@ Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolu
     const auto isWanted = [&](const std::string& digest) {
         return std::ranges::find(wanted, digest) != wanted.end();
     };
-    for (const FoundSegmentation& each : all) {
+    for (const study::FoundSegmentation& each : all) {
         if (!each.canBeShown() || !isWanted(each.digest)) continue;
-        MACULA_TRY(auto segments, loadSegments(each, voxels, *volume.stack, progress));
+        MACULA_TRY(auto segments, study::loadSegments(each, voxels, *volume.stack, progress));
         for (const std::string& note : segments->notes) drawn.notes.push_back("Segmentation: " + note);
         loaded.push_back(std::move(segments));
     }
@@ -94,4 +95,4 @@ Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolu
     return drawn;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

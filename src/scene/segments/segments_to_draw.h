@@ -11,19 +11,19 @@
 #include "base/volume.h"
 #include "pipeline/volume/clip.h"
 #include "scene/segments/segment_tints.h"
-#include "scene/segments/segmentation_choice.h"
+#include "scene/segments/segmentation_settings.h"
 #include "study/segmentation/found_segmentation.h"
 
-namespace macula::app {
+namespace macula::scene {
 
-struct SegmentWish {
+struct SegmentRequest {
     In3d in3d = In3d::alone;
     bool isColoured = false;  // `in3d` is ignored then: the segment stays, in its colour
     std::string label;
 };
 
 // "keep:Liver" draws nothing else; also "hide:Liver" and "colour:Liver". Error: usage for anything else.
-Result<SegmentWish> segmentWishFrom(const std::string& typed);
+Result<SegmentRequest> segmentRequestFrom(const std::string& typed);
 
 struct SegmentsToDraw {
     std::optional<Mask> mask;           // nothing: all is shown
@@ -31,11 +31,12 @@ struct SegmentsToDraw {
     std::vector<std::string> notes;     // sentences, without patient data
 };
 
-// Adds `wishes` to the choices of a view. A wish applies to all segments with its label, in upper or lower
-// case, of the volume's segmentations. Errors: usage if there is no such segment; those of loadSegments.
-Result<SegmentsToDraw> segmentsToDraw(const FoundVolumes& found, const FoundVolume& volume,
-                                      std::vector<SegmentationChoice> choices,
-                                      std::span<const SegmentWish> wishes, const Volume& voxels,
+// Adds `requests` to the choices of a view. A request applies to all segments with its label, in upper or
+// lower case, of the volume's segmentations. Errors: usage if there is no such segment; those of
+// loadSegments.
+Result<SegmentsToDraw> segmentsToDraw(const study::FoundVolumes& found, const study::FoundVolume& volume,
+                                      std::vector<SegmentationSettings> choices,
+                                      std::span<const SegmentRequest> requests, const Volume& voxels,
                                       Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::scene

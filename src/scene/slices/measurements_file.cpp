@@ -14,7 +14,7 @@
 #include "pipeline/volume/json_writer.h"
 #include "scene/state/slices_json.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -182,4 +182,4 @@ Result<void> writeMeasurements(const std::filesystem::path& path, std::span<cons
                  "Choose a name with one of these endings."};
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -10,7 +10,7 @@
 #include "base/volume.h"
 #include "slices/measurement.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The volume that was measured on.
 struct Measured {
@@ -39,4 +39,4 @@ std::string measurementsJsonText(std::span<const slices::Measurement> measuremen
 Result<void> writeMeasurements(const std::filesystem::path& path,
                                std::span<const slices::Measurement> measurements, const Measured& of);
 
-}  // namespace macula::app
+}  // namespace macula::scene

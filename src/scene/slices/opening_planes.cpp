@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/glm.hpp>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -34,4 +34,4 @@ OpeningPlanes openingPlanes(const Volume& volume) {
     return planes;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -5,7 +5,7 @@
 
 #include "slices/slice_plane.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct OpeningPlanes {
     // In the planes of the acquisition, if they are tilted by more than 5 degrees to the patient's: planes of
@@ -19,4 +19,4 @@ struct OpeningPlanes {
 
 OpeningPlanes openingPlanes(const Volume& volume);
 
-}  // namespace macula::app
+}  // namespace macula::scene

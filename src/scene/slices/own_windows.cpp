@@ -12,7 +12,7 @@
 #include "pipeline/volume/json_reader.h"
 #include "pipeline/volume/json_writer.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -117,4 +117,4 @@ Result<std::vector<OwnWindow>> withOwnWindow(std::vector<OwnWindow> all, OwnWind
     return all;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

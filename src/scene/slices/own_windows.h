@@ -10,7 +10,7 @@
 #include "base/result.h"
 #include "base/volume.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct OwnWindow {
     std::string name;      // a person's words, 1 to kLongestWindowName bytes
@@ -35,4 +35,4 @@ std::vector<OwnWindow> ownWindowsFor(const std::vector<OwnWindow>& all, const Vo
 // trimmed. Error: usage if name or window is then not usable, or there are kMostOwnWindows already.
 Result<std::vector<OwnWindow>> withOwnWindow(std::vector<OwnWindow> all, OwnWindow added);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -5,7 +5,7 @@
 
 #include "pipeline/volume/window.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::optional<WindowPreset> windowPreset(const Volume& volume, int digit) {
     return std::nullopt;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -7,7 +7,7 @@
 
 #include "base/volume.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct WindowPreset {
     int digit = 0;  // 1 to 9
@@ -22,4 +22,4 @@ std::vector<WindowPreset> windowPresets(const Volume& volume);
 // Nothing where the volume has none with that digit.
 std::optional<WindowPreset> windowPreset(const Volume& volume, int digit);
 
-}  // namespace macula::app
+}  // namespace macula::scene

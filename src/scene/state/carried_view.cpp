@@ -3,23 +3,23 @@
 #include "pipeline/volume/window.h"
 #include "study/open/same_place.h"
 
-namespace macula::app {
+namespace macula::scene {
 
-DisplayWindow shownWindow(const OpenedStudy& study, const SliceState& slices) {
+DisplayWindow shownWindow(const study::OpenedStudy& study, const SliceState& slices) {
     return slices.window ? *slices.window : seriesWindow(*study.measured());
 }
 
-SliceState carriedSlices(const OpenedStudy& from, const SliceState& before, const OpenedStudy& to,
-                         const SliceState& usual) {
-    if (!staysInPlace(from, to)) return usual;
+SliceState carriedSlices(const study::OpenedStudy& from, const SliceState& before,
+                         const study::OpenedStudy& to, const SliceState& usual) {
+    if (!study::staysInPlace(from, to)) return usual;
     SliceState carried = usual;
     carried.crosshairMm = before.crosshairMm;
     carried.asAcquired = before.asAcquired;
     carried.slab = before.slab;
-    if (!arePhases(from, to)) return carried;
+    if (!study::arePhases(from, to)) return carried;
     carried.window = shownWindow(from, before);
     carried.isInverted = before.isInverted;
     return carried;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -5,14 +5,14 @@
 #include "scene/state/study_state.h"
 #include "study/open/opened_study.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // The window that slices of the study are shown through: that of the state, else that of the series.
-DisplayWindow shownWindow(const OpenedStudy& study, const SliceState& slices);
+DisplayWindow shownWindow(const study::OpenedStudy& study, const SliceState& slices);
 
 // How to show slices of `to` after those of `from`, shown as `before`: if staysInPlace, with the same
 // cross-hair, planes and slab, and phases also with the same window and inversion. Else as `usual`.
-SliceState carriedSlices(const OpenedStudy& from, const SliceState& before, const OpenedStudy& to,
-                         const SliceState& usual);
+SliceState carriedSlices(const study::OpenedStudy& from, const SliceState& before,
+                         const study::OpenedStudy& to, const SliceState& usual);
 
-}  // namespace macula::app
+}  // namespace macula::scene

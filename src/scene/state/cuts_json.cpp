@@ -10,7 +10,7 @@
 #include "scene/camera/camera_file.h"
 #include "scene/clip/scissor_cut.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -157,4 +157,4 @@ Result<std::vector<NamedClip>> namedClipsFrom(const Json& all, const std::string
     return clips;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -19,7 +19,7 @@ namespace macula {
 class JsonNode;
 }
 
-namespace macula::app {
+namespace macula::scene {
 
 // Writes only what is set. Leaves out what the reader would refuse, because that would make the whole state
 // unreadable. Names are cut at kLongestClipNameBytes.
@@ -32,4 +32,4 @@ Cuts cutsFrom(const JsonNode& node);
 // `all` is valid JSON. Error: inputNotUsable if it is no list of named clips; the error names `where`.
 Result<std::vector<NamedClip>> namedClipsFrom(const nlohmann::ordered_json& all, const std::string& where);
 
-}  // namespace macula::app
+}  // namespace macula::scene

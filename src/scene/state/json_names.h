@@ -5,7 +5,7 @@
 
 #include "pipeline/volume/json_reader.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Reads the name (nameOf) of one of `values`. A missing key leaves `value` as it is.
 template <class Values, class T>
@@ -23,4 +23,4 @@ void readName(const JsonNode& object, const char* key, const Values& values, T& 
     node->fail("one of " + names);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -5,7 +5,7 @@
 #include "base/check.h"
 #include "scene/transfer/edited_transfer.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -143,4 +143,4 @@ const MatterParameter& matterParameter(std::string_view id) {
     return rowOf(kMatterParameters, id);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

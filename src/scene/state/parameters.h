@@ -9,7 +9,7 @@
 #include "pipeline/trace/settings.h"
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // What a change makes stale, from the least to the most; each includes those before it.
 enum class Stale {
@@ -24,7 +24,7 @@ enum class Stale {
 // A number of the settings, or of the preset.
 template <class Of>
 struct ParameterOf {
-    std::string_view id;      // JSON key; of a MatterParameter, key in StateWish and RenderRecord
+    std::string_view id;      // JSON key; of a MatterParameter, key in StateRequest and RenderRecord
     std::string_view option;  // of the command
     std::string_view label;   // for people, within a sentence
     std::string_view unit;    // "degrees"; empty: a count or a factor
@@ -50,4 +50,4 @@ std::span<const MatterParameter> matterParameters();
 const Parameter& parameter(std::string_view id);
 const MatterParameter& matterParameter(std::string_view id);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -1,6 +1,6 @@
 #include "scene/state/saved_grid.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -25,4 +25,4 @@ bool liesAt(const Volume& volume, const SavedGrid& grid) {
     return true;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

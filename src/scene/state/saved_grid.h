@@ -3,7 +3,7 @@
 
 #include "base/volume.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 struct SavedGrid {
     glm::ivec3 size{0};
@@ -18,4 +18,4 @@ SavedGrid savedGridOf(const Volume& volume);
 // that are exported anew keep their UIDs, but may move.
 bool liesAt(const Volume& volume, const SavedGrid& grid);
 
-}  // namespace macula::app
+}  // namespace macula::scene

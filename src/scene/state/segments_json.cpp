@@ -6,7 +6,7 @@
 
 #include "scene/state/json_names.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -33,9 +33,9 @@ std::array<std::uint8_t, 3> rgbFrom(const JsonNode& node) {
     return rgb;
 }
 
-SegmentChoice segmentFrom(const JsonNode& node) {
+SegmentSettings segmentFrom(const JsonNode& node) {
     node.allowOnly({"number", "visible", "rgb", "opacity", "in3d", "colouredIn3d", "opacityIn3d"});
-    SegmentChoice segment;
+    SegmentSettings segment;
     segment.number = static_cast<std::uint16_t>(wholeNumber(node["number"], {0.0, double(kMostSegments)}));
     if (const auto visible = node.find("visible")) segment.isVisible = visible->boolean();
     if (const auto rgb = node.find("rgb")) segment.rgb = rgbFrom(*rgb);
@@ -46,8 +46,8 @@ SegmentChoice segmentFrom(const JsonNode& node) {
     return segment;
 }
 
-Json toJson(const SegmentChoice& segment) {
-    const SegmentChoice usual;
+Json toJson(const SegmentSettings& segment) {
+    const SegmentSettings usual;
     Json json{{"number", segment.number}};
     if (!segment.isVisible) json["visible"] = false;
     if (segment.rgb) json["rgb"] = *segment.rgb;
@@ -62,14 +62,14 @@ Json toJson(const SegmentChoice& segment) {
 
 }  // namespace
 
-Json segmentationsJson(std::span<const SegmentationChoice> choices) {
+Json segmentationsJson(std::span<const SegmentationSettings> choices) {
     Json all = Json::array();
-    for (const SegmentationChoice& choice : choices) {
+    for (const SegmentationSettings& choice : choices) {
         if (all.size() == kMostSegmentations) break;
         if (!isDigest(choice.digest)) continue;
         Json json{{"object", choice.digest}};
         if (choice.isShown) json["shown"] = true;
-        for (const SegmentChoice& segment : choice.segments) {
+        for (const SegmentSettings& segment : choice.segments) {
             json["segments"].push_back(toJson(segment));
         }
         all.push_back(std::move(json));
@@ -77,11 +77,11 @@ Json segmentationsJson(std::span<const SegmentationChoice> choices) {
     return all;
 }
 
-std::vector<SegmentationChoice> segmentationsFrom(const JsonNode& node) {
-    std::vector<SegmentationChoice> choices;
+std::vector<SegmentationSettings> segmentationsFrom(const JsonNode& node) {
+    std::vector<SegmentationSettings> choices;
     for (const JsonNode& item : node.items(0, kMostSegmentations)) {
         item.allowOnly({"object", "shown", "segments"});
-        SegmentationChoice choice;
+        SegmentationSettings choice;
         choice.digest = item["object"].text();
         if (!isDigest(choice.digest)) item["object"].fail("64 hexadecimal digits");
         if (const auto shown = item.find("shown")) choice.isShown = shown->boolean();
@@ -94,4 +94,4 @@ std::vector<SegmentationChoice> segmentationsFrom(const JsonNode& node) {
     return choices;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

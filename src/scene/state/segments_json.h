@@ -12,21 +12,21 @@
 #include <span>
 #include <vector>
 
-#include "scene/segments/segmentation_choice.h"
+#include "scene/segments/segmentation_settings.h"
 
 namespace macula {
 class JsonNode;
 }
 
-namespace macula::app {
+namespace macula::scene {
 
 inline constexpr std::size_t kMostSegmentations = 1000;
 inline constexpr std::size_t kMostSegments = 65535;  // of one segmentation
 
 // Leaves out what the reader would refuse, because that would make the whole state unreadable.
-nlohmann::ordered_json segmentationsJson(std::span<const SegmentationChoice> choices);
+nlohmann::ordered_json segmentationsJson(std::span<const SegmentationSettings> choices);
 
 // Errors go to the status of the node's document.
-std::vector<SegmentationChoice> segmentationsFrom(const JsonNode& node);
+std::vector<SegmentationSettings> segmentationsFrom(const JsonNode& node);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -9,7 +9,7 @@
 #include "scene/state/json_names.h"
 #include "slices/projection_names.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -206,4 +206,4 @@ std::vector<Measurement> measurementsFrom(const JsonNode& node) {
     return measurements;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -23,7 +23,7 @@ namespace macula {
 class JsonNode;
 }
 
-namespace macula::app {
+namespace macula::scene {
 
 inline constexpr std::size_t kMostMeasurements = 1000;
 inline constexpr std::size_t kLongestLabelBytes = 200;  // in UTF-8
@@ -48,4 +48,4 @@ nlohmann::ordered_json measurementsJson(std::span<const slices::Measurement> mea
 SliceState sliceStateFrom(const JsonNode& node);
 std::vector<slices::Measurement> measurementsFrom(const JsonNode& node);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -2,7 +2,7 @@
 
 #include "base/check.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -24,8 +24,8 @@ std::size_t ownBytesOf(const StudyState& state) {
                         bytesOf(state.segmentations);
     for (const slices::Measurement& measurement : state.measurements) bytes += measurement.label.size();
     for (const NamedClip& clip : state.namedClips) bytes += clip.name.size() + bytesOf(clip.cuts.scissors);
-    for (const SegmentationChoice& choice : state.segmentations) bytes += bytesOf(choice.segments);
-    if (const auto& beside = state.beside)
+    for (const SegmentationSettings& choice : state.segmentations) bytes += bytesOf(choice.segments);
+    if (const auto& beside = state.secondVolume)
         bytes += beside->seriesDigest.size() + beside->volumeKey.size() + beside->pair.size();
     return bytes;
 }
@@ -42,8 +42,8 @@ void forEachShared(const StudyState& state, const Tell& tell) {
     tellOf(state.cuts);
     for (const NamedClip& clip : state.namedClips) tellOf(clip.cuts);
     if (state.preset) tell(state.preset.get(), bytesOf(*state.preset));
-    if (state.beside && state.beside->preset)
-        tell(state.beside->preset.get(), bytesOf(*state.beside->preset));
+    if (state.secondVolume && state.secondVolume->preset)
+        tell(state.secondVolume->preset.get(), bytesOf(*state.secondVolume->preset));
     if (state.lights) tell(state.lights.get(), sizeof *state.lights);
 }
 
@@ -74,4 +74,4 @@ void StateBytes::leave(const void* what) {
     known_.erase(found);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -6,7 +6,7 @@
 
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 class StateBytes {
   public:
@@ -28,4 +28,4 @@ class StateBytes {
     std::size_t shared_ = 0;
 };
 
-}  // namespace macula::app
+}  // namespace macula::scene

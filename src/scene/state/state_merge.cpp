@@ -8,7 +8,7 @@
 #include "scene/state/state_keys.h"
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::optional<MergedState> mergedState(std::string_view base, std::string_view m
     return result;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace macula::app {
+namespace macula::scene {
 
 struct MergedState {
     std::string json;  // as toJson(StudyState)
@@ -20,4 +20,4 @@ struct MergedState {
 // `theirs` is no state; nothing if the result is more than a state may hold.
 std::optional<MergedState> mergedState(std::string_view base, std::string_view mine, std::string_view theirs);
 
-}  // namespace macula::app
+}  // namespace macula::scene

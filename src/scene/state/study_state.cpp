@@ -6,7 +6,7 @@
 #include "scene/second/second_curve.h"
 #include "scene/transfer/same_transfer.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -24,9 +24,9 @@ bool sameLights(const StudyState& a, const StudyState& b) {
 }
 
 // What of a second volume changes the picture in 3D: nothing where it is not in it.
-std::optional<BesideState> secondIn3dOf(const StudyState& state) {
-    if (!state.beside || !isIn3d(*state.beside)) return std::nullopt;
-    return partIn3d(*state.beside);
+std::optional<SecondVolumeState> secondIn3dOf(const StudyState& state) {
+    if (!state.secondVolume || !isSecondIn3d(*state.secondVolume)) return std::nullopt;
+    return secondPartIn3d(*state.secondVolume);
 }
 
 // Settings without what the table of parameters has, and without what is no part of a state.
@@ -54,7 +54,7 @@ Stale staleAfter(const trace::Settings& before, const trace::Settings& after) {
 
 }  // namespace
 
-bool BesideState::operator==(const BesideState& b) const {
+bool SecondVolumeState::operator==(const SecondVolumeState& b) const {
     return seriesDigest == b.seriesDigest && volume == b.volume && volumeKey == b.volumeKey &&
            pair == b.pair && link == b.link && secondFromStudy == b.secondFromStudy && boundMm == b.boundMm &&
            isDoubtful == b.isDoubtful && rivalMm == b.rivalMm && view == b.view && window == b.window &&
@@ -69,7 +69,7 @@ bool StudyState::operator==(const StudyState& b) const {
            windows == b.windows && camera == b.camera && showsMarks == b.showsMarks &&
            background == b.background && layout == b.layout && slices == b.slices &&
            measurements == b.measurements && cuts == b.cuts && namedClips == b.namedClips &&
-           segmentations == b.segmentations && beside == b.beside && otherKeys == b.otherKeys;
+           segmentations == b.segmentations && secondVolume == b.secondVolume && otherKeys == b.otherKeys;
 }
 
 Stale staleAfter(const StudyState& before, const StudyState& after) {
@@ -104,4 +104,4 @@ Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest,
     return {};
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -20,14 +20,14 @@
 #include "pipeline/volume/transfer_function.h"
 #include "scene/clip/cuts.h"
 #include "scene/lights/background_colour.h"
-#include "scene/second/beside_state.h"
-#include "scene/segments/segmentation_choice.h"
+#include "scene/second/second_volume_state.h"
+#include "scene/segments/segmentation_settings.h"
 #include "scene/state/parameters.h"
 #include "scene/state/saved_grid.h"
 #include "slices/measurement.h"
 #include "slices/sampled_slice.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Which panes a study is shown in.
 enum class Layout { volume, fourPanes, axial, coronal, sagittal };
@@ -64,7 +64,7 @@ struct SliceState {
 };
 
 struct StudyState {
-    // StudyInput::seriesDigest of the volume. Empty: whichever is open.
+    // LoadedStudy::seriesDigest of the volume. Empty: whichever is open.
     std::string seriesDigest = {};
     std::optional<SavedGrid> grid = {};  // of a saved view; none: any grid of the series
     // Null: the default of the volume (presets::defaultTransfer). The preset may ask for a fit to the volume,
@@ -86,10 +86,10 @@ struct StudyState {
     Layout layout = Layout::fourPanes;
     SliceState slices = {};
     std::vector<slices::Measurement> measurements = {};
-    Cuts cuts = {};                                      // applied to what the clip leaves
-    std::vector<NamedClip> namedClips = {};              // saved for later, not applied
-    std::vector<SegmentationChoice> segmentations = {};  // kept in order by `choose`
-    std::optional<BesideState> beside = {};              // nothing: no second volume
+    Cuts cuts = {};                                        // applied to what the clip leaves
+    std::vector<NamedClip> namedClips = {};                // saved for later, not applied
+    std::vector<SegmentationSettings> segmentations = {};  // kept in order by `choose`
+    std::optional<SecondVolumeState> secondVolume = {};    // nothing: no second volume
     // JSON object of the keys that a newer Macula wrote and this one does not know; toJson writes them back.
     std::string otherKeys = {};
 
@@ -112,9 +112,9 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
 // Reads a saved view. Errors: those of readText and studyStateFromJson.
 Result<StudyState> readStudyState(const std::filesystem::path& path);
 
-// Error: inputNotUsable if the state was saved for another series (StudyInput::seriesDigest) or for voxels at
-// other places than the volume's; the error names `where`.
+// Error: inputNotUsable if the state was saved for another series (LoadedStudy::seriesDigest) or for voxels
+// at other places than the volume's; the error names `where`.
 Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest, const Volume& volume,
                          const std::string& where);
 
-}  // namespace macula::app
+}  // namespace macula::scene

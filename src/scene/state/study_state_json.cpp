@@ -7,7 +7,7 @@
 //     "lights": {as presets/lights}, "windows": { "mip": { "center": 40, "width": 400 } },
 //     "camera": {as camera_file.h}, "cubeAndScale": false, "background": "#rrggbb", "layout": "axial",
 //     "slices": {as slices_json.h}, "measurements": [as slices_json.h], "cuts": {as cuts_json.h},
-//     "namedClips": [likewise], "segmentations": [as segments_json.h], "beside": {as beside_json.h} }
+//     "namedClips": [likewise], "segmentations": [as segments_json.h], "beside": {as second_volume_json.h} }
 // Everything but the version may be left out.
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -18,15 +18,15 @@
 #include "pipeline/volume/json_writer.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "scene/camera/camera_file.h"
-#include "scene/state/beside_json.h"
 #include "scene/state/cuts_json.h"
 #include "scene/state/json_names.h"
+#include "scene/state/second_volume_json.h"
 #include "scene/state/segments_json.h"
 #include "scene/state/slices_json.h"
 #include "scene/state/state_keys.h"
 #include "scene/state/study_state.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -134,8 +134,8 @@ std::string toJson(const StudyState& state) {
     if (Json named = namedClipsJson(state.namedClips); !named.empty()) json["namedClips"] = std::move(named);
     if (Json all = segmentationsJson(state.segmentations); !all.empty())
         json["segmentations"] = std::move(all);
-    if (state.beside) {
-        if (Json beside = toJson(*state.beside); !beside.is_null()) json["beside"] = std::move(beside);
+    if (state.secondVolume) {
+        if (Json beside = toJson(*state.secondVolume); !beside.is_null()) json["beside"] = std::move(beside);
     }
     if (!state.otherKeys.empty()) {
         const Json others = Json::parse(state.otherKeys);
@@ -178,7 +178,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     if (const auto node = root.find("measurements")) state.measurements = measurementsFrom(*node);
     if (const auto node = root.find("cuts")) state.cuts = cutsFrom(*node);
     if (const auto node = root.find("segmentations")) state.segmentations = segmentationsFrom(*node);
-    if (const auto node = root.find("beside")) state.beside = besideStateFrom(*node);
+    if (const auto node = root.find("beside")) state.secondVolume = secondVolumeStateFrom(*node);
     MACULA_TRY_VOID(document.status());
 
     // The text is valid JSON by now, and an object.
@@ -187,12 +187,12 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
                    return transferFunctionFromJson(part, where);
                }));
     if (preset) state.preset = std::make_shared<const TransferFunction>(*preset);
-    if (state.beside) {
+    if (state.secondVolume) {
         MACULA_TRY(const auto second,
                    readPart<TransferFunction>(all["beside"], "preset", [&](const std::string& part) {
                        return transferFunctionFromJson(part, where);
                    }));
-        if (second) state.beside->preset = std::make_shared<const TransferFunction>(*second);
+        if (second) state.secondVolume->preset = std::make_shared<const TransferFunction>(*second);
     }
     MACULA_TRY(state.clip, readPart<ClipPreset>(all, "clip", [&](const std::string& part) {
                    return clipPresetFromJson(part, where);
@@ -217,4 +217,4 @@ Result<StudyState> readStudyState(const std::filesystem::path& path) {
     return studyStateFromJson(text, path.string());
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

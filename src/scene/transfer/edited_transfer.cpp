@@ -9,7 +9,7 @@
 #include "base/check.h"
 #include "presets/vtk_curve.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -204,4 +204,4 @@ TransferFunction withOpacityScaled(TransferFunction function, double factor) {
     return function;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

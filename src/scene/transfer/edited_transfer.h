@@ -8,7 +8,7 @@
 
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Values are the preset's own, before a fit to the volume (value_axis.h). A valid function (validate) with
 // values within presets::kLargestValue either way and at most presets::kMostPoints points per curve stays so.
@@ -53,4 +53,4 @@ inline constexpr double kMostGradientPerMm = 1e6;
 // Multiplies all opacities by a factor of 0 or above, and clamps them to 1.
 TransferFunction withOpacityScaled(TransferFunction function, double factor);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -8,7 +8,7 @@
 
 #include "base/check.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -135,4 +135,4 @@ std::vector<double> logHeights(const Histogram& histogram, const ValueRange& sho
     return heights;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -10,7 +10,7 @@
 #include "base/result.h"
 #include "base/volume.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Bins of equal width. A bin includes its lower edge and excludes its upper one; the last includes both.
 struct Bins {
@@ -47,4 +47,4 @@ double percentile(const Histogram& histogram, double fraction);
 // that the column touches, divided by that of the highest bin of all.
 std::vector<double> logHeights(const Histogram& histogram, const ValueRange& shown, std::size_t columns);
 
-}  // namespace macula::app
+}  // namespace macula::scene

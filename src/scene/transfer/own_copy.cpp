@@ -8,7 +8,7 @@
 
 #include "presets/preset_name.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::string copiedFrom(const TransferFunction& function) {
     return macula != document.end() && macula->is_object() ? text(*macula, kDerivedFrom) : std::string();
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

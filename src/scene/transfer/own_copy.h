@@ -6,7 +6,7 @@
 
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // A copy titled "CT-Bone (edited)", "(edited 2)" and so on, with a name after that ("ct-bone-edited") that
 // neither `taken` nor the preset has, and without its number. The document keeps author, licence and
@@ -17,4 +17,4 @@ TransferFunction ownCopy(const TransferFunction& function, const std::set<std::s
 // The name of the preset that ownCopy made this one from, read from the document; empty for any other.
 std::string copiedFrom(const TransferFunction& function);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -1,6 +1,6 @@
 #include "scene/transfer/same_transfer.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 bool isSame(const TransferFunction& a, const TransferFunction& b) {
     const auto drawn = [](TransferFunction function) {
@@ -10,4 +10,4 @@ bool isSame(const TransferFunction& a, const TransferFunction& b) {
     return drawn(a) == drawn(b);
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

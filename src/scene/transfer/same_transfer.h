@@ -3,9 +3,9 @@
 
 #include "pipeline/volume/transfer_function.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Whether both are equal in everything but the document (TransferFunction::document).
 bool isSame(const TransferFunction& a, const TransferFunction& b);
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace macula::app {
+namespace macula::scene {
 
 namespace {
 
@@ -69,4 +69,4 @@ std::vector<double> ValueAxis::ticks(double leastPx) const {
     return values;
 }
 
-}  // namespace macula::app
+}  // namespace macula::scene

@@ -7,7 +7,7 @@
 #include "base/volume.h"
 #include "pipeline/volume/volume_fit.h"
 
-namespace macula::app {
+namespace macula::scene {
 
 // Maps the values of a preset to those of a volume, and back; the identity without a fit.
 struct ValueMap {
@@ -41,4 +41,4 @@ struct ValueAxis {
     std::vector<double> ticks(double leastPx) const;
 };
 
-}  // namespace macula::app
+}  // namespace macula::scene

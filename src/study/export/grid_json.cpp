@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -43,4 +43,4 @@ bool isSheared(const glm::dmat4& worldFromVoxel) {
     return false;
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -6,7 +6,7 @@
 
 #include "base/frames.h"
 
-namespace macula::app {
+namespace macula::study {
 
 // size, spacingMm, orientation, worldFromVoxel (rows; patient LPS mm).
 nlohmann::ordered_json gridToJson(const glm::ivec3& size, const glm::dmat4& worldFromVoxel);
@@ -17,4 +17,4 @@ std::string orientationOf(const glm::dmat4& worldFromVoxel);
 // Whether two axes are more than 0.05 degrees off a right angle, as with a tilted gantry.
 bool isSheared(const glm::dmat4& worldFromVoxel);
 
-}  // namespace macula::app
+}  // namespace macula::study

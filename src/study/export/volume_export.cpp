@@ -9,9 +9,9 @@
 #include "base/sha256.h"
 #include "study/export/grid_json.h"
 
-namespace macula::app {
+namespace macula::study {
 
-void noteWhatOthersMisread(StudyInput& study) {
+void noteWhatOthersMisread(LoadedStudy& study) {
     if (!isSheared(study.volume->worldFromVoxel())) return;
     study.notes.emplace_back(
         "The slices are tilted against their axis, and the file says so; some programs do not understand "
@@ -19,7 +19,7 @@ void noteWhatOthersMisread(StudyInput& study) {
     study.warnings.push_back(study.notes.back());
 }
 
-Result<ExportedVolume> exportVolume(const StudyInput& study, const std::filesystem::path& file,
+Result<ExportedVolume> exportVolume(const LoadedStudy& study, const std::filesystem::path& file,
                                     Progress& progress) {
     const Volume& volume = *study.volume;
     ExportedVolume exported{.seriesDigest = study.seriesDigest,
@@ -49,7 +49,7 @@ nlohmann::ordered_json toJson(const ExportedVolume& exported, double loadSeconds
     return json;
 }
 
-std::vector<std::string> notesOf(const SegmentationInput& input) {
+std::vector<std::string> notesOf(const SegmentationOnGrid& input) {
     std::vector<std::string> notes;
     if (!input.onItsSeries) {
         notes.emplace_back(
@@ -61,7 +61,7 @@ std::vector<std::string> notesOf(const SegmentationInput& input) {
     return notes;
 }
 
-Result<ExportedSegmentation> exportSegmentation(const SegmentationInput& input, const std::string& seriesUid,
+Result<ExportedSegmentation> exportSegmentation(const SegmentationOnGrid& input, const std::string& seriesUid,
                                                 const std::filesystem::path& file, Progress& progress) {
     const LabelMap& map = input.map;
     ExportedSegmentation exported{.seriesDigest = sha256Hex(seriesUid),
@@ -90,4 +90,4 @@ nlohmann::ordered_json toJson(const ExportedSegmentation& exported) {
     return json;
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -12,10 +12,10 @@
 #include "base/progress.h"
 #include "base/result.h"
 #include "formats/volume_file.h"
-#include "study/export/segmentation_input.h"
-#include "study/open/study_input.h"
+#include "study/export/segmentation_on_grid.h"
+#include "study/open/loaded_study.h"
 
-namespace macula::app {
+namespace macula::study {
 
 struct ExportedVolume {
     formats::VolumeFileInfo file;  // read back from the written file
@@ -28,10 +28,10 @@ struct ExportedVolume {
 };
 
 // Adds to notes and warnings that other programs may show a sheared volume (isSheared) skewed.
-void noteWhatOthersMisread(StudyInput& study);
+void noteWhatOthersMisread(LoadedStudy& study);
 
 // Fails as formats::writeVolumeFile.
-Result<ExportedVolume> exportVolume(const StudyInput& study, const std::filesystem::path& file,
+Result<ExportedVolume> exportVolume(const LoadedStudy& study, const std::filesystem::path& file,
                                     Progress& progress);
 nlohmann::ordered_json toJson(const ExportedVolume& exported, double loadSeconds);
 
@@ -49,11 +49,11 @@ struct ExportedSegmentation {
 };
 
 // Sentences without patient data: whether the map is on a grid of its own, and the messages of the map.
-std::vector<std::string> notesOf(const SegmentationInput& input);
+std::vector<std::string> notesOf(const SegmentationOnGrid& input);
 
 // Reports `seriesUid` only as a digest. Fails as formats::writeVolumeFile.
-Result<ExportedSegmentation> exportSegmentation(const SegmentationInput& input, const std::string& seriesUid,
+Result<ExportedSegmentation> exportSegmentation(const SegmentationOnGrid& input, const std::string& seriesUid,
                                                 const std::filesystem::path& file, Progress& progress);
 nlohmann::ordered_json toJson(const ExportedSegmentation& exported);
 
-}  // namespace macula::app
+}  // namespace macula::study

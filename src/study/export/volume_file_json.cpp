@@ -4,7 +4,7 @@
 
 #include "study/export/grid_json.h"
 
-namespace macula::app {
+namespace macula::study {
 
 nlohmann::ordered_json toJson(const formats::VolumeFileInfo& info, const Volume* volume) {
     nlohmann::ordered_json json = {{"format", info.format}, {"values", info.values}};
@@ -19,4 +19,4 @@ nlohmann::ordered_json toJson(const formats::VolumeFileInfo& info, const Volume*
     return json;
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -6,10 +6,10 @@
 #include "base/volume.h"
 #include "formats/volume_file.h"
 
-namespace macula::app {
+namespace macula::study {
 
 // Format, grid and assumptions; also unit and range of values, unless `volume` is null because it does not
 // fit in memory.
 nlohmann::ordered_json toJson(const formats::VolumeFileInfo& info, const Volume* volume);
 
-}  // namespace macula::app
+}  // namespace macula::study

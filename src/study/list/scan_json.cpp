@@ -7,7 +7,7 @@
 #include "dicom/read/sop_class.h"
 #include "dicom/segmentation/segmentation.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -29,7 +29,7 @@ Json toJson(const glm::dmat4& matrix) {
 
 Json toJson(const std::vector<Message>& messages) {
     Json list = Json::array();
-    for (const Message& message : messages) list.push_back(app::toJson(message));
+    for (const Message& message : messages) list.push_back(study::toJson(message));
     return list;
 }
 
@@ -98,7 +98,7 @@ Json toJson(const dicom::OtherObject& object, PatientData patientData) {
     return json;
 }
 
-Json toJson(const dicom::Series& series, std::size_t place, const dicom::Choice& best,
+Json toJson(const dicom::Series& series, std::size_t place, const dicom::ChosenStack& best,
             PatientData patientData) {
     Json json = {{"place", place},
                  {"seriesInstanceUid", series.seriesInstanceUid},
@@ -142,7 +142,7 @@ Json toJson(const Message& message) {
             {"action", message.action}};
 }
 
-Json toJson(const dicom::Scan& scan, const dicom::Choice& best, PatientData patientData) {
+Json toJson(const dicom::Scan& scan, const dicom::ChosenStack& best, PatientData patientData) {
     Json json = {{"filesSeen", scan.filesSeen},
                  {"notDicom", scan.notDicom},
                  {"images", scan.imageCount()},
@@ -178,4 +178,4 @@ Json toJson(const dicom::Scan& scan, const dicom::Choice& best, PatientData pati
     return json;
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

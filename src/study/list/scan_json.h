@@ -5,7 +5,7 @@
 
 #include "dicom/best_volume.h"
 
-namespace macula::app {
+namespace macula::study {
 
 enum class PatientData { leaveOut, include };  // names, IDs, dates, descriptions of studies, paths of files
 
@@ -13,6 +13,7 @@ enum class PatientData { leaveOut, include };  // names, IDs, dates, description
 std::string shownValue(const dicom::StackLabel& label);
 
 nlohmann::ordered_json toJson(const Message& message);
-nlohmann::ordered_json toJson(const dicom::Scan& scan, const dicom::Choice& best, PatientData patientData);
+nlohmann::ordered_json toJson(const dicom::Scan& scan, const dicom::ChosenStack& best,
+                              PatientData patientData);
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -159,4 +159,4 @@ bool holdsAll(std::string_view folded, const std::vector<std::string>& words) {
                        [&](const std::string& word) { return folded.find(word) != std::string_view::npos; });
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace macula::app {
+namespace macula::study {
 
 // UTF-8 in lower case and without diacritics, for Latin, Greek and Cyrillic letters; full-width ASCII and
 // spaces become plain. Keeps all else, also bytes that are not UTF-8.
@@ -17,4 +17,4 @@ std::vector<std::string> searchWords(std::string_view typed);
 // Whether the folded text contains each of `words`; true without words.
 bool holdsAll(std::string_view folded, const std::vector<std::string>& words);
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -8,7 +8,7 @@
 #include "dicom/frame_loader.h"
 #include "slices/grey.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -126,4 +126,4 @@ Result<Thumbnail> thumbnailOf(const dicom::Stack& stack, const CancelToken& canc
     }
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

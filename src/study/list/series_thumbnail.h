@@ -9,7 +9,7 @@
 #include "base/result.h"
 #include "dicom/stack/stack.h"
 
-namespace macula::app {
+namespace macula::study {
 
 inline constexpr int kThumbnailPx = 128;
 
@@ -29,4 +29,4 @@ Result<Thumbnail> thumbnailOf(const dicom::Stack& stack, const CancelToken& canc
 Thumbnail shrunk(std::span<const std::uint8_t> grey, int columns, int rows, double columnSpacingMm,
                  double rowSpacingMm);
 
-}  // namespace macula::app
+}  // namespace macula::study

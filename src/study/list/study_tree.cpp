@@ -13,7 +13,7 @@
 #include "study/open/presented_volume.h"
 #include "study/open/stack_label_text.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -367,4 +367,4 @@ std::vector<bool> rowsThatMatch(const StudyTree& tree, std::string_view typed) {
     return shown;
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

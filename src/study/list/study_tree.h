@@ -10,7 +10,7 @@
 
 #include "study/open/found_volumes.h"
 
-namespace macula::app {
+namespace macula::study {
 
 inline constexpr std::size_t kNoRow = static_cast<std::size_t>(-1);
 
@@ -71,4 +71,4 @@ StudyTree studyTree(const FoundVolumes& found, Names names = Names::shown);
 // rows below these, and those above. All rows without a word.
 std::vector<bool> rowsThatMatch(const StudyTree& tree, std::string_view typed);
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -6,11 +6,11 @@
 #include <utility>
 
 #include "dicom/best_volume.h"
+#include "study/open/loaded_study.h"
 #include "study/open/stack_label_text.h"
-#include "study/open/study_input.h"
 #include "study/open/volume_key.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -73,11 +73,11 @@ std::vector<std::string> FoundVolumes::titles() const {
     return titles;
 }
 
-Result<FoundVolumes::Choice> FoundVolumes::best(const std::filesystem::path& folder) const {
-    const dicom::Choice choice = dicom::bestVolume(scan_);
+Result<FoundVolumes::ChosenVolume> FoundVolumes::best(const std::filesystem::path& folder) const {
+    const dicom::ChosenStack choice = dicom::bestVolume(scan_);
     const auto index = indexOf(choice.stack);
     if (!index) return notUsable(choice.why, folder);
-    return Choice{*index, choice.why};
+    return ChosenVolume{*index, choice.why};
 }
 
 std::optional<std::size_t> FoundVolumes::bestWithout(const std::vector<std::size_t>& failed) const {
@@ -96,8 +96,8 @@ bool FoundVolumes::areOfOnePatient(std::size_t a, std::size_t b) const {
     return volumes_.at(a).study->patient == volumes_.at(b).study->patient;
 }
 
-Result<FoundVolumes::Choice> FoundVolumes::ofSeries(const std::string& wanted,
-                                                    const std::filesystem::path& folder) const {
+Result<FoundVolumes::ChosenVolume> FoundVolumes::ofSeries(const std::string& wanted,
+                                                          const std::filesystem::path& folder) const {
     const auto all = dicom::findAllSeries(scan_, wanted);
     const bool isNumber = wanted.find('.') == std::string::npos;  // a UID has points
     const dicom::Series* series = all.size() == 1 ? all.front()
@@ -108,13 +108,13 @@ Result<FoundVolumes::Choice> FoundVolumes::ofSeries(const std::string& wanted,
                      all.empty() ? "The series that was asked for is not in this folder."
                                  : "Several studies of this folder have the series that was asked for.",
                      folder.string(), "Check its Series Instance UID or number, or choose another folder."};
-    const dicom::Choice choice = dicom::bestVolume(*series);
+    const dicom::ChosenStack choice = dicom::bestVolume(*series);
     const auto index = indexOf(choice.stack);
     if (!index) return notUsable(choice.why, folder);
-    return Choice{*index, choice.why};
+    return ChosenVolume{*index, choice.why};
 }
 
-Result<FoundVolumes::Choice> FoundVolumes::holding(const std::filesystem::path& file) const {
+Result<FoundVolumes::ChosenVolume> FoundVolumes::holding(const std::filesystem::path& file) const {
     for (const dicom::Study& study : scan_.studies) {
         for (const dicom::Series& series : study.series) {
             for (const dicom::Stack& stack : series.stacks) {
@@ -123,7 +123,7 @@ Result<FoundVolumes::Choice> FoundVolumes::holding(const std::filesystem::path& 
                                 [&](const dicom::Frame& f) { return sameFile(f.instance->file, file); });
                 if (!holds) continue;
                 const auto index = indexOf(&stack);
-                if (index) return Choice{*index, "The images of the file that was opened."};
+                if (index) return ChosenVolume{*index, "The images of the file that was opened."};
                 const Message* reason = stack.whyNoVolume();
                 return notUsable(reason != nullptr ? reason->sentence : "The images are no volume.", file);
             }
@@ -181,4 +181,4 @@ Identity identityOf(const dicom::Study& study) {
             .studyInstanceUid = study.studyInstanceUid};
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -11,7 +11,7 @@
 #include "dicom/scan.h"
 #include "study/open/identity.h"
 
-namespace macula::app {
+namespace macula::study {
 
 struct FoundVolume {
     const dicom::Study* study = nullptr;
@@ -37,21 +37,21 @@ class FoundVolumes {
     // One line each; with the patient and the date of the study where there are several.
     std::vector<std::string> titles() const;
 
-    struct Choice {
+    struct ChosenVolume {
         std::size_t index = 0;
         std::string why;  // a sentence, without patient data
     };
     // The best volume. inputNotUsable when there is none; the error's place is `folder`.
-    Result<Choice> best(const std::filesystem::path& folder) const;
+    Result<ChosenVolume> best(const std::filesystem::path& folder) const;
     // The best volume except `failed`, which is not empty; of the patient of its first where possible.
     // Nothing when none is left.
     std::optional<std::size_t> bestWithout(const std::vector<std::size_t>& failed) const;
     bool areOfOnePatient(std::size_t a, std::size_t b) const;  // indices
     // The best volume of the series with that UID, or of that number in the list of `macula info`;
     // inputNotUsable when there is none, or when several studies have one.
-    Result<Choice> ofSeries(const std::string& wanted, const std::filesystem::path& folder) const;
+    Result<ChosenVolume> ofSeries(const std::string& wanted, const std::filesystem::path& folder) const;
     // The volume that `file` belongs to, never another: the folder may hold other patients. inputNotUsable.
-    Result<Choice> holding(const std::filesystem::path& file) const;
+    Result<ChosenVolume> holding(const std::filesystem::path& file) const;
 
   private:
     std::optional<std::size_t> indexOf(const dicom::Stack* stack) const;
@@ -76,4 +76,4 @@ Identity identityOf(const FoundVolume& volume);
 // Without a series.
 Identity identityOf(const dicom::Study& study);
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -6,7 +6,7 @@
 
 #include "base/parsing.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::string titleOf(const Identity& identity) {
         " \u00b7 ");
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

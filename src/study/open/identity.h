@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace macula::app {
+namespace macula::study {
 
 // For the screen only: every field may name a patient, and none goes to a log, a file or an error. UTF-8; a
 // field is empty where the images lack it.
@@ -34,4 +34,4 @@ std::string nameForPeople(const std::string& personName);
 // "20200304" as "2020-03-04"; anything else as it is.
 std::string dateForPeople(const std::string& date);
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -2,7 +2,7 @@
 
 #include <set>
 
-namespace macula::app {
+namespace macula::study {
 
 std::vector<int> imageNumbersOf(const dicom::Stack& stack, int slices) {
     if (slices < 1 || stack.slices.size() != std::size_t(slices)) return {};
@@ -29,4 +29,4 @@ bool countAsSlices(std::span<const int> imageNumbers) {
     return true;
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -6,7 +6,7 @@
 
 #include "dicom/stack/stack.h"
 
-namespace macula::app {
+namespace macula::study {
 
 // The InstanceNumber (0020,0013) of each of the `slices` slices of a volume, in their order; 0 for an
 // interpolated slice. Empty when a number is missing or below 1, when two images share one (as frames of one
@@ -16,4 +16,4 @@ std::vector<int> imageNumbersOf(const dicom::Stack& stack, int slices);
 // Whether each number, but for 0, equals the place of its slice from 1, and so adds no information.
 bool countAsSlices(std::span<const int> imageNumbers);
 
-}  // namespace macula::app
+}  // namespace macula::study

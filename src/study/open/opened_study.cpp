@@ -15,14 +15,14 @@
 #include "base/quantised.h"
 #include "base/sha256.h"
 #include "dicom/loader.h"
+#include "dicom/messages/messages.h"
 #include "dicom/read/media_directory.h"
-#include "dicom/stack/messages.h"
 #include "formats/volume_file.h"
 #include "study/open/found_volumes.h"
 #include "study/open/image_numbers.h"
 #include "study/open/patient_choice.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -117,7 +117,7 @@ std::string notOpened(const FoundVolume& volume, const std::string& why) {
 // The best volume that can be decoded. What comes before it, and cannot, is told; where nothing can, the
 // error is that of the first.
 Result<OpenedStudy> loadBest(const std::shared_ptr<const FoundVolumes>& found,
-                             const FoundVolumes::Choice& best, Progress& progress) {
+                             const FoundVolumes::ChosenVolume& best, Progress& progress) {
     Result<OpenedStudy> first = loadFound(found, best.index, progress);
     if (first) first->whyThisSeries = best.why;
     if (first || first.error().code == ErrorCode::cancelled) return first;
@@ -147,7 +147,7 @@ Error hasNoSeries(const std::filesystem::path& path) {
             "Ask for none, or give a folder."};
 }
 
-Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, const OpenOptions& how) {
+Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, const OpenRequest& how) {
     // The path is made absolute, because a name without a folder has no parent.
     const std::filesystem::path path = std::filesystem::absolute(given).lexically_normal();
     std::error_code notThere;
@@ -172,9 +172,10 @@ Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progr
         if (auto question = whichPatient(*found, path)) return *std::move(question);
     }
     const bool isAsked = !how.series.empty() || isOneImage;  // that one, and no other in its place
-    MACULA_TRY(const FoundVolumes::Choice choice, !how.series.empty() ? found->ofSeries(how.series, path)
-                                                  : isOneImage        ? found->holding(path)
-                                                                      : found->best(path));
+    MACULA_TRY(const FoundVolumes::ChosenVolume choice, !how.series.empty()
+                                                            ? found->ofSeries(how.series, path)
+                                                        : isOneImage ? found->holding(path)
+                                                                     : found->best(path));
     if (!isAsked) return loadBest(found, choice, progress);
     MACULA_TRY(OpenedStudy study, loadFound(found, choice.index, progress));
     study.whyThisSeries = choice.why;
@@ -193,7 +194,7 @@ Result<OpenedStudy> withoutExceptions(const StudySource& source, Load load) {
 
 }  // namespace
 
-Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenOptions& how) {
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenRequest& how) {
     return withoutExceptions(source, [&]() -> Result<OpenedStudy> {
         if (source) return openPath(*source, progress, how);
         if (!how.series.empty()) return hasNoSeries({});
@@ -206,4 +207,4 @@ Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, s
     return withoutExceptions({}, [&] { return loadFound(std::move(found), index, progress); });
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

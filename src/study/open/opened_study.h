@@ -13,7 +13,7 @@
 #include "base/volume.h"
 #include "study/open/identity.h"
 
-namespace macula::app {
+namespace macula::study {
 
 class FoundVolumes;
 
@@ -22,7 +22,7 @@ struct OpenedStudy {
     std::shared_ptr<const Volume> volume;  // stored16, for drawing; null when joinQuestion is set
     // The same in float32, as loaded, where 16 bits cannot hold all of its values; else null.
     std::shared_ptr<const Volume> inFloats = {};
-    std::string seriesDigest = {};  // see StudyInput
+    std::string seriesDigest = {};  // see LoadedStudy
     Identity identity = {};
     std::string description = {};
     std::string whyThisSeries = {};          // empty for the phantom
@@ -35,7 +35,7 @@ struct OpenedStudy {
     bool isLowBright = false;              // low values are drawn white: MONOCHROME1, and PET by custom
     std::string joinQuestion = {};         // see dicom::ScanOptions
     std::string frameOfReferenceUid = {};  // PS3.3 C.7.4.1; empty: unknown
-    std::string stateAsLeft = {};          // ModelKeeper::stateOf; empty: no state was kept
+    std::string stateAsLeft = {};          // StudyKeeper::stateOf; empty: no state was kept
 
     // The volume for slices and measurements, with values that are not rounded to 16 bits.
     const std::shared_ptr<const Volume>& measured() const { return inFloats ? inFloats : volume; }
@@ -49,7 +49,7 @@ using StudySource = std::optional<std::filesystem::path>;
 // before the volume is decoded. Calls come from reading threads and that of openStudy, and never overlap.
 using FoundSoFar = std::function<void(std::shared_ptr<const FoundVolumes>)>;
 
-struct OpenOptions {
+struct OpenRequest {
     bool join = false;  // see dicom::ScanOptions
     FoundSoFar foundSoFar = {};
     // The series to open (FoundVolumes::ofSeries), also where `source` is an image. Empty: not given.
@@ -61,9 +61,9 @@ struct OpenOptions {
 
 // Scans, chooses a series and decodes it: of a folder the best one that can be decoded, and messages report
 // those that could not. Blocks; checks for cancellation after each file. Throws nothing.
-Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenOptions& how = {});
+Result<OpenedStudy> openStudy(const StudySource& source, Progress& progress, const OpenRequest& how = {});
 // Decodes another volume of the folder.
 Result<OpenedStudy> openFoundVolume(std::shared_ptr<const FoundVolumes> found, std::size_t index,
                                     Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::optional<Error> whichPatient(const FoundVolumes& found, const std::filesyst
         "number (series_uid)."};
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

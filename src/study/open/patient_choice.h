@@ -7,10 +7,10 @@
 #include "base/result.h"
 #include "study/open/found_volumes.h"
 
-namespace macula::app {
+namespace macula::study {
 
 // inputNotUsable with a list: the series of each patient, by their numbers in `macula info`, which
 // FoundVolumes::ofSeries takes. It numbers patients and names none. Nothing where all volumes are of one.
 std::optional<Error> whichPatient(const FoundVolumes& found, const std::filesystem::path& folder);
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -5,7 +5,7 @@
 #include "dicom/presentation/stand_in_uid.h"
 #include "dicom/read/sop_class.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -102,4 +102,4 @@ PresentedVolume presentedVolume(const dicom::OtherObject& object, int patient, c
     return {.index = most->first};
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

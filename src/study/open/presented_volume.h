@@ -7,7 +7,7 @@
 
 #include "study/open/found_volumes.h"
 
-namespace macula::app {
+namespace macula::study {
 
 struct PresentedVolume {
     std::optional<std::size_t> index = {};  // in FoundVolumes::volumes(); nothing: see whyNot
@@ -19,4 +19,4 @@ struct PresentedVolume {
 // (dicom::uidFrom), which fit one series only. `patient` is Study::patient of the study of the object.
 PresentedVolume presentedVolume(const dicom::OtherObject& object, int patient, const FoundVolumes& found);
 
-}  // namespace macula::app
+}  // namespace macula::study

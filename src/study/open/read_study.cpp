@@ -5,13 +5,13 @@
 #include "dicom/presentation/presentation_state.h"
 #include "formats/volume_file.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
 // The series that was asked for, or else the one that the presentation state is of; empty where neither says
 // which.
-Result<std::string> seriesWished(const StudyPlace& place, const dicom::Scan& scan) {
+Result<std::string> requestedSeries(const StudyPlace& place, const dicom::Scan& scan) {
     if (!place.series.empty() || place.presentation.empty()) return place.series;
     MACULA_TRY(const dicom::PresentationState read, dicom::readPresentationState(place.presentation));
     const std::string& uid = read.presentation.series.seriesInstanceUid;
@@ -33,10 +33,10 @@ Result<ReadStudy> readStudy(const StudyPlace& place, bool needsSegmentations, Pr
         return study;
     }
     MACULA_TRY(dicom::Scan scan, dicom::scanFolder(place.path, progress, place.how));
-    MACULA_TRY(study.series, seriesWished(place, scan));
+    MACULA_TRY(study.series, requestedSeries(place, scan));
     MACULA_TRY(study.input, loadStudy(scan, place.path, study.series, progress));
     if (needsSegmentations) study.found = std::make_shared<const FoundVolumes>(std::move(scan));
     return study;
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -9,9 +9,9 @@
 #include "base/result.h"
 #include "dicom/scan.h"
 #include "study/open/found_volumes.h"
-#include "study/open/study_input.h"
+#include "study/open/loaded_study.h"
 
-namespace macula::app {
+namespace macula::study {
 
 // The study to read. Empty fields: not given.
 struct StudyPlace {
@@ -25,7 +25,7 @@ struct StudyPlace {
 bool mayHoldSegmentations(const std::filesystem::path& path);
 
 struct ReadStudy {
-    StudyInput input;
+    LoadedStudy input;
     std::string series;                         // for chooseVolume; may be empty
     std::shared_ptr<const FoundVolumes> found;  // the folder; null unless segmentations are needed
     dicom::ScanOptions how;
@@ -34,4 +34,4 @@ struct ReadStudy {
 // Fails as loadStudy, and as readPresentationState.
 Result<ReadStudy> readStudy(const StudyPlace& place, bool needsSegmentations, Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -8,7 +8,7 @@
 #include "dicom/read/patient.h"
 #include "dicom/read/placeholder.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -93,4 +93,4 @@ Age ageOf(const Identity& study, const Identity& second) {
     return b < a ? Age::earlier : Age::later;
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -6,7 +6,7 @@
 
 #include "study/open/identity.h"
 
-namespace macula::app {
+namespace macula::study {
 
 // Compares the images' attributes. no: ID, name, date of birth or sex is in both and differs. yes: both are
 // of one study, or all four agree and there is an ID or a name, or both are of nobody. Else unknown, as for
@@ -23,4 +23,4 @@ Age ageOf(const Identity& study, const Identity& second);
 // The day of the study as YYYYMMDD; empty where the images name none.
 std::string studyDay(const Identity& identity);
 
-}  // namespace macula::app
+}  // namespace macula::study

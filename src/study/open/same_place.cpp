@@ -4,7 +4,7 @@
 #include "study/open/found_volumes.h"
 #include "study/open/same_patient.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -50,4 +50,4 @@ bool arePhases(const OpenedStudy& a, const OpenedStudy& b) {
            shareGrid(a, b);
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -3,7 +3,7 @@
 
 #include "study/open/opened_study.h"
 
-namespace macula::app {
+namespace macula::study {
 
 // Whether both name the same frame of reference and are not known to be of different patients. A copy with
 // another name of the patient keeps the UID.
@@ -19,4 +19,4 @@ bool staysInPlace(const OpenedStudy& from, const OpenedStudy& to);
 // Whether both are phases of one series, with one grid and unit, so that one window suits all of them.
 bool arePhases(const OpenedStudy& a, const OpenedStudy& b);
 
-}  // namespace macula::app
+}  // namespace macula::study

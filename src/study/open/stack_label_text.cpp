@@ -14,7 +14,7 @@
 #include "base/parsing.h"
 #include "dicom/read/date_time.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -164,4 +164,4 @@ std::string textOf(const dicom::StackLabel& label) {
     return text.replace(text.find("{}"), 2, value);
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

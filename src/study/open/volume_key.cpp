@@ -9,7 +9,7 @@
 
 #include "base/sha256.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::vector<std::string> volumeKeys(std::span<const FoundVolume> volumes) {
     return keys;
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

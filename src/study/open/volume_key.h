@@ -8,7 +8,7 @@
 
 #include "study/open/found_volumes.h"
 
-namespace macula::app {
+namespace macula::study {
 
 // For each: a digest of modality, frame of reference, orientation, and all attributes that split a series
 // (rules/split.json: times, phases, echoes, kernels) and that all images of the volume share. Of volumes of
@@ -16,4 +16,4 @@ namespace macula::app {
 // keeps the result.
 std::vector<std::string> volumeKeys(std::span<const FoundVolume> volumes);
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -11,7 +11,7 @@
 #include "base/sha256.h"
 #include "dicom/read/sop_class.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -104,4 +104,4 @@ Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& fou
     return errorOf(thrown, "read the segmentations");
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -9,7 +9,7 @@
 #include "dicom/segmentation/segmentation.h"
 #include "study/open/found_volumes.h"
 
-namespace macula::app {
+namespace macula::study {
 
 // Strings are for the screen; they may name a patient.
 struct FoundSegmentation {
@@ -29,4 +29,4 @@ struct FoundSegmentation {
 Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& found, const FoundVolume& volume,
                                                          Progress& progress);
 
-}  // namespace macula::app
+}  // namespace macula::study

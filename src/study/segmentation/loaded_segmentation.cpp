@@ -6,10 +6,10 @@
 #include <array>
 #include <utility>
 
+#include "dicom/messages/messages.h"
 #include "dicom/segmentation/segment_voxels.h"
-#include "dicom/stack/messages.h"
 
-namespace macula::app {
+namespace macula::study {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::array<std::uint8_t, 3> usualRgb(const Segment& segment) {
     return kColours.at((std::size_t(segment.number) + kColours.size() - 1) % kColours.size());
 }
 
-}  // namespace macula::app
+}  // namespace macula::study

@@ -13,7 +13,7 @@
 #include "base/voxel_set.h"
 #include "study/segmentation/found_segmentation.h"
 
-namespace macula::app {
+namespace macula::study {
 
 struct LoadedSegment {
     Segment segment;
@@ -44,4 +44,4 @@ Result<std::shared_ptr<const LoadedSegmentation>> loadSegments(const FoundSegmen
 // sRGB: the colour that the file recommends, else by number one of seven of Okabe and Ito.
 std::array<std::uint8_t, 3> usualRgb(const Segment& segment);
 
-}  // namespace macula::app
+}  // namespace macula::study

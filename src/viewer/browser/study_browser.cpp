@@ -17,17 +17,17 @@ namespace {
 
 constexpr int kIndentPx = 14;  // for each level: pictures need the room
 
-QImage asImage(const app::Thumbnail& thumbnail) {
+QImage asImage(const study::Thumbnail& thumbnail) {
     const QImage borrowed(thumbnail.grey.data(), thumbnail.widthPx, thumbnail.heightPx, thumbnail.widthPx,
                           QImage::Format_Grayscale8);
     return borrowed.copy();
 }
 
 // A series of presentation states too: they are all that can be opened there.
-bool startsExpanded(const app::StudyTree& tree, const app::StudyRow& row) {
-    if (row.kind == app::StudyRow::Kind::patient || row.kind == app::StudyRow::Kind::study) return true;
-    return row.kind == app::StudyRow::Kind::series && row.picture == nullptr && !row.children.empty() &&
-           tree.rows[row.children.front()].kind == app::StudyRow::Kind::presentation;
+bool startsExpanded(const study::StudyTree& tree, const study::StudyRow& row) {
+    if (row.kind == study::StudyRow::Kind::patient || row.kind == study::StudyRow::Kind::study) return true;
+    return row.kind == study::StudyRow::Kind::series && row.picture == nullptr && !row.children.empty() &&
+           tree.rows[row.children.front()].kind == study::StudyRow::Kind::presentation;
 }
 
 }  // namespace
@@ -41,7 +41,7 @@ StudyBrowser::StudyBrowser(QWidget* parent)
       elsewhere_(new QLabel(tr("Nothing of this folder is open."))),
       model_(new StudyTreeModel(this)),
       pictures_(this, {.progressed = [](const ProgressUpdate&) {},
-                       .ended = [this](const Result<app::Thumbnail>& made) { takePicture(made); }}) {
+                       .ended = [this](const Result<study::Thumbnail>& made) { takePicture(made); }}) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(search_);
@@ -102,7 +102,7 @@ void StudyBrowser::makeTree() {
     beside->setObjectName(QStringLiteral("open-beside-row"));
     beside->setToolTip(tr("Show this volume beside the study that is open"));
     connect(beside, &QAction::triggered, this, [this] {
-        if (const auto other = selectedOther()) emit besideAsked(*other);
+        if (const auto other = selectedOther()) emit secondAsked(*other);
     });
     tree_->addAction(beside);
     tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -116,7 +116,8 @@ std::optional<std::size_t> StudyBrowser::selectedOther() const {
     return volume && volume != model_->open() ? volume : std::nullopt;
 }
 
-void StudyBrowser::setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open) {
+void StudyBrowser::setFound(std::shared_ptr<const study::FoundVolumes> found,
+                            std::optional<std::size_t> open) {
     if (found == found_) return setShown(open);
     pictures_.cancel();
     making_ = nullptr;
@@ -125,12 +126,12 @@ void StudyBrowser::setFound(std::shared_ptr<const app::FoundVolumes> found, std:
     found_ = std::move(found);
     if (!goesOn) endSearch();
     model_->setTree(makeRows());
-    model_->setRowsShown(app::rowsThatMatch(model_->tree(), search_->text().toStdString()));
+    model_->setRowsShown(study::rowsThatMatch(model_->tree(), search_->text().toStdString()));
     expanded_.clear();
-    for (const app::StudyRow& row : model_->tree().rows)
+    for (const study::StudyRow& row : model_->tree().rows)
         expanded_.push_back(startsExpanded(model_->tree(), row));
     model_->setOpen(open);
-    layOut(app::kNoRow);
+    layOut(study::kNoRow);
     revealOpen();
     // A row that is lit is taken for that of what is on screen, which is of another folder.
     if (!open) tree_->selectionModel()->clearSelection();
@@ -152,7 +153,7 @@ void StudyBrowser::showNames(bool shown) {
     const std::size_t current = currentRow();
     if (!shown) endSearch();  // what was typed may be a name
     model_->setTexts(makeRows());
-    model_->setRowsShown(app::rowsThatMatch(model_->tree(), search_->text().toStdString()));
+    model_->setRowsShown(study::rowsThatMatch(model_->tree(), search_->text().toStdString()));
     layOut(current);
     tellWhatIsMissing();
 }
@@ -173,16 +174,16 @@ void StudyBrowser::endSearch() {
     words_.clear();
 }
 
-app::StudyTree StudyBrowser::makeRows() const {
+study::StudyTree StudyBrowser::makeRows() const {
     if (!found_) return {};
-    return app::studyTree(*found_, namesShown_ ? app::Names::shown : app::Names::hidden);
+    return study::studyTree(*found_, namesShown_ ? study::Names::shown : study::Names::hidden);
 }
 
 void StudyBrowser::search() {
     const std::string typed = search_->text().toStdString();
     const std::size_t current = currentRow();
-    words_ = app::searchWords(typed);
-    model_->setRowsShown(app::rowsThatMatch(model_->tree(), typed));
+    words_ = study::searchWords(typed);
+    model_->setRowsShown(study::rowsThatMatch(model_->tree(), typed));
     layOut(current);
     tellWhatIsMissing();
 }
@@ -200,9 +201,9 @@ void StudyBrowser::layOut(std::size_t current) {
 
 bool StudyBrowser::isExpanded(std::size_t row) const {
     if (words_.empty()) return expanded_[row];
-    const app::StudyRow& shown = model_->tree().rows[row];
+    const study::StudyRow& shown = model_->tree().rows[row];
     // Rows that were found themselves need not be told by what is below them.
-    return startsExpanded(model_->tree(), shown) || !app::holdsAll(shown.searched, words_);
+    return startsExpanded(model_->tree(), shown) || !study::holdsAll(shown.searched, words_);
 }
 
 void StudyBrowser::rememberExpanded(const QModelIndex& index, bool isExpanded) {
@@ -211,10 +212,10 @@ void StudyBrowser::rememberExpanded(const QModelIndex& index, bool isExpanded) {
 
 // Selects the volume that is open, and expands what it is in.
 void StudyBrowser::revealOpen() {
-    const std::vector<app::StudyRow>& rows = model_->tree().rows;
+    const std::vector<study::StudyRow>& rows = model_->tree().rows;
     for (std::size_t row = 0; row < rows.size(); ++row) {
         if (!rows[row].volume || rows[row].volume != model_->open() || !model_->isShown(row)) continue;
-        for (std::size_t above = rows[row].parent; above != app::kNoRow; above = rows[above].parent)
+        for (std::size_t above = rows[row].parent; above != study::kNoRow; above = rows[above].parent)
             tree_->expand(model_->indexOf(above));
         tree_->setCurrentIndex(model_->indexOf(row));
         tree_->scrollTo(model_->indexOf(row));
@@ -224,32 +225,32 @@ void StudyBrowser::revealOpen() {
 
 std::size_t StudyBrowser::currentRow() const {
     const QModelIndex index = tree_->currentIndex();
-    return index.isValid() ? StudyTreeModel::rowOf(index) : app::kNoRow;
+    return index.isValid() ? StudyTreeModel::rowOf(index) : study::kNoRow;
 }
 
 // Of the rows that are shown: what was wanted, else the volume that is open, else the first that can be
 // opened and is not folded away, else the first.
 std::size_t StudyBrowser::rowToSelect(std::size_t wanted) const {
-    const std::vector<app::StudyRow>& rows = model_->tree().rows;
+    const std::vector<study::StudyRow>& rows = model_->tree().rows;
     if (wanted < rows.size() && model_->isShown(wanted)) return wanted;
-    std::size_t openable = app::kNoRow;
-    std::size_t first = app::kNoRow;
+    std::size_t openable = study::kNoRow;
+    std::size_t first = study::kNoRow;
     for (std::size_t row = 0; row < rows.size(); ++row) {
         if (!model_->isShown(row)) continue;
-        if (first == app::kNoRow) first = row;
+        if (first == study::kNoRow) first = row;
         if (!rows[row].volume) continue;
         if (rows[row].volume == model_->open()) return row;
-        if (openable == app::kNoRow && isExpanded(rows[row].parent)) openable = row;
+        if (openable == study::kNoRow && isExpanded(rows[row].parent)) openable = row;
     }
-    return openable != app::kNoRow ? openable : first;
+    return openable != study::kNoRow ? openable : first;
 }
 
 void StudyBrowser::openRow(const QModelIndex& index) {
     if (!index.isValid()) return;
-    const app::StudyRow& row = model_->tree().rows[StudyTreeModel::rowOf(index)];
+    const study::StudyRow& row = model_->tree().rows[StudyTreeModel::rowOf(index)];
     // Copies: who hears of it may give the browser another folder.
     if (const auto presentation = row.presentation) return emit presentationChosen(*presentation);
-    if (row.kind == app::StudyRow::Kind::presentation)
+    if (row.kind == study::StudyRow::Kind::presentation)
         return emit presentationRefused(std::string(row.whyNot));
     if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));
     if (row.volume != model_->open()) emit chosen(*row.volume);
@@ -303,13 +304,13 @@ void StudyBrowser::makeNextPicture() {
         if (stack == nullptr || model_->isAsked(stack)) continue;
         making_ = stack;
         pictures_.start([found = found_, stack](const Progress& progress) {
-            return app::thumbnailOf(*stack, progress.token());
+            return study::thumbnailOf(*stack, progress.token());
         });
         return;
     }
 }
 
-void StudyBrowser::takePicture(const Result<app::Thumbnail>& made) {
+void StudyBrowser::takePicture(const Result<study::Thumbnail>& made) {
     const dicom::Stack* stack = std::exchange(making_, nullptr);
     // A series without a picture is told apart by its texts: it is no error that anybody must hear of.
     model_->setPicture(stack, made.ok() ? asImage(*made) : QImage());

@@ -34,8 +34,8 @@ class StudyBrowser : public QWidget {
     // Null: no folder. `open` is an index into FoundVolumes::volumes(); without it no row is selected until a
     // person selects one, and the browser says that the open volume is not in the folder. The search is
     // cleared, unless the new list continues a folder that is still being read (FoundVolumes::isWhole).
-    void setFound(std::shared_ptr<const app::FoundVolumes> found, std::optional<std::size_t> open);
-    const std::shared_ptr<const app::FoundVolumes>& found() const { return found_; }
+    void setFound(std::shared_ptr<const study::FoundVolumes> found, std::optional<std::size_t> open);
+    const std::shared_ptr<const study::FoundVolumes>& found() const { return found_; }
     void setShown(std::optional<std::size_t> open);
     // Hidden names remove all file text that may name a patient. Thumbnails stay, with any text burnt into
     // the images.
@@ -47,10 +47,10 @@ class StudyBrowser : public QWidget {
 
   signals:
     void chosen(std::size_t index);       // a volume other than the open one
-    void besideAsked(std::size_t index);  // the same, to show beside the open one
+    void secondAsked(std::size_t index);  // the same, to show beside the open one
     // A person chose the presentation state of that row; its volume may not be open.
-    void presentationChosen(const macula::app::StudyRow::Presentation& presentation);
-    // The chosen presentation state cannot be shown; the sentence is app::StudyRow::whyNot.
+    void presentationChosen(const macula::study::StudyRow::Presentation& presentation);
+    // The chosen presentation state cannot be shown; the sentence is study::StudyRow::whyNot.
     void presentationRefused(const std::string& whyNot);
 
   protected:
@@ -60,7 +60,7 @@ class StudyBrowser : public QWidget {
     void makeSearch();
     void makeTree();
     bool onSearchKey(int key);
-    app::StudyTree makeRows() const;
+    study::StudyTree makeRows() const;
     void search();
     void endSearch();
     void layOut(std::size_t current);
@@ -72,7 +72,7 @@ class StudyBrowser : public QWidget {
     void openRow(const QModelIndex& index);
     void tellWhatIsMissing();
     void makeNextPicture();
-    void takePicture(const Result<app::Thumbnail>& made);
+    void takePicture(const Result<study::Thumbnail>& made);
 
     QLineEdit* search_;
     QTreeView* tree_;
@@ -81,7 +81,7 @@ class StudyBrowser : public QWidget {
     QLabel* elsewhere_;  // the open volume is in another folder
     StudyTreeModel* model_;
 
-    std::shared_ptr<const app::FoundVolumes> found_;
+    std::shared_ptr<const study::FoundVolumes> found_;
     bool namesShown_ = true;
     std::vector<std::string> words_;  // of the search
     std::vector<bool> expanded_;      // of each row, without a search
@@ -89,7 +89,7 @@ class StudyBrowser : public QWidget {
 
     QTimer picturesAreDue_;
     const dicom::Stack* making_ = nullptr;
-    BackgroundJob<app::Thumbnail> pictures_;
+    BackgroundJob<study::Thumbnail> pictures_;
 };
 
 }  // namespace macula::viewer

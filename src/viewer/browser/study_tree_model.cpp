@@ -18,7 +18,7 @@ QString shownText(const std::string& text) {
 
 // Names and descriptions are not looked up: a word of them may be one of ours, and none of them is
 // remembered.
-QString titleText(const app::StudyRow& row) {
+QString titleText(const study::StudyRow& row) {
     const std::string own = row.title.substr(0, row.title.size() - row.titleOfFile.size());
     const QString ours = own.empty() ? QString() : inWindowsLanguage(shownText(own));
     return ours + shownText(row.titleOfFile);
@@ -28,14 +28,14 @@ QString titleText(const app::StudyRow& row) {
 
 StudyTreeModel::StudyTreeModel(QObject* parent) : QAbstractItemModel(parent) {}
 
-void StudyTreeModel::setTree(app::StudyTree tree) {
+void StudyTreeModel::setTree(study::StudyTree tree) {
     open_.reset();
     stored_.clear();
     pictures_.clear();
     setTexts(std::move(tree));
 }
 
-void StudyTreeModel::setTexts(app::StudyTree tree) {
+void StudyTreeModel::setTexts(study::StudyTree tree) {
     beginResetModel();
     tree_ = std::move(tree);
     shown_.assign(tree_.rows.size(), true);
@@ -130,7 +130,7 @@ bool StudyTreeModel::isStored(std::size_t row) const {
 
 QStringList StudyTreeModel::details(std::size_t row) const {
     QStringList lines;
-    const app::StudyRow& shown = tree_.rows[row];
+    const study::StudyRow& shown = tree_.rows[row];
     for (std::size_t line = 0; line < shown.details.size(); ++line) {
         const QString text = shownText(shown.details[line]);
         lines << (line == shown.detailOfFile ? text : listInWindowsLanguage(text.toStdString(), kBetween));
@@ -142,7 +142,7 @@ QStringList StudyTreeModel::details(std::size_t row) const {
 
 // Escaped, since Qt takes text that looks like HTML for HTML, and files may hold any.
 QString StudyTreeModel::toolTip(std::size_t row) const {
-    const app::StudyRow& shown = tree_.rows[row];
+    const study::StudyRow& shown = tree_.rows[row];
     QStringList lines{titleText(shown)};
     lines += details(row);
     for (const std::string& message : shown.messages) lines << inWindowsLanguage(shownText(message));
@@ -158,7 +158,7 @@ QString StudyTreeModel::toolTip(std::size_t row) const {
 }
 
 QString StudyTreeModel::spoken(std::size_t row) const {
-    const app::StudyRow& shown = tree_.rows[row];
+    const study::StudyRow& shown = tree_.rows[row];
     QStringList parts{titleText(shown)};
     parts += details(row);
     if (!shown.whyNot.empty())
@@ -169,7 +169,7 @@ QString StudyTreeModel::spoken(std::size_t row) const {
 QVariant StudyTreeModel::data(const QModelIndex& index, int role) const {
     if (!index.isValid()) return {};
     const std::size_t row = rowOf(index);
-    const app::StudyRow& shown = tree_.rows[row];
+    const study::StudyRow& shown = tree_.rows[row];
     switch (role) {
         case Qt::DisplayRole:
             return titleText(shown);

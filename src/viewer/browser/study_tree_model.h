@@ -29,10 +29,10 @@ class StudyTreeModel : public QAbstractItemModel {
     explicit StudyTreeModel(QObject* parent = nullptr);
 
     // Shows all rows, and clears open, stored and thumbnails.
-    void setTree(app::StudyTree tree);
+    void setTree(study::StudyTree tree);
     // Replaces the texts of the same folder; open, stored and thumbnails stay.
-    void setTexts(app::StudyTree tree);
-    const app::StudyTree& tree() const { return tree_; }
+    void setTexts(study::StudyTree tree);
+    const study::StudyTree& tree() const { return tree_; }
     void setRowsShown(std::vector<bool> shown);  // one for each row
     bool isShown(std::size_t row) const { return shown_[row]; }
 
@@ -63,7 +63,7 @@ class StudyTreeModel : public QAbstractItemModel {
     template <class Which>
     void tellChanged(Which which);
 
-    app::StudyTree tree_;
+    study::StudyTree tree_;
     std::vector<bool> shown_;
     std::vector<std::size_t> top_;                    // of the rows shown, as the two below
     std::vector<std::vector<std::size_t>> children_;  // of each row

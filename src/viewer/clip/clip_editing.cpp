@@ -23,7 +23,7 @@ Error noStudy() {
 
 }  // namespace
 
-ClipEditing::ClipEditing(ViewerSession& session, QObject* parent) : QObject(parent), session_(session) {
+ClipEditing::ClipEditing(StudyEditor& session, QObject* parent) : QObject(parent), session_(session) {
     wheelEnds_.setSingleShot(true);
     wheelEnds_.setInterval(kWheelPauseMs);
     // By then, another hand may be at something else.
@@ -44,94 +44,94 @@ void ClipEditing::setHandlesAskedFor(bool asked) {
     if (std::exchange(areAskedFor_, asked) != asked) emit changed();
 }
 
-void ClipEditing::drag(const app::ClipHandle& handle, const glm::dvec3& mm) {
+void ClipEditing::drag(const scene::ClipHandle& handle, const glm::dvec3& mm) {
     if (!session_.hasStudy()) return;
-    const auto moved = app::withHandleAt(state().clip, state().cuts, handle, mm, volume());
+    const auto moved = scene::withHandleAt(state().clip, state().cuts, handle, mm, volume());
     if (!moved) return;
-    session_.drag(tr("Clip"), [&](app::StudyState& next) {
+    session_.drag(tr("Clip"), [&](scene::StudyState& next) {
         next.clip = moved->clip;
         next.cuts = moved->cuts;
     });
 }
 
-Result<app::EyeCut> ClipEditing::newEyeCut() const {
+Result<scene::EyeCut> ClipEditing::newEyeCut() const {
     if (!session_.hasStudy()) return noStudy();
-    if (!app::hasRoomForEyeCut(state().clip))
+    if (!scene::hasRoomForEyeCut(state().clip))
         return Error{ErrorCode::usage,
                      tr("The clip has six planes and no more.").toStdString(),
                      {},
                      tr("Remove one of them first, or begin without a clip.").toStdString()};
-    return app::eyeCut(camera_, 0.0, true, volume());
+    return scene::eyeCut(camera_, 0.0, true, volume());
 }
 
 Result<void> ClipEditing::setEyeCut(bool cuts) {
-    std::optional<app::EyeCut> cut;
+    std::optional<scene::EyeCut> cut;
     if (cuts) {
         MACULA_TRY(cut, newEyeCut());
         if (const auto& crosshair = state().slices.crosshairMm)
-            cut = app::through(*cut, *crosshair, volume());
+            cut = scene::through(*cut, *crosshair, volume());
     }
-    session_.change(tr("Cut from the eye"), [&](app::StudyState& next) { next.cuts.eye = cut; });
+    session_.change(tr("Cut from the eye"), [&](scene::StudyState& next) { next.cuts.eye = cut; });
     return {};
 }
 
 void ClipEditing::setFollowsCamera(bool follows) {
     if (!state().cuts.eye) return;
     session_.change(tr("Cut from the eye"),
-                    [&](app::StudyState& next) { next.cuts.eye->followsCamera = follows; });
+                    [&](scene::StudyState& next) { next.cuts.eye->followsCamera = follows; });
     if (follows) setCamera(camera_);
 }
 
 void ClipEditing::dragEyeCut(double fromMiddleMm) {
     if (state().cuts.eye && session_.hasStudy())
-        putEyeCut(app::at(*state().cuts.eye, fromMiddleMm, volume()));
+        putEyeCut(scene::at(*state().cuts.eye, fromMiddleMm, volume()));
 }
 
 Result<void> ClipEditing::stepEyeCut(double steps) {
-    std::optional<app::EyeCut> cut = state().cuts.eye;
+    std::optional<scene::EyeCut> cut = state().cuts.eye;
     const bool isNew = !cut;
     if (isNew) {
         MACULA_TRY(cut, newEyeCut());
     }
     if (!session_.hasStudy()) return noStudy();
-    const ValueRange range = app::eyeCutRangeMm(cut->plane.normal, volume());
+    const ValueRange range = scene::eyeCutRangeMm(cut->plane.normal, volume());
     const double fromMm = isNew ? range.low : std::clamp(cut->fromMiddleMm, range.low, range.high);
     const double toMm = fromMm + steps * (range.high - range.low) / kStepsThrough;
-    putEyeCut(app::at(*cut, std::clamp(toMm, range.low, range.high), volume()));
+    putEyeCut(scene::at(*cut, std::clamp(toMm, range.low, range.high), volume()));
     wheelEnds_.start();
     return {};
 }
 
-void ClipEditing::putEyeCut(const app::EyeCut& cut) {
-    session_.drag(tr("Depth of the cut"), [&](app::StudyState& next) { next.cuts.eye = cut; });
+void ClipEditing::putEyeCut(const scene::EyeCut& cut) {
+    session_.drag(tr("Depth of the cut"), [&](scene::StudyState& next) { next.cuts.eye = cut; });
 }
 
 void ClipEditing::setCamera(const Camera& camera) {
     camera_ = camera;
     const auto& eye = state().cuts.eye;
     if (!eye || !eye->followsCamera || !session_.hasStudy()) return;
-    const auto cut = app::eyeCut(camera_, eye->fromMiddleMm, true, volume());
+    const auto cut = scene::eyeCut(camera_, eye->fromMiddleMm, true, volume());
     if (!cut || cut->plane.normal == eye->plane.normal) return;
-    session_.follow([&](app::StudyState& next) { next.cuts.eye = *cut; });
+    session_.follow([&](scene::StudyState& next) { next.cuts.eye = *cut; });
 }
 
-Result<void> ClipEditing::addScissorCut(app::ScissorCut cut) {
+Result<void> ClipEditing::addScissorCut(scene::ScissorCut cut) {
     if (!session_.hasStudy()) return noStudy();
-    MACULA_TRY_VOID(app::validate(cut));
-    if (state().cuts.scissors.size() >= app::kMostScissorCuts)
+    MACULA_TRY_VOID(scene::validate(cut));
+    if (state().cuts.scissors.size() >= scene::kMostScissorCuts)
         return Error{ErrorCode::usage,
                      tr("There are %1 cuts with the scissors, and no more are possible.")
-                         .arg(app::kMostScissorCuts)
+                         .arg(scene::kMostScissorCuts)
                          .toStdString(),
                      {},
                      tr("Undo one of them first.").toStdString()};
     session_.change(tr("Scissors"),
-                    [&](app::StudyState& next) { next.cuts.scissors.push_back(std::move(cut)); });
+                    [&](scene::StudyState& next) { next.cuts.scissors.push_back(std::move(cut)); });
     return {};
 }
 
 void ClipEditing::removeScissorCuts() {
-    session_.change(tr("Remove cuts"), [](app::StudyState& next) { next.cuts.scissors.clear(); });
+    session_.change(tr("Remove cuts"), [](scene::StudyState& next) { next.cuts.scissors.clear(); });
 }
 
 }  // namespace macula::viewer

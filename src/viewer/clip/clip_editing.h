@@ -7,7 +7,7 @@
 #include "base/camera.h"
 #include "base/result.h"
 #include "scene/clip/clip_handles.h"
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 
 namespace macula::viewer {
 
@@ -17,7 +17,7 @@ class ClipEditing : public QObject {
     Q_OBJECT
 
   public:
-    explicit ClipEditing(ViewerSession& session, QObject* parent = nullptr);
+    explicit ClipEditing(StudyEditor& session, QObject* parent = nullptr);
 
     bool showsOnSlices() const { return showsOnSlices_; }
     void setShowsOnSlices(bool shows);
@@ -26,7 +26,7 @@ class ClipEditing : public QObject {
     void setHandlesAskedFor(bool asked);
 
     // Moves a handle to `mm` (patient LPS); a refused move does nothing. One undo step until endDrag.
-    void drag(const app::ClipHandle& handle, const glm::dvec3& mm);
+    void drag(const scene::ClipHandle& handle, const glm::dvec3& mm);
 
     // Cuts across the line of sight through the cross-hair, or removes that cut. usage without a study, or
     // when the clip has no plane left.
@@ -38,20 +38,20 @@ class ClipEditing : public QObject {
     // Call when the camera has come to rest: a cut that follows it turns with it.
     void setCamera(const Camera& camera);
 
-    // Fails as app::validate does, and with usage without a study or at kMostScissorCuts.
-    Result<void> addScissorCut(app::ScissorCut cut);
+    // Fails as scene::validate does, and with usage without a study or at kMostScissorCuts.
+    Result<void> addScissorCut(scene::ScissorCut cut);
     void removeScissorCuts();
 
   signals:
     void changed();  // what the pictures show of the clip
 
   private:
-    Result<app::EyeCut> newEyeCut() const;
-    void putEyeCut(const app::EyeCut& cut);
+    Result<scene::EyeCut> newEyeCut() const;
+    void putEyeCut(const scene::EyeCut& cut);
     const Volume& volume() const { return *session_.study().volume; }
-    const app::StudyState& state() const { return session_.state(); }
+    const scene::StudyState& state() const { return session_.state(); }
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     Camera camera_;
     bool showsOnSlices_ = true;
     bool isPanelOpen_ = false;

@@ -12,23 +12,23 @@ namespace macula::viewer {
 
 namespace {
 
-using Kind = app::ClipHandle::Kind;
+using Kind = scene::ClipHandle::Kind;
 
 constexpr double kHitPx = 10.0;  // logical
 constexpr int kDotsOfEdge = 5;   // without its ends
 constexpr int kDotsOfBall = 40;
 constexpr double kTowardsEye = 0.995;  // the cosine of an angle: who looks along a line cannot drag along it
 
-void addDot(std::vector<ToolMark>& marks, const app::PictureRays& rays, const glm::dvec3& mm) {
+void addDot(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const glm::dvec3& mm) {
     if (const auto place = rays.placeOf(mm)) marks.push_back({.kind = MarkKind::dot, .place = *place});
 }
 
-void addEdge(std::vector<ToolMark>& marks, const app::PictureRays& rays, const glm::dvec3& a,
+void addEdge(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const glm::dvec3& a,
              const glm::dvec3& b) {
     for (int i = 0; i <= kDotsOfEdge; ++i) addDot(marks, rays, a + double(i) / (kDotsOfEdge + 1) * (b - a));
 }
 
-void addBox(std::vector<ToolMark>& marks, const app::PictureRays& rays, const Box& box) {
+void addBox(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const Box& box) {
     const std::array<glm::dvec3, 8> corners = cornersOf(box);
     for (std::size_t a = 0; a < corners.size(); ++a) {
         for (std::size_t b = a + 1; b < corners.size(); ++b) {
@@ -41,18 +41,18 @@ void addBox(std::vector<ToolMark>& marks, const app::PictureRays& rays, const Bo
 }
 
 // Where a plane meets the box.
-void addPlane(std::vector<ToolMark>& marks, const app::PictureRays& rays, const HalfSpace& plane,
+void addPlane(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const HalfSpace& plane,
               const Box& box) {
     const glm::dvec3 n = plane.normal;
     const glm::dvec3 other = std::abs(n.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 right = glm::normalize(glm::cross(other, n));
     const std::vector<glm::dvec3> outline =
-        app::outlineMm(box, {.centreMm = plane.offsetMm * n, .right = right, .down = glm::cross(n, right)});
+        scene::outlineMm(box, {.centreMm = plane.offsetMm * n, .right = right, .down = glm::cross(n, right)});
     for (std::size_t i = 0; i < outline.size(); ++i)
         addEdge(marks, rays, outline[i], outline[(i + 1) % outline.size()]);
 }
 
-void addBall(std::vector<ToolMark>& marks, const app::PictureRays& rays, const Ball& ball) {
+void addBall(std::vector<ToolMark>& marks, const scene::PictureRays& rays, const Ball& ball) {
     for (int i = 0; i < kDotsOfBall; ++i) {
         const double turn = 2.0 * std::numbers::pi * i / kDotsOfBall;
         addDot(marks, rays,
@@ -61,36 +61,36 @@ void addBall(std::vector<ToolMark>& marks, const app::PictureRays& rays, const B
     }
 }
 
-bool movesAnywhere(const app::PlacedHandle& handle) {
+bool movesAnywhere(const scene::PlacedHandle& handle) {
     return handle.along == glm::dvec3(0.0);
 }
 
 }  // namespace
 
-std::vector<app::PlacedHandle> ClipHandlesTool::handles(const app::PictureRays& rays) const {
-    const app::StudyState& state = session_.state();
+std::vector<scene::PlacedHandle> ClipHandlesTool::handles(const scene::PictureRays& rays) const {
+    const scene::StudyState& state = session_.state();
     const Volume& volume = *session_.study().volume;
-    std::vector<app::PlacedHandle> all = app::handlesOf(state.clip, state.cuts, volume);
+    std::vector<scene::PlacedHandle> all = scene::handlesOf(state.clip, state.cuts, volume);
     glm::dvec3 ballCentre(0.0);
-    for (app::PlacedHandle& handle : all) {
+    for (scene::PlacedHandle& handle : all) {
         if (handle.handle.kind == Kind::ballCentre) ballCentre = handle.atMm;
         if (handle.handle.kind != Kind::ballRadius) continue;
         const double radiusMm = glm::length(handle.atMm - ballCentre);
         handle.along = rays.axes().right;
         handle.atMm = ballCentre + radiusMm * handle.along;
     }
-    std::erase_if(all, [&](const app::PlacedHandle& handle) {
+    std::erase_if(all, [&](const scene::PlacedHandle& handle) {
         return std::abs(glm::dot(handle.along, rays.axes().forward)) > kTowardsEye;
     });
     return all;
 }
 
-std::optional<app::PlacedHandle> ClipHandlesTool::handleAt(const PicturePlace& place) const {
-    const auto rays = app::PictureRays::of(place.picture.camera, place.picture.aspect);
+std::optional<scene::PlacedHandle> ClipHandlesTool::handleAt(const PicturePlace& place) const {
+    const auto rays = scene::PictureRays::of(place.picture.camera, place.picture.aspect);
     if (!isUsable() || !rays) return std::nullopt;
-    std::optional<app::PlacedHandle> nearest;
+    std::optional<scene::PlacedHandle> nearest;
     double least = kHitPx;
-    for (const app::PlacedHandle& handle : handles(*rays)) {
+    for (const scene::PlacedHandle& handle : handles(*rays)) {
         const auto at = rays->placeOf(handle.atMm);
         if (!at) continue;
         const double away = glm::length(0.5 * (*at - place.at) * place.picture.sizePx);
@@ -102,14 +102,14 @@ std::optional<app::PlacedHandle> ClipHandlesTool::handleAt(const PicturePlace& p
 }
 
 // On the line of the handle, or across the line of sight through it.
-std::optional<glm::dvec3> ClipHandlesTool::draggedTo(const app::PlacedHandle& handle,
+std::optional<glm::dvec3> ClipHandlesTool::draggedTo(const scene::PlacedHandle& handle,
                                                      const PicturePlace& place) const {
-    const auto rays = app::PictureRays::of(place.picture.camera, place.picture.aspect);
+    const auto rays = scene::PictureRays::of(place.picture.camera, place.picture.aspect);
     if (!rays) return std::nullopt;
-    const app::PictureRay ray = rays->through(place.at);
+    const scene::PictureRay ray = rays->through(place.at);
     if (movesAnywhere(handle) || handle.handle.kind == Kind::ballRadius)
-        return app::meets(ray, handle.atMm, rays->axes().forward);
-    const auto by = app::nearestOnLine(ray, handle.atMm, handle.along);
+        return scene::meets(ray, handle.atMm, rays->axes().forward);
+    const auto by = scene::nearestOnLine(ray, handle.atMm, handle.along);
     if (!by) return std::nullopt;
     return handle.atMm + *by * handle.along;
 }
@@ -148,7 +148,7 @@ std::optional<Qt::CursorShape> ClipHandlesTool::point(const PicturePlace& place)
     if (std::exchange(pointed_, pointed) != pointed) emit editing_.changed();
     if (!handle) return std::nullopt;
     if (movesAnywhere(*handle)) return Qt::SizeAllCursor;
-    const auto rays = app::PictureRays::of(place.picture.camera, place.picture.aspect);
+    const auto rays = scene::PictureRays::of(place.picture.camera, place.picture.aspect);
     if (!rays) return std::nullopt;
     return cursorAlong(
         {glm::dot(handle->along, rays->axes().right), -glm::dot(handle->along, rays->axes().up)});
@@ -161,11 +161,11 @@ bool ClipHandlesTool::turnWheel(double notches, const PictureGeometry& picture) 
 }
 
 std::vector<ToolMark> ClipHandlesTool::marks(const PictureGeometry& picture) const {
-    const auto rays = app::PictureRays::of(picture.camera, picture.aspect);
+    const auto rays = scene::PictureRays::of(picture.camera, picture.aspect);
     if (!isUsable() || !rays) return {};
     std::vector<ToolMark> marks;
     addLines(marks, *rays);
-    for (const app::PlacedHandle& handle : handles(*rays)) {
+    for (const scene::PlacedHandle& handle : handles(*rays)) {
         const auto place = rays->placeOf(handle.atMm);
         if (!place) continue;
         const bool isHeld = held_ ? held_->handle.handle == handle.handle : pointed_ == handle.handle;
@@ -177,10 +177,10 @@ std::vector<ToolMark> ClipHandlesTool::marks(const PictureGeometry& picture) con
     return marks;
 }
 
-void ClipHandlesTool::addLines(std::vector<ToolMark>& marks, const app::PictureRays& rays) const {
-    const app::StudyState& state = session_.state();
+void ClipHandlesTool::addLines(std::vector<ToolMark>& marks, const scene::PictureRays& rays) const {
+    const scene::StudyState& state = session_.state();
     const Volume& volume = *session_.study().volume;
-    if (const Result<Box> kept = app::keptBox(state.clip, volume)) addBox(marks, rays, *kept);
+    if (const Result<Box> kept = scene::keptBox(state.clip, volume)) addBox(marks, rays, *kept);
     if (!state.clip) return;
     const Clip clip = clipFor(*state.clip, volume);
     const Box all = volume.worldBox();
@@ -189,7 +189,7 @@ void ClipHandlesTool::addLines(std::vector<ToolMark>& marks, const app::PictureR
                {glm::max(clip.box->centreMm - clip.box->halfSizeMm, all.low),
                 glm::min(clip.box->centreMm + clip.box->halfSizeMm, all.high)});
     for (const HalfSpace& plane : clip.planes) {
-        if (!app::isAlongAxis(plane)) addPlane(marks, rays, plane, all);
+        if (!scene::isAlongAxis(plane)) addPlane(marks, rays, plane, all);
     }
     if (clip.ball) addBall(marks, rays, *clip.ball);
 }

@@ -16,7 +16,7 @@ namespace macula::viewer {
 // right of the ball. Nothing hides a handle. Session and editing outlive it.
 class ClipHandlesTool : public QObject, public PictureTool {
   public:
-    ClipHandlesTool(ViewerSession& session, ClipEditing& editing, QObject* parent = nullptr)
+    ClipHandlesTool(StudyEditor& session, ClipEditing& editing, QObject* parent = nullptr)
         : QObject(parent), session_(session), editing_(editing) {}
 
     bool press(const PicturePlace& place) override;
@@ -30,19 +30,19 @@ class ClipHandlesTool : public QObject, public PictureTool {
 
   private:
     struct Held {
-        app::PlacedHandle handle;
+        scene::PlacedHandle handle;
         glm::dvec3 grabbedMm;  // the pointer's offset: minus this, the old position
     };
     bool isUsable() const { return editing_.hasHandles() && session_.hasStudy(); }
-    std::vector<app::PlacedHandle> handles(const app::PictureRays& rays) const;
-    std::optional<app::PlacedHandle> handleAt(const PicturePlace& place) const;
-    std::optional<glm::dvec3> draggedTo(const app::PlacedHandle& handle, const PicturePlace& place) const;
-    void addLines(std::vector<ToolMark>& marks, const app::PictureRays& rays) const;
+    std::vector<scene::PlacedHandle> handles(const scene::PictureRays& rays) const;
+    std::optional<scene::PlacedHandle> handleAt(const PicturePlace& place) const;
+    std::optional<glm::dvec3> draggedTo(const scene::PlacedHandle& handle, const PicturePlace& place) const;
+    void addLines(std::vector<ToolMark>& marks, const scene::PictureRays& rays) const;
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     ClipEditing& editing_;
     std::optional<Held> held_;
-    std::optional<app::ClipHandle> pointed_;
+    std::optional<scene::ClipHandle> pointed_;
 };
 
 }  // namespace macula::viewer

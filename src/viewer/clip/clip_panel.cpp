@@ -32,9 +32,9 @@ QString capital(QString text) {
 }
 
 // The sides of a corner by its number, 0 to 7.
-std::array<app::Face, 3> sidesOfCorner(int number) {
-    return {app::faceOf(0, (number & 1) == 0), app::faceOf(1, (number & 2) != 0),
-            app::faceOf(2, (number & 4) == 0)};
+std::array<scene::Face, 3> sidesOfCorner(int number) {
+    return {scene::faceOf(0, (number & 1) == 0), scene::faceOf(1, (number & 2) != 0),
+            scene::faceOf(2, (number & 4) == 0)};
 }
 
 // Whether a clip of the list is meant. The last bits of a box may have changed when it was written.
@@ -48,7 +48,7 @@ QString reason(const Error& error) {
 
 }  // namespace
 
-ClipPanel::ClipPanel(ViewerSession& session, QWidget* parent)
+ClipPanel::ClipPanel(StudyEditor& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       guard_(new WheelGuard(this)),
@@ -70,7 +70,7 @@ ClipPanel::ClipPanel(ViewerSession& session, QWidget* parent)
     auto* whole = new QHBoxLayout;
     whole->addWidget(addTool(tr("Turn inside out"), QStringLiteral("clip-inside-out"),
                              tr("Shows what the clip removes, and removes what it shows"),
-                             [this] { return app::turnedInsideOut(clip(), volume()); }));
+                             [this] { return scene::turnedInsideOut(clip(), volume()); }));
     whole->addWidget(addTool(tr("Undo all: no clip"), QStringLiteral("clip-none"),
                              tr("Shows all of the volume again"), [this] { return withoutClip(); }));
     tools_.back().showsAll = true;
@@ -81,9 +81,9 @@ ClipPanel::ClipPanel(ViewerSession& session, QWidget* parent)
     say(*trouble_, {});
     column->addStretch(1);
 
-    connect(&session_, &ViewerSession::studyShown, this, &ClipPanel::showStudy);
-    connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
-        const app::StudyState& now = session_.state();
+    connect(&session_, &StudyEditor::studyShown, this, &ClipPanel::showStudy);
+    connect(&session_, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
+        const scene::StudyState& now = session_.state();
         if (now.clip != before.clip || now.cuts != before.cuts) return showClip();
         if (isVisible() && now.slices.crosshairMm != before.slices.crosshairMm) showTools();
     });
@@ -108,17 +108,17 @@ void ClipPanel::makeClips() {
 QWidget* ClipPanel::makeFaces() {
     auto* group = new QGroupBox(tr("Faces"), this);
     auto* column = new QVBoxLayout(group);
-    for (const app::Face face : app::kFaces) {
+    for (const scene::Face face : scene::kFaces) {
         auto* row = new FaceRow(face, group);
         column->addWidget(row);
         faces_.push_back(row);
-        connect(row, &FaceRow::moveBegan, &session_, &ViewerSession::endDrag);
+        connect(row, &FaceRow::moveBegan, &session_, &StudyEditor::endDrag);
         connect(row, &FaceRow::moved, this, [this, face](double mm) {
-            if (session_.hasStudy()) propose(app::withFace(clip(), face, mm, volume()), true);
+            if (session_.hasStudy()) propose(scene::withFace(clip(), face, mm, volume()), true);
         });
-        connect(row, &FaceRow::moveEnded, &session_, &ViewerSession::endDrag);
+        connect(row, &FaceRow::moveEnded, &session_, &StudyEditor::endDrag);
         connect(row, &FaceRow::openAsked, this, [this, face] {
-            if (session_.hasStudy()) propose(app::withFaceOpen(clip(), face, volume()), false);
+            if (session_.hasStudy()) propose(scene::withFaceOpen(clip(), face, volume()), false);
         });
     }
     return group;
@@ -131,14 +131,14 @@ QWidget* ClipPanel::makeCuts() {
     crosshair_->setObjectName(QStringLiteral("clip-crosshair"));
     crosshair_->setToolTip(tr("Where the cross-hair is, in mm of the patient (LPS)"));
     grid->addWidget(crosshair_, 0, 0, 1, 2);
-    for (const app::Face side : app::kFaces) {
-        const std::string_view name = app::nameOf(side);
+    for (const scene::Face side : scene::kFaces) {
+        const std::string_view name = nameOf(side);
         QPushButton* button =
             addTool(capital(tr("remove %1 side").arg(sideText(side))),
                     QStringLiteral("clip-cut-") + QString::fromLatin1(name.data(), qsizetype(name.size())),
                     tr("Removes all that lies %1 of the cross-hair").arg(sideText(side)),
                     [this, side] { return removedSide(side); });
-        grid->addWidget(button, 1 + app::axisOf(side), app::isHigh(side) ? 1 : 0);
+        grid->addWidget(button, 1 + scene::axisOf(side), scene::isHigh(side) ? 1 : 0);
     }
     return group;
 }
@@ -160,7 +160,7 @@ QWidget* ClipPanel::makeSizes() {
     corners_->setToolTip(tr("Which of the eight parts around the cross-hair is meant"));
     for (int number = 0; number < 8; ++number) {
         QStringList sides;
-        for (const app::Face side : sidesOfCorner(number)) sides << sideText(side);
+        for (const scene::Face side : sidesOfCorner(number)) sides << sideText(side);
         corners_->addItem(capital(sides.join(QLatin1Char(' '))));
     }
     for (QComboBox* box : {orientations_, corners_}) {
@@ -173,15 +173,15 @@ QWidget* ClipPanel::makeSizes() {
     QPushButton* slab = addTool(tr("Keep only a slab"), QStringLiteral("clip-slab"),
                                 tr("Removes all but a slab with the cross-hair in its middle"), [this] {
                                     const auto along = std::size_t(orientations_->currentIndex());
-                                    return app::withSlabKept(clip(), kOrientations.at(along), crosshairMm(),
-                                                             thickness_->value(), volume());
+                                    return scene::withSlabKept(clip(), kOrientations.at(along), crosshairMm(),
+                                                               thickness_->value(), volume());
                                 });
     QPushButton* ball =
         addTool(tr("Remove a ball"), QStringLiteral("clip-ball"),
                 tr("Removes a ball around the cross-hair; it takes the place of another ball"), [this] {
-                    const ValueRange radii = app::ballRadiiMm(volume());
+                    const ValueRange radii = scene::ballRadiiMm(volume());
                     const double mm = std::clamp(radius_->value(), radii.low, radii.high);
-                    return app::withBallRemoved(clip(), crosshairMm(), mm, volume());
+                    return scene::withBallRemoved(clip(), crosshairMm(), mm, volume());
                 });
     QPushButton* corner = addTool(tr("Remove corner"), QStringLiteral("clip-corner"),
                                   tr("Removes that corner; it takes the place of another corner"),
@@ -224,16 +224,16 @@ QDoubleSpinBox* ClipPanel::makeMmBox(const QString& name, const QString& what, d
 void ClipPanel::chooseFromList(int index) {
     if (!session_.hasStudy()) return;
     const auto& listed = session_.catalogue().clips;
-    if (index == 0) return propose(app::ClipChoice{}, false, true);
+    if (index == 0) return propose(scene::OptionalClip{}, false, true);
     if (index == clips_->count() - 1) return propose(lastOwn_ ? lastOwn_ : clip(), false);
-    propose(app::ClipChoice(*listed.at(std::size_t(index) - 1)), false);
+    propose(scene::OptionalClip(*listed.at(std::size_t(index) - 1)), false);
 }
 
 // What is refused leaves all as it is, and the controls go back to it.
 void ClipPanel::propose(const Edited& edited, bool isDrag, bool showsAll) {
     say(*trouble_, edited ? QString() : reason(edited.error()));
     if (edited) {
-        const auto edit = [&](app::StudyState& next) {
+        const auto edit = [&](scene::StudyState& next) {
             next.clip = *edited;
             if (showsAll) next.cuts = {};
         };
@@ -247,14 +247,14 @@ void ClipPanel::showStudy() {
     say(*trouble_, {});
     if (session_.hasStudy()) {
         const Box all = volume().worldBox();
-        const glm::dvec3 voxel = app::voxelExtentMm(volume());
+        const glm::dvec3 voxel = scene::voxelExtentMm(volume());
         for (FaceRow* row : faces_) {
-            const int axis = app::axisOf(row->face());
+            const int axis = scene::axisOf(row->face());
             row->setRangeMm(all.low[axis], all.high[axis], voxel[axis]);
         }
         const glm::dvec3 size = all.high - all.low;
         const double least = std::min({voxel.x, voxel.y, voxel.z});
-        const ValueRange radii = app::ballRadiiMm(volume());
+        const ValueRange radii = scene::ballRadiiMm(volume());
         const auto setRange = [&](QDoubleSpinBox& box, double low, double high) {
             const QSignalBlocker blocker(box);
             box.setDecimals(decimalsForMm(least));
@@ -276,7 +276,7 @@ void ClipPanel::showClip() {
 void ClipPanel::showInList() {
     const int own = clips_->count() - 1;
     int shown = 0;
-    if (const app::ClipChoice& now = clip(); now && session_.hasStudy()) {
+    if (const scene::OptionalClip& now = clip(); now && session_.hasStudy()) {
         const auto& listed = session_.catalogue().clips;
         const auto found = std::find_if(listed.begin(), listed.end(),
                                         [&](const auto& item) { return isSameClip(*item, *now); });
@@ -297,17 +297,17 @@ void ClipPanel::showFaces() {
     if (!session_.hasStudy()) {
         for (FaceRow* row : faces_) row->setUsable(false, tr("Open a study first."));
     } else {
-        const Result<Box> kept = app::keptBox(clip(), volume());
+        const Result<Box> kept = scene::keptBox(clip(), volume());
         for (FaceRow* row : faces_) {
             row->setUsable(kept.ok(), kept ? QString() : reason(kept.error()));
-            if (kept) row->showMm(app::faceMm(*kept, row->face()));
+            if (kept) row->showMm(scene::faceMm(*kept, row->face()));
         }
         const Clip shape = clip() ? clip()->clip : Clip{};
         const auto oblique = std::count_if(shape.planes.begin(), shape.planes.end(),
-                                           [](const HalfSpace& plane) { return !app::isAlongAxis(plane); });
+                                           [](const HalfSpace& plane) { return !scene::isAlongAxis(plane); });
         if (!kept) besides << reason(kept.error());
         if (shape.box && shape.ofBox == Keep::outside) besides << tr("A box is removed.");
-        if (shape.box && shape.ofBox == Keep::inside && !app::keepsBox(shape))
+        if (shape.box && shape.ofBox == Keep::inside && !scene::keepsBox(shape))
             besides << tr("Only a turned box is kept.");
         if (oblique > 0) besides << tr("Oblique planes that cut: %1.").arg(oblique);
         if (shape.cut) besides << tr("A corner is removed.");
@@ -353,16 +353,16 @@ glm::dvec3 ClipPanel::crosshairMm() const {
     return session_.state().slices.crosshairMm.value_or(volume().worldBox().centre());
 }
 
-ClipPanel::Edited ClipPanel::removedSide(app::Face side) const {
-    return app::withSideRemoved(clip(), side, crosshairMm(), volume());
+ClipPanel::Edited ClipPanel::removedSide(scene::Face side) const {
+    return scene::withSideRemoved(clip(), side, crosshairMm(), volume());
 }
 
 ClipPanel::Edited ClipPanel::removedCorner() const {
-    return app::withCornerRemoved(clip(), sidesOfCorner(corners_->currentIndex()), crosshairMm(), volume());
+    return scene::withCornerRemoved(clip(), sidesOfCorner(corners_->currentIndex()), crosshairMm(), volume());
 }
 
 ClipPanel::Edited ClipPanel::withoutClip() const {
-    if (clip() || !session_.state().cuts.isNothing()) return app::ClipChoice{};
+    if (clip() || !session_.state().cuts.isNothing()) return scene::OptionalClip{};
     return Error{ErrorCode::usage,
                  tr("All of the volume is shown.").toStdString(),
                  {},

@@ -13,7 +13,7 @@
 #include "scene/clip/edited_clip.h"
 #include "viewer/clip/face_row.h"
 #include "viewer/clip/wheel_guard.h"
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 
 namespace macula::viewer {
 
@@ -23,13 +23,13 @@ class ClipPanel : public QWidget {
     Q_OBJECT
 
   public:
-    explicit ClipPanel(ViewerSession& session, QWidget* parent = nullptr);
+    explicit ClipPanel(StudyEditor& session, QWidget* parent = nullptr);
 
   protected:
     void showEvent(QShowEvent* event) override;
 
   private:
-    using Edited = Result<app::ClipChoice>;
+    using Edited = Result<scene::OptionalClip>;
     // A button and its edit, which is called only while a study is open.
     struct Tool {
         QPushButton* button;
@@ -55,16 +55,16 @@ class ClipPanel : public QWidget {
     void showTools();  // and the cross-hair
 
     const Volume& volume() const { return *session_.study().volume; }
-    const app::ClipChoice& clip() const { return session_.state().clip; }
+    const scene::OptionalClip& clip() const { return session_.state().clip; }
     glm::dvec3 crosshairMm() const;
-    Edited removedSide(app::Face side) const;
+    Edited removedSide(scene::Face side) const;
     Edited removedCorner() const;
     Edited withoutClip() const;
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     WheelGuard* guard_;
     QComboBox* clips_;
-    std::vector<FaceRow*> faces_;  // in the order of app::kFaces
+    std::vector<FaceRow*> faces_;  // in the order of scene::kFaces
     std::vector<Tool> tools_;
     QLabel* besides_;
     QLabel* crosshair_;
@@ -73,7 +73,7 @@ class ClipPanel : public QWidget {
     QDoubleSpinBox* thickness_ = nullptr;
     QDoubleSpinBox* radius_ = nullptr;
     QComboBox* corners_ = nullptr;
-    app::ClipChoice lastOwn_;  // of this study; the list can restore it
+    scene::OptionalClip lastOwn_;  // of this study; the list can restore it
 };
 
 }  // namespace macula::viewer

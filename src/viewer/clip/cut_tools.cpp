@@ -14,7 +14,7 @@
 
 namespace macula::viewer {
 
-CutTools::CutTools(ViewerSession& session, ClipEditing& editing, QWidget* parent)
+CutTools::CutTools(StudyEditor& session, ClipEditing& editing, QWidget* parent)
     : QWidget(parent),
       session_(session),
       editing_(editing),
@@ -41,9 +41,9 @@ CutTools::CutTools(ViewerSession& session, ClipEditing& editing, QWidget* parent
     trouble_->setObjectName(QStringLiteral("clip-cuts-trouble"));
     column->addWidget(trouble_);
 
-    connect(&session_, &ViewerSession::studyShown, this, &CutTools::showCuts);
-    connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
-        const app::StudyState& now = session_.state();
+    connect(&session_, &StudyEditor::studyShown, this, &CutTools::showCuts);
+    connect(&session_, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
+        const scene::StudyState& now = session_.state();
         if (now.cuts != before.cuts || now.clip != before.clip) showCuts();
     });
     showCuts();
@@ -66,7 +66,7 @@ QWidget* CutTools::makeEye() {
     form->addRow(follows_);
     connect(eye_, &QCheckBox::toggled, this, [this](bool cuts) { tell(editing_.setEyeCut(cuts)); });
     connect(depth_, &QDoubleSpinBox::valueChanged, &editing_, &ClipEditing::dragEyeCut);
-    connect(depth_, &QDoubleSpinBox::editingFinished, &session_, &ViewerSession::endDrag);
+    connect(depth_, &QDoubleSpinBox::editingFinished, &session_, &StudyEditor::endDrag);
     connect(follows_, &QCheckBox::toggled, &editing_, &ClipEditing::setFollowsCamera);
     return group;
 }
@@ -105,7 +105,7 @@ void CutTools::setUsable(QWidget& control, const QString& does) {
 }
 
 void CutTools::showCuts() {
-    const app::Cuts& cuts = session_.state().cuts;
+    const scene::Cuts& cuts = session_.state().cuts;
     const QSignalBlocker noEye(eye_);
     const QSignalBlocker noDepth(depth_);
     const QSignalBlocker noFollowing(follows_);
@@ -117,11 +117,11 @@ void CutTools::showCuts() {
     setUsable(*scissors_, tr("Draw around something in the 3D picture: it is removed. With Shift, all "
                              "else is"));
     setUsable(*uncut_, tr("Shows again what the scissors removed"));
-    const bool isLeftOut = cuts.eye && !app::hasRoomForEyeCut(session_.state().clip);
+    const bool isLeftOut = cuts.eye && !scene::hasRoomForEyeCut(session_.state().clip);
     say(*trouble_, isLeftOut ? tr("The clip has six planes: the cut from the eye is not shown.") : QString());
     eye_->setChecked(cuts.eye.has_value());
     if (cuts.eye && session_.hasStudy()) {
-        const ValueRange range = app::eyeCutRangeMm(cuts.eye->plane.normal, *session_.study().volume);
+        const ValueRange range = scene::eyeCutRangeMm(cuts.eye->plane.normal, *session_.study().volume);
         depth_->setRange(range.low, range.high);
         depth_->setSingleStep(std::max((range.high - range.low) / 100.0, 0.1));
         depth_->setValue(cuts.eye->fromMiddleMm);

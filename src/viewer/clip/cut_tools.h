@@ -8,7 +8,7 @@
 #include <QWidget>
 
 #include "viewer/clip/clip_editing.h"
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 
 namespace macula::viewer {
 
@@ -17,7 +17,7 @@ class CutTools : public QWidget {
     Q_OBJECT
 
   public:
-    CutTools(ViewerSession& session, ClipEditing& editing, QWidget* parent = nullptr);
+    CutTools(StudyEditor& session, ClipEditing& editing, QWidget* parent = nullptr);
 
     void setScissorsOut(bool out);
 
@@ -31,7 +31,7 @@ class CutTools : public QWidget {
     void showCuts();
     void tell(const Result<void>& done);
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     ClipEditing& editing_;
     QCheckBox* onSlices_;
     QCheckBox* eye_;

@@ -22,21 +22,21 @@ constexpr int kArrowsPx = 30;
 
 }  // namespace
 
-QString sideText(app::Face face) {
+QString sideText(scene::Face face) {
     constexpr std::array kSides{QT_TRANSLATE_NOOP("Clip", "right"),    QT_TRANSLATE_NOOP("Clip", "left"),
                                 QT_TRANSLATE_NOOP("Clip", "anterior"), QT_TRANSLATE_NOOP("Clip", "posterior"),
                                 QT_TRANSLATE_NOOP("Clip", "inferior"), QT_TRANSLATE_NOOP("Clip", "superior")};
     return QCoreApplication::translate("Clip", kSides.at(std::size_t(face)));
 }
 
-FaceRow::FaceRow(app::Face face, QWidget* parent)
+FaceRow::FaceRow(scene::Face face, QWidget* parent)
     : QWidget(parent),
       face_(face),
-      letter_(new QLabel(QString(QLatin1Char(app::letterOf(face))), this)),
+      letter_(new QLabel(QString(QLatin1Char(scene::letterOf(face))), this)),
       slider_(new QSlider(Qt::Horizontal, this)),
-      number_(new PatientMmBox(app::axisOf(face), this)),
+      number_(new PatientMmBox(scene::axisOf(face), this)),
       open_(new QToolButton(this)) {
-    const std::string_view side = app::nameOf(face);
+    const std::string_view side = nameOf(face);
     const QString name = QString::fromLatin1(side.data(), qsizetype(side.size()));
     slider_->setObjectName(QStringLiteral("clip-slider-") + name);
     number_->setObjectName(QStringLiteral("clip-mm-") + name);

@@ -17,9 +17,9 @@ class FaceRow : public QWidget {
     Q_OBJECT
 
   public:
-    explicit FaceRow(app::Face face, QWidget* parent = nullptr);
+    explicit FaceRow(scene::Face face, QWidget* parent = nullptr);
 
-    app::Face face() const { return face_; }
+    scene::Face face() const { return face_; }
     // The volume's two faces on this axis; the slider moves by `stepMm`. All are finite, and low < high.
     void setRangeMm(double lowMm, double highMm, double stepMm);
     void showMm(double mm);
@@ -37,7 +37,7 @@ class FaceRow : public QWidget {
   private:
     double mmOfSlider() const;
 
-    app::Face face_;
+    scene::Face face_;
     double lowMm_ = 0.0;
     double highMm_ = 1.0;
     QLabel* letter_;
@@ -47,6 +47,6 @@ class FaceRow : public QWidget {
 };
 
 // "right", in the language of the window.
-QString sideText(app::Face face);
+QString sideText(scene::Face face);
 
 }  // namespace macula::viewer

@@ -17,7 +17,7 @@ constexpr int kRowsShown = 4;
 
 }  // namespace
 
-NamedClips::NamedClips(ViewerSession& session, QWidget* parent)
+NamedClips::NamedClips(StudyEditor& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       list_(new QListWidget(this)),
@@ -33,7 +33,7 @@ NamedClips::NamedClips(ViewerSession& session, QWidget* parent)
     name_->setObjectName(QStringLiteral("clip-named-name"));
     name_->setAccessibleName(tr("Name of a clip"));
     name_->setPlaceholderText(tr("Name"));
-    name_->setMaxLength(int(app::kLongestClipNameBytes));
+    name_->setMaxLength(int(scene::kLongestClipNameBytes));
     trouble_->setObjectName(QStringLiteral("clip-named-trouble"));
     trouble_->setTextFormat(Qt::PlainText);
     trouble_->setWordWrap(true);
@@ -56,12 +56,12 @@ NamedClips::NamedClips(ViewerSession& session, QWidget* parent)
     connect(list_, &QListWidget::itemActivated, this, &NamedClips::apply);
     connect(name_, &QLineEdit::textChanged, this, &NamedClips::showButtons);
     connect(name_, &QLineEdit::returnPressed, this, &NamedClips::save);
-    connect(&session_, &ViewerSession::studyShown, this, [this] {
+    connect(&session_, &StudyEditor::studyShown, this, [this] {
         name_->clear();
         trouble_->clear();
         showClips();
     });
-    connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
+    connect(&session_, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
         if (clips() != before.namedClips) showClips();
     });
     showClips();
@@ -81,13 +81,13 @@ std::optional<std::size_t> NamedClips::chosen() const {
 }
 
 std::optional<std::size_t> NamedClips::indexOf(const std::string& name) const {
-    const auto found = std::ranges::find(clips(), name, &app::NamedClip::name);
+    const auto found = std::ranges::find(clips(), name, &scene::NamedClip::name);
     return found == clips().end() ? std::nullopt : std::optional(std::size_t(found - clips().begin()));
 }
 
 std::optional<std::string> NamedClips::typedName() {
     const std::string name =
-        std::string(startOf(name_->text().trimmed().toStdString(), app::kLongestClipNameBytes));
+        std::string(startOf(name_->text().trimmed().toStdString(), scene::kLongestClipNameBytes));
     if (name.empty()) {
         trouble_->setText(tr("Type a name first."));
         return std::nullopt;
@@ -102,11 +102,11 @@ void NamedClips::save() {
     const auto name = typedName();
     if (!name) return;
     const auto at = indexOf(*name);
-    if (!at && clips().size() >= app::kMostNamedClips)
-        return trouble_->setText(
-            tr("There are %1 clips, and no more are possible. Delete one first.").arg(app::kMostNamedClips));
-    const app::NamedClip made{.name = *name, .clip = session_.state().clip, .cuts = session_.state().cuts};
-    session_.change(tr("Save clip"), [&](app::StudyState& next) {
+    if (!at && clips().size() >= scene::kMostNamedClips)
+        return trouble_->setText(tr("There are %1 clips, and no more are possible. Delete one first.")
+                                     .arg(scene::kMostNamedClips));
+    const scene::NamedClip made{.name = *name, .clip = session_.state().clip, .cuts = session_.state().cuts};
+    session_.change(tr("Save clip"), [&](scene::StudyState& next) {
         if (at) {
             next.namedClips.at(*at) = made;
         } else {
@@ -119,9 +119,9 @@ void NamedClips::save() {
 void NamedClips::apply() {
     const auto at = chosen();
     if (!at) return;
-    const app::NamedClip wanted = clips()[*at];
+    const scene::NamedClip wanted = clips()[*at];
     trouble_->clear();
-    session_.change(tr("Clip"), [&](app::StudyState& next) {
+    session_.change(tr("Clip"), [&](scene::StudyState& next) {
         next.clip = wanted.clip;
         next.cuts = wanted.cuts;
     });
@@ -133,14 +133,15 @@ void NamedClips::rename() {
     if (!name) return;
     if (const auto other = indexOf(*name); other && other != at)
         return trouble_->setText(tr("Another clip has that name. Take another one."));
-    session_.change(tr("Rename clip"), [&](app::StudyState& next) { next.namedClips.at(*at).name = *name; });
+    session_.change(tr("Rename clip"),
+                    [&](scene::StudyState& next) { next.namedClips.at(*at).name = *name; });
 }
 
 void NamedClips::remove() {
     const auto at = chosen();
     if (!at) return;
     trouble_->clear();
-    session_.change(tr("Delete clip"), [&](app::StudyState& next) {
+    session_.change(tr("Delete clip"), [&](scene::StudyState& next) {
         next.namedClips.erase(next.namedClips.begin() + std::ptrdiff_t(*at));
     });
 }
@@ -151,7 +152,7 @@ void NamedClips::showClips() {
     {
         const QSignalBlocker blocker(list_);
         list_->clear();
-        for (const app::NamedClip& named : clips())
+        for (const scene::NamedClip& named : clips())
             list_->addItem(harmless(QString::fromStdString(named.name)));
         list_->setCurrentRow(std::min(row, list_->count() - 1));
     }

@@ -8,7 +8,7 @@
 #include <QWidget>
 #include <optional>
 
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 
 namespace macula::viewer {
 
@@ -18,11 +18,11 @@ class NamedClips : public QWidget {
     Q_OBJECT
 
   public:
-    explicit NamedClips(ViewerSession& session, QWidget* parent = nullptr);
+    explicit NamedClips(StudyEditor& session, QWidget* parent = nullptr);
 
   private:
     QPushButton* addButton(const QString& text, const char* name, void (NamedClips::*does)());
-    const std::vector<app::NamedClip>& clips() const { return session_.state().namedClips; }
+    const std::vector<scene::NamedClip>& clips() const { return session_.state().namedClips; }
     std::optional<std::size_t> chosen() const;
     std::optional<std::size_t> indexOf(const std::string& name) const;
     std::optional<std::string> typedName();  // nothing, with a message, if it is not usable
@@ -33,7 +33,7 @@ class NamedClips : public QWidget {
     void showClips();
     void showButtons();
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     QListWidget* list_;
     QLineEdit* name_;
     QPushButton* save_;

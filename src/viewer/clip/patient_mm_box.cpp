@@ -10,7 +10,7 @@ namespace macula::viewer {
 namespace {
 
 QChar letterOf(int axis, bool high) {
-    return QLatin1Char(app::letterOf(app::faceOf(axis, high)));
+    return QLatin1Char(scene::letterOf(scene::faceOf(axis, high)));
 }
 
 constexpr int kMostDecimals = 6;

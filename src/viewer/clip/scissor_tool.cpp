@@ -74,7 +74,7 @@ void ScissorTool::release(const PicturePlace& place) {
     const double scale = pixelsPerHalfHeight(made.picture);
     if (extentOf(made.points) * scale < kLeastExtentPx) return;
     const auto added = editing_.addScissorCut({.camera = made.picture.camera,
-                                               .outline = app::simplified(made.points, kOffPx / scale),
+                                               .outline = scene::simplified(made.points, kOffPx / scale),
                                                .removesOutside = place.withShift});
     if (!added) emit refused(added.error());
 }

@@ -23,7 +23,7 @@ void VoxelCutting::setVolume(std::shared_ptr<const Volume> volume) {
     if (job_.cancel()) emit ended();
 }
 
-void VoxelCutting::want(const std::vector<app::ScissorCut>& scissors) {
+void VoxelCutting::want(const std::vector<scene::ScissorCut>& scissors) {
     if (!volume_ || scissors == wanted_) return;
     wanted_ = scissors;
     if (job_.cancel()) emit ended();
@@ -34,13 +34,13 @@ void VoxelCutting::want(const std::vector<app::ScissorCut>& scissors) {
         return;
     }
     // What the first cuts left is gone on with.
-    const std::vector<app::ScissorCut>& had = made_.of;
+    const std::vector<scene::ScissorCut>& had = made_.of;
     const bool goesOn = had.size() < scissors.size() && std::equal(had.begin(), had.end(), scissors.begin());
     std::optional<Mask> from = goesOn ? made_.mask : std::nullopt;
-    std::vector<app::ScissorCut> cuts(scissors.begin() + std::ptrdiff_t(goesOn ? had.size() : 0),
-                                      scissors.end());
+    std::vector<scene::ScissorCut> cuts(scissors.begin() + std::ptrdiff_t(goesOn ? had.size() : 0),
+                                        scissors.end());
     job_.start([volume = volume_, from = std::move(from), cuts = std::move(cuts)](Progress& progress) {
-        return app::scissorMask(from, cuts, *volume, progress);
+        return scene::scissorMask(from, cuts, *volume, progress);
     });
     emit began();
 }

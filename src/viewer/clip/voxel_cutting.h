@@ -15,8 +15,8 @@
 
 namespace macula::viewer {
 
-// Keeps the app::scissorMask of the cuts wanted last. The old mask stays until the new one is made, and cuts
-// appended to those of the mask are computed alone. Lives on the UI thread.
+// Keeps the scene::scissorMask of the cuts wanted last. The old mask stays until the new one is made, and
+// cuts appended to those of the mask are computed alone. Lives on the UI thread.
 class VoxelCutting : public QObject {
     Q_OBJECT
 
@@ -24,9 +24,9 @@ class VoxelCutting : public QObject {
     explicit VoxelCutting(QObject* parent);
 
     void setVolume(std::shared_ptr<const Volume> volume);  // without cuts; no `changed`
-    void want(const std::vector<app::ScissorCut>& scissors);
-    const std::optional<Mask>& mask() const { return made_.mask; }           // nothing: no cuts
-    const std::vector<app::ScissorCut>& madeOf() const { return made_.of; }  // of the mask
+    void want(const std::vector<scene::ScissorCut>& scissors);
+    const std::optional<Mask>& mask() const { return made_.mask; }             // nothing: no cuts
+    const std::vector<scene::ScissorCut>& madeOf() const { return made_.of; }  // of the mask
     bool running() const { return job_.running(); }
     // Refuses the cuts being computed: see `refused`.
     void cancel();
@@ -37,18 +37,18 @@ class VoxelCutting : public QObject {
     void ended();
     void changed();  // the mask
     // The wanted cuts failed or were cancelled; `had` are those of the mask.
-    void refused(const std::vector<macula::app::ScissorCut>& had);
+    void refused(const std::vector<macula::scene::ScissorCut>& had);
     void failed(const macula::Error& error);
 
   private:
     struct Made {
-        std::vector<app::ScissorCut> of = {};
+        std::vector<scene::ScissorCut> of = {};
         std::optional<Mask> mask = {};
     };
     void onEnded(const Result<std::optional<Mask>>& outcome);
 
     std::shared_ptr<const Volume> volume_;
-    std::vector<app::ScissorCut> wanted_;
+    std::vector<scene::ScissorCut> wanted_;
     Made made_;
     BackgroundJob<std::optional<Mask>> job_;
 };

@@ -59,12 +59,12 @@ ChangesScript::ChangesScript(MainWindow& window, ChangesScriptOptions options, Q
     silence_.setInterval(kSilenceMs);
     connect(&silence_, &QTimer::timeout, this, [this] {
         std::fputs("No picture came for a minute.\n", stderr);
-        finish(app::exitCodeOf(ErrorCode::deviceNotUsable));
+        finish(exitCodeOf(ErrorCode::deviceNotUsable));
     });
     connect(&window_, &MainWindow::frameShown, this, &ChangesScript::onFrame);
     connect(&window_, &MainWindow::failed, this, [this](const Error& error) {
         std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
-        finish(app::exitCodeOf(error.code));
+        finish(exitCodeOf(error.code));
     });
 }
 
@@ -72,7 +72,7 @@ void ChangesScript::start() {
     silence_.start();
 }
 
-void ChangesScript::onFrame(const app::FrameShown& frame) {
+void ChangesScript::onFrame(const live::FrameShown& frame) {
     silence_.start();
     ++pictures_[std::string(nameOf(frame.picture))];
     if (std::exchange(hasBegun_, true)) return;
@@ -121,7 +121,7 @@ void ChangesScript::change() {
         case 8:
             ++changes_["study"];
             isPhantom_ = !isPhantom_;
-            window_.open(isPhantom_ ? app::StudySource() : options_.study);
+            window_.open(isPhantom_ ? study::StudySource() : options_.study);
             break;
         default:
             ++changes_["drag"];
@@ -194,7 +194,7 @@ void ChangesScript::report() {
     };
     std::fputs(QJsonDocument(json).toJson(QJsonDocument::Indented).constData(), stdout);
     std::fflush(stdout);
-    finish(app::kExitDone);
+    finish(kExitDone);
 }
 
 void ChangesScript::finish(int exitCode) {

@@ -18,7 +18,7 @@
 namespace macula::viewer {
 
 struct ChangesScriptOptions {
-    app::StudySource study;  // alternates with the phantom; nothing: only the phantom
+    study::StudySource study;  // alternates with the phantom; nothing: only the phantom
     double seconds = 300.0;
     std::uint32_t seed = 1;
 };
@@ -41,7 +41,7 @@ class ChangesScript : public QObject {
     void finished(int exitCode);
 
   private:
-    void onFrame(const app::FrameShown& frame);
+    void onFrame(const live::FrameShown& frame);
     void change();
     void drag();
     void goHome(std::function<void()> then);

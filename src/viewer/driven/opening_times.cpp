@@ -16,15 +16,15 @@ OpeningTimes::OpeningTimes(MainWindow& window, QObject* parent) : QObject(parent
     for (const auto orientation :
          {slices::Orientation::axial, slices::Orientation::coronal, slices::Orientation::sagittal})
         connect(&window.slices(orientation), &SliceView::pictureShown, this, [this] { note(sliceMs_); });
-    connect(&window, &MainWindow::frameShown, this, [this](const app::FrameShown& frame) {
+    connect(&window, &MainWindow::frameShown, this, [this](const live::FrameShown& frame) {
         note(pictureMs_);
-        if (frame.picture == app::OnScreen::model) noteModel(frame.model);
+        if (frame.picture == live::OnScreen::model) noteModel(frame.model);
     });
     // At rest it is not on screen, but a hand would see it now.
-    connect(&window.viewport(), &Viewport::rendered, this, [this](const app::RenderEvent& event) {
-        const auto* spent = std::get_if<app::TimeSpent>(&event);
+    connect(&window.viewport(), &Viewport::rendered, this, [this](const live::RenderEvent& event) {
+        const auto* spent = std::get_if<live::TimeSpent>(&event);
         if (spent != nullptr && modelMs_ < 0.0) spent_ = spent->stages;
-        const auto* changed = std::get_if<app::ModelChanged>(&event);
+        const auto* changed = std::get_if<live::ModelChanged>(&event);
         if (changed != nullptr && hybrid::isFitToBeShown(changed->model)) noteModel(changed->model);
     });
 }
@@ -40,7 +40,7 @@ void OpeningTimes::note(double& ms) const {
 }
 
 QJsonObject OpeningTimes::toJson() const {
-    const std::string times = app::toJson(spent_).dump();
+    const std::string times = toJson(spent_).dump();
     return {{"windowMs", std::round(windowMs_)},
             {"studyReadMs", std::round(studyReadMs_)},
             {"sliceMs", std::round(sliceMs_)},

@@ -39,11 +39,11 @@ void OrbitGauge::end() {
 }
 
 // A view that is shown once more is no new frame that follows the camera.
-void OrbitGauge::onFrame(const app::FrameShown& frame) {
+void OrbitGauge::onFrame(const live::FrameShown& frame) {
     if (!isRunning_ || frame.inputSequence == lastInput_) return;
     lastInput_ = frame.inputSequence;
     latenciesMs_.push_back(frame.latencyMs);
-    if (frame.picture == app::OnScreen::model) ++ofModel_;
+    if (frame.picture == live::OnScreen::model) ++ofModel_;
 }
 
 double OrbitGauge::framesPerSecond() const {

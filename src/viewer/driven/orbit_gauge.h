@@ -25,7 +25,7 @@ class OrbitGauge : public QObject {
     QJsonObject toJson() const;
 
   private:
-    void onFrame(const app::FrameShown& frame);
+    void onFrame(const live::FrameShown& frame);
 
     MainWindow& window_;
     bool isRunning_ = false;

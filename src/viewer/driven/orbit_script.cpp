@@ -59,12 +59,12 @@ OrbitScript::OrbitScript(MainWindow& window, OrbitScriptOptions options, QObject
             stderr, "%s within %.0f s.\n",
             phase_ == Phase::orbiting ? "The picture did not follow the hand" : "No finished picture",
             options_.timeoutSeconds);
-        finish(app::exitCodeOf(ErrorCode::deviceNotUsable));
+        finish(exitCodeOf(ErrorCode::deviceNotUsable));
     });
     connect(&window_, &MainWindow::frameShown, this, &OrbitScript::onFrame);
     connect(&window_, &MainWindow::failed, this, &OrbitScript::fail);
-    connect(&window_.viewport(), &Viewport::rendered, this, [this](const app::RenderEvent& event) {
-        if (const auto* ready = std::get_if<app::DeviceReady>(&event))
+    connect(&window_.viewport(), &Viewport::rendered, this, [this](const live::RenderEvent& event) {
+        if (const auto* ready = std::get_if<live::DeviceReady>(&event))
             device_ = QString::fromStdString(ready->name);
     });
 }
@@ -76,10 +76,10 @@ void OrbitScript::start() {
     deadline_.start();
 }
 
-void OrbitScript::onFrame(const app::FrameShown& frame) {
+void OrbitScript::onFrame(const live::FrameShown& frame) {
     switch (phase_) {
         case Phase::waiting:
-            if (frame.stage == app::Stage::moving) break;
+            if (frame.stage == live::Stage::moving) break;
             phase_ = Phase::learning;
             QTimer::singleShot(int(options_.waitSeconds * 1000), this, &OrbitScript::beginOrbit);
             break;
@@ -96,7 +96,7 @@ void OrbitScript::onFrame(const app::FrameShown& frame) {
     }
 }
 
-void OrbitScript::onFrameInMotion(const app::FrameShown& frame) {
+void OrbitScript::onFrameInMotion(const live::FrameShown& frame) {
     // A view that is shown once more is no new frame that follows the camera.
     if (frame.inputSequence == lastSequence_) return;
     lastSequence_ = frame.inputSequence;
@@ -111,20 +111,20 @@ void OrbitScript::onFrameInMotion(const app::FrameShown& frame) {
     modelInMotion_ = frame.model;
 }
 
-void OrbitScript::onFrameAtRest(const app::FrameShown& frame) {
+void OrbitScript::onFrameAtRest(const live::FrameShown& frame) {
     const double now = double(resting_.nsecsElapsed()) / 1e6;
-    if (atRest_ == app::OnScreen::preview)
+    if (atRest_ == live::OnScreen::preview)
         longestPreviewMs_ = std::max(longestPreviewMs_, now - atRestSinceMs_);
     if (frame.picture != atRest_) {
         atRest_ = frame.picture;
         atRestSinceMs_ = now;
     }
-    const bool isTraced = frame.picture == app::OnScreen::fading || frame.picture == app::OnScreen::traced;
+    const bool isTraced = frame.picture == live::OnScreen::fading || frame.picture == live::OnScreen::traced;
     const bool isSmooth = frame.denoised || !trace::isPathTraced(frame.look);
-    if (firstTracedMs_ < 0.0 && isTraced && (isSmooth || frame.stage == app::Stage::converged))
+    if (firstTracedMs_ < 0.0 && isTraced && (isSmooth || frame.stage == live::Stage::converged))
         firstTracedMs_ = now;
     if (isTraced) samplesAtEnd_ = frame.samplesPerPixel;
-    hasConverged_ = frame.stage == app::Stage::converged;
+    hasConverged_ = frame.stage == live::Stage::converged;
     // Later pictures at rest are taken by time.
     if (hasConverged_ && now > kRestShotsS[std::size(kRestShotsS) - 1] * 1000.0) endRest();
 }
@@ -221,7 +221,7 @@ void OrbitScript::report() {
         finest = finest == 0 ? frame.scale : std::min(finest, frame.scale);
         coarsest = std::max(coarsest, frame.scale);
         if (frame.denoised) ++denoised;
-        if (frame.picture == app::OnScreen::model) ++ofModel;
+        if (frame.picture == live::OnScreen::model) ++ofModel;
         latenciesMs.push_back(frame.latencyMs);
         if (frame.foveaAgeMs) foveaAgesMs.push_back(*frame.foveaAgeMs);
         frames.append(QJsonObject{{"atMs", std::round(frame.atMs)},
@@ -262,12 +262,12 @@ void OrbitScript::report() {
     };
     std::fputs(QJsonDocument(json).toJson(QJsonDocument::Indented).constData(), stdout);
     std::fflush(stdout);
-    finish(failedScreenshots == 0 ? app::kExitDone : app::exitCodeOf(ErrorCode::outputNotWritable));
+    finish(failedScreenshots == 0 ? kExitDone : exitCodeOf(ErrorCode::outputNotWritable));
 }
 
 void OrbitScript::fail(const Error& error) {
     std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
-    finish(app::exitCodeOf(error.code));
+    finish(exitCodeOf(error.code));
 }
 
 void OrbitScript::finish(int exitCode) {

@@ -45,9 +45,9 @@ class OrbitScript : public QObject {
   private:
     enum class Phase { waiting, learning, orbiting, resting, reporting, done };
 
-    void onFrame(const app::FrameShown& frame);
-    void onFrameInMotion(const app::FrameShown& frame);
-    void onFrameAtRest(const app::FrameShown& frame);
+    void onFrame(const live::FrameShown& frame);
+    void onFrameInMotion(const live::FrameShown& frame);
+    void onFrameAtRest(const live::FrameShown& frame);
     void beginOrbit();
     void moveHand();
     void endOrbit();
@@ -72,7 +72,7 @@ class OrbitScript : public QObject {
     struct Followed {
         double atMs = 0.0;  // since the orbit began
         double latencyMs = 0.0;
-        app::OnScreen picture = app::OnScreen::nothing;
+        live::OnScreen picture = live::OnScreen::nothing;
         int width = 0;
         int height = 0;
         int scale = 1;
@@ -81,7 +81,7 @@ class OrbitScript : public QObject {
     };
     std::vector<Followed> followed_;
     QElapsedTimer resting_;
-    app::OnScreen atRest_ = app::OnScreen::nothing;  // on screen since atRestSinceMs_
+    live::OnScreen atRest_ = live::OnScreen::nothing;  // on screen since atRestSinceMs_
     double atRestSinceMs_ = 0.0;
     double longestPreviewMs_ = 0.0;  // a reduced picture, after the hand stopped
     double firstTracedMs_ = -1.0;    // from then until a denoised picture with all pixels

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "base/exit_codes.h"
-#include "viewer/driven/session_script.h"
+#include "viewer/driven/workday_script.h"
 
 namespace macula::viewer {
 
@@ -127,7 +127,7 @@ QString sessionTable(const QJsonObject& session, const QJsonObject& resumed) {
 
 int reportSession(int code, const QJsonObject& session, const QStringList& arguments) {
     QJsonObject resumed;
-    if (code == app::kExitDone) {
+    if (code == kExitDone) {
         QProcess again;
         again.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         again.start(QCoreApplication::applicationFilePath(), arguments);
@@ -137,7 +137,7 @@ int reportSession(int code, const QJsonObject& session, const QStringList& argum
         if (!ended || again.exitStatus() != QProcess::NormalExit || again.exitCode() != 0 ||
             resumed.isEmpty()) {
             std::fputs("The study could not be opened again.\n", stderr);
-            code = app::exitCodeOf(ErrorCode::deviceNotUsable);
+            code = exitCodeOf(ErrorCode::deviceNotUsable);
         }
     }
     QJsonObject all = session;

@@ -36,7 +36,7 @@ constexpr int kResizedWithinMs = 500;
 
 class SessionSteps {
   public:
-    SessionSteps(MainWindow& window, DrivenHand& hand, OrbitGauge& orbit, const SessionWork& work)
+    SessionSteps(MainWindow& window, DrivenHand& hand, OrbitGauge& orbit, const WorkdaySteps& work)
         : window_(window), hand_(hand), orbit_(orbit), work_(work) {}
 
     std::vector<DrivenStep> all() {
@@ -236,11 +236,11 @@ class SessionSteps {
     static void dragFace(MainWindow& window, DrivenHand& hand) {
         const auto& volume = window.session().study().volume;
         const PictureGeometry picture = window.viewport().geometry();
-        const auto rays = app::PictureRays::of(picture.camera, picture.aspect);
+        const auto rays = scene::PictureRays::of(picture.camera, picture.aspect);
         if (!volume || !rays) return;
         const Box box = volume->worldBox();
         glm::dvec3 face = box.centre();
-        const auto kept = app::keptBox(window.session().state().clip, *volume);
+        const auto kept = scene::keptBox(window.session().state().clip, *volume);
         face.x = kept ? kept->high.x : box.high.x;
         const auto from = rays->placeOf(face);
         const auto to = rays->placeOf(glm::mix(face, box.centre(), 0.4));
@@ -339,14 +339,14 @@ class SessionSteps {
     MainWindow& window_;
     DrivenHand& hand_;
     OrbitGauge& orbit_;
-    const SessionWork work_;
+    const WorkdaySteps work_;
     std::vector<DrivenStep> steps_;
 };
 
 }  // namespace
 
 std::vector<DrivenStep> sessionSteps(MainWindow& window, DrivenHand& hand, OrbitGauge& orbit,
-                                     const SessionWork& work) {
+                                     const WorkdaySteps& work) {
     return SessionSteps(window, hand, orbit, work).all();
 }
 

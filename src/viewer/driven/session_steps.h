@@ -9,7 +9,7 @@
 
 namespace macula::viewer {
 
-struct SessionWork {
+struct WorkdaySteps {
     QSize volumePixels{1280, 720};  // of the 3D picture while it turns, beside three slices
     double orbitSeconds = 8.0;
     double turnSeconds = 8.0;  // once around the patient
@@ -17,7 +17,7 @@ struct SessionWork {
 
 // Begins with a study on screen, and ends with it as first opened. The arguments outlive the steps.
 std::vector<DrivenStep> sessionSteps(MainWindow& window, DrivenHand& hand, OrbitGauge& orbit,
-                                     const SessionWork& work);
+                                     const WorkdaySteps& work);
 
 // Shows or hides the panel of that object name ("studies-panel") by its action.
 void showPanel(DrivenHand& hand, const char* name, bool shown);

@@ -16,9 +16,9 @@
 
 #include "base/exit_codes.h"
 #include "study/open/found_volumes.h"
-#include "viewer/beside/beside_study.h"
 #include "viewer/clip/scissor_tool.h"
 #include "viewer/driven/session_steps.h"
+#include "viewer/second/second_volume_loader.h"
 #include "viewer/slices/slice_view.h"
 
 namespace macula::viewer {
@@ -35,14 +35,14 @@ std::atomic<int> failedPictures{0};
 
 StationsScript::StationsScript(MainWindow& window, StationsScriptOptions options, QObject* parent)
     : QObject(parent), window_(window), options_(std::move(options)), hand_(window) {
-    connect(&window_, &MainWindow::frameShown, this, [this](const app::FrameShown& frame) {
+    connect(&window_, &MainWindow::frameShown, this, [this](const live::FrameShown& frame) {
         hasPicture_ = true;
-        isConverged_ = frame.stage == app::Stage::converged;
+        isConverged_ = frame.stage == live::Stage::converged;
     });
     connect(&window_.viewport(), &Viewport::otherPictureWanted, this, [this] { isConverged_ = false; });
     connect(&window_, &MainWindow::failed, this, [this](const Error& error) {
         std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
-        finish(app::exitCodeOf(error.code));
+        finish(exitCodeOf(error.code));
     });
 }
 
@@ -152,25 +152,25 @@ void StationsScript::addDialogs(std::vector<DrivenStep>& all) {
 }
 
 void StationsScript::addSecond(std::vector<DrivenStep>& all) {
-    DrivenStep opens = between(
-        [this] { hasSecond_ = openSecond(); },
-        [this] {
-            return !hasSecond_ || (window_.beside().second() != nullptr && !window_.beside().isWorking());
-        });
+    DrivenStep opens = between([this] { hasSecond_ = openSecond(); },
+                               [this] {
+                                   return !hasSecond_ || (window_.secondVolume().second() != nullptr &&
+                                                          !window_.secondVolume().isWorking());
+                               });
     opens.patienceMs = kSecondMs;
     all.push_back(std::move(opens));
     all.push_back(station("beside", {}));
     all.push_back(station("fusion", [this] {
-        if (hasSecond_) window_.beside().setView(app::BesideView::over);
+        if (hasSecond_) window_.secondVolume().setView(scene::SecondVolumePlace::over);
     }));
 }
 
 // Another volume of the patient in the folder: of another modality, where there is one.
 bool StationsScript::openSecond() {
-    const app::OpenedStudy& study = window_.session().study();
+    const study::OpenedStudy& study = window_.session().study();
     if (!study.found) return false;
-    const std::vector<app::FoundVolume>& volumes = study.found->volumes();
-    const app::FoundVolume& shown = volumes.at(study.volumeIndex);
+    const std::vector<study::FoundVolume>& volumes = study.found->volumes();
+    const study::FoundVolume& shown = volumes.at(study.volumeIndex);
     std::optional<std::size_t> second;
     for (std::size_t i = 0; i < volumes.size(); ++i) {
         if (i == study.volumeIndex || volumes[i].study->patient != shown.study->patient) continue;
@@ -178,7 +178,7 @@ bool StationsScript::openSecond() {
         if (!second || isOther) second = i;
         if (isOther) break;
     }
-    if (second) window_.beside().open(study.found, *second);
+    if (second) window_.secondVolume().open(study.found, *second);
     return second.has_value();
 }
 
@@ -191,7 +191,7 @@ void StationsScript::closeDialogs() {
 void StationsScript::start() {
     if (!QDir().mkpath(options_.folder)) {
         std::fputs("The folder for the pictures cannot be made.\n", stderr);
-        QTimer::singleShot(0, this, [this] { finish(app::exitCodeOf(ErrorCode::outputNotWritable)); });
+        QTimer::singleShot(0, this, [this] { finish(exitCodeOf(ErrorCode::outputNotWritable)); });
         return;
     }
     std::vector<DrivenStep> all = steps();
@@ -199,7 +199,7 @@ void StationsScript::start() {
         const auto last = std::ranges::find(all, options_.until, &DrivenStep::name);
         if (last == all.end()) {
             std::fprintf(stderr, "There is no station '%s'.\n", options_.until.toUtf8().constData());
-            QTimer::singleShot(0, this, [this] { finish(app::kExitUsage); });
+            QTimer::singleShot(0, this, [this] { finish(kExitUsage); });
             return;
         }
         all.erase(last + 1, all.end());
@@ -214,7 +214,7 @@ void StationsScript::start() {
 void StationsScript::onEnded(const MeasuredStep& step) {
     if (step.name == QLatin1String("-opening") && !step.isDone) {
         std::fputs("No picture came in time.\n", stderr);
-        return finish(app::exitCodeOf(ErrorCode::deviceNotUsable));
+        return finish(exitCodeOf(ErrorCode::deviceNotUsable));
     }
     const bool isOfSecond = step.name == QLatin1String("beside") || step.name == QLatin1String("fusion");
     if (step.name.isEmpty() || step.name.startsWith(QLatin1Char('-')) || (isOfSecond && !hasSecond_)) return;
@@ -237,8 +237,8 @@ void StationsScript::end() {
     std::fflush(stdout);
     for (const QString& name : hand_.missing())
         std::fprintf(stderr, "Not there: %s.\n", name.toUtf8().constData());
-    if (failedPictures > 0) return finish(app::exitCodeOf(ErrorCode::outputNotWritable));
-    finish(hand_.missing().isEmpty() ? app::kExitDone : app::kExitFault);
+    if (failedPictures > 0) return finish(exitCodeOf(ErrorCode::outputNotWritable));
+    finish(hand_.missing().isEmpty() ? kExitDone : kExitFault);
 }
 
 void StationsScript::finish(int exitCode) {

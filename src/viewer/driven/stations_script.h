@@ -23,7 +23,7 @@ struct StationsScriptOptions {
 
 // The window fills the screen. Writes "FOLDER/NAME.png" for: open, studies, presets, transfer, clip,
 // scissors, segments, measure, volume, save, movie, settings, settings-keys, keys; and beside and fusion, if
-// the folder has another volume of the same patient. `finished` carries the exit code as in SessionScript;
+// the folder has another volume of the same patient. `finished` carries the exit code as in WorkdayScript;
 // the names go to standard output as a JSON array.
 class StationsScript : public QObject {
     Q_OBJECT

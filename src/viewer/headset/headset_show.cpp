@@ -20,7 +20,7 @@ namespace macula::viewer {
 // What both threads know.
 struct HeadsetShow::Shared {
     std::mutex mutex;
-    std::optional<HeadsetChoice> wanted;  // of the window, since the headset has asked last
+    std::optional<HeadsetSelection> wanted;  // of the window, since the headset has asked last
 };
 
 #ifdef MACULA_HAS_XR
@@ -30,7 +30,7 @@ namespace {
 // All that the room tells, told again where `home` lives.
 struct Told {
     NewestPosted<QImage> mirror;
-    NewestPosted<HeadsetChoice> chosen;
+    NewestPosted<HeadsetSelection> chosen;
     std::function<void(const std::string&)> note;
 };
 
@@ -40,15 +40,15 @@ QImage imageOf(const xr::EyeView& view) {
     return lent.copy();
 }
 
-Result<std::string> showIn(HeadsetWish wish, xr::RoomWords words, const Told& told,
-                           std::function<std::optional<HeadsetChoice>()> wanted, Progress& progress) {
+Result<std::string> showIn(HeadsetShowRequest request, xr::RoomWords words, const Told& told,
+                           std::function<std::optional<HeadsetSelection>()> wanted, Progress& progress) {
     xr::RoomScene scene;
-    scene.volume = in16Bits(wish.volume);
-    scene.drawing = std::move(wish.drawing);
+    scene.volume = in16Bits(request.volume);
+    scene.drawing = std::move(request.drawing);
     xr::RoomHost host;
-    host.presets = std::move(wish.presets);
+    host.presets = std::move(request.presets);
     host.words = std::move(words);
-    host.pictures = std::move(wish.pictures);
+    host.pictures = std::move(request.pictures);
     host.note = told.note;
     host.mirror = [&told](const xr::EyeView& view) { told.mirror(imageOf(view)); };
     host.changed = [&told](const xr::RoomState& state) {
@@ -93,13 +93,13 @@ void HeadsetShow::abandon() {
     stop();
 }
 
-void HeadsetShow::propose(HeadsetChoice choice) {
+void HeadsetShow::propose(HeadsetSelection choice) {
     if (isAbandoned_) return;
     const std::lock_guard lock(shared_->mutex);
     shared_->wanted = std::move(choice);
 }
 
-void HeadsetShow::start([[maybe_unused]] HeadsetWish wish) {
+void HeadsetShow::start([[maybe_unused]] HeadsetShowRequest request) {
     if (isRunning()) return;
     token_ = CancelToken();
     isAbandoned_ = false;
@@ -107,24 +107,24 @@ void HeadsetShow::start([[maybe_unused]] HeadsetWish wish) {
 #ifdef MACULA_HAS_XR
     const auto told = std::make_shared<Told>(
         Told{.mirror = NewestPosted<QImage>(this, [this](const QImage& image) { emit mirrored(image); }),
-             .chosen = NewestPosted<HeadsetChoice>(this,
-                                                   [this](const HeadsetChoice& choice) {
-                                                       if (!isAbandoned_) emit chosen(choice);
-                                                   }),
+             .chosen = NewestPosted<HeadsetSelection>(this,
+                                                      [this](const HeadsetSelection& choice) {
+                                                          if (!isAbandoned_) emit chosen(choice);
+                                                      }),
              .note = [this](const std::string& sentence) {
                  post(this, [this, sentence] { emit noted(inWindowsLanguage(sentence)); });
              }});
-    const auto wanted = [shared = shared_]() -> std::optional<HeadsetChoice> {
+    const auto wanted = [shared = shared_]() -> std::optional<HeadsetSelection> {
         const std::lock_guard lock(shared->mutex);
         return std::exchange(shared->wanted, std::nullopt);
     };
-    const xr::RoomWords words = headsetWords(wish.presets);
+    const xr::RoomWords words = headsetWords(request.presets);
     // Cancelled by a token of its own: an end that somebody asks for is told when it has come.
-    job_.start([wish = std::move(wish), words, told, wanted,
+    job_.start([request = std::move(request), words, told, wanted,
                 token = token_](Progress&) mutable -> Result<std::string> {
         Progress progress({}, token);
         try {
-            return showIn(std::move(wish), words, *told, wanted, progress);
+            return showIn(std::move(request), words, *told, wanted, progress);
         } catch (const std::exception&) {
             return Error{ErrorCode::outOfMemory,
                          "There is not enough memory for the headset.",

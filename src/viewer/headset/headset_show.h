@@ -17,15 +17,15 @@
 namespace macula::viewer {
 
 // The study to show, and the presets that can be chosen there.
-struct HeadsetWish {
+struct HeadsetShowRequest {
     std::shared_ptr<const Volume> volume = {};
-    app::Drawing drawing = {};  // complete
+    scene::Drawing drawing = {};  // complete
     std::vector<std::shared_ptr<const TransferFunction>> presets = {};
     std::filesystem::path pictures = {};  // folder of pictures taken there; empty: none can be taken
 };
 
 // A choice made in the headset or in the window.
-struct HeadsetChoice {
+struct HeadsetSelection {
     std::shared_ptr<const TransferFunction> transferFunction = {};
     std::shared_ptr<const Clip> clip = {};  // null: all of the volume is shown
 };
@@ -40,17 +40,17 @@ class HeadsetShow : public QObject {
     ~HeadsetShow() override;  // ends the session and waits for its end
 
     // Does nothing while a session runs.
-    void start(HeadsetWish wish);
+    void start(HeadsetShowRequest request);
     void stop();     // `ended` follows
     void abandon();  // stops, and ignores later choices there, which are of another study
     bool isRunning() const { return job_.running(); }
     // Passes the window's choice to the headset.
-    void propose(HeadsetChoice choice);
+    void propose(HeadsetSelection choice);
 
   signals:
     void began();
     void mirrored(const QImage& leftEye);  // a few times a second; holds no names
-    void chosen(const macula::viewer::HeadsetChoice& choice);
+    void chosen(const macula::viewer::HeadsetSelection& choice);
     void noted(const QString& sentence);
     void failed(const macula::Error& error);
     void ended(const QString& figures);  // after any end; empty on failure

@@ -47,7 +47,7 @@ enum class KeyAction {
     clipFromEye,
     openFolder,
     openFile,
-    openBeside,
+    openSecond,
     flip,
     openView,
     saveView,
@@ -124,7 +124,7 @@ inline constexpr std::array kKeys{
            "Scissors: draw around what is to go in 3D; with Shift, what stays; or not"},
     KeyRow{KeyAction::openFolder, "Drop a folder or a file", "Ctrl+O", "Open a study"},
     KeyRow{KeyAction::openFile, "", "Ctrl+Shift+O", "Open an image or a volume file"},
-    KeyRow{KeyAction::openBeside, "", "Ctrl+B", "Open a prior or another volume beside the study"},
+    KeyRow{KeyAction::openSecond, "", "Ctrl+B", "Open a prior or another volume beside the study"},
     KeyRow{KeyAction::flip, "Ctrl+Tab", "J", "The second volume in the place of the study, and back"},
     KeyRow{KeyAction::saveView, "", "Ctrl+S", "Save the view: all that was chosen, and the camera"},
     KeyRow{KeyAction::openView, "", "Ctrl+Shift+V", "Open a view that was saved"},
@@ -164,15 +164,15 @@ inline constexpr std::array kKeys{
 };
 
 struct LayoutRow {
-    app::Layout layout;
+    scene::Layout layout;
     const char* title;
     const char* sequence;
 };
-inline constexpr std::array kLayouts{LayoutRow{app::Layout::fourPanes, "&Four Panes", "F5"},
-                                     LayoutRow{app::Layout::volume, "&3D Alone", "F6"},
-                                     LayoutRow{app::Layout::axial, "A&xial Alone", "F7"},
-                                     LayoutRow{app::Layout::coronal, "C&oronal Alone", "F8"},
-                                     LayoutRow{app::Layout::sagittal, "Sa&gittal Alone", "F9"}};
+inline constexpr std::array kLayouts{LayoutRow{scene::Layout::fourPanes, "&Four Panes", "F5"},
+                                     LayoutRow{scene::Layout::volume, "&3D Alone", "F6"},
+                                     LayoutRow{scene::Layout::axial, "A&xial Alone", "F7"},
+                                     LayoutRow{scene::Layout::coronal, "C&oronal Alone", "F8"},
+                                     LayoutRow{scene::Layout::sagittal, "Sa&gittal Alone", "F9"}};
 
 // The keys of the panels: studies, transfer function, clip, presets, lights.
 inline constexpr std::array kPanelKeys{"F2", "F3", "F4", "F10", "F12"};

@@ -191,7 +191,7 @@ QString listInWindowsLanguage(const std::string& facts, const QString& between) 
 
 QString titleInWindowsLanguage(const std::string& title) {
     const QString whole = QString::fromStdString(title);
-    // "CT-Bone (edited 2)": see app::ownCopy.
+    // "CT-Bone (edited 2)": see scene::ownCopy.
     static const QRegularExpression edited(QStringLiteral("^(.+) \\(edited( \\d+)?\\)$"));
     const QHash<QString, QString>& titles = words().titles;
     const QRegularExpressionMatch copy = edited.match(whole);

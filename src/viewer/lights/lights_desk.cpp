@@ -11,7 +11,7 @@
 
 namespace macula::viewer {
 
-LightsDesk::LightsDesk(ViewerSession& session, LightsHost host, QWidget* window)
+LightsDesk::LightsDesk(StudyEditor& session, LightsHost host, QWidget* window)
     : QObject(window),
       session_(session),
       host_(std::move(host)),
@@ -42,8 +42,8 @@ LightsDesk::LightsDesk(ViewerSession& session, LightsHost host, QWidget* window)
         metering_.cancel();
         panel_->setMetering(false);
     };
-    connect(&session_, &ViewerSession::studyShown, this, stop);
-    connect(&session_, &ViewerSession::changed, this, stop);
+    connect(&session_, &StudyEditor::studyShown, this, stop);
+    connect(&session_, &StudyEditor::changed, this, stop);
 }
 
 void LightsDesk::save() {
@@ -64,7 +64,7 @@ void LightsDesk::open() {
         new QFileDialog(window_, tr("Open lights"), host_.folder(), tr("Lights (*.json);;All files (*)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     host_.ask(dialog, [this](const QString& path) {
-        Result<trace::LightRig> rig = app::chooseLightRig(path.toStdString());
+        Result<trace::LightRig> rig = scene::chooseLightRig(path.toStdString());
         if (!rig) return emit failed(rig.error());
         editing_.use(std::make_shared<const trace::LightRig>(*std::move(rig)));
     });
@@ -74,7 +74,7 @@ void LightsDesk::meter() {
     if (!editing_.isUsable()) return;
     panel_->setMetering(true);
     metering_.start([picture = host_.seen(), device = host_.device](Progress& progress) {
-        return app::meteredExposureOf(picture, device, progress);
+        return pictures::meteredExposureOf(picture, device, progress);
     });
 }
 
@@ -84,8 +84,9 @@ void LightsDesk::useMetered(const Result<double>& exposure) {
         if (exposure.error().code != ErrorCode::cancelled) panel_->tell(exposure.error());
         return;
     }
-    session_.change(tr("Exposure"),
-                    [&](app::StudyState& next) { app::parameter("exposure").set(next.settings, *exposure); });
+    session_.change(tr("Exposure"), [&](scene::StudyState& next) {
+        scene::parameter("exposure").set(next.settings, *exposure);
+    });
 }
 
 }  // namespace macula::viewer

@@ -18,7 +18,7 @@ class LightsPanel;
 
 // The window's services. `ask` opens a dialog and remembers its folder; `folder` is where one begins.
 struct LightsHost {
-    std::function<app::ViewPicture()> seen;  // the current 3D picture, at any size
+    std::function<pictures::ViewPicture()> seen;  // the current 3D picture, at any size
     std::function<void(QFileDialog*, std::function<void(const QString&)>)> ask;
     std::function<QString()> folder;
     std::string device = {};  // as in gpu::chooseDevice
@@ -29,7 +29,7 @@ class LightsDesk : public QObject {
     Q_OBJECT
 
   public:
-    LightsDesk(ViewerSession& session, LightsHost host, QWidget* window);
+    LightsDesk(StudyEditor& session, LightsHost host, QWidget* window);
 
     LightsTool& tool() { return tool_; }
     QWidget* column() const { return scrolls_; }  // the panel
@@ -47,7 +47,7 @@ class LightsDesk : public QObject {
     void meter();
     void useMetered(const Result<double>& exposure);
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     LightsHost host_;
     QWidget* window_;
     LightsEditing editing_;

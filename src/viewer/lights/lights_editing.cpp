@@ -25,18 +25,18 @@ Error noLights() {
 
 }  // namespace
 
-LightsEditing::LightsEditing(ViewerSession& session, QObject* parent) : QObject(parent), session_(session) {
+LightsEditing::LightsEditing(StudyEditor& session, QObject* parent) : QObject(parent), session_(session) {
     wheelEnds_.setSingleShot(true);
     wheelEnds_.setInterval(kWheelPauseMs);
     // When the timer ends, the user may be dragging something else, whose step must go on.
     connect(&wheelEnds_, &QTimer::timeout, this, [this] {
         if (session_.undoText() == tr("Light")) session_.endDrag();
     });
-    connect(&session_, &ViewerSession::studyShown, this, [this] {
+    connect(&session_, &StudyEditor::studyShown, this, [this] {
         chosen_ = 0;
         emit changed();
     });
-    connect(&session_, &ViewerSession::changed, this, &LightsEditing::changed);
+    connect(&session_, &StudyEditor::changed, this, &LightsEditing::changed);
 }
 
 bool LightsEditing::isUsable() const {
@@ -44,8 +44,8 @@ bool LightsEditing::isUsable() const {
 }
 
 std::shared_ptr<const trace::LightRig> LightsEditing::rig() const {
-    const app::StudyState& state = session_.state();
-    return state.lights ? state.lights : app::defaultLights(session_.catalogue(), state.settings.look);
+    const scene::StudyState& state = session_.state();
+    return state.lights ? state.lights : scene::defaultLights(session_.catalogue(), state.settings.look);
 }
 
 std::size_t LightsEditing::chosen() const {
@@ -66,17 +66,17 @@ void LightsEditing::setPanelOpen(bool open) {
     if (std::exchange(isPanelOpen_, open) != open) emit changed();
 }
 
-std::optional<app::LightStand> LightsEditing::stand(const Camera& camera) const {
+std::optional<scene::LightStand> LightsEditing::stand(const Camera& camera) const {
     const Result<CameraBasis> eye = basis(camera);
     if (!eye) return std::nullopt;
-    return app::LightStand{rig()->frame, *eye, session_.state().settings.lightRotationDeg};
+    return scene::LightStand{rig()->frame, *eye, session_.state().settings.lightRotationDeg};
 }
 
 Result<void> LightsEditing::propose(Result<trace::LightRig> rig, bool isDrag) {
     if (!isUsable()) return noLights();
     if (!rig) return rig.error();
     const auto proposed = std::make_shared<const trace::LightRig>(*std::move(rig));
-    const auto edit = [&](app::StudyState& next) { next.lights = proposed; };
+    const auto edit = [&](scene::StudyState& next) { next.lights = proposed; };
     isDrag ? session_.drag(tr("Light"), edit) : session_.change(tr("Light"), edit);
     return {};
 }
@@ -84,7 +84,7 @@ Result<void> LightsEditing::propose(Result<trace::LightRig> rig, bool isDrag) {
 Result<void> LightsEditing::drag(const trace::SoftLight& light) {
     wheelEnds_.stop();  // it would end this drag
     if (const trace::SoftLight* now = this->light(); now != nullptr && *now == light) return {};
-    return propose(app::withLight(*rig(), chosen(), light), true);
+    return propose(scene::withLight(*rig(), chosen(), light), true);
 }
 
 void LightsEditing::strengthen(double factor) {
@@ -101,35 +101,35 @@ Result<void> LightsEditing::add() {
     trace::SoftLight light{.radiance = 10.0};
     if (stands) {
         const CameraBasis& eye = stands->eye;
-        light = app::shiningFrom(light, eye.up - eye.right - 1.5 * eye.forward, *stands);
+        light = scene::shiningFrom(light, eye.up - eye.right - 1.5 * eye.forward, *stands);
     }
     chosen_ = rig()->lights.size();
-    return propose(app::withLightAdded(*rig(), light), false);
+    return propose(scene::withLightAdded(*rig(), light), false);
 }
 
 Result<void> LightsEditing::remove() {
     if (light() == nullptr) return noLight();
-    return propose(app::withoutLight(*rig(), chosen()), false);
+    return propose(scene::withoutLight(*rig(), chosen()), false);
 }
 
 Result<void> LightsEditing::keepTo(trace::LightFrame frame) {
     const auto stands = stand(camera_);
     if (!stands || !isUsable()) return noLights();
     if (stands->frame == frame) return {};
-    return propose(app::keptTo(*rig(), frame, *stands), false);
+    return propose(scene::keptTo(*rig(), frame, *stands), false);
 }
 
 Result<void> LightsEditing::setSky(double radiance) {
-    return propose(app::withSky(*rig(), radiance), true);
+    return propose(scene::withSky(*rig(), radiance), true);
 }
 
 void LightsEditing::dragBack(const std::shared_ptr<const trace::LightRig>& lights) {
-    session_.drag(tr("Light"), [&](app::StudyState& next) { next.lights = lights; });
+    session_.drag(tr("Light"), [&](scene::StudyState& next) { next.lights = lights; });
 }
 
 void LightsEditing::use(std::shared_ptr<const trace::LightRig> rig) {
     if (!session_.hasStudy()) return;
-    session_.change(tr("Lights"), [&](app::StudyState& next) { next.lights = std::move(rig); });
+    session_.change(tr("Lights"), [&](scene::StudyState& next) { next.lights = std::move(rig); });
 }
 
 }  // namespace macula::viewer

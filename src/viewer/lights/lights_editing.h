@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "scene/lights/edited_rig.h"
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 
 namespace macula::viewer {
 
@@ -18,7 +18,7 @@ class LightsEditing : public QObject {
     Q_OBJECT
 
   public:
-    explicit LightsEditing(ViewerSession& session, QObject* parent = nullptr);
+    explicit LightsEditing(StudyEditor& session, QObject* parent = nullptr);
 
     // A study is open, and its look has lights.
     bool isUsable() const;
@@ -33,7 +33,7 @@ class LightsEditing : public QObject {
     void setPanelOpen(bool open);
 
     // The rig's frame and rotation as seen by that camera. Nothing for an unusable camera.
-    std::optional<app::LightStand> stand(const Camera& camera) const;
+    std::optional<scene::LightStand> stand(const Camera& camera) const;
     void setCamera(const Camera& camera) { camera_ = camera; }
 
     // Replaces the chosen light; one undo step until the session's endDrag.
@@ -54,7 +54,7 @@ class LightsEditing : public QObject {
   private:
     Result<void> propose(Result<trace::LightRig> rig, bool isDrag);
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     Camera camera_;
     std::size_t chosen_ = 0;
     bool isPanelOpen_ = false;

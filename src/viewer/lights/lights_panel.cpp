@@ -40,7 +40,7 @@ glm::dvec3 linearOf(const QColor& colour) {
 
 }  // namespace
 
-LightsPanel::LightsPanel(ViewerSession& session, LightsEditing& editing, QWidget* parent)
+LightsPanel::LightsPanel(StudyEditor& session, LightsEditing& editing, QWidget* parent)
     : QWidget(parent), session_(session), editing_(editing), trouble_(new QLabel(this)) {
     trouble_->setObjectName(QStringLiteral("lights-trouble"));
     trouble_->setTextFormat(Qt::PlainText);
@@ -72,7 +72,7 @@ QDoubleSpinBox* LightsPanel::makeNumber(const QString& name, const QString& titl
     box->setDecimals(suffix.isEmpty() ? 2 : 1);
     box->setKeyboardTracking(false);  // a number that is half typed moves nothing
     (new WheelGuard(box))->watch(*box);
-    connect(box, &QDoubleSpinBox::editingFinished, &session_, &ViewerSession::endDrag);
+    connect(box, &QDoubleSpinBox::editingFinished, &session_, &StudyEditor::endDrag);
     return box;
 }
 
@@ -198,7 +198,7 @@ QWidget* LightsPanel::makeAll() {
             box->setDecimals(kGainDecimals);
             box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
         }
-        box->setRange(app::parameter(id).low, app::parameter(id).high);
+        box->setRange(scene::parameter(id).low, scene::parameter(id).high);
         connect(box, &QDoubleSpinBox::valueChanged, this,
                 [this, id](double value) { setParameter(id, value); });
         return box;
@@ -250,8 +250,8 @@ void LightsPanel::changeLight(const std::function<void(trace::SoftLight&)>& edit
 
 void LightsPanel::setParameter(const char* id, double value) {
     if (!session_.hasStudy()) return;
-    const app::Parameter& parameter = app::parameter(id);
-    session_.drag(tr("Lights"), [&](app::StudyState& next) {
+    const scene::Parameter& parameter = scene::parameter(id);
+    session_.drag(tr("Lights"), [&](scene::StudyState& next) {
         parameter.set(next.settings, std::clamp(value, parameter.low, parameter.high));
     });
 }
@@ -271,7 +271,7 @@ void LightsPanel::askColour() {
         if (colour.isValid()) paint(linearOf(colour));
     });
     connect(dialog_, &QDialog::rejected, this, [this, before] { editing_.dragBack(before); });
-    connect(dialog_, &QDialog::finished, &session_, &ViewerSession::endDrag);
+    connect(dialog_, &QDialog::finished, &session_, &StudyEditor::endDrag);
     dialog_->open();
 }
 
@@ -297,7 +297,7 @@ void LightsPanel::showState() {
     put(*turned_, settings.lightRotationDeg);
     put(*allStrength_, settings.lightStrength);
     put(*exposure_, settings.exposure);
-    put(*sky_, app::skyOf(*rig));
+    put(*sky_, scene::skyOf(*rig));
 }
 
 void LightsPanel::showRig(const trace::LightRig& rig) {

@@ -10,8 +10,8 @@
 #include <QWidget>
 #include <functional>
 
+#include "viewer/editor/study_editor.h"
 #include "viewer/lights/lights_editing.h"
-#include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {
 
@@ -20,7 +20,7 @@ class LightsPanel : public QWidget {
     Q_OBJECT
 
   public:
-    LightsPanel(ViewerSession& session, LightsEditing& editing, QWidget* parent = nullptr);
+    LightsPanel(StudyEditor& session, LightsEditing& editing, QWidget* parent = nullptr);
     ~LightsPanel() override;
 
     // The exposure can be asked for only while `isMetering` is false.
@@ -48,7 +48,7 @@ class LightsPanel : public QWidget {
     void showRig(const trace::LightRig& rig);
     void showLight(const trace::SoftLight* light);
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     LightsEditing& editing_;
     QComboBox* rigs_ = nullptr;
     QComboBox* lights_ = nullptr;

@@ -19,7 +19,7 @@ std::vector<glm::dvec2> LightsTool::places(const PictureGeometry& picture) const
     const auto stand = editing_.stand(picture.camera);
     if (!stand || !editing_.hasHandles()) return places;
     for (const trace::SoftLight& light : editing_.rig()->lights)
-        places.push_back(app::placeOnDome(app::directionTo(light, *stand), stand->eye, picture.aspect));
+        places.push_back(scene::placeOnDome(scene::directionTo(light, *stand), stand->eye, picture.aspect));
     return places;
 }
 
@@ -51,9 +51,10 @@ void LightsTool::move(const PicturePlace& place) {
     const trace::SoftLight* light = editing_.light();
     const auto stand = editing_.stand(place.picture.camera);
     if (!grabbed_ || light == nullptr || !stand) return;
-    const glm::dvec3 direction = app::directionOnDome(place.at - *grabbed_, stand->eye, place.picture.aspect);
+    const glm::dvec3 direction =
+        scene::directionOnDome(place.at - *grabbed_, stand->eye, place.picture.aspect);
     // What is refused leaves the light where it is.
-    [[maybe_unused]] const Result<void> moved = editing_.drag(app::shiningFrom(*light, direction, *stand));
+    [[maybe_unused]] const Result<void> moved = editing_.drag(scene::shiningFrom(*light, direction, *stand));
 }
 
 // Who only chooses a light changes nothing.
@@ -83,8 +84,8 @@ std::vector<ToolMark> LightsTool::marks(const PictureGeometry& picture) const {
     if (!editing_.hasHandles()) return marks;
     for (int i = 0; i < kDotsOfCircle; ++i)
         marks.push_back({.kind = MarkKind::dot,
-                         .place = app::circleOnDome(kSidesDeg, 2.0 * std::numbers::pi * i / kDotsOfCircle,
-                                                    picture.aspect)});
+                         .place = scene::circleOnDome(kSidesDeg, 2.0 * std::numbers::pi * i / kDotsOfCircle,
+                                                      picture.aspect)});
     const std::vector<glm::dvec2> all = places(picture);
     for (std::size_t i = 0; i < all.size(); ++i)
         marks.push_back(

@@ -15,7 +15,7 @@ namespace macula::viewer {
 // and the wheel change the strength of the chosen one. Session and editing outlive it.
 class LightsTool : public QObject, public PictureTool {
   public:
-    LightsTool(ViewerSession& session, LightsEditing& editing, QObject* parent = nullptr)
+    LightsTool(StudyEditor& session, LightsEditing& editing, QObject* parent = nullptr)
         : QObject(parent), session_(session), editing_(editing) {}
 
     bool press(const PicturePlace& place) override;
@@ -31,7 +31,7 @@ class LightsTool : public QObject, public PictureTool {
     std::optional<std::size_t> lightAt(const PicturePlace& place) const;
     std::vector<glm::dvec2> places(const PictureGeometry& picture) const;  // of all lights
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     LightsEditing& editing_;
     std::optional<glm::dvec2> grabbed_;  // the pointer's offset: minus this, the old place
     glm::dvec2 pressedAt_{0.0};

@@ -19,21 +19,21 @@ ModelExport::ModelExport(QObject* parent)
                         return;
                     }
                     QString told =
-                        tr("The model is written to %1.").arg(QString::fromStdString(wish_.path.string()));
+                        tr("The model is written to %1.").arg(QString::fromStdString(request_.path.string()));
                     if (*limited > 0)
                         told +=
                             tr(" %Ln of its Gaussians have numbers that this format cannot hold; they were "
                                "limited.",
                                nullptr, int(*limited));
-                    const splat::ModelFormat* format = splat::modelFormatOf(wish_.path);
+                    const splat::ModelFormat* format = splat::modelFormatOf(request_.path);
                     if (format != nullptr && format->keepsTraining())
                         told += tr(" It holds pictures of the study.");
                     emit written(told);
                 }}) {}
 
-void ModelExport::expect(Wish wish, std::uint64_t number) {
+void ModelExport::expect(Request request, std::uint64_t number) {
     cancel();
-    wish_ = std::move(wish);
+    request_ = std::move(request);
     expected_ = number;
     emit began();
 }
@@ -46,14 +46,15 @@ void ModelExport::cancel() {
 
 // A study that is closed does not stay in memory for a model that was saved of it.
 void ModelExport::forgetStudy() {
-    wish_.volume.reset();
-    wish_.drawing = {};
+    request_.volume.reset();
+    request_.drawing = {};
 }
 
-void ModelExport::onTaken(const app::ModelTaken& taken) {
-    if (taken.wish != expected_ || expected_ == 0) return;
+void ModelExport::onTaken(const live::ModelSnapshot& taken) {
+    if (taken.request != expected_ || expected_ == 0) return;
     expected_ = 0;
-    const Wish wish = std::exchange(wish_, Wish{.path = wish_.path, .displayColours = wish_.displayColours});
+    const Request request =
+        std::exchange(request_, Request{.path = request_.path, .displayColours = request_.displayColours});
     if (taken.error) {
         emit ended();
         emit failed(*taken.error);
@@ -70,15 +71,15 @@ void ModelExport::onTaken(const app::ModelTaken& taken) {
                  .toStdString()});
         return;
     }
-    app::TakenModel model{.splats = taken.splats,
-                          .gain = taken.gain,
-                          .state = taken.state,
-                          .volume = wish.volume,
-                          .drawing = wish.drawing};
-    job_.start([model = std::move(model), path = wish.path,
-                displayColours = wish.displayColours](Progress& progress) -> Result<std::size_t> {
+    live::ModelToWrite model{.splats = taken.splats,
+                             .gain = taken.gain,
+                             .state = taken.state,
+                             .volume = request.volume,
+                             .drawing = request.drawing};
+    job_.start([model = std::move(model), path = request.path,
+                displayColours = request.displayColours](Progress& progress) -> Result<std::size_t> {
         try {
-            return app::writeTakenModel(path, model, displayColours, progress);
+            return live::writeModelFile(path, model, displayColours, progress);
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
                          "There is not enough memory to write the model.",

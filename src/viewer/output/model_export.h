@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "live/frame/render_events.h"
-#include "live/model/taken_model.h"
+#include "live/model/model_to_write.h"
 #include "viewer/jobs/background_job.h"
 
 namespace macula::viewer {
@@ -18,15 +18,15 @@ class ModelExport : public QObject {
   public:
     explicit ModelExport(QObject* parent = nullptr);
 
-    struct Wish {
+    struct Request {
         std::filesystem::path path;
         bool displayColours = false;
         std::shared_ptr<const Volume> volume{};  // volume and drawing when it was asked for
-        app::Drawing drawing{};
+        scene::Drawing drawing{};
     };
-    // `number` is FrameInput::modelWishes of the request.
-    void expect(Wish wish, std::uint64_t number);
-    void onTaken(const app::ModelTaken& taken);
+    // `number` is FrameInput::modelRequests of the request.
+    void expect(Request request, std::uint64_t number);
+    void onTaken(const live::ModelSnapshot& taken);
     void cancel();
     bool running() const { return expected_ != 0 || job_.running(); }
 
@@ -39,7 +39,7 @@ class ModelExport : public QObject {
   private:
     void forgetStudy();
 
-    Wish wish_;                   // has volume and drawing only while the model is expected
+    Request request_;             // has volume and drawing only while the model is expected
     std::uint64_t expected_ = 0;  // 0: none
     BackgroundJob<std::size_t> job_;
 };

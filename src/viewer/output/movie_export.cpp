@@ -35,7 +35,7 @@ MovieExport::MovieExport(std::string preferredDevice, QObject* parent)
                               inWindowsLanguage(update.stage) + leftText(elapsed, update.fraction),
                               update.fraction);
                       },
-                  .ended = [this](const Result<app::WrittenSequence>& outcome) { onDrawn(outcome); }}),
+                  .ended = [this](const Result<pictures::WrittenSequence>& outcome) { onDrawn(outcome); }}),
       encoder_(this) {
     connect(&encoder_, &VideoEncoder::progressed, this,
             [this](double fraction) { emit progressed(tr("Encoding the video"), fraction); });
@@ -45,18 +45,18 @@ MovieExport::MovieExport(std::string preferredDevice, QObject* parent)
     });
 }
 
-void MovieExport::start(MovieWish wish) {
+void MovieExport::start(MovieRequest request) {
     cancel();
-    folder_ = QString::fromStdString(wish.sequence.folder.string());
-    picturesPerS_ = wish.picturesPerS;
-    wantsVideo_ = wish.wantsVideo;
+    folder_ = QString::fromStdString(request.sequence.folder.string());
+    picturesPerS_ = request.picturesPerS;
+    wantsVideo_ = request.wantsVideo;
     told_.clear();
     stageBeganMs_ = QDateTime::currentMSecsSinceEpoch();
-    using Written = Result<app::WrittenSequence>;
+    using Written = Result<pictures::WrittenSequence>;
     job_.start(
-        [sequence = std::move(wish.sequence), device = preferredDevice_](Progress& progress) -> Written {
+        [sequence = std::move(request.sequence), device = preferredDevice_](Progress& progress) -> Written {
             try {
-                return app::writeViewSequence(sequence, device, progress);
+                return pictures::writeViewSequence(sequence, device, progress);
             } catch (const std::bad_alloc&) {
                 return Error{ErrorCode::outOfMemory,
                              "There is not enough memory for these pictures.",
@@ -77,7 +77,7 @@ void MovieExport::cancel() {
     }
 }
 
-void MovieExport::onDrawn(const Result<app::WrittenSequence>& outcome) {
+void MovieExport::onDrawn(const Result<pictures::WrittenSequence>& outcome) {
     if (!outcome) {
         emit ended();
         if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());

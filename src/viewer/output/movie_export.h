@@ -12,8 +12,8 @@
 
 namespace macula::viewer {
 
-struct MovieWish {
-    app::ViewSequence sequence;
+struct MovieRequest {
+    pictures::ViewSequence sequence;
     double picturesPerS = 25.0;
     bool wantsVideo = false;  // if there is an encoder
 };
@@ -26,7 +26,7 @@ class MovieExport : public QObject {
   public:
     explicit MovieExport(std::string preferredDevice, QObject* parent = nullptr);
 
-    void start(MovieWish wish);
+    void start(MovieRequest request);
     void cancel();
     bool running() const { return job_.running() || encoder_.running(); }
 
@@ -38,17 +38,17 @@ class MovieExport : public QObject {
     void failed(const macula::Error& error);
 
   private:
-    void onDrawn(const Result<app::WrittenSequence>& outcome);
+    void onDrawn(const Result<pictures::WrittenSequence>& outcome);
     void finish(const QString& aboutVideo);
 
     std::string preferredDevice_;
-    // Of the last wish; volume and names are kept by the job only.
+    // Of the last request; volume and names are kept by the job only.
     QString folder_;
     double picturesPerS_ = 0.0;
     bool wantsVideo_ = false;
     QStringList told_;
     qint64 stageBeganMs_ = 0;
-    BackgroundJob<app::WrittenSequence> job_;
+    BackgroundJob<pictures::WrittenSequence> job_;
     VideoEncoder encoder_;
 };
 

@@ -79,7 +79,7 @@ void MoviePanel::addChoices() {
     qualities_ = new QComboBox(this);
     qualities_->setAccessibleName(tr("Quality"));
     qualities_->setToolTip(tr("More samples per pixel: less noise, and more time"));
-    if (const auto all = app::builtInQualities()) {
+    if (const auto all = scene::builtInQualities()) {
         for (const trace::Quality& quality : *all)
             qualities_->addItem(titleInWindowsLanguage(quality.title), QString::fromStdString(quality.name));
     }
@@ -144,7 +144,7 @@ void MoviePanel::addViews() {
 }
 
 int MoviePanel::frames() const {
-    return std::clamp(int(std::lround(seconds() * picturesPerS())), 1, app::kMostFrames);
+    return std::clamp(int(std::lround(seconds() * picturesPerS())), 1, pictures::kMostFrames);
 }
 
 std::string MoviePanel::quality() const {
@@ -155,27 +155,27 @@ bool MoviePanel::isClosed() const {
     return isTurntable() && std::abs(std::remainder(degrees(), 360.0)) < 1e-9 && degrees() != 0.0;
 }
 
-std::optional<app::CameraPath> MoviePanel::pathFrom(const Camera& camera) const {
+std::optional<scene::CameraPath> MoviePanel::pathFrom(const Camera& camera) const {
     if (isTurntable()) {
-        if (degrees() == 0.0) return app::CameraPath{{{.atS = 0.0, .camera = camera}}};
+        if (degrees() == 0.0) return scene::CameraPath{{{.atS = 0.0, .camera = camera}}};
         // The turntable goes to the left; the other way it is the same, looked at backwards.
-        app::CameraPath path = app::turntable(camera, 360.0 * seconds() / std::abs(degrees()), seconds());
+        scene::CameraPath path = scene::turntable(camera, 360.0 * seconds() / std::abs(degrees()), seconds());
         if (degrees() > 0.0) return path;
-        const app::OrbitCamera from = app::orbitCameraOf(camera);
-        for (app::CameraPath::Stop& stop : path.stops)
-            stop.camera = toCamera(app::orbited(from, degrees() * stop.atS / seconds(), 0.0));
+        const scene::OrbitCamera from = scene::orbitCameraOf(camera);
+        for (scene::CameraPath::Stop& stop : path.stops)
+            stop.camera = toCamera(scene::orbited(from, degrees() * stop.atS / seconds(), 0.0));
         return path;
     }
     if (views_.stops.empty()) return std::nullopt;
-    app::CameraPath path = views_;
+    scene::CameraPath path = views_;
     const double whole = path.seconds();
     if (whole > 0.0) {
-        for (app::CameraPath::Stop& stop : path.stops) stop.atS *= seconds() / whole;
+        for (scene::CameraPath::Stop& stop : path.stops) stop.atS *= seconds() / whole;
     }
     return path;
 }
 
-void MoviePanel::setViews(app::CameraPath views) {
+void MoviePanel::setViews(scene::CameraPath views) {
     views_ = std::move(views);
     if (!views_.stops.empty()) {
         kinds_->setCurrentIndex(1);
@@ -186,8 +186,8 @@ void MoviePanel::setViews(app::CameraPath views) {
 
 void MoviePanel::addView() {
     const std::optional<Camera> camera = camera_();
-    if (!camera || views_.stops.size() >= app::kMostStops) return;
-    app::CameraPath next = views_;
+    if (!camera || views_.stops.size() >= scene::kMostStops) return;
+    scene::CameraPath next = views_;
     const double atS = next.stops.empty() ? 0.0 : next.seconds() + kSecondsPerView;
     next.stops.push_back({.atS = atS, .camera = *camera});
     setViews(std::move(next));
@@ -198,7 +198,7 @@ void MoviePanel::addView() {
 void MoviePanel::removeView() {
     const int row = list_->currentRow();
     if (row < 0 || std::size_t(row) >= views_.stops.size()) return;
-    app::CameraPath next = views_;
+    scene::CameraPath next = views_;
     auto& stops = next.stops;
     const auto at = std::size_t(row);
     const double gapS = at + 1 < stops.size() ? stops[at + 1].atS - stops[at].atS : 0.0;

@@ -32,7 +32,7 @@ class MoviePanel : public QWidget {
     double picturesPerS() const { return rate_->value(); }
     int frames() const;
     QSize sizePx() const { return {width_->value(), height_->value()}; }
-    std::string quality() const;  // by name: app::EffortWish
+    std::string quality() const;  // by name: pictures::EffortRequest
     bool withLetters() const { return letters_->isChecked(); }
     bool withNames() const { return names_->isChecked(); }  // of patient and study
     bool wantsVideo() const { return video_->isEnabled() && video_->isChecked(); }
@@ -40,13 +40,13 @@ class MoviePanel : public QWidget {
     void setHasEncoder(bool hasEncoder);
 
     // The chosen path, for a turntable from that camera; nothing for a path without views. Lasts seconds().
-    std::optional<app::CameraPath> pathFrom(const Camera& camera) const;
+    std::optional<scene::CameraPath> pathFrom(const Camera& camera) const;
     // Whole turns: the picture after the last is the first again.
     bool isClosed() const;
 
-    const app::CameraPath& views() const { return views_; }
-    void setViews(app::CameraPath views);  // as read from a file; empty: none
-    void addView();                        // the current view, kSecondsPerView after the one before
+    const scene::CameraPath& views() const { return views_; }
+    void setViews(scene::CameraPath views);  // as read from a file; empty: none
+    void addView();                          // the current view, kSecondsPerView after the one before
     static constexpr double kSecondsPerView = 2.0;
 
   signals:
@@ -62,7 +62,7 @@ class MoviePanel : public QWidget {
     void showFrames();
 
     std::function<std::optional<Camera>()> camera_;
-    app::CameraPath views_;
+    scene::CameraPath views_;
     QComboBox* kinds_ = nullptr;
     QDoubleSpinBox* degrees_ = nullptr;
     QDoubleSpinBox* seconds_ = nullptr;

@@ -18,7 +18,7 @@ constexpr int kLeastLetterPx = 8;
 const QColor kInk(235, 235, 235);
 const QColor kPaper(12, 12, 12);
 
-app::Stamp painted(const QString& words, const QFont& font, int widthPx) {
+pictures::Stamp painted(const QString& words, const QFont& font, int widthPx) {
     const QFontMetrics metrics(font);
     const int padding = std::max(1, metrics.height() / 4);
     const QString shown = metrics.elidedText(words, Qt::ElideRight, std::max(widthPx - 2 * padding, 1));
@@ -30,7 +30,7 @@ app::Stamp painted(const QString& words, const QFont& font, int widthPx) {
     painter.setPen(kInk);
     painter.drawText(QPoint(padding, metrics.ascent()), shown);
     painter.end();
-    app::Stamp stamp{.atPx = {}, .sizePx = {image.width(), image.height()}, .rgba = {}};
+    pictures::Stamp stamp{.atPx = {}, .sizePx = {image.width(), image.height()}, .rgba = {}};
     const std::size_t rowBytes = std::size_t(image.width()) * 4;
     stamp.rgba.resize(rowBytes * std::size_t(image.height()));
     for (int y = 0; y < image.height(); ++y)
@@ -40,18 +40,18 @@ app::Stamp painted(const QString& words, const QFont& font, int widthPx) {
 
 }  // namespace
 
-std::vector<app::Stamp> stampsOf(const std::vector<std::string>& lines, const app::EdgeLetters& letters,
-                                 const glm::ivec2& sizePx) {
+std::vector<pictures::Stamp> stampsOf(const std::vector<std::string>& lines,
+                                      const scene::EdgeLetters& letters, const glm::ivec2& sizePx) {
     QFont font = QGuiApplication::font();
     const int letterPx = std::max(kLeastLetterPx, int(sizePx.y * kLetterOfHeight));
     font.setPixelSize(letterPx);
     const int margin = letterPx / 2;
-    std::vector<app::Stamp> stamps;
+    std::vector<pictures::Stamp> stamps;
     int top = margin;
     for (const std::string& line : lines) {
         const QString words = harmless(QString::fromStdString(line));
         if (words.isEmpty()) continue;
-        app::Stamp stamp = painted(words, font, sizePx.x - 2 * margin);
+        pictures::Stamp stamp = painted(words, font, sizePx.x - 2 * margin);
         stamp.atPx = {margin, top};
         top += stamp.sizePx.y;
         stamps.push_back(std::move(stamp));
@@ -59,7 +59,7 @@ std::vector<app::Stamp> stampsOf(const std::vector<std::string>& lines, const ap
     font.setBold(true);
     const auto add = [&](const std::string& letter, const glm::dvec2& share) {
         if (letter.empty()) return;
-        app::Stamp stamp = painted(QString::fromStdString(letter), font, sizePx.x);
+        pictures::Stamp stamp = painted(QString::fromStdString(letter), font, sizePx.x);
         const glm::ivec2 room = sizePx - stamp.sizePx - 2 * margin;
         stamp.atPx = margin + glm::ivec2(glm::dvec2(room) * share);
         stamps.push_back(std::move(stamp));

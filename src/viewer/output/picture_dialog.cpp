@@ -49,7 +49,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
       lens_(effectMm(this, trace::kMostLensMm, tr("Lens"),
                      tr("Diameter in mm: what the middle of the picture shows is sharp, what is nearer or "
                         "farther is blurred. Not of ray casts and projections"))),
-      fog_(effectMm(this, app::kMostFogMm, tr("Fog"),
+      fog_(effectMm(this, pictures::kMostFogMm, tr("Fog"),
                     tr("What lies behind the nearest matter fades into the background, to 37 % over so many "
                        "mm. Not of projections"))),
       overlays_(new QCheckBox(tr("With &cube, scale and letters"), this)),
@@ -81,7 +81,7 @@ PictureDialog::PictureDialog(QSize onScreenPx, QWidget* parent)
 
     qualities_->setAccessibleName(tr("Quality"));
     qualities_->setToolTip(tr("More samples per pixel: less noise, and more time"));
-    if (const auto all = app::builtInQualities()) {
+    if (const auto all = scene::builtInQualities()) {
         for (const trace::Quality& quality : *all) {
             const QString samples = tr("%n samples", nullptr, int(quality.samplesPerPixel));
             qualities_->addItem(QStringLiteral("%1: %2").arg(titleInWindowsLanguage(quality.title), samples),
@@ -149,7 +149,7 @@ QSize PictureDialog::sizePx() const {
     return {width_->value(), height_->value()};
 }
 
-app::PictureEffects PictureDialog::effects() const {
+pictures::PictureEffects PictureDialog::effects() const {
     return {.lensMm = lens_->isEnabled() ? lens_->value() : 0.0,
             .fogMm = fog_->isEnabled() ? fog_->value() : 0.0};
 }

@@ -32,8 +32,8 @@ class PictureDialog : public QDialog {
     void tellThat3dIsHidden();
 
     QSize sizePx() const;
-    std::string quality() const;          // by name: app::EffortWish
-    app::PictureEffects effects() const;  // the lens focuses on the middle of the picture
+    std::string quality() const;               // by name: pictures::EffortRequest
+    pictures::PictureEffects effects() const;  // the lens focuses on the middle of the picture
     bool isDeidentified() const { return deidentified_->isChecked(); }
     bool hasOverlays() const { return overlays_->isChecked(); }  // cube, scale, letters
 

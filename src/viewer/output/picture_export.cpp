@@ -16,12 +16,12 @@ PictureExport::PictureExport(std::string preferredDevice, QObject* parent)
                       },
                   .ended = [this](const auto& outcome) { onEnded(outcome); }}) {}
 
-void PictureExport::start(app::ViewPicture picture) {
+void PictureExport::start(pictures::ViewPicture picture) {
     path_ = QString::fromStdString(picture.output.string());
     using Written = Result<std::vector<std::string>>;
     job_.start([picture = std::move(picture), device = preferredDevice_](Progress& progress) -> Written {
         try {
-            return app::writeViewPicture(picture, device, progress);
+            return pictures::writeViewPicture(picture, device, progress);
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
                          "There is not enough memory for this picture.",

@@ -20,7 +20,7 @@ class PictureExport : public QObject {
   public:
     explicit PictureExport(std::string preferredDevice, QObject* parent = nullptr);
 
-    void start(app::ViewPicture picture);
+    void start(pictures::ViewPicture picture);
     void cancel();
     bool running() const { return job_.running(); }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kUsualScreenPx = 720.0;  // the shorter side of a picture whose marks are as on a screen
 
-app::EdgeLetters lettersOf(const CameraBasis& axes) {
+scene::EdgeLetters lettersOf(const CameraBasis& axes) {
     return {.left = orientationLetters(-axes.right),
             .right = orientationLetters(axes.right),
             .top = orientationLetters(axes.up),
@@ -24,11 +24,11 @@ app::EdgeLetters lettersOf(const CameraBasis& axes) {
 }
 
 // What of the marks is painted, at its place in the picture.
-app::Stamp stampOf(const app::PictureText& marks, std::size_t index) {
+pictures::Stamp stampOf(const live::PictureText& marks, std::size_t index) {
     const VkRect2D& box = marks.boxes[index];
-    app::Stamp stamp{.atPx = {marks.places[index].x, marks.places[index].y},
-                     .sizePx = {int(box.extent.width), int(box.extent.height)},
-                     .rgba = {}};
+    pictures::Stamp stamp{.atPx = {marks.places[index].x, marks.places[index].y},
+                          .sizePx = {int(box.extent.width), int(box.extent.height)},
+                          .rgba = {}};
     const std::size_t rowBytes = std::size_t(stamp.sizePx.x) * 4;
     stamp.rgba.resize(rowBytes * std::size_t(stamp.sizePx.y));
     for (int y = 0; y < stamp.sizePx.y; ++y) {
@@ -40,10 +40,10 @@ app::Stamp stampOf(const app::PictureText& marks, std::size_t index) {
 
 }  // namespace
 
-std::vector<app::Stamp> overlaysOf(const Camera& camera, const glm::ivec2& sizePx, bool isCalibrated) {
+std::vector<pictures::Stamp> overlaysOf(const Camera& camera, const glm::ivec2& sizePx, bool isCalibrated) {
     const auto axes = basis(camera);
     if (!axes || sizePx.x < 1 || sizePx.y < 1) return {};
-    std::vector<app::Stamp> stamps = stampsOf({}, lettersOf(*axes), sizePx);
+    std::vector<pictures::Stamp> stamps = stampsOf({}, lettersOf(*axes), sizePx);
     const double ratio = std::max(1.0, std::min(sizePx.x, sizePx.y) / kUsualScreenPx);
     const auto marks = paintCubeAndScale({.camera = camera,
                                           .pixels = QSize(sizePx.x, sizePx.y),

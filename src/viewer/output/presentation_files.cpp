@@ -70,11 +70,11 @@ PresentationFiles::PresentationFiles(QObject* parent)
                                       }
                                   }}) {}
 
-void PresentationFiles::save(const std::filesystem::path& path, app::PresentationWish wish) {
+void PresentationFiles::save(const std::filesystem::path& path, scene::PresentationRequest request) {
     path_ = QString::fromStdString(path.string());
-    saving_.start([path, wish = std::move(wish)](Progress&) -> Result<std::vector<std::string>> {
+    saving_.start([path, request = std::move(request)](Progress&) -> Result<std::vector<std::string>> {
         try {
-            return app::writePresentation(path, wish);
+            return scene::writePresentation(path, request);
         } catch (const std::bad_alloc&) {
             return tooLarge();
         } catch (const std::exception&) {
@@ -85,15 +85,15 @@ void PresentationFiles::save(const std::filesystem::path& path, app::Presentatio
 
 void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
                              std::string seriesDigest, std::vector<dicom::ReferencedFrames> images,
-                             app::StudyState usual, double aspectWidthOverHeight) {
+                             scene::StudyState usual, double aspectWidthOverHeight) {
     openingOnSlices_.cancel();
     opening_.start([path, volume = std::move(volume), digest = std::move(seriesDigest),
                     images = std::move(images), usual = std::move(usual),
-                    aspectWidthOverHeight](Progress&) -> Result<app::PresentedState> {
+                    aspectWidthOverHeight](Progress&) -> Result<scene::PresentedState> {
         try {
-            MACULA_TRY(app::PresentedState presented,
-                       app::openPresentation(path, *volume, digest, images, usual));
-            app::widenFor(presented, aspectWidthOverHeight);
+            MACULA_TRY(scene::PresentedState presented,
+                       scene::openPresentation(path, *volume, digest, images, usual));
+            scene::widenFor(presented, aspectWidthOverHeight);
             return presented;
         } catch (const std::bad_alloc&) {
             return tooLarge();
@@ -103,13 +103,13 @@ void PresentationFiles::open(const std::filesystem::path& path, std::shared_ptr<
     });
 }
 
-void PresentationFiles::openOnSlices(const std::filesystem::path& path, app::OpenedStudy study,
-                                     app::SliceState usual) {
+void PresentationFiles::openOnSlices(const std::filesystem::path& path, study::OpenedStudy study,
+                                     scene::SliceState usual) {
     opening_.cancel();
     openingOnSlices_.start([path, study = std::move(study),
-                            usual = std::move(usual)](Progress&) -> Result<app::SoftcopyOnSlices> {
+                            usual = std::move(usual)](Progress&) -> Result<scene::SoftcopyOnSlices> {
         try {
-            return app::openSoftcopy(path, study, usual);
+            return scene::openSoftcopy(path, study, usual);
         } catch (const std::bad_alloc&) {
             return tooLarge();
         } catch (const std::exception&) {

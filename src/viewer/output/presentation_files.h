@@ -23,31 +23,31 @@ class PresentationFiles : public QObject {
   public:
     explicit PresentationFiles(QObject* parent = nullptr);
 
-    void save(const std::filesystem::path& path, app::PresentationWish wish);
+    void save(const std::filesystem::path& path, scene::PresentationRequest request);
     void cancelSaving() { saving_.cancel(); }
     bool saving() const { return saving_.running(); }
-    // Opens one for the open volume of these images (app::imagesOf); `usual` supplies what the file omits.
+    // Opens one for the open volume of these images (study::imagesOf); `usual` supplies what the file omits.
     // Its whole view fits a picture of that aspect; 0: not known.
     void open(const std::filesystem::path& path, std::shared_ptr<const Volume> volume,
-              std::string seriesDigest, std::vector<dicom::ReferencedFrames> images, app::StudyState usual,
+              std::string seriesDigest, std::vector<dicom::ReferencedFrames> images, scene::StudyState usual,
               double aspectWidthOverHeight = 0.0);
     // Opens one of slices for the open study; `usual` supplies what the file omits.
-    void openOnSlices(const std::filesystem::path& path, app::OpenedStudy study, app::SliceState usual);
+    void openOnSlices(const std::filesystem::path& path, study::OpenedStudy study, scene::SliceState usual);
     // Cancels what is being opened, for example when another study is shown; no signal follows.
     void cancelOpening();
 
   signals:
     // `notes` say what other programs will show differently (saved), or what is shown differently here.
     void saved(const QString& path, const QStringList& notes);
-    void opened(const macula::app::StudyState& state, const QStringList& notes);
-    void openedOnSlices(const macula::app::SoftcopyOnSlices& shown, const QStringList& notes);
+    void opened(const macula::scene::StudyState& state, const QStringList& notes);
+    void openedOnSlices(const macula::scene::SoftcopyOnSlices& shown, const QStringList& notes);
     void failed(const macula::Error& error);
 
   private:
     QString path_;
     BackgroundJob<std::vector<std::string>> saving_;
-    BackgroundJob<app::PresentedState> opening_;
-    BackgroundJob<app::SoftcopyOnSlices> openingOnSlices_;
+    BackgroundJob<scene::PresentedState> opening_;
+    BackgroundJob<scene::SoftcopyOnSlices> openingOnSlices_;
 };
 
 }  // namespace macula::viewer

@@ -23,7 +23,7 @@ constexpr std::array<Kind, 3> kKinds{
 
 // As the encoder counts them: frame-%04d.png.
 QString pattern(int frames) {
-    const QString last = QString::fromStdString(app::frameName(frames - 1, frames));
+    const QString last = QString::fromStdString(pictures::frameName(frames - 1, frames));
     const auto digits = last.size() - QStringLiteral("frame-.png").size();
     // Not by arg(), to which "%0" is a place too.
     return QStringLiteral("frame-%0") + QString::number(digits) + QStringLiteral("d.png");
@@ -42,8 +42,8 @@ QString VideoEncoder::find(const QString& program) {
 }
 
 // Names are relative to the folder, whose own name may have any letters.
-QStringList VideoEncoder::argumentsFor(const VideoWish& wish, std::size_t kind) {
-    if (kind >= kKinds.size() || wish.frames < 1) return {};
+QStringList VideoEncoder::argumentsFor(const VideoRequest& request, std::size_t kind) {
+    if (kind >= kKinds.size() || request.frames < 1) return {};
     const Kind& with = kKinds.at(kind);
     return {QStringLiteral("-nostdin"),
             QStringLiteral("-loglevel"),
@@ -52,13 +52,13 @@ QStringList VideoEncoder::argumentsFor(const VideoWish& wish, std::size_t kind) 
             QStringLiteral("pipe:1"),
             QStringLiteral("-y"),
             QStringLiteral("-framerate"),
-            QString::number(wish.picturesPerS, 'g', 6),
+            QString::number(request.picturesPerS, 'g', 6),
             QStringLiteral("-start_number"),
             QStringLiteral("1"),
             QStringLiteral("-i"),
-            pattern(wish.frames),
+            pattern(request.frames),
             QStringLiteral("-frames:v"),
-            QString::number(wish.frames),
+            QString::number(request.frames),
             QStringLiteral("-vf"),
             QStringLiteral("pad=ceil(iw/2)*2:ceil(ih/2)*2"),
             QStringLiteral("-c:v"),
@@ -71,29 +71,29 @@ QStringList VideoEncoder::argumentsFor(const VideoWish& wish, std::size_t kind) 
             QStringLiteral("-1"),
             QStringLiteral("-f"),
             QStringLiteral("mp4"),
-            QStringLiteral(".") + wish.fileName + QStringLiteral(".part")};
+            QStringLiteral(".") + request.fileName + QStringLiteral(".part")};
 }
 
 QString VideoEncoder::partName() const {
-    return QDir(wish_.folder).filePath(QStringLiteral(".") + wish_.fileName + QStringLiteral(".part"));
+    return QDir(request_.folder).filePath(QStringLiteral(".") + request_.fileName + QStringLiteral(".part"));
 }
 
-void VideoEncoder::start(const QString& program, const VideoWish& wish) {
+void VideoEncoder::start(const QString& program, const VideoRequest& request) {
     cancel();
     program_ = program;
-    wish_ = wish;
+    request_ = request;
     kind_ = 0;
     startKind();
 }
 
 void VideoEncoder::startKind() {
-    const QStringList arguments = argumentsFor(wish_, kind_);
+    const QStringList arguments = argumentsFor(request_, kind_);
     if (arguments.isEmpty()) {
         emit ended(false);
         return;
     }
     process_ = new QProcess(this);
-    process_->setWorkingDirectory(wish_.folder);
+    process_->setWorkingDirectory(request_.folder);
     process_->setStandardErrorFile(QProcess::nullDevice());
     connect(process_, &QProcess::readyReadStandardOutput, this, &VideoEncoder::onOutput);
     connect(process_, &QProcess::finished, this, [this](int code, QProcess::ExitStatus status) {
@@ -110,14 +110,14 @@ void VideoEncoder::onOutput() {
     while (process_ != nullptr && process_->canReadLine()) {
         const QByteArray line = process_->readLine().trimmed();
         if (!line.startsWith("frame=")) continue;
-        emit progressed(std::clamp(line.mid(6).toDouble() / std::max(wish_.frames, 1), 0.0, 1.0));
+        emit progressed(std::clamp(line.mid(6).toDouble() / std::max(request_.frames, 1), 0.0, 1.0));
     }
 }
 
 void VideoEncoder::onFinished(bool isDone) {
     if (process_ == nullptr) return;
     std::exchange(process_, nullptr)->deleteLater();
-    const QString file = QDir(wish_.folder).filePath(wish_.fileName);
+    const QString file = QDir(request_.folder).filePath(request_.fileName);
     if (isDone && QFile::rename(partName(), file)) {
         emit ended(true);
         return;

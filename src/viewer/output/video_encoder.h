@@ -8,8 +8,8 @@
 
 namespace macula::viewer {
 
-struct VideoWish {
-    QString folder;  // with frame-0001.png and so on: app::frameName
+struct VideoRequest {
+    QString folder;  // with frame-0001.png and so on: pictures::frameName
     int frames = 0;
     double picturesPerS = 25.0;
     QString fileName;  // in that folder, .mp4; must not exist
@@ -27,9 +27,9 @@ class VideoEncoder : public QObject {
     // The program of that name in PATH; empty if there is none.
     static QString find(const QString& program = QStringLiteral("ffmpeg"));
     // The arguments for the codec of index `kind`; empty if there are no more.
-    static QStringList argumentsFor(const VideoWish& wish, std::size_t kind);
+    static QStringList argumentsFor(const VideoRequest& request, std::size_t kind);
 
-    void start(const QString& program, const VideoWish& wish);
+    void start(const QString& program, const VideoRequest& request);
     void cancel();  // leaves no file and emits nothing
     bool running() const { return process_ != nullptr; }
 
@@ -44,7 +44,7 @@ class VideoEncoder : public QObject {
     QString partName() const;
 
     QString program_;
-    VideoWish wish_;
+    VideoRequest request_;
     std::size_t kind_ = 0;
     QProcess* process_ = nullptr;
 };

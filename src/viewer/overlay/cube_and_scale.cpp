@@ -40,7 +40,7 @@ struct Layout {
     int px(double logical) const { return std::max(1, int(std::lround(logical * ratio))); }
     // Of the cube, from the top left of the box.
     QPointF cubeMiddle() const { return {0.5 * box.width(), 0.5 * px(kCubePx)}; }
-    double halfEdge() const { return 0.5 * px(kCubePx) / app::kCubeReach; }
+    double halfEdge() const { return 0.5 * px(kCubePx) / scene::kCubeReach; }
 };
 
 std::optional<Layout> layoutOf(const MarkedPicture& picture) {
@@ -77,7 +77,7 @@ void paintCube(QPainter& painter, const CameraBasis& axes, const Layout& layout,
     painter.save();
     painter.translate(layout.cubeMiddle());
     painter.scale(layout.halfEdge(), layout.halfEdge());
-    for (const app::CubeFace& face : app::facesSeen(axes)) {
+    for (const scene::CubeFace& face : scene::facesSeen(axes)) {
         QPolygonF outline;
         for (const glm::dvec2& corner : face.corners) outline << pointOf(corner);
         painter.setPen(QPen(kEdge, 0.0));
@@ -160,7 +160,7 @@ std::optional<ScaleBar> scaleBarOf(const MarkedPicture& picture) {
                     picture.isCalibrated);
 }
 
-std::shared_ptr<const app::PictureText> paintCubeAndScale(const MarkedPicture& picture) {
+std::shared_ptr<const live::PictureText> paintCubeAndScale(const MarkedPicture& picture) {
     const auto axes = basis(picture.camera);
     const auto layout = axes ? layoutOf(picture) : std::nullopt;
     if (!layout) return nullptr;
@@ -182,7 +182,7 @@ std::shared_ptr<const app::PictureText> paintCubeAndScale(const MarkedPicture& p
     QImage image(painted.size(), QImage::Format_RGBA8888);
     image.fill(kPaper);
     QPainter(&image).drawImage(0, 0, painted);
-    auto marks = std::make_shared<app::PictureText>();
+    auto marks = std::make_shared<live::PictureText>();
     const QSize size = image.size();
     marks->size = {std::uint32_t(size.width()), std::uint32_t(size.height())};
     marks->boxes = boxesOf(painted, layout->px(kCubePx));
@@ -204,7 +204,7 @@ std::optional<ViewDirection> cubeSideAt(const MarkedPicture& picture, QPointF pl
     const QPointF px(0.5 * (1.0 + place.x()) * picture.pixels.width(),
                      0.5 * (1.0 - place.y()) * picture.pixels.height());
     const QPointF from = (px - layout->box.topLeft() - layout->cubeMiddle()) / layout->halfEdge();
-    return app::faceAt(*axes, {from.x(), from.y()});
+    return scene::faceAt(*axes, {from.x(), from.y()});
 }
 
 }  // namespace macula::viewer

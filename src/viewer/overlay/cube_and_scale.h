@@ -29,7 +29,7 @@ std::optional<ScaleBar> scaleBarOf(const MarkedPicture& picture);
 
 // Null for a picture so small that the marks would cover its subject, or for an unusable camera. Needs a
 // QGuiApplication.
-std::shared_ptr<const app::PictureText> paintCubeAndScale(const MarkedPicture& picture);
+std::shared_ptr<const live::PictureText> paintCubeAndScale(const MarkedPicture& picture);
 
 // The side of the cube at a place in the picture: -1 to 1, right and up are positive. Nothing beside the cube
 // or without a cube.

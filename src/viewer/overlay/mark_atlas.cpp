@@ -60,7 +60,7 @@ QImage opaque(const QImage& painted) {
     return image;
 }
 
-MarkAtlas::MarkAtlas(const std::shared_ptr<const app::PictureText>& others, QSize pixels) {
+MarkAtlas::MarkAtlas(const std::shared_ptr<const live::PictureText>& others, QSize pixels) {
     if (others) atlas_ = *others;
     if (atlas_.places.empty()) {
         for (const VkRect2D& box : atlas_.boxes) atlas_.places.push_back(box.offset);
@@ -95,8 +95,8 @@ void MarkAtlas::placeShape(const QImage& painted, VkOffset2D at, int closePx) {
               {at.x + part.offset.x, at.y + part.offset.y});
 }
 
-std::shared_ptr<const app::PictureText> MarkAtlas::take() {
-    return std::make_shared<const app::PictureText>(std::move(atlas_));
+std::shared_ptr<const live::PictureText> MarkAtlas::take() {
+    return std::make_shared<const live::PictureText>(std::move(atlas_));
 }
 
 void MarkAtlas::widen(std::uint32_t width) {

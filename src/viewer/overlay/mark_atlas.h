@@ -21,19 +21,19 @@ class MarkAtlas {
   public:
     // Begins with the images of `others`, which may be null, for a picture of `pixels` device pixels; 0 x 0:
     // of any size.
-    MarkAtlas(const std::shared_ptr<const app::PictureText>& others, QSize pixels);
+    MarkAtlas(const std::shared_ptr<const live::PictureText>& others, QSize pixels);
 
     VkRect2D add(const QImage& image);  // returns its box; Format_RGBA8888
     void place(const VkRect2D& box, VkOffset2D at);
     // Covers the picture only where `painted` is not transparent.
     void placeShape(const QImage& painted, VkOffset2D at, int closePx);
 
-    std::shared_ptr<const app::PictureText> take();
+    std::shared_ptr<const live::PictureText> take();
 
   private:
     void widen(std::uint32_t width);
 
-    app::PictureText atlas_;
+    live::PictureText atlas_;
 };
 
 }  // namespace macula::viewer

@@ -222,7 +222,7 @@ QRectF PlacedText::box() const {
     return line.adjusted(-kAroundTextPx, -around, kAroundTextPx, around);
 }
 
-SideLetters placeSides(const app::EdgeLetters& sides, const QSize& size, const QFont& font, double scale) {
+SideLetters placeSides(const scene::EdgeLetters& sides, const QSize& size, const QFont& font, double scale) {
     QFont bold = font;
     bold.setPixelSize(int(std::lround(kLetterPx * fittingScale(size, scale))));
     bold.setBold(true);

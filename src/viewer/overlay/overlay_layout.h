@@ -41,7 +41,7 @@ struct SideLetters {
     std::optional<PlacedText> top = {};
     std::optional<PlacedText> bottom = {};
 };
-SideLetters placeSides(const app::EdgeLetters& sides, const QSize& size, const QFont& font, double scale);
+SideLetters placeSides(const scene::EdgeLetters& sides, const QSize& size, const QFont& font, double scale);
 
 struct OverlayLayout {
     std::vector<PlacedText> texts;        // later ones lie above; none overlaps a side letter

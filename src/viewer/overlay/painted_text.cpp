@@ -59,7 +59,7 @@ std::vector<PlacedText> place(const LinesOver& lines, const QSize& size) {
 
 }  // namespace
 
-std::shared_ptr<const app::PictureText> paintText(const LinesOver& lines, QSize pixels, double pixelRatio) {
+std::shared_ptr<const live::PictureText> paintText(const LinesOver& lines, QSize pixels, double pixelRatio) {
     if (pixels.isEmpty() || !(pixelRatio > 0.0) || !std::isfinite(pixelRatio)) return nullptr;
     const std::vector<PlacedText> placed = place(lines, (QSizeF(pixels) / pixelRatio).toSize());
     if (placed.empty()) return nullptr;

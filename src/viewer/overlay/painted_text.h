@@ -21,6 +21,6 @@ struct LinesOver {
 // transparent ground. A long name is elided in the middle; a long note wraps. A low picture omits the last
 // names, but never the first name or a note. Null without text, or without room for a letter. Needs a
 // QGuiApplication.
-std::shared_ptr<const app::PictureText> paintText(const LinesOver& lines, QSize pixels, double pixelRatio);
+std::shared_ptr<const live::PictureText> paintText(const LinesOver& lines, QSize pixels, double pixelRatio);
 
 }  // namespace macula::viewer

@@ -30,9 +30,9 @@ QImage painted(const PlacedText& letter, const QRect& around, double pixelRatio)
 
 }  // namespace
 
-std::shared_ptr<const app::PictureText> withSideLetters(const std::shared_ptr<const app::PictureText>& others,
-                                                        const app::EdgeLetters& sides, QSize pixels,
-                                                        double pixelRatio) {
+std::shared_ptr<const live::PictureText> withSideLetters(
+    const std::shared_ptr<const live::PictureText>& others, const scene::EdgeLetters& sides, QSize pixels,
+    double pixelRatio) {
     if (pixels.isEmpty() || !(pixelRatio > 0.0) || !std::isfinite(pixelRatio)) return others;
     const SideLetters letters = placeSides(sides, (QSizeF(pixels) / pixelRatio).toSize(),
                                            QGuiApplication::font(), fontScaleOverPictures());

@@ -12,8 +12,8 @@ namespace macula::viewer {
 // Adds letters above `others`, for a picture of `pixels` device pixels on a screen of `pixelRatio`, placed as
 // on slices: see placeSides. Returns `others`, which may be null, if no letter is known or fits. Needs a
 // QGuiApplication.
-std::shared_ptr<const app::PictureText> withSideLetters(const std::shared_ptr<const app::PictureText>& others,
-                                                        const app::EdgeLetters& sides, QSize pixels,
-                                                        double pixelRatio);
+std::shared_ptr<const live::PictureText> withSideLetters(
+    const std::shared_ptr<const live::PictureText>& others, const scene::EdgeLetters& sides, QSize pixels,
+    double pixelRatio);
 
 }  // namespace macula::viewer

@@ -58,7 +58,7 @@ Orientation horizontalOf(Orientation orientation) {
     return orientation == Orientation::axial ? Orientation::coronal : Orientation::axial;
 }
 
-app::EdgeLetters edgeLetters(const slices::SlicePlane& plane) {
+scene::EdgeLetters edgeLetters(const slices::SlicePlane& plane) {
     return {.left = orientationLetters(-plane.right),
             .right = orientationLetters(plane.right),
             .top = orientationLetters(-plane.down),
@@ -88,13 +88,13 @@ QString positionText(Orientation orientation, const SliceSteps& steps, int slice
     return steps.areAcquired() ? withNumbers(text, slice, steps.count(), imageNumber) : text;
 }
 
-std::optional<int> imageNumber(const app::OpenedStudy& study, const SliceSteps& steps, int slice) {
+std::optional<int> imageNumber(const study::OpenedStudy& study, const SliceSteps& steps, int slice) {
     return steps.areAcquired() ? imageNumber(study, slice) : std::nullopt;
 }
 
-std::optional<int> imageNumber(const app::OpenedStudy& study, int slice) {
+std::optional<int> imageNumber(const study::OpenedStudy& study, int slice) {
     const std::vector<int>& numbers = study.imageNumbers;
-    if (slice < 0 || std::size_t(slice) >= numbers.size() || app::countAsSlices(numbers) ||
+    if (slice < 0 || std::size_t(slice) >= numbers.size() || study::countAsSlices(numbers) ||
         numbers[std::size_t(slice)] < 1)
         return {};
     return numbers[std::size_t(slice)];

@@ -21,7 +21,7 @@ slices::Orientation verticalOf(slices::Orientation orientation);
 slices::Orientation horizontalOf(slices::Orientation orientation);
 
 // The patient's sides at the edges of the picture.
-app::EdgeLetters edgeLetters(const slices::SlicePlane& plane);
+scene::EdgeLetters edgeLetters(const slices::SlicePlane& plane);
 
 // "Axial S 123.4 mm, slice 45 of 95": how far the plane is from the patient's origin, and in which direction;
 // the number where images were taken in such planes. "Axial, oblique" where it is no plane of the patient.
@@ -35,8 +35,8 @@ QString withNumbers(const QString& text, int slice, int count, std::optional<int
 QString slabText(const slices::Slab& slab);  // "MIP 10 mm"; empty for the plane alone
 // The number by which a report names the slice, often counted from the other end; nothing where no image was
 // taken, or where all numbers equal those of the slices.
-std::optional<int> imageNumber(const app::OpenedStudy& study, int slice);
-std::optional<int> imageNumber(const app::OpenedStudy& study, const SliceSteps& steps, int slice);
+std::optional<int> imageNumber(const study::OpenedStudy& study, int slice);
+std::optional<int> imageNumber(const study::OpenedStudy& study, const SliceSteps& steps, int slice);
 QString pointText(const glm::dvec3& mm);  // "L 12.3 P 45.6 S 78.9 mm"
 // "-87 HU at (12, 200, 45), L 12.3 P 45.6 S 78.9 mm"; padding, interpolated and outside points in words.
 QString probeText(const Volume& volume, const glm::dvec3& mm);

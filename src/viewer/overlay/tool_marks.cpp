@@ -60,9 +60,9 @@ std::optional<VkOffset2D> cornerOf(const ToolMark& mark, QSize pixels, int side)
 
 }  // namespace
 
-std::shared_ptr<const app::PictureText> withToolMarks(const std::shared_ptr<const app::PictureText>& others,
-                                                      std::span<const ToolMark> marks, QSize pixels,
-                                                      double pixelRatio) {
+std::shared_ptr<const live::PictureText> withToolMarks(const std::shared_ptr<const live::PictureText>& others,
+                                                       std::span<const ToolMark> marks, QSize pixels,
+                                                       double pixelRatio) {
     if (pixels.isEmpty()) return others;
     MarkAtlas atlas(others, pixels);
     std::array<std::optional<VkRect2D>, kKinds.size()> boxes;

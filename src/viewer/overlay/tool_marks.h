@@ -30,8 +30,8 @@ inline constexpr std::size_t kMostToolMarks = 400;  // each is copied separately
 // Adds marks above `others`, for a picture of `pixels` device pixels on a screen of `pixelRatio`; later marks
 // lie above earlier ones. Leaves out marks outside the picture, not finite, or beyond kMostToolMarks. Returns
 // `others`, which may be null, if no mark is left. Needs a QGuiApplication.
-std::shared_ptr<const app::PictureText> withToolMarks(const std::shared_ptr<const app::PictureText>& others,
-                                                      std::span<const ToolMark> marks, QSize pixels,
-                                                      double pixelRatio);
+std::shared_ptr<const live::PictureText> withToolMarks(const std::shared_ptr<const live::PictureText>& others,
+                                                       std::span<const ToolMark> marks, QSize pixels,
+                                                       double pixelRatio);
 
 }  // namespace macula::viewer

@@ -17,7 +17,7 @@ namespace {
 constexpr int kGapPx = 2;
 constexpr double kFavoured = 0.62;  // of width and height
 
-std::optional<Pane> onlyPaneOf(app::Layout layout) {
+std::optional<Pane> onlyPaneOf(scene::Layout layout) {
     for (const Pane pane : kPanes) {
         if (layoutOf(pane) == layout) return pane;
     }
@@ -61,19 +61,19 @@ bool isInside(const QWindow* window, const QWindow* top) {
 
 }  // namespace
 
-app::Layout layoutOf(Pane pane) {
+scene::Layout layoutOf(Pane pane) {
     switch (pane) {
         case Pane::axial:
-            return app::Layout::axial;
+            return scene::Layout::axial;
         case Pane::volume:
-            return app::Layout::volume;
+            return scene::Layout::volume;
         case Pane::coronal:
-            return app::Layout::coronal;
+            return scene::Layout::coronal;
         case Pane::sagittal:
-            return app::Layout::sagittal;
+            return scene::Layout::sagittal;
     }
     MACULA_CHECK(false);
-    return app::Layout::fourPanes;
+    return scene::Layout::fourPanes;
 }
 
 PaneGrid::PaneGrid(const Widgets& widgets, QWidget* parent) : QWidget(parent) {
@@ -97,7 +97,7 @@ PaneGrid::~PaneGrid() {
     if (qApp != nullptr) disconnect(qApp, nullptr, this, nullptr);
 }
 
-void PaneGrid::setLayout(app::Layout layout) {
+void PaneGrid::setLayout(scene::Layout layout) {
     const std::optional<Pane> only = onlyPaneOf(layout);
     const std::optional<Pane> hadFocus = focused();
     shown_ = layout;
@@ -119,8 +119,8 @@ bool PaneGrid::isShown(Pane pane) const {
 }
 
 void PaneGrid::maximize(Pane pane) {
-    const app::Layout alone = layoutOf(pane);
-    emit layoutAsked(shown_ == alone ? app::Layout::fourPanes : alone);
+    const scene::Layout alone = layoutOf(pane);
+    emit layoutAsked(shown_ == alone ? scene::Layout::fourPanes : alone);
 }
 
 void PaneGrid::focusPane(Pane pane) {
@@ -154,14 +154,14 @@ void PaneGrid::showEvent(QShowEvent* event) {
 }
 
 void PaneGrid::moveColumns(const QSplitter& moved) {
-    if (shown_ != app::Layout::fourPanes) return;
+    if (shown_ != scene::Layout::fourPanes) return;
     isDragged_ = true;
     cross_.setX(shareOf(moved).value_or(cross_.x()));
     alignColumns(moved.sizes());
 }
 
 void PaneGrid::moveRows() {
-    if (shown_ != app::Layout::fourPanes) return;
+    if (shown_ != scene::Layout::fourPanes) return;
     isDragged_ = true;
     cross_.setY(shareOf(*rows_).value_or(cross_.y()));
 }
@@ -174,7 +174,7 @@ void PaneGrid::alignColumns(const QList<int>& widthsPx) {
 }
 
 void PaneGrid::applyCross() {
-    if (shown_ != app::Layout::fourPanes) return;
+    if (shown_ != scene::Layout::fourPanes) return;
     const QSize size = rows_->contentsRect().size();
     rows_->setSizes(partsOf(size.height(), cross_.y()));
     alignColumns(partsOf(size.width(), cross_.x()));

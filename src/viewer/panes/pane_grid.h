@@ -18,7 +18,7 @@ class PaneFrame;
 enum class Pane { axial, volume, coronal, sagittal };
 inline constexpr std::array kPanes{Pane::axial, Pane::volume, Pane::coronal, Pane::sagittal};
 
-app::Layout layoutOf(Pane pane);  // the pane alone
+scene::Layout layoutOf(Pane pane);  // the pane alone
 
 // Panes are placed once and only hidden and shown afterwards: the volume's is a native window, which would
 // lose its surface under another parent. The pane with the keyboard focus has a frame.
@@ -37,8 +37,8 @@ class PaneGrid : public QWidget {
 
     // Shows these panes, and moves the focus from a pane that is now hidden to one of them. Not
     // QWidget::setLayout.
-    void setLayout(app::Layout layout);
-    app::Layout shownLayout() const { return shown_; }
+    void setLayout(scene::Layout layout);
+    scene::Layout shownLayout() const { return shown_; }
     bool isShown(Pane pane) const;
 
     // Emits layoutAsked for the pane alone, or for all four if it is alone. Changes nothing itself.
@@ -57,7 +57,7 @@ class PaneGrid : public QWidget {
     void favour(std::optional<Pane> pane);
 
   signals:
-    void layoutAsked(macula::app::Layout layout);
+    void layoutAsked(macula::scene::Layout layout);
     void activePaneChanged();
 
   protected:
@@ -77,7 +77,7 @@ class PaneGrid : public QWidget {
     QSplitter* rows_ = nullptr;
     QSplitter* top_ = nullptr;
     QSplitter* bottom_ = nullptr;
-    app::Layout shown_ = app::Layout::fourPanes;
+    scene::Layout shown_ = scene::Layout::fourPanes;
     QPointF cross_{0.5, 0.5};
     bool isDragged_ = false;  // a person has dragged the cross
     std::optional<Pane> active_;

@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "viewer/editor/study_editor.h"
 #include "viewer/keys/slice_tool_keys.h"
-#include "viewer/session/viewer_session.h"
 #include "viewer/theme/drawn_icon.h"
 
 namespace macula::viewer {
@@ -37,25 +37,25 @@ constexpr std::array kProjections{
                   QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Minimum")}};
 
 struct LayoutRow {
-    app::Layout layout;
+    scene::Layout layout;
     Glyph glyph;
     const char* name;
     const char* title;
 };
-constexpr std::array kLayouts{LayoutRow{app::Layout::fourPanes, Glyph::fourPanes, "layout-four-panes",
+constexpr std::array kLayouts{LayoutRow{scene::Layout::fourPanes, Glyph::fourPanes, "layout-four-panes",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Four Panes")},
-                              LayoutRow{app::Layout::volume, Glyph::volume, "layout-volume",
+                              LayoutRow{scene::Layout::volume, Glyph::volume, "layout-volume",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "3D Only")},
-                              LayoutRow{app::Layout::axial, Glyph::axial, "layout-axial",
+                              LayoutRow{scene::Layout::axial, Glyph::axial, "layout-axial",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Axial Only")},
-                              LayoutRow{app::Layout::coronal, Glyph::coronal, "layout-coronal",
+                              LayoutRow{scene::Layout::coronal, Glyph::coronal, "layout-coronal",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Coronal Only")},
-                              LayoutRow{app::Layout::sagittal, Glyph::sagittal, "layout-sagittal",
+                              LayoutRow{scene::Layout::sagittal, Glyph::sagittal, "layout-sagittal",
                                         QT_TRANSLATE_NOOP("macula::viewer::ToolBox", "Sagittal Only")}};
 
 }  // namespace
 
-ToolBox::ToolBox(ViewerSession& session, QWidget* parent)
+ToolBox::ToolBox(StudyEditor& session, QWidget* parent)
     : QToolBar(tr("Slices"), parent),
       session_(session),
       tools_(new QActionGroup(this)),
@@ -71,8 +71,8 @@ ToolBox::ToolBox(ViewerSession& session, QWidget* parent)
     addSeparator();
     addLayouts();
     connect(this, &QToolBar::orientationChanged, this, &ToolBox::fitOrientation);
-    connect(&session_, &ViewerSession::changed, this, &ToolBox::showState);
-    connect(&session_, &ViewerSession::studyShown, this, &ToolBox::showState);
+    connect(&session_, &StudyEditor::changed, this, &ToolBox::showState);
+    connect(&session_, &StudyEditor::studyShown, this, &ToolBox::showState);
     fitOrientation();
     showState();
 }
@@ -128,9 +128,9 @@ void ToolBox::addSlab() {
     label->setToolTip(thickness_->toolTip());
     connect(thickness_, &QDoubleSpinBox::valueChanged, this, [this](double mm) {
         session_.drag(tr("Slab Thickness"),
-                      [&](app::StudyState& next) { next.slices.slab.thicknessMm = mm; });
+                      [&](scene::StudyState& next) { next.slices.slab.thicknessMm = mm; });
     });
-    connect(thickness_, &QDoubleSpinBox::editingFinished, &session_, &ViewerSession::endDrag);
+    connect(thickness_, &QDoubleSpinBox::editingFinished, &session_, &StudyEditor::endDrag);
     connect(thickness_->findChild<QLineEdit*>(), &QLineEdit::returnPressed, this, &ToolBox::thicknessEntered);
     addWidget(label);
     addWidget(thickness_);
@@ -150,7 +150,7 @@ void ToolBox::addSlab() {
         projections_->addAction(action);
         connect(action, &QAction::triggered, this, [this, projection = row.projection] {
             session_.change(tr("Slab Kind"),
-                            [&](app::StudyState& next) { next.slices.slab.projection = projection; });
+                            [&](scene::StudyState& next) { next.slices.slab.projection = projection; });
         });
     }
     projection_->setMenu(menu);
@@ -161,12 +161,12 @@ void ToolBox::addShownAs() {
     invert_ = add(Glyph::invert, "slices-invert", tr("Invert"),
                   tr("White and black change places on slices; values stay as they are"));
     connect(invert_, &QAction::triggered, this, [this](bool on) {
-        session_.change(tr("Invert"), [&](app::StudyState& next) { next.slices.isInverted = on; });
+        session_.change(tr("Invert"), [&](scene::StudyState& next) { next.slices.isInverted = on; });
     });
     acquired_ = add(Glyph::acquired, "slices-as-acquired", tr("Acquired Planes"),
                     tr("Slices in the planes of the acquisition, or in those of the patient"));
     connect(acquired_, &QAction::triggered, this, [this](bool on) {
-        session_.change(tr("Acquired Planes"), [&](app::StudyState& next) { next.slices.asAcquired = on; });
+        session_.change(tr("Acquired Planes"), [&](scene::StudyState& next) { next.slices.asAcquired = on; });
     });
     cine_ = add(Glyph::cine, "slices-cine", tr("Cine"), tr("Run through the slices, or stop"));
     connect(cine_, &QAction::triggered, this, &ToolBox::cineToggled);
@@ -178,7 +178,7 @@ void ToolBox::addLayouts() {
         action->setData(int(row.layout));
         layouts_->addAction(action);
         connect(action, &QAction::triggered, this, [this, layout = row.layout] {
-            session_.change(tr("Layout"), [&](app::StudyState& next) { next.layout = layout; });
+            session_.change(tr("Layout"), [&](scene::StudyState& next) { next.layout = layout; });
         });
     }
 }
@@ -201,7 +201,7 @@ void ToolBox::setCine(bool plays) {
 }
 
 void ToolBox::showState() {
-    const app::StudyState& state = session_.state();
+    const scene::StudyState& state = session_.state();
     const bool hasStudy = session_.hasStudy();
     for (QAction* action : {invert_, acquired_, cine_}) action->setEnabled(hasStudy);
     thickness_->setEnabled(hasStudy);

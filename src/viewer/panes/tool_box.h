@@ -14,7 +14,7 @@ class QToolButton;
 
 namespace macula::viewer {
 
-class ViewerSession;
+class StudyEditor;
 enum class Glyph;
 
 // Shows slab, inversion, planes and layout as the session has them, and proposes changes to it. Tool and cine
@@ -24,7 +24,7 @@ class ToolBox : public QToolBar {
 
   public:
     // `session` outlives it.
-    explicit ToolBox(ViewerSession& session, QWidget* parent = nullptr);
+    explicit ToolBox(StudyEditor& session, QWidget* parent = nullptr);
 
     SliceTool tool() const { return tool_; }
     void setTool(SliceTool tool);  // emits nothing
@@ -45,7 +45,7 @@ class ToolBox : public QToolBar {
     void showState();
     void showSlab(const slices::Slab& slab);
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     SliceTool tool_ = SliceTool::crosshair;
     QActionGroup* tools_;
     QDoubleSpinBox* thickness_ = nullptr;

@@ -12,11 +12,11 @@ AnatomyPick::AnatomyPick(QObject* parent)
                           if (outcome && *outcome) emit found(**outcome);
                       }}) {}
 
-void AnatomyPick::start(std::shared_ptr<const Volume> volume, app::Drawing drawing, const Camera& camera,
+void AnatomyPick::start(std::shared_ptr<const Volume> volume, scene::Drawing drawing, const Camera& camera,
                         const glm::dvec2& place, double aspectWidthOverHeight) {
     job_.start([volume = std::move(volume), drawing = std::move(drawing), camera, place,
                 aspectWidthOverHeight](Progress&) -> Result<std::optional<glm::dvec3>> {
-        return app::firstMatterMm(*volume, drawing, camera, place, aspectWidthOverHeight);
+        return scene::firstMatterMm(*volume, drawing, camera, place, aspectWidthOverHeight);
     });
 }
 

@@ -17,8 +17,8 @@ class AnatomyPick : public QObject {
   public:
     explicit AnatomyPick(QObject* parent = nullptr);
 
-    // See app::firstMatterMm. Emits nothing if there is no matter.
-    void start(std::shared_ptr<const Volume> volume, app::Drawing drawing, const Camera& camera,
+    // See scene::firstMatterMm. Emits nothing if there is no matter.
+    void start(std::shared_ptr<const Volume> volume, scene::Drawing drawing, const Camera& camera,
                const glm::dvec2& place, double aspectWidthOverHeight);
     void cancel() { job_.cancel(); }
 

@@ -58,7 +58,7 @@ void PresetBox::fillAnew() {
 void PresetBox::choose(const TransferFunction* function) {
     int found = -1;
     for (std::size_t row = 0; row < rows_.size() && found < 0; ++row) {
-        if (function != nullptr && rows_[row] && app::isSame(*rows_[row]->function, *function))
+        if (function != nullptr && rows_[row] && scene::isSame(*rows_[row]->function, *function))
             found = int(row);
     }
     setCurrentIndex(found);

@@ -57,7 +57,7 @@ class ComparisonJob : public QObject {
                           },
                       .ended = [&dialog](const Result<Pictures>& drawn) { dialog.onDrawn(drawn); }}) {}
 
-    void start(std::vector<app::ViewPicture> pictures, std::string preferredDevice) {
+    void start(std::vector<pictures::ViewPicture> pictures, std::string preferredDevice) {
         job_.start([this, pictures = std::move(pictures),
                     device = std::move(preferredDevice)](Progress& progress) -> Result<Pictures> {
             Result<Pictures> drawn = draw(pictures, device, progress);
@@ -80,10 +80,10 @@ class ComparisonJob : public QObject {
   private:
     using Pictures = PresetComparison::Pictures;
 
-    static Result<Pictures> draw(const std::vector<app::ViewPicture>& pictures, const std::string& device,
-                                 Progress& progress) {
+    static Result<Pictures> draw(const std::vector<pictures::ViewPicture>& pictures,
+                                 const std::string& device, Progress& progress) {
         try {
-            return app::drawViewPictures(pictures, device, progress);
+            return pictures::drawViewPictures(pictures, device, progress);
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
                          "There is not enough memory for both pictures.",
@@ -166,7 +166,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
       sizePx_(first.picture.sizePx.x, first.picture.sizePx.y),
       curtain_(new PictureCurtain),
       slider_(new QSlider(Qt::Horizontal)),
-      beside_(new QCheckBox(tr("&Beside each other"))),
+      secondVolume_(new QCheckBox(tr("&Beside each other"))),
       trouble_(new QLabel),
       work_(new WorkBar),
       job_(new ComparisonJob(*this, parent)) {
@@ -175,7 +175,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
     slider_->setToolTip(tr("Where the two pictures meet, from left to right"));
     slider_->setRange(0, kSteps);
     slider_->setValue(kSteps / 2);
-    beside_->setToolTip(tr("Each picture as a whole, instead of one line between them"));
+    secondVolume_->setToolTip(tr("Each picture as a whole, instead of one line between them"));
     trouble_->setObjectName(QStringLiteral("comparison-trouble"));
     trouble_->setTextFormat(Qt::PlainText);
     trouble_->setWordWrap(true);
@@ -193,7 +193,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
     column->addLayout(titles);
     column->addWidget(curtain_, 1);
     column->addWidget(slider_);
-    column->addWidget(beside_);
+    column->addWidget(secondVolume_);
     column->addWidget(trouble_);
     column->addWidget(work_);
     column->addWidget(buttons);
@@ -201,7 +201,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
             [this](int value) { curtain_->setPart(double(value) / kSteps); });
     connect(curtain_, &PictureCurtain::partMoved, slider_,
             [this](double part) { slider_->setValue(int(part * kSteps + 0.5)); });
-    connect(beside_, &QCheckBox::toggled, this, [this](bool are) {
+    connect(secondVolume_, &QCheckBox::toggled, this, [this](bool are) {
         curtain_->setBesideEachOther(are);
         slider_->setEnabled(!are);
     });

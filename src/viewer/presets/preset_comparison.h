@@ -60,7 +60,7 @@ class PresetComparison : public QDialog {
   public:
     struct Side {
         QString title;
-        app::ViewPicture picture;  // both of one size; writes no file
+        pictures::ViewPicture picture;  // both of one size; writes no file
     };
 
     PresetComparison(const Side& first, const Side& second, const std::string& preferredDevice,
@@ -84,7 +84,7 @@ class PresetComparison : public QDialog {
     QSize sizePx_;
     PictureCurtain* curtain_;
     QSlider* slider_;
-    QCheckBox* beside_;
+    QCheckBox* secondVolume_;
     QLabel* trouble_;
     WorkBar* work_;
     QPointer<ComparisonJob> job_;

@@ -71,7 +71,7 @@ void paintPreset(QPainter& painter, const QStyleOptionViewItem& option, const QM
     const QPalette& palette = option.palette;
     if (isSelected) painter.fillRect(option.rect, palette.highlight());
     const QRect cell = option.rect.adjusted(kMarginPx, kMarginPx, -kMarginPx, -kMarginPx);
-    const QRect square(cell.left(), cell.top(), app::kPresetThumbnailPx, app::kPresetThumbnailPx);
+    const QRect square(cell.left(), cell.top(), pictures::kPresetThumbnailPx, pictures::kPresetThumbnailPx);
     painter.fillRect(square, Qt::black);
     const auto picture = index.data(Qt::DecorationRole).value<QImage>();
     if (!picture.isNull()) painter.drawImage(square, picture);
@@ -129,8 +129,8 @@ QSize PresetDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelI
         const int width = view ? view->viewport()->width() - 1 : 200;
         return {width, metrics.lineSpacing() + 2 * kMarginPx};
     }
-    return {app::kPresetThumbnailPx + 2 * kMarginPx,
-            app::kPresetThumbnailPx + 3 + (kTitleLines + 1) * metrics.lineSpacing() + 2 * kMarginPx};
+    return {pictures::kPresetThumbnailPx + 2 * kMarginPx,
+            pictures::kPresetThumbnailPx + 3 + (kTitleLines + 1) * metrics.lineSpacing() + 2 * kMarginPx};
 }
 
 }  // namespace macula::viewer

@@ -28,7 +28,7 @@ QString titleOf(const LibraryPreset& preset) {
     return titleOr(preset.function->title, preset.function->name);
 }
 
-QImage asImage(const app::PresetThumbnail& thumbnail) {
+QImage asImage(const pictures::PresetThumbnail& thumbnail) {
     const QImage borrowed(thumbnail.rgba.data(), thumbnail.sizePx, thumbnail.sizePx, QImage::Format_RGBA8888);
     return borrowed.copy();
 }
@@ -40,8 +40,7 @@ bool isSame(const PresetRow& a, const PresetRow& b) {
 
 }  // namespace
 
-PresetGallery::PresetGallery(ViewerSession& session, PresetLibrary& library, StateNow stateNow,
-                             QWidget* parent)
+PresetGallery::PresetGallery(StudyEditor& session, PresetLibrary& library, StateNow stateNow, QWidget* parent)
     : QWidget(parent),
       session_(session),
       library_(library),
@@ -83,8 +82,8 @@ PresetGallery::PresetGallery(ViewerSession& session, PresetLibrary& library, Sta
         library_.putBackRemoved();
     });
     connect(&library_, &PresetLibrary::changed, this, &PresetGallery::showRows);
-    connect(&session_, &ViewerSession::studyShown, this, &PresetGallery::onStudyShown);
-    connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
+    connect(&session_, &StudyEditor::studyShown, this, &PresetGallery::onStudyShown);
+    connect(&session_, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
         if (session_.state().preset != before.preset) showShown();
     });
     onStudyShown();
@@ -99,7 +98,7 @@ void PresetGallery::makeBar(QVBoxLayout& column) {
     filter_->setClearButtonEnabled(true);
     filter_->installEventFilter(this);
     connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        words_ = app::searchWords(text.toStdString());
+        words_ = study::searchWords(text.toStdString());
         showRows();
     });
     auto* keep = new QToolButton;
@@ -146,7 +145,7 @@ void PresetGallery::makeList() {
     // Headings are as wide as the list: it must not change its width by what is in it.
     list_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
     list_->setContextMenuPolicy(Qt::CustomContextMenu);
-    list_->setMinimumWidth(2 * app::kPresetThumbnailPx + 60);
+    list_->setMinimumWidth(2 * pictures::kPresetThumbnailPx + 60);
     list_->installEventFilter(this);
     list_->viewport()->installEventFilter(this);
     connect(list_, &QListView::doubleClicked, this, [this](const QModelIndex& index) {
@@ -184,9 +183,9 @@ std::set<PresetGroup> PresetGallery::expandedNow() const {
 bool PresetGallery::isFound(const LibraryPreset& preset) const {
     const TransferFunction& function = *preset.function;
     const std::string shown = titleOf(preset).toStdString();  // in the language of the window
-    return app::holdsAll(app::foldedForSearch(function.title + ' ' + shown + ' ' + function.name + ' ' +
-                                              app::kindOf(function)),
-                         words_);
+    return study::holdsAll(study::foldedForSearch(function.title + ' ' + shown + ' ' + function.name + ' ' +
+                                                  scene::kindOf(function)),
+                           words_);
 }
 
 std::vector<LibraryPreset> PresetGallery::presetsOf(PresetGroup group) const {
@@ -194,7 +193,7 @@ std::vector<LibraryPreset> PresetGallery::presetsOf(PresetGroup group) const {
     if (group == PresetGroup::own) return library_.own();
     if (group == PresetGroup::lastUsed) {
         const auto& volume = session_.study().volume;
-        for (const app::PresetRef& ref : library_.shelf().lastUsed(volume ? volume->modality() : "")) {
+        for (const live::PresetRef& ref : library_.shelf().lastUsed(volume ? volume->modality() : "")) {
             if (presets.size() == kMostLastUsedShown) break;
             if (auto preset = library_.find(ref)) presets.push_back(*std::move(preset));
         }
@@ -229,7 +228,7 @@ void PresetGallery::showRows() {
     const std::optional<PresetRow> before = currentRow();
     const int scrolled = list_->verticalScrollBar()->value();
     std::set<PresetGroup> expanded = expandedNow();
-    std::set<app::PresetRef> favourites;
+    std::set<live::PresetRef> favourites;
     for (const auto& all : {library_.own(), library_.builtIn()})
         for (const LibraryPreset& preset : all)
             if (library_.shelf().isFavourite(preset.ref)) favourites.insert(preset.ref);
@@ -247,7 +246,7 @@ void PresetGallery::showRows() {
 
 void PresetGallery::showShown() {
     const auto& preset = session_.state().preset;
-    model_->setShown(preset ? library_.refOf(*preset) : app::PresetRef());
+    model_->setShown(preset ? library_.refOf(*preset) : live::PresetRef());
 }
 
 std::optional<PresetRow> PresetGallery::currentRow() const {
@@ -376,7 +375,7 @@ void PresetGallery::fillMenu(QMenu& menu, const LibraryPreset& preset) {
 }
 
 void PresetGallery::askForName(const QString& title, const QString& what, const QString& proposed,
-                               const app::PresetRef& own, std::function<Result<void>(const QString&)> then) {
+                               const live::PresetRef& own, std::function<Result<void>(const QString&)> then) {
     auto* dialog = new PresetNameDialog(
         title, what, proposed,
         [this, own](const QString& name) { return library_.whyNameIsRefused(name, own); }, window());
@@ -393,7 +392,7 @@ void PresetGallery::askForName(const QString& title, const QString& what, const 
 void PresetGallery::askToSaveCurve() {
     if (!session_.hasStudy())
         return tell({ErrorCode::usage, "There is no preset to save yet.", {}, "Open a study first."});
-    const app::StudyState state = stateNow_();
+    const scene::StudyState state = stateNow_();
     const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
     askForName(tr("Keep the curve"), tr("The transfer function that is shown, as a preset of your own."),
                library_.freeTitle(shown), {}, [this, state](const QString& name) -> Result<void> {
@@ -405,7 +404,7 @@ void PresetGallery::askToSaveCurve() {
 void PresetGallery::askToSaveSeen() {
     if (!session_.hasStudy())
         return tell({ErrorCode::usage, "There is nothing to be seen yet.", {}, "Open a study first."});
-    const app::StudyState state = stateNow_();
+    const scene::StudyState state = stateNow_();
     const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
     askForName(tr("Keep all that is seen"),
                tr("Curve, look, lights, window, clip and camera, as a preset of your own. It is for all "
@@ -455,10 +454,11 @@ void PresetGallery::drawNext() {
             try {
                 Drawn drawn{.coarse = coarse, .picture = {}};
                 if (!drawn.coarse) {
-                    MACULA_TRY(drawn.coarse, app::CoarseVolume::of(volume, progress.token()));
+                    MACULA_TRY(drawn.coarse, pictures::CoarseVolume::of(volume, progress.token()));
                 }
                 const Clip hidden = clip ? clipFor(*clip, *volume) : Clip{};
-                const auto made = app::presetThumbnail(*drawn.coarse, *function, &hidden, progress.token());
+                const auto made =
+                    pictures::presetThumbnail(*drawn.coarse, *function, &hidden, progress.token());
                 if (made) drawn.picture = asImage(*made);  // else it has none
                 return drawn;
             } catch (const std::bad_alloc&) {

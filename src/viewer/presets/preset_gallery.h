@@ -16,10 +16,10 @@
 
 #include "pictures/preset_thumbnail.h"
 #include "scene/state/study_state.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/jobs/background_job.h"
 #include "viewer/presets/preset_library.h"
 #include "viewer/presets/preset_list_model.h"
-#include "viewer/session/viewer_session.h"
 
 class QMenu;
 class QVBoxLayout;
@@ -34,10 +34,9 @@ class PresetGallery : public QWidget {
 
   public:
     // Returns the current state with its camera.
-    using StateNow = std::function<app::StudyState()>;
+    using StateNow = std::function<scene::StudyState()>;
 
-    PresetGallery(ViewerSession& session, PresetLibrary& library, StateNow stateNow,
-                  QWidget* parent = nullptr);
+    PresetGallery(StudyEditor& session, PresetLibrary& library, StateNow stateNow, QWidget* parent = nullptr);
 
     PresetListModel& model() const { return *model_; }
     bool isDrawing() const { return drawing_ != nullptr; }
@@ -58,7 +57,7 @@ class PresetGallery : public QWidget {
 
   private:
     struct Drawn {
-        std::shared_ptr<const app::CoarseVolume> coarse;  // for the next pictures
+        std::shared_ptr<const pictures::CoarseVolume> coarse;  // for the next pictures
         QImage picture;
     };
 
@@ -80,7 +79,7 @@ class PresetGallery : public QWidget {
     void showMenu(const QPoint& at);
     void fillMenu(QMenu& menu, const LibraryPreset& preset);
     void askForName(const QString& title, const QString& what, const QString& proposed,
-                    const app::PresetRef& own, std::function<Result<void>(const QString&)> then);
+                    const live::PresetRef& own, std::function<Result<void>(const QString&)> then);
     void askToCopy(const LibraryPreset& preset);
     void askToRename(const LibraryPreset& preset);
     void remove(const LibraryPreset& preset);
@@ -88,7 +87,7 @@ class PresetGallery : public QWidget {
     void drawNext();
     void takePicture(const Result<Drawn>& drawn);
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     PresetLibrary& library_;
     StateNow stateNow_;
     QLineEdit* filter_;
@@ -104,7 +103,7 @@ class PresetGallery : public QWidget {
     std::set<PresetGroup> folded_{PresetGroup::others};
 
     QTimer picturesAreDue_;
-    std::shared_ptr<const app::CoarseVolume> coarse_;
+    std::shared_ptr<const pictures::CoarseVolume> coarse_;
     bool hasNoPictures_ = false;  // of this volume
     std::shared_ptr<const TransferFunction> drawing_;
     BackgroundJob<Drawn> pictures_;

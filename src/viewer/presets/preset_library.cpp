@@ -24,7 +24,7 @@ std::string typed(const QString& title) {
 
 }  // namespace
 
-PresetLibrary::PresetLibrary(ViewerSession& session, const std::shared_ptr<app::ModelKeeper>& keeper,
+PresetLibrary::PresetLibrary(StudyEditor& session, const std::shared_ptr<live::StudyKeeper>& keeper,
                              QObject* parent)
     : QObject(parent),
       session_(session),
@@ -35,7 +35,7 @@ PresetLibrary::PresetLibrary(ViewerSession& session, const std::shared_ptr<app::
                      .ended = [this](const Result<presets::ImportedPresets>& read) { onImported(read); }}) {
     mailbox_->library = this;
     // Before anybody who shows presets hears of the study.
-    connect(&session_, &ViewerSession::studyShown, this, [this] {
+    connect(&session_, &StudyEditor::studyShown, this, [this] {
         fitsVolume_.reset();
         if (session_.hasStudy()) fitsVolume_.emplace(*session_.study().volume);
     });
@@ -52,8 +52,8 @@ void PresetLibrary::readStored() {
     const auto keeper = keeper_.lock();
     if (!keeper) return;
     keeper->withStore([mailbox = mailbox_](session::Store* store) {
-        std::optional<Result<app::StoredPresets>> stored;
-        if (store != nullptr) stored = app::readStoredPresets(*store);
+        std::optional<Result<live::StoredPresets>> stored;
+        if (store != nullptr) stored = live::readStoredPresets(*store);
         const std::lock_guard lock(mailbox->mutex);
         PresetLibrary* library = mailbox->library;
         if (library == nullptr) return;
@@ -65,7 +65,7 @@ void PresetLibrary::readStored() {
     });
 }
 
-void PresetLibrary::onStored(const Result<app::StoredPresets>& stored) {
+void PresetLibrary::onStored(const Result<live::StoredPresets>& stored) {
     if (!stored) {
         storeNote_ = tr("Your presets could not be read: %1").arg(inWindowsLanguage(stored.error()));
         emit changed();
@@ -84,14 +84,14 @@ void PresetLibrary::onStored(const Result<app::StoredPresets>& stored) {
 
 // What was changed is on screen by now; where it cannot be written it lives as long as the window.
 void PresetLibrary::write() {
-    std::vector<app::PresetDocument> changes = shelf_.takeChanges();
+    std::vector<live::PresetDocument> changes = shelf_.takeChanges();
     const auto keeper = keeper_.lock();
     if (!keeper || changes.empty()) return;
     keeper->withStore([mailbox = mailbox_, changes = std::move(changes)](session::Store* store) {
         if (store == nullptr) return;  // who reads was told
         std::optional<Error> error;
-        for (const app::PresetDocument& change : changes) {
-            const auto written = app::writePresetDocument(*store, change);
+        for (const live::PresetDocument& change : changes) {
+            const auto written = live::writePresetDocument(*store, change);
             if (!written) error = written.error();
         }
         const std::lock_guard lock(mailbox->mutex);
@@ -133,7 +133,7 @@ std::vector<LibraryPreset> PresetLibrary::own() const {
     return all;
 }
 
-std::optional<LibraryPreset> PresetLibrary::find(const app::PresetRef& ref) const {
+std::optional<LibraryPreset> PresetLibrary::find(const live::PresetRef& ref) const {
     if (const auto own = shelf_.find(ref)) return LibraryPreset{own->id, own->function, own};
     for (const auto& function : session_.builtInPresets())
         if (function->name == ref) return LibraryPreset{ref, function, nullptr};
@@ -144,48 +144,48 @@ bool PresetLibrary::fits(const TransferFunction& function) const {
     return !fitsVolume_ || (*fitsVolume_)(function);
 }
 
-app::PresetRef PresetLibrary::refOf(const TransferFunction& function) const {
+live::PresetRef PresetLibrary::refOf(const TransferFunction& function) const {
     for (const auto& preset : shelf_.own())
-        if (app::isSame(*preset->function, function)) return preset->id;
+        if (scene::isSame(*preset->function, function)) return preset->id;
     for (const auto& preset : session_.builtInPresets())
-        if (app::isSame(*preset, function)) return preset->name;
+        if (scene::isSame(*preset, function)) return preset->name;
     return {};
 }
 
-std::shared_ptr<const TransferFunction> PresetLibrary::functionOf(const app::StudyState& state) const {
+std::shared_ptr<const TransferFunction> PresetLibrary::functionOf(const scene::StudyState& state) const {
     if (state.preset) return state.preset;
-    return app::presetFor(session_.catalogue(), *session_.study().volume);
+    return scene::presetFor(session_.catalogue(), *session_.study().volume);
 }
 
-Result<app::PresetRef> PresetLibrary::saveCurve(const QString& title, const app::StudyState& state) {
+Result<live::PresetRef> PresetLibrary::saveCurve(const QString& title, const scene::StudyState& state) {
     if (!session_.hasStudy())
         return Error{ErrorCode::usage, "There is no preset to save yet.", {}, "Open a study first."};
-    MACULA_TRY(const app::PresetRef ref, shelf_.add(typed(title), *functionOf(state)));
+    MACULA_TRY(const live::PresetRef ref, shelf_.add(typed(title), *functionOf(state)));
     tellChange();
     showAs(tr("Keep preset"), state.preset, ref);
     return ref;
 }
 
-Result<app::PresetRef> PresetLibrary::saveSeen(const QString& title, const app::StudyState& state) {
+Result<live::PresetRef> PresetLibrary::saveSeen(const QString& title, const scene::StudyState& state) {
     if (!session_.hasStudy())
         return Error{ErrorCode::usage, "There is nothing to be seen yet.", {}, "Open a study first."};
-    MACULA_TRY(const app::PresetRef ref,
-               shelf_.add(typed(title), *functionOf(state), app::seenOf(state, *session_.study().volume)));
+    MACULA_TRY(const live::PresetRef ref,
+               shelf_.add(typed(title), *functionOf(state), live::seenOf(state, *session_.study().volume)));
     tellChange();
     showAs(tr("Keep preset"), state.preset, ref);
     return ref;
 }
 
-Result<app::PresetRef> PresetLibrary::saveCopy(const QString& title, const app::PresetRef& ref) {
+Result<live::PresetRef> PresetLibrary::saveCopy(const QString& title, const live::PresetRef& ref) {
     const auto preset = find(ref);
     if (!preset) return Error{ErrorCode::usage, "The preset is gone.", {}, "Choose another one."};
-    MACULA_TRY(const app::PresetRef copy,
+    MACULA_TRY(const live::PresetRef copy,
                shelf_.add(typed(title), *preset->function, preset->own ? preset->own->seen : std::nullopt));
     tellChange();
     return copy;
 }
 
-Result<void> PresetLibrary::rename(const app::PresetRef& own, const QString& title) {
+Result<void> PresetLibrary::rename(const live::PresetRef& own, const QString& title) {
     const auto before = shelf_.find(own);
     MACULA_TRY_VOID(shelf_.rename(own, typed(title)));
     tellChange();
@@ -194,14 +194,14 @@ Result<void> PresetLibrary::rename(const app::PresetRef& own, const QString& tit
 }
 
 void PresetLibrary::showAs(const QString& what, const std::shared_ptr<const TransferFunction>& before,
-                           const app::PresetRef& now) {
+                           const live::PresetRef& now) {
     const auto& shown = session_.state().preset;
     const auto own = shelf_.find(now);
-    if (!before || !shown || !own || !app::isSame(*shown, *before)) return;
-    session_.change(what, [&](app::StudyState& next) { next.preset = own->function; });
+    if (!before || !shown || !own || !scene::isSame(*shown, *before)) return;
+    session_.change(what, [&](scene::StudyState& next) { next.preset = own->function; });
 }
 
-QString PresetLibrary::whyNameIsRefused(const QString& title, const app::PresetRef& own) const {
+QString PresetLibrary::whyNameIsRefused(const QString& title, const live::PresetRef& own) const {
     const auto free = shelf_.freeName(typed(title), own);
     return free ? QString() : inWindowsLanguage(free.error());
 }
@@ -210,7 +210,7 @@ QString PresetLibrary::freeTitle(const QString& title) const {
     return QString::fromStdString(shelf_.nearestFreeName(typed(title)));
 }
 
-bool PresetLibrary::remove(const app::PresetRef& own) {
+bool PresetLibrary::remove(const live::PresetRef& own) {
     auto removed = shelf_.remove(own);
     if (!removed) return false;
     removed_ = std::move(removed);
@@ -228,13 +228,13 @@ void PresetLibrary::putBackRemoved() {
     tellChange();
 }
 
-void PresetLibrary::setFavourite(const app::PresetRef& ref, bool isFavourite) {
+void PresetLibrary::setFavourite(const live::PresetRef& ref, bool isFavourite) {
     shelf_.setFavourite(ref, isFavourite);
     write();
     emit changed();
 }
 
-void PresetLibrary::noteUsed(const app::PresetRef& ref) {
+void PresetLibrary::noteUsed(const live::PresetRef& ref) {
     if (ref.empty()) return;
     shelf_.noteUsed(ref, session_.hasStudy() ? session_.study().volume->modality() : std::string());
     write();
@@ -285,7 +285,7 @@ void PresetLibrary::onImported(const Result<presets::ImportedPresets>& read) {
     }
 }
 
-Result<void> PresetLibrary::exportTo(const std::string& path, const app::PresetRef& ref) const {
+Result<void> PresetLibrary::exportTo(const std::string& path, const live::PresetRef& ref) const {
     const auto preset = find(ref);
     if (!preset) return Error{ErrorCode::usage, "The preset is gone.", {}, "Choose another one."};
     return writeTextAtomically(path, toJson(*preset->function));

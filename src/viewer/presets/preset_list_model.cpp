@@ -10,7 +10,7 @@ namespace macula::viewer {
 PresetListModel::PresetListModel(QObject* parent) : QAbstractListModel(parent) {}
 
 void PresetListModel::setRows(std::vector<PresetRow> rows, std::set<PresetGroup> expanded,
-                              std::set<app::PresetRef> favourites) {
+                              std::set<live::PresetRef> favourites) {
     beginResetModel();
     rows_ = std::move(rows);
     expanded_ = std::move(expanded);
@@ -18,7 +18,7 @@ void PresetListModel::setRows(std::vector<PresetRow> rows, std::set<PresetGroup>
     endResetModel();
 }
 
-void PresetListModel::setShown(const app::PresetRef& ref) {
+void PresetListModel::setShown(const live::PresetRef& ref) {
     if (std::exchange(shown_, ref) == ref || rows_.empty()) return;
     emit dataChanged(index(0), index(int(rows_.size()) - 1), {isShownRole, Qt::AccessibleTextRole});
 }
@@ -64,7 +64,7 @@ QString PresetListModel::titleOf(const PresetRow& row) const {
 }
 
 QString PresetListModel::aboutOf(const LibraryPreset& preset) const {
-    const QString kind = QString::fromStdString(app::kindOf(*preset.function));
+    const QString kind = QString::fromStdString(scene::kindOf(*preset.function));
     if (!preset.own || !preset.own->seen) return kind;
     return kind.isEmpty() ? tr("all that was seen") : tr("%1, all that was seen").arg(kind);
 }

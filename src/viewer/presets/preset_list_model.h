@@ -41,8 +41,8 @@ class PresetListModel : public QAbstractListModel {
 
     // Replaces all rows. A folded group has only its heading; an empty group has none.
     void setRows(std::vector<PresetRow> rows, std::set<PresetGroup> expanded,
-                 std::set<app::PresetRef> favourites);
-    void setShown(const app::PresetRef& ref);
+                 std::set<live::PresetRef> favourites);
+    void setShown(const live::PresetRef& ref);
     const std::vector<PresetRow>& rows() const { return rows_; }
     bool isExpanded(PresetGroup group) const { return expanded_.contains(group); }
 
@@ -62,8 +62,8 @@ class PresetListModel : public QAbstractListModel {
 
     std::vector<PresetRow> rows_;
     std::set<PresetGroup> expanded_;
-    std::set<app::PresetRef> favourites_;
-    app::PresetRef shown_;
+    std::set<live::PresetRef> favourites_;
+    live::PresetRef shown_;
     struct Picture {
         std::shared_ptr<const TransferFunction> function;  // keeps the address unique
         QImage image;

@@ -14,7 +14,7 @@ double secondsOfClock() {
 }
 
 // Noise falls with the root of the samples.
-double fractionOf(const app::FrameShown& frame) {
+double fractionOf(const live::FrameShown& frame) {
     const double byNoise = frame.noise > 0.0 ? std::pow(ConvergeNow::kNoiseTarget / frame.noise, 2.0) : 0.0;
     const double bySamples = double(frame.samplesPerPixel) / double(ConvergeNow::kSampleLimit);
     return std::clamp(std::max(byNoise, bySamples), 0.0, 1.0);
@@ -53,11 +53,11 @@ void ConvergeNow::end(const QString& told) {
     emit ended(told);
 }
 
-void ConvergeNow::onFrame(const app::FrameShown& frame) {
+void ConvergeNow::onFrame(const live::FrameShown& frame) {
     // Frames of before still come for a while.
     if (!isRunning_ || frame.noiseTarget != kNoiseTarget) return;
-    if (frame.picture != app::OnScreen::traced && frame.picture != app::OnScreen::fading) return;
-    if (frame.stage == app::Stage::converged) {
+    if (frame.picture != live::OnScreen::traced && frame.picture != live::OnScreen::fading) return;
+    if (frame.stage == live::Stage::converged) {
         const bool isKnown = std::isfinite(frame.noise) && frame.noise > 0.0;
         return end(isKnown ? tr("The picture is final: %Ln samples, noise %1 of black to white.", nullptr,
                                 int(frame.samplesPerPixel))

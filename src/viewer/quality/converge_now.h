@@ -14,7 +14,7 @@ namespace macula::viewer {
 // What counts as converged, and whether training of the model waits for it.
 struct RestGoal {
     std::uint32_t sampleLimit = 512;
-    double noiseTarget = app::kUnseenNoise;
+    double noiseTarget = live::kUnseenNoise;
     bool convergesNow = false;
 
     bool operator==(const RestGoal&) const = default;
@@ -27,7 +27,7 @@ class ConvergeNow : public QObject {
 
   public:
     // Half the usual noise target, which takes four times the samples; and the most samples.
-    static constexpr double kNoiseTarget = 0.5 * app::kUnseenNoise;
+    static constexpr double kNoiseTarget = 0.5 * live::kUnseenNoise;
     static constexpr std::uint32_t kSampleLimit = 1u << 16;
 
     // `usual` is the goal while it does not run. `nowS`: a clock, in seconds.
@@ -37,7 +37,7 @@ class ConvergeNow : public QObject {
     void cancel();
     bool running() const { return isRunning_; }
 
-    void onFrame(const app::FrameShown& frame);
+    void onFrame(const live::FrameShown& frame);
     // Call when another picture is wanted; ends the run.
     void onOtherPicture();
 

@@ -24,7 +24,7 @@ QString millisecondsText(double ms) {
 
 }  // namespace
 
-QualityControl::QualityControl(app::QualityFront front, QWidget* parent)
+QualityControl::QualityControl(live::QualityFront front, QWidget* parent)
     : QToolButton(parent), front_(std::move(front)), view_({.sizePx = front_.sizePx}) {
     setObjectName(QStringLiteral("quality"));
     setAutoRaise(true);
@@ -78,7 +78,7 @@ void QualityControl::setSlowness(std::optional<double> slowness) {
     tell();
 }
 
-void QualityControl::setView(const app::WindowView& view) {
+void QualityControl::setView(const live::WindowView& view) {
     if (view == view_ || view.sizePx.x < 1 || view.sizePx.y < 1) return;
     view_ = view;
     showStop();
@@ -104,7 +104,7 @@ void QualityControl::step(int by) {
 }
 
 std::size_t QualityControl::nearestStop() const {
-    return app::stopOf(front_, view_, slowness_.value_or(kAsFast), kUsualFrameMs);
+    return live::stopOf(front_, view_, slowness_.value_or(kAsFast), kUsualFrameMs);
 }
 
 void QualityControl::showStop() {
@@ -123,11 +123,11 @@ void QualityControl::showStop() {
 }
 
 // Error by error, time by time; and what the error was measured with, where the picture is made otherwise.
-QString QualityControl::wordsOf(const app::FrontPoint& stop) const {
+QString QualityControl::wordsOf(const live::FrontPoint& stop) const {
     QString words;
     if (slowness_) {
         words = tr("About %1 a frame on this machine.")
-                    .arg(millisecondsText(app::costOf(front_, stop, view_, *slowness_).ms()));
+                    .arg(millisecondsText(live::costOf(front_, stop, view_, *slowness_).ms()));
     } else {
         words = tr("How long a frame takes here is being measured.");
     }
@@ -143,10 +143,10 @@ QString QualityControl::wordsOf(const app::FrontPoint& stop) const {
 }
 
 void QualityControl::tell() {
-    app::LiveQuality now;
+    live::LiveQuality now;
     if (stop_) {
-        const app::FrontPoint& stop = front_.stops[*stop_];
-        now = app::liveQualityOf(stop, app::costOf(front_, stop, view_, slowness_.value_or(kAsFast)));
+        const live::FrontPoint& stop = front_.stops[*stop_];
+        now = live::liveQualityOf(stop, live::costOf(front_, stop, view_, slowness_.value_or(kAsFast)));
     }
     if (now == told_) return;
     told_ = now;

@@ -19,13 +19,13 @@ class QualityControl : public QToolButton {
     Q_OBJECT
 
   public:
-    explicit QualityControl(app::QualityFront front, QWidget* parent = nullptr);
+    explicit QualityControl(live::QualityFront front, QWidget* parent = nullptr);
 
-    const app::QualityFront& front() const { return front_; }
+    const live::QualityFront& front() const { return front_; }
     // The frame time of this machine relative to the measuring one; nothing: not known yet.
     void setSlowness(std::optional<double> slowness);
     std::optional<double> slowness() const { return slowness_; }
-    void setView(const app::WindowView& view);
+    void setView(const live::WindowView& view);
     void setBounces(int bounces);  // of the current picture; the slider does not change them
 
     // Nothing: automatic.
@@ -35,21 +35,21 @@ class QualityControl : public QToolButton {
     QString words() const { return words_->text(); }  // the cost of the stop
 
   signals:
-    void changed(const macula::app::LiveQuality& quality);
+    void changed(const macula::live::LiveQuality& quality);
 
   private:
     void makePanel();
     void showStop();
     void tell();
-    QString wordsOf(const app::FrontPoint& stop) const;
+    QString wordsOf(const live::FrontPoint& stop) const;
     std::size_t nearestStop() const;
 
-    app::QualityFront front_;
+    live::QualityFront front_;
     std::optional<double> slowness_;
-    app::WindowView view_;
+    live::WindowView view_;
     int bounces_ = 0;
     std::optional<std::size_t> stop_;
-    app::LiveQuality told_;
+    live::LiveQuality told_;
     QSlider* slider_ = nullptr;
     QCheckBox* automatic_ = nullptr;
     QLabel* words_ = nullptr;

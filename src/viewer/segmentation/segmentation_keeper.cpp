@@ -12,11 +12,11 @@ namespace macula::viewer {
 
 namespace {
 
-using app::SegmentationChoice;
+using scene::SegmentationSettings;
 
 }  // namespace
 
-SegmentationKeeper::SegmentationKeeper(ViewerSession& session, QObject* parent)
+SegmentationKeeper::SegmentationKeeper(StudyEditor& session, QObject* parent)
     : QObject(parent),
       session_(session),
       finding_(this, {.progressed = [](const ProgressUpdate&) {},
@@ -37,18 +37,18 @@ SegmentationKeeper::SegmentationKeeper(ViewerSession& session, QObject* parent)
                               emit maskMade(*outcome);
                           }}) {
     connect(this, &SegmentationKeeper::refused, this, &SegmentationKeeper::onRefused);
-    connect(&session_, &ViewerSession::studyShown, this, &SegmentationKeeper::onStudyShown);
-    connect(&session_, &ViewerSession::changed, this, &SegmentationKeeper::onChanged);
+    connect(&session_, &StudyEditor::studyShown, this, &SegmentationKeeper::onStudyShown);
+    connect(&session_, &StudyEditor::changed, this, &SegmentationKeeper::onChanged);
     onStudyShown();
 }
 
 const dicom::Stack* SegmentationKeeper::stack() const {
-    const app::OpenedStudy& study = session_.study();
+    const study::OpenedStudy& study = session_.study();
     if (!study.found || study.volumeIndex >= study.found->volumes().size()) return nullptr;
     return study.found->volumes()[study.volumeIndex].stack;
 }
 
-const app::LoadedSegmentation* SegmentationKeeper::loaded(std::string_view digest) const {
+const study::LoadedSegmentation* SegmentationKeeper::loaded(std::string_view digest) const {
     const auto at = std::ranges::find_if(loaded_, [&](const Loaded& each) { return each->digest == digest; });
     return at == loaded_.end() ? nullptr : at->get();
 }
@@ -74,7 +74,7 @@ void SegmentationKeeper::onStudyShown() {
     if (stack() != nullptr) {
         finding_.start(
             [found = session_.study().found, index = session_.study().volumeIndex](Progress& progress) {
-                return app::findSegmentations(*found, found->volumes().at(index), progress);
+                return study::findSegmentations(*found, found->volumes().at(index), progress);
             });
     }
     emit listChanged();
@@ -91,14 +91,14 @@ void SegmentationKeeper::onFound(const Result<Found>& outcome) {
     loadNext();
 }
 
-void SegmentationKeeper::onChanged(const app::StudyState& before) {
+void SegmentationKeeper::onChanged(const scene::StudyState& before) {
     if (session_.state().segmentations == before.segmentations) return;
     // What somebody shows again is tried again.
-    for (const SegmentationChoice& choice : session_.state().segmentations) {
-        if (choice.isShown && !app::choiceOf(before.segmentations, choice.digest).isShown)
+    for (const SegmentationSettings& choice : session_.state().segmentations) {
+        if (choice.isShown && !scene::choiceOf(before.segmentations, choice.digest).isShown)
             troubles_.erase(choice.digest);
     }
-    if (isLoading() && !app::choiceOf(session_.state().segmentations, isBeingLoaded_).isShown) {
+    if (isLoading() && !scene::choiceOf(session_.state().segmentations, isBeingLoaded_).isShown) {
         loading_.cancel();
         isBeingLoaded_.clear();
         emit ended();
@@ -111,16 +111,16 @@ void SegmentationKeeper::onChanged(const app::StudyState& before) {
 // The first of those that are shown and not there yet.
 void SegmentationKeeper::loadNext() {
     if (isLoading() || isFinding() || stack() == nullptr) return;
-    const auto isWanted = [this](const app::FoundSegmentation& each) {
+    const auto isWanted = [this](const study::FoundSegmentation& each) {
         return each.canBeShown() && !loaded(each.digest) && trouble(each.digest).isEmpty() &&
-               app::choiceOf(session_.state().segmentations, each.digest).isShown;
+               scene::choiceOf(session_.state().segmentations, each.digest).isShown;
     };
     const auto next = std::ranges::find_if(found_, isWanted);
     if (next == found_.end()) return;
     isBeingLoaded_ = next->digest;
     loading_.start([found = *next, volume = session_.study().volume, scanned = session_.study().found,
                     stack = stack()](Progress& progress) {
-        return app::loadSegments(found, *volume, *stack, progress);
+        return study::loadSegments(found, *volume, *stack, progress);
     });
     emit began();
 }
@@ -144,29 +144,29 @@ void SegmentationKeeper::cancel() {
     if (!loading_.cancel()) return;
     isBeingLoaded_.clear();
     emit ended();
-    session_.change(tr("Segmentations"), [this](app::StudyState& next) {
-        for (const app::FoundSegmentation& each : found_) {
-            SegmentationChoice choice = app::choiceOf(next.segmentations, each.digest);
+    session_.change(tr("Segmentations"), [this](scene::StudyState& next) {
+        for (const study::FoundSegmentation& each : found_) {
+            SegmentationSettings choice = scene::choiceOf(next.segmentations, each.digest);
             if (!choice.isShown || loaded(each.digest)) continue;
             choice.isShown = false;
-            app::choose(next.segmentations, std::move(choice));
+            scene::choose(next.segmentations, std::move(choice));
         }
     });
 }
 
 void SegmentationKeeper::showOnSlices() {
     auto shown = std::make_shared<slices::ShownSegments>();
-    for (const app::FoundSegmentation& found : found_) {
-        const SegmentationChoice choice = app::choiceOf(session_.state().segmentations, found.digest);
-        const app::LoadedSegmentation* there = choice.isShown ? loaded(found.digest) : nullptr;
+    for (const study::FoundSegmentation& found : found_) {
+        const SegmentationSettings choice = scene::choiceOf(session_.state().segmentations, found.digest);
+        const study::LoadedSegmentation* there = choice.isShown ? loaded(found.digest) : nullptr;
         if (there == nullptr) continue;
-        for (const app::LoadedSegment& segment : there->segments) {
-            const app::SegmentChoice how = app::choiceOf(choice, segment.segment.number);
+        for (const study::LoadedSegment& segment : there->segments) {
+            const scene::SegmentSettings how = scene::choiceOf(choice, segment.segment.number);
             if (!how.isVisible || !segment.isInVolume()) continue;
             slices::ShownSegment each;
             each.voxels = segment.voxels;
             each.label = segment.segment.label;
-            each.rgb = how.rgb.value_or(app::usualRgb(segment.segment));
+            each.rgb = how.rgb.value_or(study::usualRgb(segment.segment));
             each.opacity = how.opacity;
             each.isResampled = there->isResampled;
             each.hasFractions = there->hasFractions;
@@ -181,12 +181,13 @@ void SegmentationKeeper::showOnSlices() {
 
 // Anew only where something else is asked for, or more is there to do it with.
 void SegmentationKeeper::mask() {
-    std::vector<app::In3dOf> wanted = app::in3dOf(session_.state().segmentations);
+    std::vector<scene::In3dOf> wanted = scene::in3dOf(session_.state().segmentations);
     if (wanted == masked_ && (wanted.empty() || maskedOf_ == loaded_.size())) return;
     masked_ = std::move(wanted);
     maskedOf_ = loaded_.size();
     making_ = masked_;
-    std::erase_if(making_, [this](const app::In3dOf& each) { return !loaded(std::get<std::string>(each)); });
+    std::erase_if(making_,
+                  [this](const scene::In3dOf& each) { return !loaded(std::get<std::string>(each)); });
     if (masked_.empty()) {
         masking_.cancel();
         made_.clear();
@@ -195,35 +196,35 @@ void SegmentationKeeper::mask() {
     }
     masking_.start([choices = session_.state().segmentations, loaded = loaded_,
                     volume = session_.study().volume](Progress& progress) {
-        return app::segmentMask(choices, loaded, *volume, progress);
+        return scene::segmentMask(choices, loaded, *volume, progress);
     });
 }
 
 // Picture, panel and state say the same, and an undo does not ask for it again.
 void SegmentationKeeper::onRefused(const Error& error) {
     masking_.cancel();
-    const std::vector<app::In3dOf> asked = std::exchange(masked_, made_);
-    session_.correct([&](app::StudyState& each) {
-        if (app::in3dOf(each.segmentations) == asked)
-            each.segmentations = app::withIn3d(each.segmentations, made_);
+    const std::vector<scene::In3dOf> asked = std::exchange(masked_, made_);
+    session_.correct([&](scene::StudyState& each) {
+        if (scene::in3dOf(each.segmentations) == asked)
+            each.segmentations = scene::withIn3d(each.segmentations, made_);
     });
     emit failed(error);
 }
 
 QString SegmentationKeeper::note() const {
     if (!session_.hasStudy() || isFinding()) return {};
-    const auto isThere = [this](const SegmentationChoice& choice) {
-        return std::ranges::any_of(found_, [&](const app::FoundSegmentation& each) {
+    const auto isThere = [this](const SegmentationSettings& choice) {
+        return std::ranges::any_of(found_, [&](const study::FoundSegmentation& each) {
             return each.digest == choice.digest && each.canBeShown();
         });
     };
-    for (const SegmentationChoice& choice : session_.state().segmentations) {
+    for (const SegmentationSettings& choice : session_.state().segmentations) {
         if (choice.isShown && !isThere(choice))
             return tr(
                 "A segmentation that was shown with this study is not in the folder; nothing of it is "
                 "shown or hidden.");
     }
-    const auto count = std::ranges::count_if(found_, &app::FoundSegmentation::canBeShown);
+    const auto count = std::ranges::count_if(found_, &study::FoundSegmentation::canBeShown);
     if (count == 0) return {};
     return tr("There are %n segmentations of this volume: F11.", nullptr, int(count));
 }

@@ -15,8 +15,8 @@
 #include "slices/segment_picture.h"
 #include "study/segmentation/found_segmentation.h"
 #include "study/segmentation/loaded_segmentation.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/jobs/background_job.h"
-#include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {
 
@@ -28,18 +28,18 @@ class SegmentationKeeper : public QObject {
 
   public:
     // The session must outlive it.
-    explicit SegmentationKeeper(ViewerSession& session, QObject* parent = nullptr);
+    explicit SegmentationKeeper(StudyEditor& session, QObject* parent = nullptr);
 
-    const std::vector<app::FoundSegmentation>& found() const { return found_; }
+    const std::vector<study::FoundSegmentation>& found() const { return found_; }
     bool isFinding() const { return finding_.running(); }
     bool isLoading() const { return loading_.running(); }
     bool isAtRest() const { return !isFinding() && !isLoading() && !masking_.running(); }
-    const app::LoadedSegmentation* loaded(std::string_view digest) const;  // null: not loaded
-    const app::LoadedSegmentations& allLoaded() const { return loaded_; }
+    const study::LoadedSegmentation* loaded(std::string_view digest) const;  // null: not loaded
+    const scene::LoadedSegmentations& allLoaded() const { return loaded_; }
     QString trouble(std::string_view digest) const;  // why loading failed; empty without error
 
     // The choices of the last mask that was made.
-    const std::vector<app::In3dOf>& madeIn3d() const { return made_; }
+    const std::vector<scene::In3dOf>& madeIn3d() const { return made_; }
 
     // The segments over slices now; null: none.
     const std::shared_ptr<const slices::ShownSegments>& shown() const { return shown_; }
@@ -61,11 +61,11 @@ class SegmentationKeeper : public QObject {
     void failed(const macula::Error& error);
 
   private:
-    using Found = std::vector<app::FoundSegmentation>;
-    using Loaded = std::shared_ptr<const app::LoadedSegmentation>;
+    using Found = std::vector<study::FoundSegmentation>;
+    using Loaded = std::shared_ptr<const study::LoadedSegmentation>;
 
     void onStudyShown();
-    void onChanged(const app::StudyState& before);
+    void onChanged(const scene::StudyState& before);
     void onFound(const Result<Found>& outcome);
     void onLoaded(const Result<Loaded>& outcome);
     void loadNext();
@@ -74,16 +74,16 @@ class SegmentationKeeper : public QObject {
     void onRefused(const Error& error);
     const dicom::Stack* stack() const;  // of the open volume; null if it is of no folder
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     Found found_;
     std::vector<Loaded> loaded_;
     std::map<std::string, QString, std::less<>> troubles_;  // by digest
     std::string isBeingLoaded_;                             // digest
     std::shared_ptr<const slices::ShownSegments> shown_;
-    std::vector<app::In3dOf> masked_;  // the choices wanted for the last mask
-    std::vector<app::In3dOf> making_;  // of these, the loaded ones
-    std::vector<app::In3dOf> made_;    // those of the last finished mask
-    std::size_t maskedOf_ = 0;         // loaded segmentations at that time
+    std::vector<scene::In3dOf> masked_;  // the choices wanted for the last mask
+    std::vector<scene::In3dOf> making_;  // of these, the loaded ones
+    std::vector<scene::In3dOf> made_;    // those of the last finished mask
+    std::size_t maskedOf_ = 0;           // loaded segmentations at that time
     BackgroundJob<Found> finding_;
     BackgroundJob<Loaded> loading_;
     BackgroundJob<std::optional<Mask>> masking_;

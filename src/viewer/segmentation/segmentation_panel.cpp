@@ -64,19 +64,19 @@ QString toolTipOf(const Segment& segment) {
     return lines.join(QLatin1Char('\n')).toHtmlEscaped().replace(QLatin1Char('\n'), QStringLiteral("<br>"));
 }
 
-QString in3dText(app::In3d in3d) {
+QString in3dText(scene::In3d in3d) {
     switch (in3d) {
-        case app::In3d::asIs:
+        case scene::In3d::asIs:
             return {};
-        case app::In3d::alone:
+        case scene::In3d::alone:
             return SegmentationPanel::tr("alone");
-        case app::In3d::hidden:
+        case scene::In3d::hidden:
             return SegmentationPanel::tr("hidden");
     }
     return {};
 }
 
-QString in3dText(const app::SegmentChoice& choice) {
+QString in3dText(const scene::SegmentSettings& choice) {
     QStringList words;
     if (const QString word = in3dText(choice.in3d); !word.isEmpty()) words << word;
     if (choice.isColouredIn3d) words << SegmentationPanel::tr("in colour");
@@ -85,7 +85,7 @@ QString in3dText(const app::SegmentChoice& choice) {
 
 }  // namespace
 
-SegmentationPanel::SegmentationPanel(ViewerSession& session, SegmentationKeeper& keeper, QWidget* parent)
+SegmentationPanel::SegmentationPanel(StudyEditor& session, SegmentationKeeper& keeper, QWidget* parent)
     : QWidget(parent), session_(session), keeper_(keeper) {
     makeTree();
     notes_ = new QLabel(this);
@@ -97,7 +97,7 @@ SegmentationPanel::SegmentationPanel(ViewerSession& session, SegmentationKeeper&
     column->addWidget(makeControls());
     column->addWidget(notes_);
     connect(&keeper_, &SegmentationKeeper::listChanged, this, &SegmentationPanel::fill);
-    connect(&session_, &ViewerSession::changed, this, [this](const app::StudyState& before) {
+    connect(&session_, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
         if (session_.state().segmentations != before.segmentations) showChoices();
     });
     fill();
@@ -140,14 +140,14 @@ QWidget* SegmentationPanel::makeControls() {
                        tr("In 3D, the matter in this segment has the colour of the segment"));
     for (QPushButton* each : {alone_, hide_, coloured_}) each->setCheckable(true);
     connect(coloured_, &QPushButton::clicked, this, &SegmentationPanel::setColoured);
-    connect(alone_, &QPushButton::clicked, this, [this](bool on) { setIn3d(app::In3d::alone, on); });
-    connect(hide_, &QPushButton::clicked, this, [this](bool on) { setIn3d(app::In3d::hidden, on); });
+    connect(alone_, &QPushButton::clicked, this, [this](bool on) { setIn3d(scene::In3d::alone, on); });
+    connect(hide_, &QPushButton::clicked, this, [this](bool on) { setIn3d(scene::In3d::hidden, on); });
     opacity_ = makeOpacity("segment-opacity", tr("How opaque the segment is filled on slices, in %"),
-                           &app::SegmentChoice::opacity, controls);
+                           &scene::SegmentSettings::opacity, controls);
     opacity_->setAccessibleName(tr("Opacity"));
     opacityIn3d_ = makeOpacity("segment-opacity-3d",
                                tr("In 3D, how much of the matter in a segment in colour is left, in %"),
-                               &app::SegmentChoice::opacityIn3d, controls);
+                               &scene::SegmentSettings::opacityIn3d, controls);
     opacityIn3d_->setAccessibleName(tr("Opacity in 3D"));
 
     auto* form = new QFormLayout(controls);
@@ -167,7 +167,7 @@ QWidget* SegmentationPanel::makeControls() {
 }
 
 QSlider* SegmentationPanel::makeOpacity(const char* name, const QString& text,
-                                        double app::SegmentChoice::*opacity, QWidget* parent) {
+                                        double scene::SegmentSettings::*opacity, QWidget* parent) {
     auto* slider = new QSlider(Qt::Horizontal, parent);
     slider->setObjectName(QString::fromLatin1(name));
     slider->setToolTip(text);
@@ -176,10 +176,10 @@ QSlider* SegmentationPanel::makeOpacity(const char* name, const QString& text,
     (new WheelGuard(this))->watch(*slider);
     connect(slider, &QSlider::valueChanged, this, [this, slider, opacity](int percent) {
         edit(
-            tr("Opacity"), [=](app::SegmentChoice& next) { next.*opacity = percent / 100.0; }, true);
+            tr("Opacity"), [=](scene::SegmentSettings& next) { next.*opacity = percent / 100.0; }, true);
         if (!slider->isSliderDown()) session_.endDrag();
     });
-    connect(slider, &QSlider::sliderReleased, &session_, &ViewerSession::endDrag);
+    connect(slider, &QSlider::sliderReleased, &session_, &StudyEditor::endDrag);
     return slider;
 }
 
@@ -202,7 +202,7 @@ void SegmentationPanel::fill() {
         const auto was = tree_->currentItem() ? std::optional(rowOf(*tree_->currentItem())) : std::nullopt;
         tree_->clear();
         std::size_t place = 0;
-        for (const app::FoundSegmentation& found : keeper_.found()) addSegmentation(found, ++place);
+        for (const study::FoundSegmentation& found : keeper_.found()) addSegmentation(found, ++place);
         tree_->expandAll();
         for (QTreeWidgetItemIterator at(tree_); was && *at != nullptr; ++at) {
             if (rowOf(**at) == *was) tree_->setCurrentItem(*at);
@@ -211,7 +211,7 @@ void SegmentationPanel::fill() {
     showChoices();
 }
 
-void SegmentationPanel::addSegmentation(const app::FoundSegmentation& found, std::size_t place) {
+void SegmentationPanel::addSegmentation(const study::FoundSegmentation& found, std::size_t place) {
     auto* item = new QTreeWidgetItem(tree_);
     item->setData(kName, kDigestRole, QString::fromStdString(found.digest));
     const QString title = namesShown_ ? shown(found.title) : tr("Segmentation %1").arg(place);
@@ -229,8 +229,9 @@ void SegmentationPanel::addSegmentation(const app::FoundSegmentation& found, std
         return;
     }
     item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-    if (const app::LoadedSegmentation* there = keeper_.loaded(found.digest)) {
-        for (const app::LoadedSegment& each : there->segments) addSegment(*item, found.digest, each.segment);
+    if (const study::LoadedSegmentation* there = keeper_.loaded(found.digest)) {
+        for (const study::LoadedSegment& each : there->segments)
+            addSegment(*item, found.digest, each.segment);
     } else {
         for (const Segment& each : found.header.segments) addSegment(*item, found.digest, each);
     }
@@ -246,7 +247,7 @@ void SegmentationPanel::addSegment(QTreeWidgetItem& above, const std::string& di
     item->setToolTip(kName, toolTipOf(segment));
     item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
     const Row row{digest, segment.number};
-    const app::LoadedSegment* there = loaded(row);
+    const study::LoadedSegment* there = loaded(row);
     QString ml = QStringLiteral("–");
     if (there != nullptr && there->volumeMl) ml = mlText(*there->volumeMl, isCalibrated());
     item->setText(kMl, ml);
@@ -272,11 +273,11 @@ void SegmentationPanel::showChoice(QTreeWidgetItem& item) {
     if (!item.flags().testFlag(Qt::ItemIsUserCheckable)) return;
     const Row row = rowOf(item);
     if (!row.number) {
-        const bool isShown = app::choiceOf(session_.state().segmentations, row.digest).isShown;
+        const bool isShown = scene::choiceOf(session_.state().segmentations, row.digest).isShown;
         item.setCheckState(kName, isShown ? Qt::Checked : Qt::Unchecked);
         return;
     }
-    const app::SegmentChoice now = choice(row);
+    const scene::SegmentSettings now = choice(row);
     item.setCheckState(kName, now.isVisible ? Qt::Checked : Qt::Unchecked);
     item.setIcon(kName, chip(colour(row)));
     item.setText(kIn3d, in3dText(now));
@@ -286,15 +287,16 @@ void SegmentationPanel::onItemChanged(QTreeWidgetItem* item, int column) {
     if (column != kName || !session_.hasStudy()) return;
     const Row row = rowOf(*item);
     const bool isChecked = item->checkState(kName) == Qt::Checked;
-    session_.change(tr("Segmentations"), [&](app::StudyState& next) {
+    session_.change(tr("Segmentations"), [&](scene::StudyState& next) {
         if (!row.number) {
-            app::SegmentationChoice whole = app::choiceOf(next.segmentations, row.digest);
+            scene::SegmentationSettings whole = scene::choiceOf(next.segmentations, row.digest);
             whole.isShown = isChecked;
-            return app::choose(next.segmentations, std::move(whole));
+            return scene::choose(next.segmentations, std::move(whole));
         }
-        app::SegmentChoice one = app::choiceOf(app::choiceOf(next.segmentations, row.digest), *row.number);
+        scene::SegmentSettings one =
+            scene::choiceOf(scene::choiceOf(next.segmentations, row.digest), *row.number);
         one.isVisible = isChecked;
-        app::choose(next.segmentations, row.digest, one);
+        scene::choose(next.segmentations, row.digest, one);
     });
 }
 
@@ -306,18 +308,18 @@ std::optional<SegmentationPanel::Row> SegmentationPanel::selected() const {
     return row.number ? std::optional(row) : std::nullopt;
 }
 
-app::SegmentChoice SegmentationPanel::choice(const Row& row) const {
-    return app::choiceOf(app::choiceOf(session_.state().segmentations, row.digest), *row.number);
+scene::SegmentSettings SegmentationPanel::choice(const Row& row) const {
+    return scene::choiceOf(scene::choiceOf(session_.state().segmentations, row.digest), *row.number);
 }
 
-const app::LoadedSegment* SegmentationPanel::loaded(const Row& row) const {
-    const app::LoadedSegmentation* there = keeper_.loaded(row.digest);
+const study::LoadedSegment* SegmentationPanel::loaded(const Row& row) const {
+    const study::LoadedSegmentation* there = keeper_.loaded(row.digest);
     return there != nullptr ? there->segment(*row.number) : nullptr;
 }
 
 std::optional<Segment> SegmentationPanel::segment(const Row& row) const {
-    if (const app::LoadedSegment* there = loaded(row)) return there->segment;
-    for (const app::FoundSegmentation& found : keeper_.found()) {
+    if (const study::LoadedSegment* there = loaded(row)) return there->segment;
+    for (const study::FoundSegmentation& found : keeper_.found()) {
         if (found.digest != row.digest) continue;
         for (const Segment& each : found.header.segments)
             if (each.number == row.number) return each;
@@ -327,7 +329,7 @@ std::optional<Segment> SegmentationPanel::segment(const Row& row) const {
 
 QColor SegmentationPanel::colour(const Row& row) const {
     const auto own = choice(row).rgb;
-    const std::array<std::uint8_t, 3> rgb = own ? *own : app::usualRgb(segment(row).value_or(Segment{}));
+    const std::array<std::uint8_t, 3> rgb = own ? *own : study::usualRgb(segment(row).value_or(Segment{}));
     return {rgb[0], rgb[1], rgb[2]};
 }
 
@@ -335,15 +337,15 @@ void SegmentationPanel::showControls() {
     const auto row = selected();
     for (QWidget* each : {static_cast<QWidget*>(colour_), static_cast<QWidget*>(opacity_)})
         each->setEnabled(row.has_value());
-    const app::LoadedSegment* there = row ? loaded(*row) : nullptr;
+    const study::LoadedSegment* there = row ? loaded(*row) : nullptr;
     const bool isEmpty = there != nullptr && !there->isInVolume();
     centre_->setEnabled(there != nullptr && there->centroidMm.has_value());
-    const app::SegmentChoice now = row ? choice(*row) : app::SegmentChoice{};
+    const scene::SegmentSettings now = row ? choice(*row) : scene::SegmentSettings{};
     for (QPushButton* each : {alone_, hide_, coloured_}) each->setEnabled(row && !isEmpty);
     coloured_->setChecked(now.isColouredIn3d);
     opacityIn3d_->setEnabled(row && !isEmpty && now.isColouredIn3d);
-    alone_->setChecked(now.in3d == app::In3d::alone);
-    hide_->setChecked(now.in3d == app::In3d::hidden);
+    alone_->setChecked(now.in3d == scene::In3d::alone);
+    hide_->setChecked(now.in3d == scene::In3d::hidden);
     colour_->setIcon(row ? chip(colour(*row)) : QIcon());
     {
         const QSignalBlocker blocker(opacity_);
@@ -362,7 +364,7 @@ void SegmentationPanel::showControls() {
         const std::string digest = rowOf(*item).digest;
         if (const QString trouble = keeper_.trouble(digest); !trouble.isEmpty())
             notes << shown(trouble.toStdString());
-        if (const app::LoadedSegmentation* whole = keeper_.loaded(digest))
+        if (const study::LoadedSegmentation* whole = keeper_.loaded(digest))
             for (const std::string& note : whole->notes) notes << inWindowsLanguage(note);
     }
     if (!isCalibrated() && !keeper_.found().empty())
@@ -372,41 +374,42 @@ void SegmentationPanel::showControls() {
     notes_->setVisible(!notes.isEmpty());
 }
 
-void SegmentationPanel::edit(const QString& what, const std::function<void(app::SegmentChoice&)>& edit,
+void SegmentationPanel::edit(const QString& what, const std::function<void(scene::SegmentSettings&)>& edit,
                              bool isDrag) {
     const auto row = selected();
     if (!row) return;
-    const auto change = [&](app::StudyState& next) {
-        app::SegmentChoice one = app::choiceOf(app::choiceOf(next.segmentations, row->digest), *row->number);
+    const auto change = [&](scene::StudyState& next) {
+        scene::SegmentSettings one =
+            scene::choiceOf(scene::choiceOf(next.segmentations, row->digest), *row->number);
         edit(one);
-        app::choose(next.segmentations, row->digest, one);
+        scene::choose(next.segmentations, row->digest, one);
     };
     isDrag ? session_.drag(what, change) : session_.change(what, change);
 }
 
 // A segmentation that is not shown changes nothing: whoever asks for it in 3D wants it shown.
-void SegmentationPanel::setIn3d(app::In3d in3d, bool on) {
+void SegmentationPanel::setIn3d(scene::In3d in3d, bool on) {
     editIn3d(tr("Segments in 3D"), on,
-             [&](app::SegmentChoice& next) { next.in3d = on ? in3d : app::In3d::asIs; });
+             [&](scene::SegmentSettings& next) { next.in3d = on ? in3d : scene::In3d::asIs; });
 }
 
 void SegmentationPanel::setColoured(bool on) {
-    editIn3d(tr("Segment in colour"), on, [&](app::SegmentChoice& next) { next.isColouredIn3d = on; });
+    editIn3d(tr("Segment in colour"), on, [&](scene::SegmentSettings& next) { next.isColouredIn3d = on; });
 }
 
 void SegmentationPanel::editIn3d(const QString& what, bool needsShown,
-                                 const std::function<void(app::SegmentChoice&)>& edit) {
+                                 const std::function<void(scene::SegmentSettings&)>& edit) {
     const auto row = selected();
     if (!row) return;
-    session_.change(what, [&](app::StudyState& next) {
-        app::SegmentationChoice whole = app::choiceOf(next.segmentations, row->digest);
-        app::SegmentChoice one = app::choiceOf(whole, *row->number);
+    session_.change(what, [&](scene::StudyState& next) {
+        scene::SegmentationSettings whole = scene::choiceOf(next.segmentations, row->digest);
+        scene::SegmentSettings one = scene::choiceOf(whole, *row->number);
         edit(one);
-        app::choose(next.segmentations, row->digest, one);
+        scene::choose(next.segmentations, row->digest, one);
         if (!needsShown) return;
-        whole = app::choiceOf(next.segmentations, row->digest);
+        whole = scene::choiceOf(next.segmentations, row->digest);
         whole.isShown = true;
-        app::choose(next.segmentations, std::move(whole));
+        scene::choose(next.segmentations, std::move(whole));
     });
     showControls();
 }
@@ -424,17 +427,17 @@ void SegmentationPanel::askForColour() {
 
 void SegmentationPanel::setColour(const QColor& rgb) {
     if (!rgb.isValid()) return;
-    edit(tr("Colour"), [&](app::SegmentChoice& next) {
+    edit(tr("Colour"), [&](scene::SegmentSettings& next) {
         next.rgb = {std::uint8_t(rgb.red()), std::uint8_t(rgb.green()), std::uint8_t(rgb.blue())};
     });
 }
 
 void SegmentationPanel::centre() {
     const auto row = selected();
-    const app::LoadedSegment* there = row ? loaded(*row) : nullptr;
+    const study::LoadedSegment* there = row ? loaded(*row) : nullptr;
     if (there == nullptr || !there->centroidMm) return;
     const glm::dvec3 mm = *there->centroidMm;
-    session_.change(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = mm; });
+    session_.change(tr("Cross-hair"), [&](scene::StudyState& next) { next.slices.crosshairMm = mm; });
 }
 
 }  // namespace macula::viewer

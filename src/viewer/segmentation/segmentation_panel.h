@@ -12,8 +12,8 @@
 #include <optional>
 #include <string>
 
+#include "viewer/editor/study_editor.h"
 #include "viewer/segmentation/segmentation_keeper.h"
-#include "viewer/session/viewer_session.h"
 
 namespace macula::viewer {
 
@@ -23,7 +23,7 @@ class SegmentationPanel : public QWidget {
     Q_OBJECT
 
   public:
-    SegmentationPanel(ViewerSession& session, SegmentationKeeper& keeper, QWidget* parent = nullptr);
+    SegmentationPanel(StudyEditor& session, SegmentationKeeper& keeper, QWidget* parent = nullptr);
 
     void showNames(bool shown);         // a segmentation's texts may name the patient
     void setColour(const QColor& rgb);  // of the selected segment, if there is one
@@ -39,30 +39,32 @@ class SegmentationPanel : public QWidget {
     QWidget* makeControls();
     void makeTree();
     void fill();
-    void addSegmentation(const app::FoundSegmentation& found, std::size_t place);
+    void addSegmentation(const study::FoundSegmentation& found, std::size_t place);
     void addSegment(QTreeWidgetItem& above, const std::string& digest, const Segment& segment);
     void showChoices();
     void showChoice(QTreeWidgetItem& item);
     void showControls();
     void onItemChanged(QTreeWidgetItem* item, int column);
-    void setIn3d(app::In3d in3d, bool on);
+    void setIn3d(scene::In3d in3d, bool on);
     void setColoured(bool on);
-    void editIn3d(const QString& what, bool needsShown, const std::function<void(app::SegmentChoice&)>& edit);
-    QSlider* makeOpacity(const char* name, const QString& text, double app::SegmentChoice::*opacity,
+    void editIn3d(const QString& what, bool needsShown,
+                  const std::function<void(scene::SegmentSettings&)>& edit);
+    QSlider* makeOpacity(const char* name, const QString& text, double scene::SegmentSettings::*opacity,
                          QWidget* parent);
     void askForColour();
     void centre();
-    void edit(const QString& what, const std::function<void(app::SegmentChoice&)>& edit, bool isDrag = false);
+    void edit(const QString& what, const std::function<void(scene::SegmentSettings&)>& edit,
+              bool isDrag = false);
 
     static Row rowOf(const QTreeWidgetItem& item);
     std::optional<Row> selected() const;  // a segment that can be shown
-    app::SegmentChoice choice(const Row& row) const;
+    scene::SegmentSettings choice(const Row& row) const;
     std::optional<Segment> segment(const Row& row) const;
-    const app::LoadedSegment* loaded(const Row& row) const;  // null: not loaded yet
-    bool isCalibrated() const;                               // the volume, as in Provenance; also without one
+    const study::LoadedSegment* loaded(const Row& row) const;  // null: not loaded yet
+    bool isCalibrated() const;  // the volume, as in Provenance; also without one
     QColor colour(const Row& row) const;
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     SegmentationKeeper& keeper_;
     bool namesShown_ = true;
     bool isFilling_ = false;

@@ -76,7 +76,7 @@ Result<Settings> settingsFromJson(const std::string& text) {
     settings.highContrast = members.flag(QStringLiteral("highContrast"), settings.highContrast);
     settings.fontScale = members.number(QStringLiteral("fontScale"), kSmallestFontScale, kLargestFontScale)
                              .value_or(settings.fontScale);
-    settings.sessionFolder = members.text(QStringLiteral("sessionFolder"), {});
+    settings.storeFolder = members.text(QStringLiteral("storeFolder"), {});
     settings.keepDays = members.whole(QStringLiteral("keepDays"), 1, kMostKeptDays);
     settings.modelCapMb = members.whole(QStringLiteral("modelCapMb"), kLeastModelCapMb, kMostModelCapMb)
                               .value_or(settings.modelCapMb);
@@ -96,7 +96,7 @@ std::string toJson(const Settings& settings) {
     if (settings.language) object[QStringLiteral("language")] = codeOf(*settings.language);
     object[QStringLiteral("highContrast")] = settings.highContrast;
     object[QStringLiteral("fontScale")] = settings.fontScale;
-    if (!settings.sessionFolder.isEmpty()) object[QStringLiteral("sessionFolder")] = settings.sessionFolder;
+    if (!settings.storeFolder.isEmpty()) object[QStringLiteral("storeFolder")] = settings.storeFolder;
     if (settings.keepDays) object[QStringLiteral("keepDays")] = *settings.keepDays;
     object[QStringLiteral("modelCapMb")] = settings.modelCapMb;
     object[QStringLiteral("quality")] = settings.quality;
@@ -120,7 +120,7 @@ Settings withChanges(Settings stored, const Settings& before, const Settings& af
     take(&Settings::language);
     take(&Settings::highContrast);
     take(&Settings::fontScale);
-    take(&Settings::sessionFolder);
+    take(&Settings::storeFolder);
     take(&Settings::keepDays);
     take(&Settings::modelCapMb);
     take(&Settings::quality);

@@ -20,14 +20,14 @@ struct Settings {
     std::optional<Language> language = {};  // nothing: that of the desktop
     bool highContrast = false;
     double fontScale = 1.0;
-    QString sessionFolder = {};        // empty: session::defaultFolder()
+    QString storeFolder = {};          // empty: session::defaultFolder()
     std::optional<int> keepDays = {};  // nothing: for ever
     int modelCapMb = 2000;             // for all stored models together
     QString quality =
-        QStringLiteral("high");        // the quality of saved pictures, by its name in app::builtInQualities
-    bool deidentifies = false;         // the default for saved DICOM pictures
-    bool showsNames = true;            // over the picture, when the window opens
-    QMap<QString, QString> keys = {};  // chosen keys: see KeyBook
+        QStringLiteral("high");  // the quality of saved pictures, by its name in scene::builtInQualities
+    bool deidentifies = false;   // the default for saved DICOM pictures
+    bool showsNames = true;      // over the picture, when the window opens
+    QMap<QString, QString> keys = {};     // chosen keys: see KeyBook
     QMap<QString, QString> folders = {};  // see LastFolders
     QString windowPlace = {};             // see WindowPlace; empty: the default
     QJsonObject others = {};              // of a later version: written back unchanged

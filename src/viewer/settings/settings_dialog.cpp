@@ -48,7 +48,7 @@ SettingsDialog::SettingsDialog(Settings settings, QList<KeyEntry> keys, bool isK
       showsNames_(new QCheckBox(tr("&Patient and study over pictures"), this)),
       qualities_(new QComboBox(this)),
       deidentifies_(new QCheckBox(tr("DICOM pictures &without patient and study"), this)),
-      folder_(new QLineEdit(before_.sessionFolder, this)),
+      folder_(new QLineEdit(before_.storeFolder, this)),
       keepDays_(new QSpinBox(this)),
       modelCap_(new QSpinBox(this)),
       keys_(new KeysPage(std::move(keys), before_.keys, this)) {
@@ -108,7 +108,7 @@ QWidget* SettingsDialog::makePictures() {
     auto* page = new QWidget(this);
     name(*qualities_, "settings-quality", tr("Quality of saved pictures"),
          tr("What Save Picture begins with: more samples per pixel take more time"));
-    if (const auto all = app::builtInQualities()) {
+    if (const auto all = scene::builtInQualities()) {
         for (const trace::Quality& quality : *all)
             qualities_->addItem(tr("%1: %n samples", nullptr, int(quality.samplesPerPixel))
                                     .arg(titleInWindowsLanguage(quality.title)),
@@ -183,7 +183,7 @@ Settings SettingsDialog::settings() const {
     now.deidentifies = deidentifies_->isChecked();
     // Wherever the program is started from the next time.
     const QString folder = folder_->text().trimmed();
-    now.sessionFolder = folder.isEmpty() ? QString() : QDir(folder).absolutePath();
+    now.storeFolder = folder.isEmpty() ? QString() : QDir(folder).absolutePath();
     now.keepDays = keepDays_->value() > 0 ? std::optional(keepDays_->value()) : std::nullopt;
     now.modelCapMb = modelCap_->value();
     now.keys = keys_->own();

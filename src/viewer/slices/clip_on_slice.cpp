@@ -23,7 +23,7 @@ class Places {
     explicit Places(double pixelRatio) : ratio_(pixelRatio) {}
     QPointF operator()(const glm::dvec2& px) const { return {px.x / ratio_, px.y / ratio_}; }
 
-    void add(QPainterPath& path, const app::Contour& contour) const {
+    void add(QPainterPath& path, const scene::Contour& contour) const {
         QPolygonF polygon;
         for (const glm::dvec2& px : contour) polygon << (*this)(px);
         path.addPolygon(polygon);
@@ -57,12 +57,12 @@ void dim(QPainter& painter, const QSize& size, double pixelRatio, const ClipOnSl
     const Places at(pixelRatio);
     QPainterPath removed;
     removed.setFillRule(Qt::WindingFill);
-    for (const app::Contour& contour : clip.removed) at.add(removed, contour);
+    for (const scene::Contour& contour : clip.removed) at.add(removed, contour);
     painter.fillPath(removed, kDim);
     for (const ClipOnSlice::Scissors& scissors : clip.scissors) {
         QPainterPath behind;
         behind.setFillRule(Qt::WindingFill);
-        for (const app::Contour& contour : scissors.behind) at.add(behind, contour);
+        for (const scene::Contour& contour : scissors.behind) at.add(behind, contour);
         if (scissors.removesOutside) {
             dimAround(painter, size, pixelRatio, behind);
         } else {
@@ -71,7 +71,7 @@ void dim(QPainter& painter, const QSize& size, double pixelRatio, const ClipOnSl
     }
 }
 
-void drawLine(QPainter& painter, const app::Contour& line, const Places& at) {
+void drawLine(QPainter& painter, const scene::Contour& line, const Places& at) {
     QPainterPath path;
     for (std::size_t i = 0; i < line.size(); ++i) {
         if (i == 0) {
@@ -85,23 +85,23 @@ void drawLine(QPainter& painter, const app::Contour& line, const Places& at) {
 
 }  // namespace
 
-ClipOnSlice clipOnSlice(const app::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
+ClipOnSlice clipOnSlice(const scene::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
                         bool withHandles) {
     ClipOnSlice shown;
     if (state.clip || state.cuts.eye) {
-        shown.removed = app::removedContours(app::clipFor(state.clip, state.cuts, volume), frame);
-        shown.lines = app::clipLines(state.clip, state.cuts, volume, frame);
+        shown.removed = scene::removedContours(scene::clipFor(state.clip, state.cuts, volume), frame);
+        shown.lines = scene::clipLines(state.clip, state.cuts, volume, frame);
     }
-    for (const app::ScissorCut& cut : state.cuts.scissors) {
-        std::vector<app::Contour> behind = app::behindOutline(cut, frame);
+    for (const scene::ScissorCut& cut : state.cuts.scissors) {
+        std::vector<scene::Contour> behind = scene::behindOutline(cut, frame);
         if (behind.empty() && !cut.removesOutside) continue;
-        for (const app::Contour& contour : behind) {
+        for (const scene::Contour& contour : behind) {
             shown.lines.push_back(contour);
             shown.lines.back().push_back(contour.front());
         }
         shown.scissors.push_back({.behind = std::move(behind), .removesOutside = cut.removesOutside});
     }
-    if (withHandles) shown.handles = app::handlesOn(frame, state.clip, state.cuts, volume);
+    if (withHandles) shown.handles = scene::handlesOn(frame, state.clip, state.cuts, volume);
     return shown;
 }
 
@@ -131,8 +131,8 @@ void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, co
     const Places at(pixelRatio);
     if (const QImage& dimmed = dimming.imageFor(clip, size, pixelRatio); !dimmed.isNull())
         painter.drawImage(QPointF(0.0, 0.0), dimmed);
-    for (const app::Contour& line : clip.lines) drawLine(painter, line, at);
-    for (const app::PlacedHandle& handle : clip.handles) {
+    for (const scene::Contour& line : clip.lines) drawLine(painter, line, at);
+    for (const scene::PlacedHandle& handle : clip.handles) {
         const QPointF middle = at(frame.pictureFromWorld(handle.atMm));
         QPainterPath square;
         if (handle.along == glm::dvec3(0.0)) {
@@ -148,12 +148,12 @@ void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, co
     painter.restore();
 }
 
-std::optional<app::PlacedHandle> handleAt(const std::vector<app::PlacedHandle>& handles,
-                                          const slices::SliceFrame& frame, const glm::dvec2& px,
-                                          double radiusPx) {
-    std::optional<app::PlacedHandle> nearest;
+std::optional<scene::PlacedHandle> handleAt(const std::vector<scene::PlacedHandle>& handles,
+                                            const slices::SliceFrame& frame, const glm::dvec2& px,
+                                            double radiusPx) {
+    std::optional<scene::PlacedHandle> nearest;
     double least = radiusPx;
-    for (const app::PlacedHandle& handle : handles) {
+    for (const scene::PlacedHandle& handle : handles) {
         const double away = glm::distance(frame.pictureFromWorld(handle.atMm), px);
         if (!(away <= least)) continue;
         least = away;
@@ -171,7 +171,7 @@ Qt::CursorShape cursorAlong(const glm::dvec2& along) {
     return (along.x > 0.0) == (along.y > 0.0) ? Qt::SizeFDiagCursor : Qt::SizeBDiagCursor;
 }
 
-Qt::CursorShape cursorOf(const app::PlacedHandle& handle, const slices::SlicePlane& plane) {
+Qt::CursorShape cursorOf(const scene::PlacedHandle& handle, const slices::SlicePlane& plane) {
     return cursorAlong({glm::dot(handle.along, plane.right), glm::dot(handle.along, plane.down)});
 }
 

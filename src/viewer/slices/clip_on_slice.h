@@ -17,23 +17,23 @@ namespace macula::viewer {
 
 // Contours are in device pixels of the picture.
 struct ClipOnSlice {
-    std::vector<app::Contour> removed;  // filled by winding: box, planes, corner and ball
+    std::vector<scene::Contour> removed;  // filled by winding: box, planes, corner and ball
     struct Scissors {
-        std::vector<app::Contour> behind;
+        std::vector<scene::Contour> behind;
         bool removesOutside = false;
 
         bool operator==(const Scissors&) const = default;
     };
     std::vector<Scissors> scissors;
-    std::vector<app::Contour> lines;
-    std::vector<app::PlacedHandle> handles;
-    std::optional<app::ClipHandle> held;  // or pointed at
+    std::vector<scene::Contour> lines;
+    std::vector<scene::PlacedHandle> handles;
+    std::optional<scene::ClipHandle> held;  // or pointed at
 
     bool isNothing() const { return removed.empty() && scissors.empty() && lines.empty() && handles.empty(); }
 };
 
 // From the state's clip and cuts; has handles only `withHandles`.
-ClipOnSlice clipOnSlice(const app::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
+ClipOnSlice clipOnSlice(const scene::StudyState& state, const Volume& volume, const slices::SliceFrame& frame,
                         bool withHandles);
 
 // Caches the dimmed area of a pane as one image over the slice, while clip, slice and size stay the same and
@@ -44,7 +44,7 @@ class ClipDimming {
     const QImage& imageFor(const ClipOnSlice& clip, const QSize& size, double pixelRatio);
 
   private:
-    std::vector<app::Contour> removed_;
+    std::vector<scene::Contour> removed_;
     std::vector<ClipOnSlice::Scissors> scissors_;
     QSize size_;
     double pixelRatio_ = 0.0;
@@ -56,12 +56,12 @@ void paintClip(QPainter& painter, const QSize& size, const ClipOnSlice& clip, co
                double pixelRatio, ClipDimming& dimming);
 
 // The nearest handle within `radiusPx` of a place in the picture.
-std::optional<app::PlacedHandle> handleAt(const std::vector<app::PlacedHandle>& handles,
-                                          const slices::SliceFrame& frame, const glm::dvec2& px,
-                                          double radiusPx);
+std::optional<scene::PlacedHandle> handleAt(const std::vector<scene::PlacedHandle>& handles,
+                                            const slices::SliceFrame& frame, const glm::dvec2& px,
+                                            double radiusPx);
 
 // A cursor for motion along a direction of the picture, y downwards; zero: in any direction.
 Qt::CursorShape cursorAlong(const glm::dvec2& along);
-Qt::CursorShape cursorOf(const app::PlacedHandle& handle, const slices::SlicePlane& plane);
+Qt::CursorShape cursorOf(const scene::PlacedHandle& handle, const slices::SlicePlane& plane);
 
 }  // namespace macula::viewer

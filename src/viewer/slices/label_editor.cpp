@@ -22,7 +22,7 @@ LabelEditor::LabelEditor(QWidget* pane, QPoint place, const QString& text)
     setAccessibleName(tr("Label of the measurement"));
     setToolTip(tr("Label of the measurement. Enter keeps it, Esc leaves it as it was"));
     setPlaceholderText(tr("Label"));
-    setMaxLength(int(app::kLongestLabelBytes));
+    setMaxLength(int(scene::kLongestLabelBytes));
     resize(std::min(kWidthPx, pane->width() - 2 * kMarginPx), sizeHint().height());
     move(std::clamp(place.x(), kMarginPx, std::max(kMarginPx, pane->width() - width() - kMarginPx)),
          std::clamp(place.y(), kMarginPx, std::max(kMarginPx, pane->height() - height() - kMarginPx)));
@@ -47,7 +47,7 @@ void LabelEditor::focusOutEvent(QFocusEvent* event) {
 void LabelEditor::finish(bool isAccepted) {
     if (std::exchange(isDone_, true)) return;
     const std::string typed = text().trimmed().toStdString();
-    const QString kept = QString::fromStdString(std::string(startOf(typed, app::kLongestLabelBytes)));
+    const QString kept = QString::fromStdString(std::string(startOf(typed, scene::kLongestLabelBytes)));
     const bool hadFocus = hasFocus();
     hide();
     deleteLater();

@@ -6,7 +6,7 @@
 namespace macula::viewer {
 
 // A line edit that deletes itself: Enter or loss of focus accepts the text, Esc keeps the old one. Cuts the
-// text to app::kLongestLabelBytes of UTF-8.
+// text to scene::kLongestLabelBytes of UTF-8.
 class LabelEditor : public QLineEdit {
     Q_OBJECT
 

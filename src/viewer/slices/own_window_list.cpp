@@ -35,7 +35,7 @@ OwnWindowList::OwnWindowList(std::optional<std::filesystem::path> folder, QObjec
                                             .ended = [this](const Result<Kept>& kept) { onKept(kept); }});
     reading_->start([folder = *folder_](Progress&) -> Result<std::string> {
         try {
-            MACULA_TRY(const std::optional<std::string> json, app::machineDocument(folder, documentId()));
+            MACULA_TRY(const std::optional<std::string> json, live::machineDocument(folder, documentId()));
             return json.value_or(std::string());
         } catch (const std::exception&) {
             return noMemory();
@@ -58,12 +58,12 @@ OwnWindowList::~OwnWindowList() {
     }
 }
 
-OwnWindowList::Kept OwnWindowList::edited(std::vector<app::OwnWindow> windows, const Edits& edits) {
+OwnWindowList::Kept OwnWindowList::edited(std::vector<scene::OwnWindow> windows, const Edits& edits) {
     Kept kept{.windows = std::move(windows), .leftOut = {}};
     for (const Edit& edit : edits) {
         if (edit.isRemoved) {
             std::erase(kept.windows, edit.window);
-        } else if (auto all = app::withOwnWindow(kept.windows, edit.window)) {
+        } else if (auto all = scene::withOwnWindow(kept.windows, edit.window)) {
             kept.windows = *std::move(all);
         } else {
             kept.leftOut = all.error();
@@ -75,18 +75,18 @@ OwnWindowList::Kept OwnWindowList::edited(std::vector<app::OwnWindow> windows, c
 // On the thread of the job, or when there is none any more.
 Result<OwnWindowList::Kept> OwnWindowList::keepIn(const std::filesystem::path& folder, const Edits& edits) {
     try {
-        MACULA_TRY(const std::optional<std::string> json, app::machineDocument(folder, documentId()));
-        std::vector<app::OwnWindow> stored;
+        MACULA_TRY(const std::optional<std::string> json, live::machineDocument(folder, documentId()));
+        std::vector<scene::OwnWindow> stored;
         if (json) {
-            if (auto read = app::ownWindowsFromJson(*json)) {
+            if (auto read = scene::ownWindowsFromJson(*json)) {
                 stored = *std::move(read);
             } else {  // for the version that wrote them
-                MACULA_TRY_VOID(app::keepMachineDocument(
+                MACULA_TRY_VOID(live::keepMachineDocument(
                     folder, documentId("windows of slices not understood"), kVersion, *json));
             }
         }
         Kept kept = edited(std::move(stored), edits);
-        MACULA_TRY_VOID(app::keepMachineDocument(folder, documentId(), kVersion, app::toJson(kept.windows)));
+        MACULA_TRY_VOID(live::keepMachineDocument(folder, documentId(), kVersion, toJson(kept.windows)));
         return kept;
     } catch (const std::exception&) {
         return noMemory();
@@ -94,11 +94,11 @@ Result<OwnWindowList::Kept> OwnWindowList::keepIn(const std::filesystem::path& f
 }
 
 void OwnWindowList::onRead(const Result<std::string>& json) {
-    std::vector<app::OwnWindow> read;
+    std::vector<scene::OwnWindow> read;
     if (!json) {
         emit failed(json.error());
     } else if (!json->empty()) {
-        if (auto windows = app::ownWindowsFromJson(*json)) {
+        if (auto windows = scene::ownWindowsFromJson(*json)) {
             read = *std::move(windows);
         } else {
             emit failed({ErrorCode::inputNotUsable,
@@ -121,7 +121,7 @@ void OwnWindowList::onKept(const Result<Kept>& kept) {
         emit failed(kept.error());
         return;
     }
-    std::vector<app::OwnWindow> now = edited(kept->windows, toKeep_).windows;
+    std::vector<scene::OwnWindow> now = edited(kept->windows, toKeep_).windows;
     const bool isOther = now != windows_;  // another window of the program has kept some
     windows_ = std::move(now);
     if (isOther) emit changed();
@@ -129,14 +129,14 @@ void OwnWindowList::onKept(const Result<Kept>& kept) {
     keep();
 }
 
-Result<void> OwnWindowList::add(app::OwnWindow window) {
-    MACULA_TRY(windows_, app::withOwnWindow(windows_, std::move(window)));
+Result<void> OwnWindowList::add(scene::OwnWindow window) {
+    MACULA_TRY(windows_, scene::withOwnWindow(windows_, std::move(window)));
     edit({.window = windows_.back(), .isRemoved = false});
     return {};
 }
 
-void OwnWindowList::remove(const app::OwnWindow& window) {
-    const app::OwnWindow removed = window;  // it may be one of the list
+void OwnWindowList::remove(const scene::OwnWindow& window) {
+    const scene::OwnWindow removed = window;  // it may be one of the list
     if (std::erase(windows_, removed) == 0) return;
     edit({.window = removed, .isRemoved = true});
 }

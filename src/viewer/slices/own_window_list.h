@@ -23,13 +23,13 @@ class OwnWindowList : public QObject {
     explicit OwnWindowList(std::optional<std::filesystem::path> folder, QObject* parent = nullptr);
     ~OwnWindowList() override;  // writes the remaining changes and waits for that
 
-    const std::vector<app::OwnWindow>& all() const { return windows_; }
-    std::vector<app::OwnWindow> fitting(const Volume& volume) const {
-        return app::ownWindowsFor(windows_, volume);
+    const std::vector<scene::OwnWindow>& all() const { return windows_; }
+    std::vector<scene::OwnWindow> fitting(const Volume& volume) const {
+        return scene::ownWindowsFor(windows_, volume);
     }
-    // As app::withOwnWindow.
-    Result<void> add(app::OwnWindow window);
-    void remove(const app::OwnWindow& window);
+    // As scene::withOwnWindow.
+    Result<void> add(scene::OwnWindow window);
+    void remove(const scene::OwnWindow& window);
 
   signals:
     void changed();
@@ -37,16 +37,16 @@ class OwnWindowList : public QObject {
 
   private:
     struct Edit {
-        app::OwnWindow window;
+        scene::OwnWindow window;
         bool isRemoved = false;
     };
     using Edits = std::vector<Edit>;
     struct Kept {
-        std::vector<app::OwnWindow> windows;
+        std::vector<scene::OwnWindow> windows;
         std::optional<Error> leftOut;  // why an added window did not fit any more
     };
 
-    static Kept edited(std::vector<app::OwnWindow> windows, const Edits& edits);
+    static Kept edited(std::vector<scene::OwnWindow> windows, const Edits& edits);
     static Result<Kept> keepIn(const std::filesystem::path& folder, const Edits& edits);
     void onRead(const Result<std::string>& json);
     void onKept(const Result<Kept>& kept);
@@ -54,7 +54,7 @@ class OwnWindowList : public QObject {
     void keep();
 
     std::optional<std::filesystem::path> folder_;
-    std::vector<app::OwnWindow> windows_;
+    std::vector<scene::OwnWindow> windows_;
     Edits toKeep_;   // to write after the running read or write
     Edits keeping_;  // being written
     std::optional<BackgroundJob<std::string>> reading_;

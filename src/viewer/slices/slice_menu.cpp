@@ -27,16 +27,17 @@ QString asTitle(const QString& name) {
 
 // "W 1500 L -600 HU".
 QString numbersOf(const DisplayWindow& window, const std::string& unit) {
-    return asTitle(withLocalNumbers(QString::fromStdString(app::windowText(window, unit))));
+    return asTitle(withLocalNumbers(QString::fromStdString(scene::windowText(window, unit))));
 }
 
-void setWindow(ViewerSession& session, const std::optional<DisplayWindow>& window) {
-    session.change(SliceMenuWords::tr("Window"), [&](app::StudyState& next) { next.slices.window = window; });
+void setWindow(StudyEditor& session, const std::optional<DisplayWindow>& window) {
+    session.change(SliceMenuWords::tr("Window"),
+                   [&](scene::StudyState& next) { next.slices.window = window; });
 }
 
 void addWindows(QMenu& menu, const SliceMenuOf& of) {
     const Volume& volume = *of.session->study().measured();
-    for (const app::WindowPreset& preset : app::windowPresets(volume)) {
+    for (const scene::WindowPreset& preset : scene::windowPresets(volume)) {
         const DisplayWindow window = preset.window.value_or(seriesWindow(volume));
         QAction* action =
             menu.addAction(QStringLiteral("%1: %2\t%3")
@@ -65,7 +66,7 @@ void addOwnWindows(QMenu& menu, const SliceMenuOf& of, QWidget* parent) {
     QObject::connect(keep, &QAction::triggered, parent, [of, parent] { askToKeepWindow(of, parent); });
     if (own.empty()) return;
     QMenu* remove = menu.addMenu(SliceMenuWords::tr("&Remove a Window"));
-    for (const app::OwnWindow& window : own) {
+    for (const scene::OwnWindow& window : own) {
         QAction* action = remove->addAction(asTitle(QString::fromStdString(window.name)));
         QObject::connect(action, &QAction::triggered, of.own,
                          [list = of.own, window] { list->remove(window); });
@@ -106,7 +107,7 @@ void askToKeepWindow(const SliceMenuOf& of, QWidget* parent) {
     dialog->setWindowTitle(SliceMenuWords::tr("Keep This Window"));
     const std::string unit = of.session->study().measured()->unitName();
     dialog->setLabelText(SliceMenuWords::tr("Name of the window %1")
-                             .arg(harmless(QString::fromStdString(app::windowText(of.window, unit)))));
+                             .arg(harmless(QString::fromStdString(scene::windowText(of.window, unit)))));
     QObject::connect(
         dialog, &QInputDialog::textValueSelected, of.own,
         [list = of.own, window = of.window, unit, parent](const QString& name) {

@@ -4,17 +4,17 @@
 #include <QMenu>
 #include <functional>
 
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/slices/own_window_list.h"
 
 namespace macula::viewer {
 
 struct SliceMenuOf {
-    ViewerSession* session = nullptr;  // with an open study
-    OwnWindowList* own = nullptr;      // null: no own windows
-    DisplayWindow window = {};         // the current window
-    std::function<void()> editLabel;   // of the measurement there; empty: none
-    std::function<void()> fit = {};    // fits the pane that was clicked; empty: no entry
+    StudyEditor* session = nullptr;   // with an open study
+    OwnWindowList* own = nullptr;     // null: no own windows
+    DisplayWindow window = {};        // the current window
+    std::function<void()> editLabel;  // of the measurement there; empty: none
+    std::function<void()> fit = {};   // fits the pane that was clicked; empty: no entry
 };
 
 // Deletes itself when it is closed.

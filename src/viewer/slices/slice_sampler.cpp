@@ -53,87 +53,89 @@ SliceSampler::~SliceSampler() {
     wishes_.close();
 }
 
-void SliceSampler::publish(SliceWish wish) {
-    study_ = wish.study;
-    wishes_.publish(std::move(wish));
+void SliceSampler::publish(SliceRequest request) {
+    study_ = request.study;
+    wishes_.publish(std::move(request));
 }
 
 void SliceSampler::run() {
     giveWay(GiveWay::toTheHand);
-    while (std::optional<SliceWish> wish = wishes_.take()) {
+    while (std::optional<SliceRequest> request = wishes_.take()) {
         if (ends_) return;
-        if (!wish->volume) {
+        if (!request->volume) {
             last_.reset();
             lastOver_.reset();
             painted_ = {};
             segments_ = {};
             continue;
         }
-        SlicePicture picture = make(*wish);
+        SlicePicture picture = make(*request);
         // Given up on the way: what was sampled is not whole.
-        if (ends_ || study_ != wish->study) continue;
+        if (ends_ || study_ != request->study) continue;
         made_(std::move(picture));
     }
 }
 
-SlicePicture SliceSampler::make(const SliceWish& wish) {
-    SlicePicture picture{.of = wish, .grey = {}, .colours = {}};
+SlicePicture SliceSampler::make(const SliceRequest& request) {
+    SlicePicture picture{.of = request, .grey = {}, .colours = {}};
     try {
-        const auto* slice = sampled(last_, wish.volume, transformed(wish.frame, wish.volumeFromPane), wish);
+        const auto* slice =
+            sampled(last_, request.volume, transformed(request.frame, request.volumeFromPane), request);
         if (slice == nullptr) return picture;
         picture.grey =
-            imageOf(slices::toGrey(slice->values, wish.window, wish.isInverted), wish.frame.sizePx);
-        paintSegments(wish);
+            imageOf(slices::toGrey(slice->values, request.window, request.isInverted), request.frame.sizePx);
+        paintSegments(request);
         picture.segments = segments_;
-        if (!wish.over) {
+        if (!request.over) {
             lastOver_.reset();
             return picture;
         }
-        const SliceOver& over = *wish.over;
-        slice = sampled(lastOver_, over.volume, transformed(wish.frame, over.volumeFromPane), wish);
-        if (slice == nullptr) return {.of = wish, .grey = {}};
+        const SliceOver& over = *request.over;
+        slice = sampled(lastOver_, over.volume, transformed(request.frame, over.volumeFromPane), request);
+        if (slice == nullptr) return {.of = request, .grey = {}};
         picture.colours = imageOf(
             slices::toColours(slice->values, over.window, over.isInverted, over.colours, over.opacity),
-            wish.frame.sizePx);
+            request.frame.sizePx);
     } catch (const std::bad_alloc&) {
         last_.reset();
         lastOver_.reset();
         painted_ = {};
         picture.grey = {};  // a part of it must not be taken for the whole
-        log::error("No memory for a slice of {} x {} pixels", wish.frame.sizePx.x, wish.frame.sizePx.y);
+        log::error("No memory for a slice of {} x {} pixels", request.frame.sizePx.x, request.frame.sizePx.y);
     }
     return picture;
 }
 
-void SliceSampler::paintSegments(const SliceWish& wish) {
-    if (painted_.volume == wish.volume && painted_.frame == wish.frame &&
-        painted_.segments == wish.segments && painted_.pixelRatio == wish.pixelRatio)
+void SliceSampler::paintSegments(const SliceRequest& request) {
+    if (painted_.volume == request.volume && painted_.frame == request.frame &&
+        painted_.segments == request.segments && painted_.pixelRatio == request.pixelRatio)
         return;
     painted_ = {};
     segments_ = {};
-    if (wish.segments) {
-        const auto isGivenUp = [this, study = wish.study] { return ends_ || study_ != study; };
-        const int linePx = std::max(1, int(std::lround(wish.pixelRatio)));
+    if (request.segments) {
+        const auto isGivenUp = [this, study = request.study] { return ends_ || study_ != study; };
+        const int linePx = std::max(1, int(std::lround(request.pixelRatio)));
         const slices::SegmentPicture picture =
-            slices::paintSegments(*wish.volume, wish.frame, *wish.segments, linePx, isGivenUp);
+            slices::paintSegments(*request.volume, request.frame, *request.segments, linePx, isGivenUp);
         if (isGivenUp()) return;
         if (!picture.argb.empty()) segments_ = imageOf(picture.argb, picture.sizePx);
     }
-    painted_ = wish;
+    painted_ = request;
 }
 
 // Null when it was given up.
 const slices::SampledSlice* SliceSampler::sampled(std::optional<Sampled>& kept,
                                                   const std::shared_ptr<const Volume>& volume,
-                                                  const slices::SliceFrame& frame, const SliceWish& wish) {
-    if (kept && kept->volume == volume && kept->frame == frame && kept->slab == wish.slab)
+                                                  const slices::SliceFrame& frame,
+                                                  const SliceRequest& request) {
+    if (kept && kept->volume == volume && kept->frame == frame && kept->slab == request.slab)
         return &kept->slice;
     kept.reset();
-    const auto isGivenUp = [this, study = wish.study] { return ends_ || study_ != study; };
+    const auto isGivenUp = [this, study = request.study] { return ends_ || study_ != study; };
     slices::SampledSlice slice =
-        slices::sampleSlice(*volume, frame, wish.slab, slices::Filter::linear, isGivenUp);
+        slices::sampleSlice(*volume, frame, request.slab, slices::Filter::linear, isGivenUp);
     if (slice.sizePx != frame.sizePx || isGivenUp()) return nullptr;
-    kept = Sampled{.volume = volume, .frame = frame, .slab = wish.slab, .slice = std::move(slice)};
+    kept = Sampled{.volume = volume, .frame = frame, .slab = request.slab, .slice = std::move(slice)};
     return &kept->slice;
 }
 

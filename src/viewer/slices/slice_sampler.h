@@ -39,7 +39,7 @@ struct SliceOver {
     bool operator==(const SliceOver&) const = default;
 };
 
-struct SliceWish {
+struct SliceRequest {
     std::uint64_t study = 0;  // number of the study, counted by the caller
     std::shared_ptr<const Volume> volume;
     slices::SliceFrame frame;  // where the pane is, in the world of the study
@@ -61,38 +61,38 @@ struct SliceWish {
     QStringList names = {};        // of a second volume, with names
     QStringList secondNotes = {};  // notes about the second volume
 
-    bool operator==(const SliceWish&) const = default;
+    bool operator==(const SliceRequest&) const = default;
 };
 
 struct SlicePicture {
-    SliceWish of;
+    SliceRequest of;
     QImage grey;           // of the frame's size; null when there was no memory for it
     QImage segments = {};  // over it; null without segments
     QImage colours = {};   // of a second volume, over both; null without one
 };
 
-// Makes one wish at a time; of those that come meanwhile only the newest is next. Samples again only for
+// Makes one request at a time; of those that come meanwhile only the newest is next. Samples again only for
 // another volume, frame or slab: a new window only changes the greys.
 class SliceSampler {
   public:
-    // Calls `made` on its thread, once for each wish that is not replaced or given up.
+    // Calls `made` on its thread, once for each request that is not replaced or given up.
     explicit SliceSampler(std::function<void(SlicePicture)> made);
     SliceSampler(const SliceSampler&) = delete;
     SliceSampler& operator=(const SliceSampler&) = delete;
-    ~SliceSampler();  // gives up the current wish
+    ~SliceSampler();  // gives up the current request
 
-    // Gives up wishes of other studies. Without a volume it only releases the old one.
-    void publish(SliceWish wish);
+    // Gives up requests of other studies. Without a volume it only releases the old one.
+    void publish(SliceRequest request);
 
   private:
     void run();
-    SlicePicture make(const SliceWish& wish);
-    void paintSegments(const SliceWish& wish);  // into segments_
+    SlicePicture make(const SliceRequest& request);
+    void paintSegments(const SliceRequest& request);  // into segments_
 
     struct Sampled;
     const slices::SampledSlice* sampled(std::optional<Sampled>& kept,
                                         const std::shared_ptr<const Volume>& volume,
-                                        const slices::SliceFrame& frame, const SliceWish& wish);
+                                        const slices::SliceFrame& frame, const SliceRequest& request);
 
     struct Sampled {
         std::shared_ptr<const Volume> volume;
@@ -102,12 +102,12 @@ class SliceSampler {
     };
 
     std::function<void(SlicePicture)> made_;
-    app::Latest<SliceWish> wishes_;
+    live::Latest<SliceRequest> wishes_;
     std::atomic<std::uint64_t> study_{0};
     std::atomic<bool> ends_{false};
     std::optional<Sampled> last_;      // used by the thread, as those below
     std::optional<Sampled> lastOver_;  // the same, of the volume over it
-    SliceWish painted_;                // the wish of `segments_`
+    SliceRequest painted_;             // the request of `segments_`
     QImage segments_;
     std::jthread thread_;  // last member: the thread uses the others
 };

@@ -31,7 +31,7 @@ const QColor kQuietInk(150, 150, 150);
 constexpr std::size_t kMostRangesMarked = 8;  // lines of more would hide the picture
 
 // Whether both have the same pixels: the cross-hair is drawn over them.
-bool samePixels(const SliceWish& a, SliceWish b) {
+bool samePixels(const SliceRequest& a, SliceRequest b) {
     b.crosshairMm = a.crosshairMm;
     return a == b;
 }
@@ -42,7 +42,7 @@ bool isFinite(const glm::dvec3& mm) {
 
 }  // namespace
 
-SliceView::SliceView(ViewerSession& session, slices::Orientation orientation, QWidget* parent, PaneRole role)
+SliceView::SliceView(StudyEditor& session, slices::Orientation orientation, QWidget* parent, PaneRole role)
     : QWidget(parent), session_(session), orientation_(orientation), role_(role) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -61,8 +61,8 @@ SliceView::SliceView(ViewerSession& session, slices::Orientation orientation, QW
     });
     cine_.setInterval(kCineMs);
     connect(&cine_, &QTimer::timeout, this, &SliceView::cineStep);
-    connect(&session_, &ViewerSession::studyShown, this, &SliceView::onStudyShown);
-    connect(&session_, &ViewerSession::changed, this, &SliceView::onChanged);
+    connect(&session_, &StudyEditor::studyShown, this, &SliceView::onStudyShown);
+    connect(&session_, &StudyEditor::changed, this, &SliceView::onChanged);
     // What comes after this widget is gone is dropped by Qt.
     sampler_ = std::make_unique<SliceSampler>([this](SlicePicture picture) {
         post(this, [this, picture = std::move(picture)] { onPicture(picture); });
@@ -117,7 +117,7 @@ void SliceView::fit() {
 
 void SliceView::applyWindow(int digit) {
     if (!steps_) return;
-    if (const auto preset = app::windowPreset(wantedVolume(), digit)) proposeWindow(preset->window, false);
+    if (const auto preset = scene::windowPreset(wantedVolume(), digit)) proposeWindow(preset->window, false);
 }
 
 void SliceView::applyOwnWindow(int number) {
@@ -139,7 +139,7 @@ void SliceView::onStudyShown() {
     steps_.reset();
     // Another phase is seen where the one before was. The second volume's pane follows the study's.
     if (!session_.keepsPlace()) isFitted_ = role_ == PaneRole::study;
-    SliceWish nothing;  // a pane that is hidden keeps no volume
+    SliceRequest nothing;  // a pane that is hidden keeps no volume
     nothing.study = study_;
     sampler_->publish(std::move(nothing));
     QStringList lines;
@@ -155,9 +155,9 @@ void SliceView::onStudyShown() {
     update();
 }
 
-void SliceView::onChanged(const app::StudyState& before) {
+void SliceView::onChanged(const scene::StudyState& before) {
     if (!steps_) return;
-    const app::SliceState& now = session_.state().slices;
+    const scene::SliceState& now = session_.state().slices;
     if (now.asAcquired != before.slices.asAcquired) steps_.emplace(volume(), orientation_, now.asAcquired);
     followSelection(before);
     request();
@@ -166,7 +166,7 @@ void SliceView::onChanged(const app::StudyState& before) {
 
 // The same measurement stays selected, whatever came before it in the list or went; one that was only moved
 // stays in its place.
-void SliceView::followSelection(const app::StudyState& before) {
+void SliceView::followSelection(const scene::StudyState& before) {
     const auto& now = session_.state().measurements;
     if (!selected_ || now == before.measurements) return;
     std::optional<std::size_t> followed;
@@ -193,23 +193,23 @@ void SliceView::request() {
     }
     const double ratio = devicePixelRatioF();
     const int slice = this->slice();
-    SliceWish wish{.study = study_,
-                   .volume = session_.study().measured(),
-                   .frame = frameOf(view_, *steps_, slice, sizePx, ratio),
-                   .slab = session_.state().slices.slab,
-                   .window = studyWindow(),
-                   .isInverted = session_.state().slices.isInverted != session_.study().isLowBright,
-                   .segments = segments_,
-                   .positionText = viewer::positionText(orientation_, *steps_, slice,
-                                                        imageNumber(session_.study(), *steps_, slice)),
-                   .isInterpolated = isInterpolated(volume(), *steps_, slice),
-                   .isLowBright = session_.study().isLowBright,
-                   .pixelRatio = ratio,
-                   .crosshairMm = crosshairMm()};
-    addSecond(wish);
-    const bool isNew = !wanted_ || !samePixels(*wanted_, wish);
-    wanted_ = wish;
-    if (isNew) sampler_->publish(std::move(wish));
+    SliceRequest request{.study = study_,
+                         .volume = session_.study().measured(),
+                         .frame = frameOf(view_, *steps_, slice, sizePx, ratio),
+                         .slab = session_.state().slices.slab,
+                         .window = studyWindow(),
+                         .isInverted = session_.state().slices.isInverted != session_.study().isLowBright,
+                         .segments = segments_,
+                         .positionText = viewer::positionText(orientation_, *steps_, slice,
+                                                              imageNumber(session_.study(), *steps_, slice)),
+                         .isInterpolated = isInterpolated(volume(), *steps_, slice),
+                         .isLowBright = session_.study().isLowBright,
+                         .pixelRatio = ratio,
+                         .crosshairMm = crosshairMm()};
+    addSecond(request);
+    const bool isNew = !wanted_ || !samePixels(*wanted_, request);
+    wanted_ = request;
+    if (isNew) sampler_->publish(std::move(request));
 }
 
 void SliceView::onPicture(SlicePicture picture) {
@@ -365,7 +365,7 @@ void SliceView::paintPicture(QPainter& painter) {
 }
 
 SliceOverlay SliceView::overlay() {
-    const SliceWish& of = shown_->of;
+    const SliceRequest& of = shown_->of;
     // The cross-hair of the session, unless it may be in a slice that is still on its way.
     const bool isLive = wanted_ && wanted_->frame == of.frame;
     SliceOverlay overlay{.orientation = orientation_,
@@ -391,7 +391,7 @@ SliceOverlay SliceView::overlay() {
         overlay.facts.push_back(
             tr("In colours: %1").arg(secondWindowText(*of.over->volume, of.over->window)));
     overlay.facts.push_back(showsStudy() ? harmless(withLocalNumbers(QString::fromStdString(
-                                               app::windowText(of.window, of.volume->unitName()))))
+                                               scene::windowText(of.window, of.volume->unitName()))))
                                          : secondWindowText(*of.volume, of.window));
     return overlay;
 }

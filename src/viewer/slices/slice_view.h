@@ -14,17 +14,17 @@
 #include "scene/clip/clip_handles.h"
 #include "scene/presentation/softcopy_on_slices.h"
 #include "slices/slice_plane.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/keys/slice_tool.h"
 #include "viewer/overlay/measurement_handles.h"
 #include "viewer/overlay/slice_overlay.h"
 #include "viewer/overlay/slice_steps.h"
-#include "viewer/session/viewer_session.h"
 #include "viewer/slices/clip_on_slice.h"
 #include "viewer/slices/measurement_drawing.h"
 #include "viewer/slices/measurement_texts.h"
 #include "viewer/slices/own_window_list.h"
 #include "viewer/slices/pane_view.h"
-#include "viewer/slices/second_series.h"
+#include "viewer/slices/second_volume_texts.h"
 #include "viewer/slices/slice_sampler.h"
 
 namespace macula::viewer {
@@ -41,7 +41,7 @@ class SliceView : public QWidget {
 
   public:
     // The session must outlive it.
-    SliceView(ViewerSession& session, slices::Orientation orientation, QWidget* parent = nullptr,
+    SliceView(StudyEditor& session, slices::Orientation orientation, QWidget* parent = nullptr,
               PaneRole role = PaneRole::study);
     ~SliceView() override;
 
@@ -57,15 +57,15 @@ class SliceView : public QWidget {
     // Segments over the slices of the open study; null: none.
     void setSegments(std::shared_ptr<const slices::ShownSegments> segments);
 
-    // Null: no second volume. The session says how to show it (app::BesideState).
-    void setSecond(std::shared_ptr<const SecondSeries> second);
+    // Null: no second volume. The session says how to show it (scene::SecondVolumeState).
+    void setSecond(std::shared_ptr<const SecondVolumeTexts> second);
     void setPaneView(const PaneView& view);  // as in the pane beside it
 
     // Shows that whole area as large as the pane allows, until a person zooms or pans. Does nothing without a
     // study, for another orientation, or for an unusable area.
-    void showArea(const app::SliceArea& area);
+    void showArea(const scene::SliceArea& area);
     void fit();                   // fits the volume, until a person zooms or pans
-    void applyWindow(int digit);  // of app::windowPresets; an unknown one does nothing
+    void applyWindow(int digit);  // of scene::windowPresets; an unknown one does nothing
     // The own windows; null: none. The list outlives it.
     void setOwnWindows(OwnWindowList* own) { own_ = own; }
     void applyOwnWindow(int number);    // from 1; an unknown one does nothing
@@ -114,10 +114,10 @@ class SliceView : public QWidget {
     enum class Drag { none, crosshair, window, zoom, pan, draw, handle, probe, clip };
 
     void onStudyShown();
-    void onChanged(const app::StudyState& before);
+    void onChanged(const scene::StudyState& before);
     void onPicture(SlicePicture picture);
     void request();
-    void followSelection(const app::StudyState& before);
+    void followSelection(const scene::StudyState& before);
 
     const Volume& volume() const { return *session_.study().measured(); }
     glm::dvec3 crosshairMm() const;
@@ -128,12 +128,12 @@ class SliceView : public QWidget {
     glm::dvec3 worldAt(const QPointF& place) const;  // needs a picture on screen
     bool isShownHere(const slices::Measurement& measurement) const;
 
-    const app::BesideState* beside() const;
+    const scene::SecondVolumeState* secondVolume() const;
     bool wantsSecond() const;  // instead of the study
     const Volume& wantedVolume() const;
     DisplayWindow secondWindow() const;
     bool secondIsInverted() const;
-    void addSecond(SliceWish& wish) const;
+    void addSecond(SliceRequest& request) const;
     void proposeWindow(const std::optional<DisplayWindow>& window, bool isDrag);
     void moveSecond(int slices);
     bool isMeasuring() const;  // the tool does
@@ -150,14 +150,14 @@ class SliceView : public QWidget {
     bool takesHold() const;
     bool takeClip(const QPointF& place);
     bool takeMeasurement(const QPointF& place);
-    std::optional<app::PlacedHandle> clipHandleAt(const QPointF& place) const;
+    std::optional<scene::PlacedHandle> clipHandleAt(const QPointF& place) const;
     void moveClip(const QPointF& place);
     void showCursorAt(const QPointF& place);
     void moveHandle(const QPointF& place);
     void setCrosshair(const glm::dvec3& mm);
     std::vector<SliceRange> shownInterpolated() const;
     QString interpolatedNote() const;
-    QString secondPositionText(const app::BesideState& state, SliceWish& wish) const;
+    QString secondPositionText(const scene::SecondVolumeState& state, SliceRequest& request) const;
     void finishDrawing();
     void removeSelected();
     void showMenu(const QPointF& place);
@@ -173,7 +173,7 @@ class SliceView : public QWidget {
     QString textOf(const slices::Measurement& measurement);
     QString textWhileDrawn(const slices::Measurement& measurement);
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     slices::Orientation orientation_;
     PaneRole role_;
     std::unique_ptr<SliceSampler> sampler_;
@@ -184,8 +184,8 @@ class SliceView : public QWidget {
     PaneView view_;
     std::optional<PaneView> told_;  // the view last emitted by viewChanged
     bool isFitted_ = true;          // not zoomed or panned since
-    std::shared_ptr<const SecondSeries> second_;
-    std::optional<SliceWish> wanted_;
+    std::shared_ptr<const SecondVolumeTexts> second_;
+    std::optional<SliceRequest> wanted_;
     std::optional<SlicePicture> shown_;
     ClipDimming dimming_;
     std::shared_ptr<const slices::ShownSegments> segments_;
@@ -207,7 +207,7 @@ class SliceView : public QWidget {
     std::size_t heldHandle_ = 0;  // of the selected measurement, in Drag::handle
     bool showsClip_ = true;
     bool hasClipHandles_ = false;
-    std::optional<app::ClipHandle> heldClip_;  // in Drag::clip
+    std::optional<scene::ClipHandle> heldClip_;  // in Drag::clip
     MeasurementTexts texts_;
     OwnWindowList* own_ = nullptr;
 

@@ -178,23 +178,24 @@ bool SliceView::takeMeasurement(const QPointF& place) {
     return true;
 }
 
-std::optional<app::PlacedHandle> SliceView::clipHandleAt(const QPointF& place) const {
+std::optional<scene::PlacedHandle> SliceView::clipHandleAt(const QPointF& place) const {
     if (!showsClip_ || !hasClipHandles_ || !showsStudy()) return std::nullopt;
     const slices::SliceFrame& frame = shown_->of.frame;
-    const app::StudyState& state = session_.state();
+    const scene::StudyState& state = session_.state();
     const double ratio = shown_->of.pixelRatio;
-    return handleAt(app::handlesOn(frame, state.clip, state.cuts, volume()), frame,
+    return handleAt(scene::handlesOn(frame, state.clip, state.cuts, volume()), frame,
                     glm::dvec2(place.x(), place.y()) * ratio, kHitPx * ratio);
 }
 
 // What the clip refuses leaves it where it is.
 void SliceView::moveClip(const QPointF& place) {
     if (!heldClip_ || !showsStudy()) return;
-    const app::StudyState& state = session_.state();
-    const glm::dvec3 mm = app::draggedTo(*heldClip_, worldAt(place), shown_->of.frame, state.clip, volume());
-    const auto moved = app::withHandleAt(state.clip, state.cuts, *heldClip_, mm, volume());
+    const scene::StudyState& state = session_.state();
+    const glm::dvec3 mm =
+        scene::draggedTo(*heldClip_, worldAt(place), shown_->of.frame, state.clip, volume());
+    const auto moved = scene::withHandleAt(state.clip, state.cuts, *heldClip_, mm, volume());
     if (!moved) return;
-    session_.drag(tr("Clip"), [&](app::StudyState& next) {
+    session_.drag(tr("Clip"), [&](scene::StudyState& next) {
         next.clip = moved->clip;
         next.cuts = moved->cuts;
     });
@@ -233,7 +234,7 @@ void SliceView::dragTo(const QPointF& place) {
             return setCrosshair(worldAt(place));
         case Drag::window: {
             const DisplayWindow next =
-                app::dragged(window(), glm::dvec2(by.x(), by.y()) / heightPx, wantedVolume());
+                scene::dragged(window(), glm::dvec2(by.x(), by.y()) / heightPx, wantedVolume());
             return proposeWindow(next, true);
         }
         case Drag::zoom:
@@ -310,7 +311,7 @@ void SliceView::editLabel(std::size_t index) {
     const QString before = QString::fromStdString(edited.label);
     auto* editor = new LabelEditor(this, QPointF(px.x, px.y).toPoint(), before);
     connect(editor, &LabelEditor::accepted, this, [this, edited](const QString& text) {
-        session_.change(tr("Label"), [&](app::StudyState& next) {
+        session_.change(tr("Label"), [&](scene::StudyState& next) {
             const auto found = std::ranges::find(next.measurements, edited);
             if (found != next.measurements.end()) found->label = text.toStdString();
         });
@@ -394,8 +395,9 @@ bool SliceView::handleKey(int key, bool withShift) {
             if (!drawing_) return false;
             return endGesture(), true;
         case Qt::Key_I:
-            session_.change(tr("Inverted"),
-                            [](app::StudyState& next) { next.slices.isInverted = !next.slices.isInverted; });
+            session_.change(tr("Inverted"), [](scene::StudyState& next) {
+                next.slices.isInverted = !next.slices.isInverted;
+            });
             return true;
         case Qt::Key_Space:
             if (role_ == PaneRole::second) return false;  // it follows the study
@@ -408,13 +410,13 @@ bool SliceView::handleKey(int key, bool withShift) {
 
 void SliceView::moveBy(int slices) {
     if (!steps_) return;
-    if (wantsSecond() && !beside()->isLinked()) return moveSecond(slices);
+    if (wantsSecond() && !secondVolume()->isLinked()) return moveSecond(slices);
     goTo(slice() + (steps_->stepMm() > 0.0 ? slices : -slices), tr("Slice"));
 }
 
 void SliceView::goTo(int slice, const QString& what) {
     const glm::dvec3 to = steps_->onSlice(std::clamp(slice, 0, steps_->count() - 1), crosshairMm());
-    session_.drag(what, [&](app::StudyState& next) { next.slices.crosshairMm = to; });
+    session_.drag(what, [&](scene::StudyState& next) { next.slices.crosshairMm = to; });
     if (what == tr("Slice")) wheelEnds_.start();
 }
 
@@ -454,7 +456,7 @@ void SliceView::look(const PaneView& view) {
 void SliceView::setCrosshair(const glm::dvec3& mm) {
     if (shown_->of.shows == SliceShows::secondByHand) return;  // it is no place in the study
     const glm::dvec3 to = showsStudy() ? placeInVolume(volume(), plane(), mm) : mm;
-    session_.drag(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = to; });
+    session_.drag(tr("Cross-hair"), [&](scene::StudyState& next) { next.slices.crosshairMm = to; });
 }
 
 void SliceView::moveHandle(const QPointF& place) {
@@ -463,7 +465,8 @@ void SliceView::moveHandle(const QPointF& place) {
     const std::size_t at = *selected_;
     if (heldHandle_ >= handlesOf(measurements[at]).size()) return;
     const slices::Measurement moved = withHandleAt(measurements[at], heldHandle_, worldAt(place));
-    session_.drag(tr("Measurement moved"), [&](app::StudyState& next) { next.measurements.at(at) = moved; });
+    session_.drag(tr("Measurement moved"),
+                  [&](scene::StudyState& next) { next.measurements.at(at) = moved; });
 }
 
 void SliceView::finishDrawing() {
@@ -471,7 +474,7 @@ void SliceView::finishDrawing() {
     drawing_.reset();
     drag_ = Drag::none;
     if (!made) return;
-    session_.change(tr("Measurement"), [&](app::StudyState& next) { next.measurements.push_back(*made); });
+    session_.change(tr("Measurement"), [&](scene::StudyState& next) { next.measurements.push_back(*made); });
     selected_ = session_.state().measurements.size() - 1;
     update();
 }
@@ -480,7 +483,7 @@ void SliceView::removeSelected() {
     const std::size_t at = *selected_;
     selected_.reset();
     if (at >= session_.state().measurements.size()) return;
-    session_.change(tr("Measurement removed"), [at](app::StudyState& next) {
+    session_.change(tr("Measurement removed"), [at](scene::StudyState& next) {
         next.measurements.erase(next.measurements.begin() + std::ptrdiff_t(at));
     });
 }

@@ -26,13 +26,13 @@ std::optional<int> sliceIn(const Volume& volume, const slices::SlicePlane& plane
 
 }  // namespace
 
-void SliceView::setSecond(std::shared_ptr<const SecondSeries> second) {
+void SliceView::setSecond(std::shared_ptr<const SecondVolumeTexts> second) {
     second_ = std::move(second);
     if (!second_ && (role_ == PaneRole::second || !isVisible())) {
         ++study_;
         wanted_.reset();
         shown_.reset();
-        SliceWish nothing;  // it keeps no volume that is gone
+        SliceRequest nothing;  // it keeps no volume that is gone
         nothing.study = study_;
         sampler_->publish(std::move(nothing));
     }
@@ -48,7 +48,7 @@ void SliceView::setPaneView(const PaneView& view) {
     request();
 }
 
-void SliceView::showArea(const app::SliceArea& area) {
+void SliceView::showArea(const scene::SliceArea& area) {
     if (!steps_ || area.orientation != orientation_ || width() < 1 || height() < 1) return;
     const glm::dvec2 mmPerPx = area.sizeMm / glm::dvec2(width(), height());
     const double coarser = std::max(mmPerPx.x, mmPerPx.y);
@@ -59,22 +59,22 @@ void SliceView::showArea(const app::SliceArea& area) {
 // The second one too: it may reach farther than the study.
 std::vector<PlacedGrid> SliceView::placedVolumes() const {
     std::vector<PlacedGrid> placed{{volume().worldFromVoxel(), volume().size()}};
-    if (const app::BesideState* state = beside())
+    if (const scene::SecondVolumeState* state = secondVolume())
         placed.push_back({glm::inverse(state->secondFromStudy) * second_->study.volume->worldFromVoxel(),
                           second_->study.volume->size()});
     return placed;
 }
 
 // Null unless the second volume that is there is the one of the state.
-const app::BesideState* SliceView::beside() const {
-    const auto& state = session_.state().beside;
-    return second_ && state && app::isOf(*state, second_->study, second_->pair) ? &*state : nullptr;
+const scene::SecondVolumeState* SliceView::secondVolume() const {
+    const auto& state = session_.state().secondVolume;
+    return second_ && state && scene::isPlacedFor(*state, second_->study, second_->pair) ? &*state : nullptr;
 }
 
 bool SliceView::wantsSecond() const {
-    const app::BesideState* state = beside();
+    const scene::SecondVolumeState* state = secondVolume();
     if (state == nullptr) return false;
-    return role_ == PaneRole::second || state->view == app::BesideView::instead;
+    return role_ == PaneRole::second || state->view == scene::SecondVolumePlace::instead;
 }
 
 const Volume& SliceView::wantedVolume() const {
@@ -82,8 +82,8 @@ const Volume& SliceView::wantedVolume() const {
 }
 
 DisplayWindow SliceView::secondWindow() const {
-    if (beside()->linksWindow) return studyWindow();
-    return beside()->window.value_or(second_->usualWindow);
+    if (secondVolume()->linksWindow) return studyWindow();
+    return secondVolume()->window.value_or(second_->usualWindow);
 }
 
 bool SliceView::secondIsInverted() const {
@@ -91,63 +91,66 @@ bool SliceView::secondIsInverted() const {
 }
 
 // Completes what is wished for, which is of the study so far.
-void SliceView::addSecond(SliceWish& wish) const {
-    const app::BesideState* state = beside();
+void SliceView::addSecond(SliceRequest& request) const {
+    const scene::SecondVolumeState* state = secondVolume();
     if (state == nullptr) return;
     const bool isCalibrated = second_->study.measured()->provenance().isCalibrated;
-    wish.tags = {second_->studyTag};
+    request.tags = {second_->studyTag};
     if (wantsSecond()) {
-        wish.volume = second_->study.measured();
-        wish.volumeFromPane = state->secondFromStudy;
-        wish.shows = state->isLinked() ? SliceShows::second : SliceShows::secondByHand;
-        wish.window = secondWindow();
-        wish.isInverted = secondIsInverted();
-        wish.isLowBright = second_->study.isLowBright;
-        wish.segments.reset();  // they are of the study's voxels
-        wish.positionText = secondPositionText(*state, wish);
-        wish.tags = {second_->tag};
-        wish.names = second_->lines;
-        wish.secondNotes = {linkText(*state)};
-        if (!wish.volume->provenance().interpolatedSlices.empty())
-            wish.secondNotes.push_back(tr("Some of its slices are interpolated"));
-        if (!isCalibrated) wish.secondNotes.push_back(tr("The size of its pixels is not calibrated"));
-    } else if (role_ == PaneRole::study && state->view == app::BesideView::over && state->isLinked()) {
-        wish.over = SliceOver{.volume = second_->study.measured(),
-                              .volumeFromPane = state->secondFromStudy,
-                              .window = secondWindow(),
-                              // Colours are no custom of films.
-                              .isInverted = second_->study.isLowBright && !isActivity(*second_->study.volume),
-                              .colours = state->colours,
-                              .opacity = state->opacity};
-        wish.tags.push_back(tr("In colours: %1").arg(second_->tag));
-        wish.secondNotes = {linkText(*state)};
+        request.volume = second_->study.measured();
+        request.volumeFromPane = state->secondFromStudy;
+        request.shows = state->isLinked() ? SliceShows::second : SliceShows::secondByHand;
+        request.window = secondWindow();
+        request.isInverted = secondIsInverted();
+        request.isLowBright = second_->study.isLowBright;
+        request.segments.reset();  // they are of the study's voxels
+        request.positionText = secondPositionText(*state, request);
+        request.tags = {second_->tag};
+        request.names = second_->lines;
+        request.secondNotes = {linkText(*state)};
+        if (!request.volume->provenance().interpolatedSlices.empty())
+            request.secondNotes.push_back(tr("Some of its slices are interpolated"));
+        if (!isCalibrated) request.secondNotes.push_back(tr("The size of its pixels is not calibrated"));
+    } else if (role_ == PaneRole::study && state->view == scene::SecondVolumePlace::over &&
+               state->isLinked()) {
+        request.over =
+            SliceOver{.volume = second_->study.measured(),
+                      .volumeFromPane = state->secondFromStudy,
+                      .window = secondWindow(),
+                      // Colours are no custom of films.
+                      .isInverted = second_->study.isLowBright && !isActivity(*second_->study.volume),
+                      .colours = state->colours,
+                      .opacity = state->opacity};
+        request.tags.push_back(tr("In colours: %1").arg(second_->tag));
+        request.secondNotes = {linkText(*state)};
         if (!second_->study.measured()->provenance().interpolatedSlices.empty())
-            wish.secondNotes.push_back(tr("In colours: some slices are interpolated"));
-        if (!isCalibrated) wish.secondNotes.push_back(tr("In colours: the size of pixels is not calibrated"));
+            request.secondNotes.push_back(tr("In colours: some slices are interpolated"));
+        if (!isCalibrated)
+            request.secondNotes.push_back(tr("In colours: the size of pixels is not calibrated"));
     } else {
         return;
     }
-    if (!second_->patientNote.isEmpty()) wish.secondNotes.prepend(second_->patientNote);
+    if (!second_->patientNote.isEmpty()) request.secondNotes.prepend(second_->patientNote);
 }
 
 // With the numbers of its own slice where the pane is one of these: those of the study are of other images.
-QString SliceView::secondPositionText(const app::BesideState& state, SliceWish& wish) const {
-    wish.isInterpolated = false;
+QString SliceView::secondPositionText(const scene::SecondVolumeState& state, SliceRequest& request) const {
+    request.isInterpolated = false;
     if (!state.isLinked()) return tr("Not in a plane of the study");
     QString text = planeText(orientation_, *steps_, slice());
-    const std::optional<int> own = sliceIn(*wish.volume, wish.frame.plane, state.secondFromStudy);
+    const std::optional<int> own = sliceIn(*request.volume, request.frame.plane, state.secondFromStudy);
     if (own) {
-        text = withNumbers(text, *own, wish.volume->size().z, imageNumber(second_->study, *own));
-        wish.isInterpolated = slices::isInterpolated(*wish.volume, *own);
+        text = withNumbers(text, *own, request.volume->size().z, imageNumber(second_->study, *own));
+        request.isInterpolated = slices::isInterpolated(*request.volume, *own);
     }
     return tr("In the plane of the study: %1").arg(text);
 }
 
 void SliceView::proposeWindow(const std::optional<DisplayWindow>& window, bool isDrag) {
     const bool ofSecond = wantsSecond();
-    const auto edit = [&](app::StudyState& next) {
-        const bool isOwn = ofSecond && !next.beside->linksWindow;
-        (isOwn ? next.beside->window : next.slices.window) = window;
+    const auto edit = [&](scene::StudyState& next) {
+        const bool isOwn = ofSecond && !next.secondVolume->linksWindow;
+        (isOwn ? next.secondVolume->window : next.slices.window) = window;
     };
     const QString what = ofSecond ? tr("Window of the second volume") : tr("Window");
     if (isDrag) {
@@ -160,7 +163,7 @@ void SliceView::proposeWindow(const std::optional<DisplayWindow>& window, bool i
 // Along the normal of the pane: a slice of another volume for the one that the study shows.
 void SliceView::moveSecond(int slices) {
     const slices::SlicePlane shown = plane();
-    const glm::dmat4 from = beside()->secondFromStudy;
+    const glm::dmat4 from = secondVolume()->secondFromStudy;
     const slices::SlicePlane there{.centreMm = transformPoint(from, shown.centreMm),
                                    .right = transformVector(from, shown.right),
                                    .down = transformVector(from, shown.down)};
@@ -168,8 +171,9 @@ void SliceView::moveSecond(int slices) {
     const slices::DepthRange depths = slices::depthsMm(*second_->study.measured(), there);
     if (byMm > depths.highMm || byMm < depths.lowMm) return;  // nothing of it would be seen
     const glm::dvec3 by = byMm * there.normal();
-    session_.drag(tr("Second volume moved"),
-                  [&](app::StudyState& next) { next.beside->secondFromStudy[3] += glm::dvec4(by, 0.0); });
+    session_.drag(tr("Second volume moved"), [&](scene::StudyState& next) {
+        next.secondVolume->secondFromStudy[3] += glm::dvec4(by, 0.0);
+    });
     wheelEnds_.start();
 }
 

@@ -43,7 +43,7 @@ QString titleOr(const std::string& title, const std::string& name) {
 }
 
 // "born" and "no study date" in the language of the window; a name is never looked up.
-std::vector<std::string> linesToShow(const app::Identity& identity) {
+std::vector<std::string> linesToShow(const study::Identity& identity) {
     std::vector<std::string> lines = linesOf(identity);
     const std::size_t first = identity.isOfNobody ? 0 : 1;
     for (std::size_t i = first; i < lines.size(); ++i)
@@ -51,7 +51,7 @@ std::vector<std::string> linesToShow(const app::Identity& identity) {
     return lines;
 }
 
-LinesOver linesOver(std::vector<std::string> names, const app::Drawing& drawing) {
+LinesOver linesOver(std::vector<std::string> names, const scene::Drawing& drawing) {
     LinesOver lines{.names = std::move(names)};
     // Projections show the study alone.
     if (!drawing.additions || trace::isProjection(drawing.settings.look)) return lines;
@@ -62,7 +62,7 @@ LinesOver linesOver(std::vector<std::string> names, const app::Drawing& drawing)
     return lines;
 }
 
-QString fidelityText(const app::FrameShown& frame) {
+QString fidelityText(const live::FrameShown& frame) {
     const QString remarks =
         frame.remarks.empty() ? QString() : QStringLiteral(", ") + listInWindowsLanguage(frame.remarks);
     if (isOfSplats(frame.picture)) {
@@ -70,7 +70,7 @@ QString fidelityText(const app::FrameShown& frame) {
                                                       .arg(*frame.foveaAgeMs / 1000.0, 0, 'f', 1)
                                                 : QString();
         const QString preview =
-            frame.picture == app::OnScreen::estimate
+            frame.picture == live::OnScreen::estimate
                 ? FidelityWords::tr("Preview, estimated from the values")
                 : FidelityWords::tr("Preview, sharpened in %n steps", nullptr, int(frame.model.steps));
         return preview + (isParallel(frame.camera) ? FidelityWords::tr(", parallel rays") : QString()) +
@@ -79,7 +79,7 @@ QString fidelityText(const app::FrameShown& frame) {
                                          : QString());
     }
     QString text = lookText(frame.look) + remarks;
-    const bool isPreview = frame.picture == app::OnScreen::preview;
+    const bool isPreview = frame.picture == live::OnScreen::preview;
     if (isParallel(frame.camera)) text += FidelityWords::tr(", parallel rays");
     if (isPreview) {
         text += FidelityWords::tr(", coarse preview");
@@ -88,7 +88,7 @@ QString fidelityText(const app::FrameShown& frame) {
         if (frame.scale > 1) text += FidelityWords::tr(", 1/%1 of the pixels each way").arg(frame.scale);
         return text;
     }
-    const bool isComplete = frame.stage == app::Stage::converged;
+    const bool isComplete = frame.stage == live::Stage::converged;
     text += isComplete
                 ? FidelityWords::tr(", %n samples", nullptr, int(frame.samplesPerPixel))
                 : FidelityWords::tr(", %1 of %2 samples").arg(frame.samplesPerPixel).arg(frame.sampleLimit);

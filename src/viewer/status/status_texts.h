@@ -19,14 +19,14 @@ namespace macula::viewer {
 QString titleOr(const std::string& title, const std::string& name);
 
 // Lines that identify patient and study, as linesOf, in the language of the window.
-std::vector<std::string> linesToShow(const app::Identity& identity);
+std::vector<std::string> linesToShow(const study::Identity& identity);
 // The lines over a 3D picture: `names`, and a note when it shows another series, even if `names` is empty.
-LinesOver linesOver(std::vector<std::string> names, const app::Drawing& drawing);
+LinesOver linesOver(std::vector<std::string> names, const scene::Drawing& drawing);
 // Names the picture on screen, how it was made, and its progress.
-QString fidelityText(const app::FrameShown& frame);
+QString fidelityText(const live::FrameShown& frame);
 
 // The state of the peripheral model; empty if there is none to report. At a first start
-// (app::DeviceReady::isFirstStart) the device compiles kernels, and the text says that it takes longer.
+// (live::DeviceReady::isFirstStart) the device compiles kernels, and the text says that it takes longer.
 QString modelText(const hybrid::ModelNews& model, bool isFirstStart);
 
 // The tool tip of modelText: it says what the model began with, why it takes longer, or why there is none and

@@ -78,7 +78,7 @@ FidelityBadge::FidelityBadge(QWidget* parent) : QLabel(parent) {
     hide();
 }
 
-void FidelityBadge::setFidelity(const app::Fidelity& fidelity) {
+void FidelityBadge::setFidelity(const live::Fidelity& fidelity) {
     isFinal_ = fidelity.isFinal;
     setText(isFinal_ ? tr("Final") : tr("Preliminary"));
     update();  // the text may be the same

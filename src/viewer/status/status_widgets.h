@@ -47,7 +47,7 @@ class FidelityBadge : public QLabel {
   public:
     explicit FidelityBadge(QWidget* parent = nullptr);
 
-    void setFidelity(const app::Fidelity& fidelity);
+    void setFidelity(const live::Fidelity& fidelity);
 
   protected:
     void paintEvent(QPaintEvent* event) override;

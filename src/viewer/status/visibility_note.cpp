@@ -57,13 +57,14 @@ QString windowNote(const DisplayWindow& window, const ValueRange& values, const 
     if (!isBelow && !isAbove) return {};
     return Words::tr("All of this volume is %1 in the window %2: %3.")
         .arg(isBelow ? Words::tr("black") : Words::tr("white"),
-             withLocalNumbers(QString::fromStdString(app::windowText(window, volume.unitName()))),
+             withLocalNumbers(QString::fromStdString(scene::windowText(window, volume.unitName()))),
              valuesText(values, volume));
 }
 
 }  // namespace
 
-QString visibilityNote(const app::Drawing& drawing, const Volume& volume, const app::Catalogue& catalogue) {
+QString visibilityNote(const scene::Drawing& drawing, const Volume& volume,
+                       const scene::Catalogue& catalogue) {
     const std::optional<ValueRange>& values = volume.valueRange();
     if (!values) return Words::tr("This volume has no values: all of it is padding.");
     if (trace::isProjection(drawing.settings.look))

@@ -11,6 +11,7 @@ namespace macula::viewer {
 
 // Says why the drawing shows nothing of the volume, or no difference in it: which values it has, and which
 // presets would show something. Empty if something is visible; ignores the clip.
-QString visibilityNote(const app::Drawing& drawing, const Volume& volume, const app::Catalogue& catalogue);
+QString visibilityNote(const scene::Drawing& drawing, const Volume& volume,
+                       const scene::Catalogue& catalogue);
 
 }  // namespace macula::viewer

@@ -29,7 +29,7 @@ QFont scaledFont(double scale) {
 
 }  // namespace
 
-ThemeChoice usable(ThemeChoice choice) {
+ThemeOptions usable(ThemeOptions choice) {
     choice.fontScale = std::isnan(choice.fontScale)
                            ? 1.0
                            : std::clamp(choice.fontScale, kSmallestFontScale, kLargestFontScale);
@@ -72,7 +72,7 @@ QPalette paletteOf(const ThemeColours& colours) {
     return palette;
 }
 
-void applyTheme(QApplication&, ThemeChoice choice) {
+void applyTheme(QApplication&, ThemeOptions choice) {
     choice = usable(choice);
     applied = choice.highContrast ? &kHighContrastColours : &kDarkColours;
     appliedFontScale = choice.fontScale;

@@ -12,19 +12,19 @@ namespace macula::viewer {
 inline constexpr double kSmallestFontScale = 0.8;
 inline constexpr double kLargestFontScale = 2.0;
 
-struct ThemeChoice {
+struct ThemeOptions {
     bool highContrast = false;
     double fontScale = 1.0;  // times the font of the desktop; from kSmallestFontScale to kLargestFontScale
 
-    bool operator==(const ThemeChoice&) const = default;
+    bool operator==(const ThemeOptions&) const = default;
 };
 
 // Clamps the scale to its range; a NaN becomes 1.
-ThemeChoice usable(ThemeChoice choice);
+ThemeOptions usable(ThemeOptions choice);
 
 // Sets the application's style, palette and fonts. Uses no style sheet, because child widgets would no longer
 // inherit palettes and fonts. May be called again: scales do not add up.
-void applyTheme(QApplication& application, ThemeChoice choice);
+void applyTheme(QApplication& application, ThemeOptions choice);
 
 // The factor for letters over pictures: names, measurements and sides have a size of their own, which never
 // gets smaller. From the last applied theme; 1 before.

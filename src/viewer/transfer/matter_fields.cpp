@@ -17,18 +17,18 @@ constexpr int kDecimals = 3;
 constexpr double kStep = 0.05;
 
 // In the unit of the values.
-bool isGradient(const app::MatterParameter& parameter) {
+bool isGradient(const scene::MatterParameter& parameter) {
     return parameter.unit == "per mm";
 }
 
 // "Surface gradient": a label stands by itself, and begins a sentence.
-QString labelOf(const app::MatterParameter& parameter) {
+QString labelOf(const scene::MatterParameter& parameter) {
     std::string label(parameter.label);
     label.front() = char(std::toupper(static_cast<unsigned char>(label.front())));
     return inWindowsLanguage(label);
 }
 
-QString doesOf(const app::MatterParameter& parameter) {
+QString doesOf(const scene::MatterParameter& parameter) {
     return inWindowsLanguage(std::string(parameter.does));
 }
 
@@ -37,13 +37,13 @@ QString doesOf(const app::MatterParameter& parameter) {
 MatterFields::MatterFields(QWidget* parent) : QWidget(parent) {
     auto* form = new QFormLayout(this);
     form->setContentsMargins(0, 0, 0, 0);
-    for (const app::MatterParameter& parameter : app::matterParameters()) addRow(parameter);
+    for (const scene::MatterParameter& parameter : scene::matterParameters()) addRow(parameter);
     for (const Row& row : rows_) form->addRow(labelOf(*row.parameter), row.box);
     setUnit({}, 2, {});
     showMatter(TransferFunction{});
 }
 
-void MatterFields::addRow(const app::MatterParameter& parameter) {
+void MatterFields::addRow(const scene::MatterParameter& parameter) {
     auto* box = new QDoubleSpinBox(this);
     box->setObjectName(QStringLiteral("matter-") +
                        QString::fromUtf8(parameter.id.data(), int(parameter.id.size())));
@@ -64,11 +64,11 @@ void MatterFields::addRow(const app::MatterParameter& parameter) {
     rows_.push_back({&parameter, box});
 }
 
-double MatterFields::scaleOf(const app::MatterParameter& parameter) const {
+double MatterFields::scaleOf(const scene::MatterParameter& parameter) const {
     return isGradient(parameter) ? map_.scale : 1.0;
 }
 
-void MatterFields::setUnit(const QString& unit, int decimals, const app::ValueMap& map) {
+void MatterFields::setUnit(const QString& unit, int decimals, const scene::ValueMap& map) {
     map_ = map;
     for (const Row& row : rows_) {
         if (!isGradient(*row.parameter)) continue;

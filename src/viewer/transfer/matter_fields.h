@@ -13,7 +13,7 @@
 
 namespace macula::viewer {
 
-// One row for each of app::matterParameters(). Emits edits, and shows only what it is given.
+// One row for each of scene::matterParameters(). Emits edits, and shows only what it is given.
 class MatterFields : public QWidget {
     Q_OBJECT
 
@@ -21,23 +21,24 @@ class MatterFields : public QWidget {
     explicit MatterFields(QWidget* parent = nullptr);
 
     // Unit of the volume's values, and their map from preset values: gradients are shown in volume values.
-    void setUnit(const QString& unit, int decimals, const app::ValueMap& map);
+    void setUnit(const QString& unit, int decimals, const scene::ValueMap& map);
     void showMatter(const TransferFunction& function);
 
   signals:
-    void changed(const app::MatterParameter& parameter, double value);  // in preset values, within its range
-    void ended();                                                       // a series of changes has ended
+    void changed(const scene::MatterParameter& parameter,
+                 double value);  // in preset values, within its range
+    void ended();                // a series of changes has ended
 
   private:
     struct Row {
-        const app::MatterParameter* parameter = nullptr;
+        const scene::MatterParameter* parameter = nullptr;
         QDoubleSpinBox* box = nullptr;
     };
-    void addRow(const app::MatterParameter& parameter);
-    double scaleOf(const app::MatterParameter& parameter) const;  // factor from preset to shown value
+    void addRow(const scene::MatterParameter& parameter);
+    double scaleOf(const scene::MatterParameter& parameter) const;  // factor from preset to shown value
 
     std::vector<Row> rows_;
-    app::ValueMap map_;
+    scene::ValueMap map_;
 };
 
 }  // namespace macula::viewer

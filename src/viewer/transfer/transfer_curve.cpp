@@ -30,7 +30,7 @@ TransferCurve::TransferCurve(QWidget* parent) : QWidget(parent) {
     describe();
 }
 
-void TransferCurve::setFunction(TransferFunction function, const app::ValueMap& map, const QString& unit) {
+void TransferCurve::setFunction(TransferFunction function, const scene::ValueMap& map, const QString& unit) {
     const bool hadScales = hasFunction();
     function_ = std::move(function);
     map_ = map;
@@ -51,7 +51,7 @@ void TransferCurve::clear() {
     setHistogram(std::nullopt);
 }
 
-void TransferCurve::setHistogram(std::optional<app::Histogram> histogram) {
+void TransferCurve::setHistogram(std::optional<scene::Histogram> histogram) {
     histogram_ = std::move(histogram);
     invalidate();
 }
@@ -62,10 +62,10 @@ void TransferCurve::fitAxis() {
         map_.shownFrom(std::min(function_.opacity.front().value, function_.colour.front().value)),
         map_.shownFrom(std::max(function_.opacity.back().value, function_.colour.back().value))};
     if (histogram_) {
-        range.low = std::min(range.low, app::percentile(*histogram_, kRare));
-        range.high = std::max(range.high, app::percentile(*histogram_, 1.0 - kRare));
+        range.low = std::min(range.low, scene::percentile(*histogram_, kRare));
+        range.high = std::max(range.high, scene::percentile(*histogram_, 1.0 - kRare));
     }
-    setAxis(app::ValueAxis::over(range, plotRect().width()), true);
+    setAxis(scene::ValueAxis::over(range, plotRect().width()), true);
 }
 
 void TransferCurve::cancelDrag() {
@@ -141,7 +141,7 @@ double TransferCurve::valueOf(const PointId& point) const {
                                                                  : function_.colour.at(point.index).value);
 }
 
-void TransferCurve::setAxis(const app::ValueAxis& axis, bool isFitted) {
+void TransferCurve::setAxis(const scene::ValueAxis& axis, bool isFitted) {
     axis_ = axis;
     isAxisFitted_ = isFitted;
     invalidate();

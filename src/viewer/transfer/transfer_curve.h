@@ -17,7 +17,7 @@
 namespace macula::viewer {
 
 // Shows a function but does not change it: an edit emits the wanted function, and the listener may return it
-// by setFunction. Shown values are the volume's; the function has its own (app::ValueMap). Empty without a
+// by setFunction. Shown values are the volume's; the function has its own (scene::ValueMap). Empty without a
 // function.
 class TransferCurve : public QWidget {
     Q_OBJECT
@@ -26,16 +26,16 @@ class TransferCurve : public QWidget {
     explicit TransferCurve(QWidget* parent = nullptr);
 
     // `unit` of the volume's values may be empty. Deselects a point that no longer exists.
-    void setFunction(TransferFunction function, const app::ValueMap& map, const QString& unit);
+    void setFunction(TransferFunction function, const scene::ValueMap& map, const QString& unit);
     void clear();
     // The volume's histogram; nothing: unknown, or only padding.
-    void setHistogram(std::optional<app::Histogram> histogram);
+    void setHistogram(std::optional<scene::Histogram> histogram);
 
     // Spans all points and all values that are not rare.
     void fitAxis();
     bool isAxisFitted() const { return isAxisFitted_; }  // not zoomed since fitAxis
-    const app::ValueAxis& axis() const { return axis_; }
-    const app::ValueMap& valueMap() const { return map_; }
+    const scene::ValueAxis& axis() const { return axis_; }
+    const scene::ValueMap& valueMap() const { return map_; }
 
     // Ends a mouse or key edit, because another function is shown.
     void cancelDrag();
@@ -82,7 +82,7 @@ class TransferCurve : public QWidget {
         Qt::MouseButton button = Qt::LeftButton;
         QPointF from;
         TransferFunction base;  // the whole drag edits this, so that rounding does not add up
-        app::ValueAxis axis;
+        scene::ValueAxis axis;
         PointId point = {};
         QPointF grabbedAt = {};  // offset of the handle from the pointer
     };
@@ -93,14 +93,14 @@ class TransferCurve : public QWidget {
     double valueOf(const PointId& point) const;  // of the volume
     std::size_t pointCount() const { return function_.opacity.size() + function_.colour.size(); }
     std::optional<PointId> pointAt(QPointF at) const;
-    void setAxis(const app::ValueAxis& axis, bool isFitted);
+    void setAxis(const scene::ValueAxis& axis, bool isFitted);
     void reveal(const PointId& point);
     void propose(const TransferFunction& function, bool isDrag);
     void dragPoint(QPointF to);
     void dragWhole(QPointF to, Qt::KeyboardModifiers modifiers);
     void beginPointDrag(const PointId& point, const QMouseEvent& event);
     void addAt(const QMouseEvent& event);
-    void addBesideSelected();
+    void addSecondSelected();
     void removeSelected();
     bool nudge(int key, Qt::KeyboardModifiers modifiers);
     void nudgePoint(double right, double up, bool isFine);
@@ -117,10 +117,10 @@ class TransferCurve : public QWidget {
     void paintPoints(QPainter& painter) const;
 
     TransferFunction function_;
-    app::ValueMap map_;
+    scene::ValueMap map_;
     QString unit_;
-    std::optional<app::Histogram> histogram_;
-    app::ValueAxis axis_;
+    std::optional<scene::Histogram> histogram_;
+    scene::ValueAxis axis_;
     bool isAxisFitted_ = true;
     std::optional<PointId> selected_;
     std::optional<Drag> drag_;

@@ -48,7 +48,7 @@ void TransferCurve::keyPressEvent(QKeyEvent* event) {
         case Qt::Key_Backspace:
             return removeSelected();
         case Qt::Key_Insert:
-            return addBesideSelected();
+            return addSecondSelected();
         case Qt::Key_Plus:
         case Qt::Key_Equal:
             return setAxis(axis_.zoomed(1.0 / kZoomPerKey, middle), false);
@@ -110,11 +110,11 @@ void TransferCurve::nudgePoint(double right, double up, bool isFine) {
     };
     if (point.curve == PointId::Curve::opacity) {
         const OpacityPoint& from = function_.opacity[point.index];
-        propose(app::movedOpacityPoint(function_, point.index, moved(from.value),
-                                       from.opacity + up * times * kOpacityPerKey),
+        propose(scene::movedOpacityPoint(function_, point.index, moved(from.value),
+                                         from.opacity + up * times * kOpacityPerKey),
                 true);
     } else {
-        propose(app::movedColourPoint(function_, point.index, moved(function_.colour[point.index].value)),
+        propose(scene::movedColourPoint(function_, point.index, moved(function_.colour[point.index].value)),
                 true);
     }
     if (selected_) reveal(*selected_);
@@ -124,17 +124,17 @@ void TransferCurve::nudgeWhole(double right, double up, bool isFine, bool isScal
     const double times = isFine ? kFiner : 1.0;
     const double factor = std::pow(kFactorPerKey, up * times);
     if (right != 0.0) {
-        propose(app::shifted(function_, right * times * keyStep() / map_.scale), true);
+        propose(scene::shifted(function_, right * times * keyStep() / map_.scale), true);
     } else if (isScale) {
-        propose(app::withOpacityScaled(function_, factor), true);
+        propose(scene::withOpacityScaled(function_, factor), true);
     } else {
         const double middle = 0.5 * (function_.opacity.front().value + function_.opacity.back().value);
-        propose(app::widened(function_, factor, middle), true);
+        propose(scene::widened(function_, factor, middle), true);
     }
 }
 
 // Halfway to the next point, or to the end of the axis.
-void TransferCurve::addBesideSelected() {
+void TransferCurve::addSecondSelected() {
     const PointId from = selected_.value_or(PointId{});
     const bool isColour = from.curve == PointId::Curve::colour;
     const std::size_t count = isColour ? function_.colour.size() : function_.opacity.size();
@@ -142,8 +142,9 @@ void TransferCurve::addBesideSelected() {
     const bool hasNext = selected_ && from.index + 1 < count;
     const double high = hasNext ? valueOf({from.curve, from.index + 1}) : std::max(low, axis_.shown.high);
     const double value = map_.presetFrom(0.5 * (low + high));
-    const app::Added added = isColour ? app::withColourPoint(function_, value, colourAt(function_, value))
-                                      : app::withOpacityPoint(function_, value, opacityAt(function_, value));
+    const scene::Added added = isColour
+                                   ? scene::withColourPoint(function_, value, colourAt(function_, value))
+                                   : scene::withOpacityPoint(function_, value, opacityAt(function_, value));
     if (!added.index) return;
     propose(added.function, false);
     if (!(function_ == added.function)) return;
@@ -155,8 +156,8 @@ void TransferCurve::removeSelected() {
     if (!selected_) return;
     const PointId point = *selected_;
     const bool isColour = point.curve == PointId::Curve::colour;
-    TransferFunction left = isColour ? app::withoutColourPoint(function_, point.index)
-                                     : app::withoutOpacityPoint(function_, point.index);
+    TransferFunction left = isColour ? scene::withoutColourPoint(function_, point.index)
+                                     : scene::withoutOpacityPoint(function_, point.index);
     if (left == function_) return;  // the last of its curve
     propose(left, false);
     if (!(function_ == left)) return;

@@ -87,19 +87,19 @@ void TransferCurve::dragPoint(QPointF to) {
     const PointId point = drag_->point;
     const double value = presetValueAt(to.x());
     propose(point.curve == PointId::Curve::opacity
-                ? app::movedOpacityPoint(drag_->base, point.index, value, opacityAtPx(to.y()))
-                : app::movedColourPoint(drag_->base, point.index, value),
+                ? scene::movedOpacityPoint(drag_->base, point.index, value, opacityAtPx(to.y()))
+                : scene::movedColourPoint(drag_->base, point.index, value),
             true);
 }
 
 void TransferCurve::dragWhole(QPointF to, Qt::KeyboardModifiers modifiers) {
     const double factor = std::exp2((drag_->from.y() - to.y()) / kOctavePx);
     if (modifiers.testFlag(Qt::ControlModifier)) {
-        propose(app::withOpacityScaled(drag_->base, factor), true);
+        propose(scene::withOpacityScaled(drag_->base, factor), true);
         return;
     }
     const double about = presetValueAt(drag_->from.x());
-    propose(app::shifted(app::widened(drag_->base, factor, about), presetValueAt(to.x()) - about), true);
+    propose(scene::shifted(scene::widened(drag_->base, factor, about), presetValueAt(to.x()) - about), true);
 }
 
 void TransferCurve::mouseReleaseEvent(QMouseEvent* event) {
@@ -126,8 +126,8 @@ void TransferCurve::addAt(const QMouseEvent& event) {
     const QPointF at = event.position();
     const double value = presetValueAt(at.x());
     const bool isColour = at.y() >= stripRect().top();
-    const app::Added added = isColour ? app::withColourPoint(function_, value, colourAt(function_, value))
-                                      : app::withOpacityPoint(function_, value, opacityAtPx(at.y()));
+    const scene::Added added = isColour ? scene::withColourPoint(function_, value, colourAt(function_, value))
+                                        : scene::withOpacityPoint(function_, value, opacityAtPx(at.y()));
     if (!added.index) return;
     propose(added.function, true);
     if (!(function_ == added.function)) return;  // nobody wanted it

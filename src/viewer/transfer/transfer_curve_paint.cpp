@@ -63,7 +63,7 @@ QPixmap TransferCurve::paintedBackground() const {
 void TransferCurve::paintHistogram(QPainter& painter) const {
     const QRectF plot = plotRect();
     const auto columns = std::size_t(std::max(1.0, plot.width()));
-    const std::vector<double> heights = app::logHeights(*histogram_, axis_.shown, columns);
+    const std::vector<double> heights = scene::logHeights(*histogram_, axis_.shown, columns);
     QPainterPath path(plot.bottomLeft());
     const double columnPx = plot.width() / double(columns);
     for (std::size_t i = 0; i < columns; ++i) {

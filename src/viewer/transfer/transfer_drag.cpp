@@ -39,7 +39,7 @@ QString textOf(double shift, double factor, const QString& unit) {
 
 }  // namespace
 
-TransferDrag::TransferDrag(ViewerSession& session, const TransferFunctionEditor& editor, QObject* parent)
+TransferDrag::TransferDrag(StudyEditor& session, const TransferFunctionEditor& editor, QObject* parent)
     : QObject(parent), session_(session), editor_(editor) {}
 
 void TransferDrag::drag(QPointF byHeights) {
@@ -61,8 +61,9 @@ void TransferDrag::drag(QPointF byHeights) {
     const double width = slope.high > slope.low ? slope.high - slope.low : kWidthOfAStep;
     const double shift = moved_.x() * width;
     const double factor = std::exp2(std::clamp(-kOctavesPerHeight * moved_.y(), -kMostOctaves, kMostOctaves));
-    TransferFunction now = app::shifted(app::widened(base, factor, 0.5 * (slope.low + slope.high)), shift);
-    session_.drag(tr("Transfer function"), [&](app::StudyState& next) {
+    TransferFunction now =
+        scene::shifted(scene::widened(base, factor, 0.5 * (slope.low + slope.high)), shift);
+    session_.drag(tr("Transfer function"), [&](scene::StudyState& next) {
         next.preset = std::make_shared<const TransferFunction>(std::move(now));
     });
     emit told(textOf(shift * base_->map.scale, factor,

@@ -6,7 +6,7 @@
 #include <QString>
 #include <optional>
 
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/transfer/transfer_function_editor.h"
 
 namespace macula::viewer {
@@ -17,7 +17,7 @@ class TransferDrag : public QObject {
 
   public:
     // Both outlive this.
-    TransferDrag(ViewerSession& session, const TransferFunctionEditor& editor, QObject* parent = nullptr);
+    TransferDrag(StudyEditor& session, const TransferFunctionEditor& editor, QObject* parent = nullptr);
 
     // Movement since the last call, in heights of the picture: right shifts towards larger values, by the
     // curve's width for one height; up widens, four times for one height.
@@ -28,7 +28,7 @@ class TransferDrag : public QObject {
     void told(const QString& what);  // for the status line; empty: the drag has ended
 
   private:
-    ViewerSession& session_;
+    StudyEditor& session_;
     const TransferFunctionEditor& editor_;
     std::optional<TransferFunctionEditor::Edited> base_;  // at the start of the drag
     QPointF moved_;                                       // since then

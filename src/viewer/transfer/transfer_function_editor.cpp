@@ -37,7 +37,7 @@ QString titleOf(const TransferFunction& function) {
 
 }  // namespace
 
-TransferFunctionEditor::TransferFunctionEditor(ViewerSession& session, QWidget* parent)
+TransferFunctionEditor::TransferFunctionEditor(StudyEditor& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
       job_(this, {.progressed = [](const ProgressUpdate&) {},
@@ -115,8 +115,8 @@ void TransferFunctionEditor::listen() {
     connect(showsMatter_, &QPushButton::toggled, matter_, &QWidget::setVisible);
     connect(reset_, &QPushButton::clicked, this, &TransferFunctionEditor::reset);
     connect(save_, &QPushButton::clicked, this, &TransferFunctionEditor::saveAsked);
-    connect(&session_, &ViewerSession::studyShown, this, &TransferFunctionEditor::onStudyShown);
-    connect(&session_, &ViewerSession::changed, this, &TransferFunctionEditor::onChanged);
+    connect(&session_, &StudyEditor::studyShown, this, &TransferFunctionEditor::onStudyShown);
+    connect(&session_, &StudyEditor::changed, this, &TransferFunctionEditor::onChanged);
 }
 
 // A field that loses the focus with its life still tells.
@@ -141,7 +141,7 @@ void TransferFunctionEditor::onStudyShown() {
     curve_->fitAxis();
 }
 
-void TransferFunctionEditor::onChanged(const app::StudyState& before) {
+void TransferFunctionEditor::onChanged(const scene::StudyState& before) {
     if (!session_.hasStudy() || session_.state().preset == before.preset) return;
     if (isProposing_) return showState();
     // Somebody else has changed it: what a hand holds here is gone.
@@ -170,16 +170,16 @@ void TransferFunctionEditor::showState() {
     if (isCopy_) {
         own_ = *preset;
     } else {
-        own_ = app::ownCopy(*preset, takenNames(preset));
+        own_ = scene::ownCopy(*preset, takenNames(preset));
     }
     chosenByCopy_[own_.name] = *chosen_;
 
-    const std::optional<app::ValueMap> map = mapFor(own_);
+    const std::optional<scene::ValueMap> map = mapFor(own_);
     const Volume& volume = *session_.study().volume;
     const QString unit = QString::fromStdString(volume.unitName());
     const int decimals = volume.unit() == Unit::hounsfield ? 2 : 4;
     fields_->setUnit(unit, decimals);
-    matter_->setUnit(unit, decimals, map.value_or(app::ValueMap{}));
+    matter_->setUnit(unit, decimals, map.value_or(scene::ValueMap{}));
     matter_->showMatter(own_);
     steep_->showCurves(usesSteepCurves(own_));
     fields_->setUnitDistance(own_.unitDistanceMm);
@@ -205,8 +205,8 @@ void TransferFunctionEditor::look(bool isForegroundWanted) {
             Seen seen;
             if (known) {
                 seen = *known;
-            } else if (const std::optional<app::Bins> bins = app::binsOf(*volume)) {
-                MACULA_TRY(seen.histogram, app::histogramOf(*volume, *bins, progress.token()));
+            } else if (const std::optional<scene::Bins> bins = scene::binsOf(*volume)) {
+                MACULA_TRY(seen.histogram, scene::histogramOf(*volume, *bins, progress.token()));
             }
             if (isForegroundWanted && !seen.foreground) seen.foreground = foregroundOf(volume);
             return std::make_shared<const Seen>(std::move(seen));
@@ -235,7 +235,7 @@ void TransferFunctionEditor::onSeen(const Result<SeenResult>& outcome) {
 
 TransferFunctionEditor::Preset TransferFunctionEditor::presetShown() {
     if (session_.state().preset) return session_.state().preset;
-    if (!byDefault_) byDefault_ = app::presetFor(session_.catalogue(), *session_.study().volume);
+    if (!byDefault_) byDefault_ = scene::presetFor(session_.catalogue(), *session_.study().volume);
     return byDefault_;
 }
 
@@ -243,10 +243,10 @@ TransferFunctionEditor::Chosen TransferFunctionEditor::chosenFor(const Preset& p
     const Chosen itself{.inState = session_.state().preset, .function = preset};
     if (const auto known = chosenByCopy_.find(preset->name); known != chosenByCopy_.end())
         return known->second;
-    if (const Preset offered = inCatalogue(preset->name); offered && app::isSame(*offered, *preset))
+    if (const Preset offered = inCatalogue(preset->name); offered && scene::isSame(*offered, *preset))
         return itself;
     // A copy of another session.
-    if (const Preset original = inCatalogue(app::copiedFrom(*preset)))
+    if (const Preset original = inCatalogue(scene::copiedFrom(*preset)))
         return {.inState = original, .function = original};
     return itself;
 }
@@ -268,12 +268,13 @@ std::set<std::string> TransferFunctionEditor::takenNames(const Preset& original)
     return taken;
 }
 
-std::optional<app::ValueMap> TransferFunctionEditor::mapFor(const TransferFunction& function) const {
-    if (!isFittedToForeground(function)) return app::ValueMap::of(fitOf(function, *session_.study().volume));
+std::optional<scene::ValueMap> TransferFunctionEditor::mapFor(const TransferFunction& function) const {
+    if (!isFittedToForeground(function))
+        return scene::ValueMap::of(fitOf(function, *session_.study().volume));
     if (!seen_ || !seen_->foreground) return std::nullopt;
-    return app::ValueMap::of(VolumeFit{.preset = {function.fitToVolume->low, function.fitToVolume->high},
-                                       .volume = *seen_->foreground,
-                                       .to = Fit::To::foreground});
+    return scene::ValueMap::of(VolumeFit{.preset = {function.fitToVolume->low, function.fitToVolume->high},
+                                         .volume = *seen_->foreground,
+                                         .to = Fit::To::foreground});
 }
 
 std::optional<TransferFunctionEditor::Edited> TransferFunctionEditor::edited() const {
@@ -283,7 +284,7 @@ std::optional<TransferFunctionEditor::Edited> TransferFunctionEditor::edited() c
 
 void TransferFunctionEditor::propose(const TransferFunction& function, bool isDrag) {
     const auto preset = std::make_shared<const TransferFunction>(function);
-    const auto edit = [&preset](app::StudyState& next) { next.preset = preset; };
+    const auto edit = [&preset](scene::StudyState& next) { next.preset = preset; };
     isProposing_ = true;
     if (isDrag) {
         session_.drag(tr("Transfer function"), edit);
@@ -298,17 +299,18 @@ void TransferFunctionEditor::changeSelected(std::optional<double> value, std::op
     const std::optional<PointId> selected = curve_->selected();
     if (!selected) return;
     const std::size_t index = selected->index;
-    const app::ValueMap map = curve_->valueMap();
+    const scene::ValueMap map = curve_->valueMap();
     const TransferFunction before = edits(own_);
     TransferFunction edited = before;
     if (selected->curve == PointId::Curve::opacity) {
         const OpacityPoint from = before.opacity.at(index);
-        edited = app::movedOpacityPoint(std::move(edited), index, value ? map.presetFrom(*value) : from.value,
-                                        opacity.value_or(from.opacity));
+        edited =
+            scene::movedOpacityPoint(std::move(edited), index, value ? map.presetFrom(*value) : from.value,
+                                     opacity.value_or(from.opacity));
     } else if (colour) {
-        edited = app::recoloured(std::move(edited), index, *colour);
+        edited = scene::recoloured(std::move(edited), index, *colour);
     } else if (value) {
-        edited = app::movedColourPoint(std::move(edited), index, map.presetFrom(*value));
+        edited = scene::movedColourPoint(std::move(edited), index, map.presetFrom(*value));
     }
     if (!(edited == before)) propose(edits(edited), true);
     showFields();  // what was typed may lie beyond the next point
@@ -332,11 +334,11 @@ void TransferFunctionEditor::changeSteep(bool isThere) {
     session_.endDrag();
     fields_->dropDialog();
     curve_->select(std::nullopt);
-    propose(isThere ? app::withSteepCurves(own_) : app::withoutSteepCurves(own_), false);
+    propose(isThere ? scene::withSteepCurves(own_) : scene::withoutSteepCurves(own_), false);
     if (isThere && usesSteepCurves(own_)) steep_->chooseSteep();
 }
 
-void TransferFunctionEditor::changeMatter(const app::MatterParameter& parameter, double value) {
+void TransferFunctionEditor::changeMatter(const scene::MatterParameter& parameter, double value) {
     TransferFunction edited = own_;
     parameter.set(edited, value);
     if (!(edited == own_)) propose(edited, true);
@@ -346,13 +348,13 @@ void TransferFunctionEditor::reset() {
     if (!chosen_ || !isCopy_) return;
     session_.endDrag();
     session_.change(tr("Reset transfer function"),
-                    [this](app::StudyState& next) { next.preset = chosen_->inState; });
+                    [this](scene::StudyState& next) { next.preset = chosen_->inState; });
 }
 
 void TransferFunctionEditor::showFields() {
     const std::optional<PointId> selected = curve_->selected();
     if (!selected || own_.opacity.empty()) return fields_->showPoint(std::nullopt);
-    const app::ValueMap map = curve_->valueMap();
+    const scene::ValueMap map = curve_->valueMap();
     const TransferFunction of = edits(own_);
     PointFields::Point shown;
     if (selected->curve == PointId::Curve::opacity) {

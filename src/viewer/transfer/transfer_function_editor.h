@@ -14,8 +14,8 @@
 #include "pipeline/volume/transfer_function.h"
 #include "scene/transfer/histogram.h"
 #include "scene/transfer/value_axis.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/jobs/background_job.h"
-#include "viewer/session/viewer_session.h"
 #include "viewer/transfer/matter_fields.h"
 #include "viewer/transfer/point_fields.h"
 #include "viewer/transfer/steep_choice.h"
@@ -24,14 +24,14 @@
 namespace macula::viewer {
 
 // Edits the preset of the session's state. A chosen preset never changes: the first edit makes a copy
-// (app::ownCopy), which later edits change. A drag is one undo step. Lives on the UI thread; the histogram,
+// (scene::ownCopy), which later edits change. A drag is one undo step. Lives on the UI thread; the histogram,
 // and the foreground that some presets are fitted to, are computed in the background.
 class TransferFunctionEditor : public QWidget {
     Q_OBJECT
 
   public:
     // The session outlives this.
-    explicit TransferFunctionEditor(ViewerSession& session, QWidget* parent = nullptr);
+    explicit TransferFunctionEditor(StudyEditor& session, QWidget* parent = nullptr);
     ~TransferFunctionEditor() override;
 
     TransferCurve& curve() { return *curve_; }
@@ -40,7 +40,7 @@ class TransferFunctionEditor : public QWidget {
     // Nothing without a study, or before the map is known.
     struct Edited {
         TransferFunction function;
-        app::ValueMap map;
+        scene::ValueMap map;
     };
     std::optional<Edited> edited() const;
     QString line() const { return line_->text(); }  // names the preset, or says why there is none
@@ -56,13 +56,13 @@ class TransferFunctionEditor : public QWidget {
         Preset function;  // never null
     };
     struct Seen {
-        std::optional<app::Histogram> histogram;
+        std::optional<scene::Histogram> histogram;
         std::optional<ValueRange> foreground;  // the volume's range for a fit; nothing: not asked for
     };
     using SeenResult = std::shared_ptr<const Seen>;
 
     void onStudyShown();
-    void onChanged(const app::StudyState& before);
+    void onChanged(const scene::StudyState& before);
     void onSeen(const Result<SeenResult>& outcome);
     void showNothing();
     void showState();
@@ -72,7 +72,7 @@ class TransferFunctionEditor : public QWidget {
     Preset inCatalogue(const std::string& name) const;
     std::set<std::string> takenNames(const Preset& original) const;
     // The map of preset values to the volume's; nothing until it is known.
-    std::optional<app::ValueMap> mapFor(const TransferFunction& function) const;
+    std::optional<scene::ValueMap> mapFor(const TransferFunction& function) const;
 
     void makeButtons();
     void listen();
@@ -84,12 +84,12 @@ class TransferFunctionEditor : public QWidget {
     TransferFunction edits(const TransferFunction& function) const;
     void changeSide();
     void changeSteep(bool isThere);
-    void changeMatter(const app::MatterParameter& parameter, double value);
+    void changeMatter(const scene::MatterParameter& parameter, double value);
     void reset();
     void showFields();
     void showLine();
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     BackgroundJob<SeenResult> job_;
     QLabel* line_ = nullptr;
     TransferCurve* curve_ = nullptr;

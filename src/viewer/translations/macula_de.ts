@@ -462,7 +462,7 @@
     </message>
 </context>
 <context>
-    <name>SecondSeries</name>
+    <name>SecondVolumeTexts</name>
     <message>
         <source>phantom</source>
         <translation>Phantom</translation>
@@ -788,7 +788,7 @@
     </message>
 </context>
 <context>
-    <name>macula::viewer::BesideBar</name>
+    <name>macula::viewer::SecondVolumeBar</name>
     <message>
         <source>Study alone</source>
         <translation>Studie allein</translation>
@@ -951,7 +951,7 @@
     </message>
 </context>
 <context>
-    <name>macula::viewer::BesideStudy</name>
+    <name>macula::viewer::SecondVolumeLoader</name>
     <message>
         <source>Registering the second volume</source>
         <translation>Das zweite Volumen wird registriert</translation>

@@ -46,7 +46,7 @@ Result<gpu::Instance> createInstanceForWindows() {
 }
 
 Viewport::Viewport(gpu::Instance instance, std::string preferredDevice,
-                   std::shared_ptr<app::SceneKeeper> keeper, QWidget* parent)
+                   std::shared_ptr<live::SceneKeeper> keeper, QWidget* parent)
     : QWidget(parent), window_(new VulkanWindow(&vulkan_)) {
     vulkan_.setVkInstance(instance.handle());
     vulkan_.setFlags(QVulkanInstance::NoDebugOutputRedirect);  // pipeline/gpu listens already
@@ -63,8 +63,8 @@ Viewport::Viewport(gpu::Instance instance, std::string preferredDevice,
 
     // The events cross to this thread through its queue; those that come after this widget is gone are
     // dropped by Qt.
-    renderThread_ = std::make_unique<app::RenderThread>(
-        std::move(instance), std::move(preferredDevice), std::move(keeper), [this](app::RenderEvent event) {
+    renderThread_ = std::make_unique<live::RenderThread>(
+        std::move(instance), std::move(preferredDevice), std::move(keeper), [this](live::RenderEvent event) {
             post(this, [this, event = std::move(event)] { onRendered(event); });
         });
 }
@@ -93,7 +93,7 @@ void Viewport::layOut() {
 
 void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::surfaceReady, this, [this] {
-        input_.place = std::make_shared<const app::WindowPlace>(window_->surface());
+        input_.place = std::make_shared<const live::WindowPlace>(window_->surface());
         publish();
     });
     connect(window_, &VulkanWindow::surfaceGoing, this, [this] {
@@ -101,10 +101,10 @@ void Viewport::connectWindow() {
         renderThread_->releaseScreen();
     });
     connect(window_, &VulkanWindow::surfaceFailed, this, [this] {
-        emit rendered(app::RenderFailure{.error = {ErrorCode::deviceNotUsable,
-                                                   "The window cannot show Vulkan pictures.",
-                                                   {},
-                                                   "Install a Vulkan driver for this display."}});
+        emit rendered(live::RenderFailure{.error = {ErrorCode::deviceNotUsable,
+                                                    "The window cannot show Vulkan pictures.",
+                                                    {},
+                                                    "Install a Vulkan driver for this display."}});
     });
     connect(window_, &VulkanWindow::exposed, this, [this] {
         ++input_.exposures;
@@ -114,7 +114,7 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::resized, this, [this] {
         // A view nobody has touched goes on fitting the window.
         if (untouched_ && input_.volume) {
-            camera_ = app::fitted(app::turnedTo(camera_, framedFrom_), outlineMm(), aspect());
+            camera_ = scene::fitted(scene::turnedTo(camera_, framedFrom_), outlineMm(), aspect());
         }
         publish();
         emit resized();
@@ -149,7 +149,7 @@ void Viewport::connectWindow() {
 }
 
 void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names,
-                        app::Drawing drawing, std::optional<ViewDirection> from) {
+                        scene::Drawing drawing, std::optional<ViewDirection> from) {
     window_->endDrag();  // what a hand holds, handle or transfer function, is of the study before
     ++input_.study;
     outline_.reset();
@@ -157,20 +157,20 @@ void Viewport::setStudy(std::shared_ptr<const Volume> volume, std::vector<std::s
     names_ = std::move(names);
     input_.volume = std::move(volume);
     input_.drawing = std::move(drawing);
-    input_.background = app::backgroundInWindow(input_.drawing);
+    input_.background = scene::backgroundInWindow(input_.drawing);
     setLetters({});
     if (input_.volume) {
-        firstFrom_ = app::firstDirection(from, *input_.volume);
+        firstFrom_ = scene::firstDirection(from, *input_.volume);
         showFrom(firstFrom_);
     } else {
         publishChange();
     }
 }
 
-void Viewport::setDrawing(app::Drawing drawing) {
+void Viewport::setDrawing(scene::Drawing drawing) {
     if (drawing == input_.drawing) return;
     input_.drawing = std::move(drawing);
-    input_.background = app::backgroundInWindow(input_.drawing);
+    input_.background = scene::backgroundInWindow(input_.drawing);
     publishChange();
 }
 
@@ -190,7 +190,7 @@ void Viewport::showMarks(bool shown) {
 void Viewport::setParallel(bool isParallel) {
     if (isParallel == camera_.isParallel) return;
     const bool untouched = untouched_;
-    app::OrbitCamera camera = camera_;
+    scene::OrbitCamera camera = camera_;
     camera.isParallel = isParallel;
     setCamera(camera);
     untouched_ = untouched;
@@ -208,16 +208,16 @@ void Viewport::setRestGoal(const RestGoal& goal) {
     publish();
 }
 
-void Viewport::setLiveQuality(const app::LiveQuality& quality) {
+void Viewport::setLiveQuality(const live::LiveQuality& quality) {
     input_.live = quality;
     publish();
 }
 
 std::uint64_t Viewport::askForModel(bool withTraining) {
-    ++input_.modelWishes;
-    input_.wishesTraining = withTraining;
+    ++input_.modelRequests;
+    input_.requestsTraining = withTraining;
     publish();
-    return input_.modelWishes;
+    return input_.modelRequests;
 }
 
 void Viewport::setGazeFollowsPointer(bool follows) {
@@ -246,27 +246,27 @@ void Viewport::setPictureSizeHint(QSize pixels) {
 void Viewport::showFrom(ViewDirection from) {
     if (!input_.volume) return;
     framedFrom_ = from;
-    app::OrbitCamera camera = app::turnedTo(camera_, framedFrom_);
+    scene::OrbitCamera camera = scene::turnedTo(camera_, framedFrom_);
     camera.verticalFovDeg = kVerticalFovDeg;
-    setCamera(app::fitted(camera, outlineMm(), aspect()));
+    setCamera(scene::fitted(camera, outlineMm(), aspect()));
     untouched_ = true;
 }
 
 void Viewport::showFrom(const Camera& camera) {
     if (!input_.volume) return;
-    setCamera(app::orbitCameraOf(camera));
+    setCamera(scene::orbitCameraOf(camera));
 }
 
 void Viewport::centreOn(const glm::dvec3& mm) {
     if (!input_.volume) return;
-    app::OrbitCamera camera = camera_;
+    scene::OrbitCamera camera = camera_;
     camera.targetMm = mm;
     setCamera(camera);
 }
 
 void Viewport::fit() {
     if (!input_.volume) return;
-    setCamera(app::fitted(camera_, outlineMm(), aspect()));
+    setCamera(scene::fitted(camera_, outlineMm(), aspect()));
 }
 
 std::optional<MarkedPicture> Viewport::pictureOnScreen() const {
@@ -274,7 +274,7 @@ std::optional<MarkedPicture> Viewport::pictureOnScreen() const {
     return MarkedPicture{shown_->camera, window_->pixels(), window_->devicePixelRatio(), isCalibrated()};
 }
 
-void Viewport::setCamera(const app::OrbitCamera& camera) {
+void Viewport::setCamera(const scene::OrbitCamera& camera) {
     const bool wasParallel = std::exchange(camera_, camera).isParallel;
     untouched_ = false;
     publishChange();
@@ -338,7 +338,7 @@ void Viewport::updateMarks() {
                            : nullptr;
 }
 
-std::shared_ptr<const app::PictureText> Viewport::paintStanding(const Marked& marked) const {
+std::shared_ptr<const live::PictureText> Viewport::paintStanding(const Marked& marked) const {
     return withSideLetters(marked.hasCube ? paintCubeAndScale(marked.picture) : nullptr, input_.letters,
                            marked.picture.pixels, marked.picture.pixelRatio);
 }
@@ -361,7 +361,7 @@ std::vector<glm::dvec3> Viewport::outlineMm() const {
 
 // The first one moves a camera that nobody has touched. Later ones, of other presets, do not: what is
 // compared stays where it is.
-void Viewport::onOutline(const app::OutlineFound& found) {
+void Viewport::onOutline(const live::OutlineFound& found) {
     if (found.study != input_.study || !input_.volume) return;
     const bool isFirst = !outline_;
     outline_ = found.pointsMm;
@@ -374,16 +374,16 @@ double Viewport::aspect() const {
 
 // The letters follow the picture, not the camera: while the next picture is made, the one on screen still has
 // its sides where they were.
-void Viewport::onRendered(const app::RenderEvent& event) {
-    if (const auto* frame = std::get_if<app::FrameShown>(&event)) {
+void Viewport::onRendered(const live::RenderEvent& event) {
+    if (const auto* frame = std::get_if<live::FrameShown>(&event)) {
         if (frame->study != input_.study) return;  // that picture is being taken off the screen
         setLetters(frame->letters);
         shown_ = *frame;
-    } else if (std::holds_alternative<app::PictureRemoved>(event)) {
+    } else if (std::holds_alternative<live::PictureRemoved>(event)) {
         shown_.reset();
-    } else if (const auto* outline = std::get_if<app::OutlineFound>(&event)) {
+    } else if (const auto* outline = std::get_if<live::OutlineFound>(&event)) {
         onOutline(*outline);
-    } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {
+    } else if (const auto* failure = std::get_if<live::RenderFailure>(&event)) {
         setLetters({});
         shown_.reset();
         // A picture that stays after an error would be taken for that of what is wanted now; unless something
@@ -393,7 +393,7 @@ void Viewport::onRendered(const app::RenderEvent& event) {
     emit rendered(event);
 }
 
-void Viewport::setLetters(const app::EdgeLetters& letters) {
+void Viewport::setLetters(const scene::EdgeLetters& letters) {
     letters_ = letters;
     const auto side = [](const std::string& text) { return QString::fromStdString(text); };
     container_->setAccessibleDescription(

@@ -33,7 +33,7 @@ class Viewport : public QWidget {
   public:
     // `preferredDevice` as in gpu::chooseDevice. `keeper` keeps models between runs; null: they are not kept.
     Viewport(gpu::Instance instance, std::string preferredDevice,
-             std::shared_ptr<app::SceneKeeper> keeper = nullptr, QWidget* parent = nullptr);
+             std::shared_ptr<live::SceneKeeper> keeper = nullptr, QWidget* parent = nullptr);
     ~Viewport() override;
 
     // Shows a new study, with a camera that looks from `from` and fits its visible part. Volume, drawing and
@@ -42,16 +42,16 @@ class Viewport : public QWidget {
     // shows nothing. After an error that left a picture on screen the window is hidden until the next change
     // of study, drawing or camera. `names` identify patient and study over each picture, unless hidden. Ends
     // a drag.
-    void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names, app::Drawing drawing,
-                  std::optional<ViewDirection> from);
+    void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names,
+                  scene::Drawing drawing, std::optional<ViewDirection> from);
     void showNames(bool shown);
     bool namesShown() const { return namesShown_; }
-    void setDrawing(app::Drawing drawing);
+    void setDrawing(scene::Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
-    // What counts as converged at rest, and whether the model waits for it: see app::FrameInput.
+    // What counts as converged at rest, and whether the model waits for it: see live::FrameInput.
     void setRestGoal(const RestGoal& goal);
-    void setLiveQuality(const app::LiveQuality& quality);  // of frames in motion
-    // Asks for the current model, which arrives as app::ModelTaken with the returned number.
+    void setLiveQuality(const live::LiveQuality& quality);  // of frames in motion
+    // Asks for the current model, which arrives as live::ModelSnapshot with the returned number.
     std::uint64_t askForModel(bool withTraining);
     // Whether motion shows the peripheral model (splats), or else small traced pictures.
     void setUsesModel(bool uses);
@@ -68,14 +68,14 @@ class Viewport : public QWidget {
     void setParallel(bool isParallel);
 
     void showFrom(ViewDirection from);
-    void showFrom(const Camera& camera);  // the nearest turntable camera: app::orbitCameraOf
+    void showFrom(const Camera& camera);  // the nearest turntable camera: scene::orbitCameraOf
     void centreOn(const glm::dvec3& mm);  // the new centre of rotation, patient LPS
     void fit();                           // fits the visible part, from the present side
     // Arrows, +, -, [, ], F, N (names), B (marks), O and the letters of the standard views. False for any
     // other key.
     bool handleKey(const QKeyEvent& event);
 
-    const app::OrbitCamera& camera() const { return camera_; }
+    const scene::OrbitCamera& camera() const { return camera_; }
     // The side of a camera that still fits the visible part; nothing after the camera was moved, or with
     // parallel rays.
     std::optional<ViewDirection> framedFrom() const {
@@ -85,11 +85,11 @@ class Viewport : public QWidget {
     ViewDirection firstFrom() const { return firstFrom_; }
     std::uint64_t study() const { return input_.study; }  // as in FrameShown
     // The orientation letters on screen, painted into each picture; empty without one.
-    const app::EdgeLetters& letters() const { return letters_; }
+    const scene::EdgeLetters& letters() const { return letters_; }
     VulkanWindow& window() { return *window_; }
     QSize pictureSize() const { return window_->pixels(); }
     // The facts of this study's picture on screen; null without one.
-    const app::FrameShown* frameOnScreen() const { return shown_ ? &*shown_ : nullptr; }
+    const live::FrameShown* frameOnScreen() const { return shown_ ? &*shown_ : nullptr; }
     // The picture on screen and the camera of its marks; nothing without a picture.
     std::optional<MarkedPicture> pictureOnScreen() const;
     // Whether the picture on screen has the current camera (for parallel rays: see standingBefore).
@@ -100,7 +100,7 @@ class Viewport : public QWidget {
     double aspect() const;  // width over height
 
   signals:
-    void rendered(const macula::app::RenderEvent& event);
+    void rendered(const macula::live::RenderEvent& event);
     void otherPictureWanted();  // another study, drawing or camera
     void resized();             // the picture
     void namesToggled(bool shown);
@@ -109,14 +109,14 @@ class Viewport : public QWidget {
     // The place in the picture: -1 to 1, right and up are positive.
     void doubleClicked(QPointF place);
     void cameraRested();                      // at the end of a drag, key or view change
-    void windowDragged(QPointF byHeights);    // with the right button, in projections: see app::dragged
+    void windowDragged(QPointF byHeights);    // with the right button, in projections: see scene::dragged
     void transferDragged(QPointF byHeights);  // since the last signal: right and down are positive
     void dropped(const macula::viewer::Dropped& what);
     void keyNotHandled(QKeyEvent* event);
 
   private:
     void connectWindow();
-    void setCamera(const app::OrbitCamera& camera);
+    void setCamera(const scene::OrbitCamera& camera);
     void publishChange();  // of study, drawing or camera
     void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
     PicturePlace placeAt(QPointF place, bool withShift) const;
@@ -134,9 +134,9 @@ class Viewport : public QWidget {
     bool isCalibrated() const;  // the volume; true without one
     double sceneDiagonalMm() const;
     std::vector<glm::dvec3> outlineMm() const;  // of what the camera fits
-    void onOutline(const app::OutlineFound& found);
-    void onRendered(const app::RenderEvent& event);
-    void setLetters(const app::EdgeLetters& letters);
+    void onOutline(const live::OutlineFound& found);
+    void onRendered(const live::RenderEvent& event);
+    void setLetters(const scene::EdgeLetters& letters);
     void updateText();
     void updateMarks();
     void layOut();
@@ -144,7 +144,7 @@ class Viewport : public QWidget {
     QVulkanInstance vulkan_;  // outlives the window
     VulkanWindow* window_;    // owned by container_
     QWidget* container_ = nullptr;
-    app::EdgeLetters letters_;  // of the picture on screen
+    scene::EdgeLetters letters_;  // of the picture on screen
     QTimer nudgeEnds_;
 
     std::vector<std::string> names_;  // of the study
@@ -165,13 +165,13 @@ class Viewport : public QWidget {
 
         bool operator==(const Marked&) const = default;
     };
-    std::shared_ptr<const app::PictureText> paintStanding(const Marked& marked) const;
-    std::optional<Marked> marked_;                      // the sources of input_.marks
-    std::shared_ptr<const app::PictureText> standing_;  // letters, cube and scale: a part of it
-    std::optional<app::FrameShown> shown_;              // the picture on screen
+    std::shared_ptr<const live::PictureText> paintStanding(const Marked& marked) const;
+    std::optional<Marked> marked_;                       // the sources of input_.marks
+    std::shared_ptr<const live::PictureText> standing_;  // letters, cube and scale: a part of it
+    std::optional<live::FrameShown> shown_;              // the picture on screen
 
-    app::OrbitCamera camera_;
-    app::FrameInput input_;
+    scene::OrbitCamera camera_;
+    live::FrameInput input_;
     std::uint64_t lastChange_ = 0;  // its number
     bool dragging_ = false;
     glm::dvec2 pointedAt_{0.0};  // as FrameInput::gaze
@@ -182,7 +182,7 @@ class Viewport : public QWidget {
     std::shared_ptr<const std::vector<glm::dvec3>>
         outline_;  // of the study as it was last drawn; null before
 
-    std::unique_ptr<app::RenderThread> renderThread_;
+    std::unique_ptr<live::RenderThread> renderThread_;
 };
 
 }  // namespace macula::viewer

@@ -46,7 +46,7 @@ std::optional<ViewDirection> Viewport::sideAt(QPointF place) const {
 }
 
 void Viewport::turnToSide(QPointF place) {
-    if (const auto side = sideAt(place)) setCamera(app::turnedTo(camera_, *side));
+    if (const auto side = sideAt(place)) setCamera(scene::turnedTo(camera_, *side));
 }
 
 // With parallel rays nothing comes nearer: what is seen gets larger instead.
@@ -93,8 +93,8 @@ bool Viewport::handleKey(const QKeyEvent& event) {
     if (const auto arrow = arrowOfKey(event.key())) {
         nudge();
         if (shift) {
-            setCamera(
-                app::pannedByDrag(camera_, arrow->x() * kPanStepOfHeight, arrow->y() * kPanStepOfHeight, 1));
+            setCamera(scene::pannedByDrag(camera_, arrow->x() * kPanStepOfHeight,
+                                          arrow->y() * kPanStepOfHeight, 1));
         } else {
             // The eye goes where the arrow points.
             setCamera(orbited(camera_, arrow->x() * kOrbitStepDeg, -arrow->y() * kOrbitStepDeg));
@@ -131,11 +131,11 @@ void Viewport::applyDrag(VulkanWindow::Drag drag, QPointF byPixels) {
         case VulkanWindow::Drag::tool:  // is told as toolMoved
             return;
         case VulkanWindow::Drag::orbit:
-            return setCamera(app::orbitedByDrag(camera_, byPixels.x(), byPixels.y(), height));
+            return setCamera(scene::orbitedByDrag(camera_, byPixels.x(), byPixels.y(), height));
         case VulkanWindow::Drag::pan:
-            return setCamera(app::pannedByDrag(camera_, byPixels.x(), byPixels.y(), height));
+            return setCamera(scene::pannedByDrag(camera_, byPixels.x(), byPixels.y(), height));
         case VulkanWindow::Drag::roll:
-            return setCamera(app::rolledByDrag(camera_, byPixels.x(), height));
+            return setCamera(scene::rolledByDrag(camera_, byPixels.x(), height));
         case VulkanWindow::Drag::transfer:
             if (!trace::isProjection(input_.drawing.settings.look)) {
                 emit transferDragged(byPixels / std::max(height, 1.0));

@@ -48,7 +48,7 @@ void HiddenVoxels::join() {
         return;
     }
     job_.start([volume = volume_, masks = std::move(masks)](Progress& progress) {
-        return app::combinedMask(masks, *volume, progress);
+        return scene::combinedMask(masks, *volume, progress);
     });
 }
 

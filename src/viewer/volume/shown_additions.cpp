@@ -9,17 +9,17 @@
 
 namespace macula::viewer {
 
-ShownAdditions::ShownAdditions(ViewerSession& session, const SegmentationKeeper& segments, QObject* parent)
+ShownAdditions::ShownAdditions(StudyEditor& session, const SegmentationKeeper& segments, QObject* parent)
     : QObject(parent),
       session_(session),
       segments_(segments),
       joining_(this, {.progressed = [](const ProgressUpdate&) {},
-                      .ended = [this](const Result<SecondVolume>& outcome) { onSecond(outcome); }}),
+                      .ended = [this](const Result<DrawnSecondVolume>& outcome) { onSecond(outcome); }}),
       colouring_(
           this,
           {.progressed = [](const ProgressUpdate&) {},
            .ended = [this](const Result<std::shared_ptr<const TintBox>>& outcome) { onTintBox(outcome); }}) {
-    connect(&session_, &ViewerSession::changed, this, &ShownAdditions::update);
+    connect(&session_, &StudyEditor::changed, this, &ShownAdditions::update);
     connect(&segments_, &SegmentationKeeper::listChanged, this, &ShownAdditions::update);
 }
 
@@ -40,7 +40,7 @@ void ShownAdditions::forget() {
     additions_.reset();
 }
 
-void ShownAdditions::setSecond(std::shared_ptr<const SecondSeries> second) {
+void ShownAdditions::setSecond(std::shared_ptr<const SecondVolumeTexts> second) {
     if (second == second_) return;
     second_ = std::move(second);
     drawn_.reset();
@@ -60,11 +60,12 @@ void ShownAdditions::update() {
 }
 
 void ShownAdditions::updateSecond() {
-    const std::optional<app::BesideState>& beside = session_.state().beside;
-    std::optional<app::BesideState> wanted;
-    if (beside && second_ && app::isIn3d(*beside) && app::isOf(*beside, second_->study, second_->pair) &&
-        app::mayBeIn3d(session_.study().identity, second_->study.identity))
-        wanted = app::partIn3d(*beside);
+    const std::optional<scene::SecondVolumeState>& beside = session_.state().secondVolume;
+    std::optional<scene::SecondVolumeState> wanted;
+    if (beside && second_ && scene::isSecondIn3d(*beside) &&
+        scene::isPlacedFor(*beside, second_->study, second_->pair) &&
+        scene::maySecondBeIn3d(session_.study().identity, second_->study.identity))
+        wanted = scene::secondPartIn3d(*beside);
     if (!wanted) {
         joining_.cancel();
         wantedSecond_.reset();
@@ -81,10 +82,10 @@ void ShownAdditions::updateSecond() {
 
 void ShownAdditions::join() {
     joiningOf_ = *wantedSecond_;
-    joining_.start([state = joiningOf_,
-                    volume = drawn_ ? drawn_ : second_->study.volume](Progress&) -> Result<SecondVolume> {
+    joining_.start([state = joiningOf_, volume = drawn_ ? drawn_ : second_->study.volume](
+                       Progress&) -> Result<DrawnSecondVolume> {
         try {
-            return app::secondIn3d(state, in16Bits(volume));
+            return scene::secondIn3d(state, in16Bits(volume));
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
                          tr("There is not enough memory for the second volume in 3D.").toStdString(),
@@ -94,7 +95,7 @@ void ShownAdditions::join() {
     });
 }
 
-void ShownAdditions::onSecond(const Result<SecondVolume>& outcome) {
+void ShownAdditions::onSecond(const Result<DrawnSecondVolume>& outcome) {
     const bool isOutdated = wantedSecond_ && *wantedSecond_ != joiningOf_;
     Result<void> usable;
     if (outcome) {
@@ -107,8 +108,8 @@ void ShownAdditions::onSecond(const Result<SecondVolume>& outcome) {
     if (!usable) {
         if (isOutdated) return join();  // nobody wants this one any more
         made_.second.reset();
-        session_.correct([](app::StudyState& each) {
-            if (each.beside) each.beside->in3d = false;
+        session_.correct([](scene::StudyState& each) {
+            if (each.secondVolume) each.secondVolume->in3d = false;
         });
         emit failed(usable.error());
         return show();
@@ -122,17 +123,17 @@ void ShownAdditions::onSecond(const Result<SecondVolume>& outcome) {
 
 // Anew only where something else is asked for, or more is there to do it with.
 void ShownAdditions::updateTints() {
-    std::vector<app::ColouredIn3d> wanted = app::colouredIn3dOf(session_.state().segmentations);
+    std::vector<scene::ColouredIn3d> wanted = scene::colouredIn3dOf(session_.state().segmentations);
     const std::size_t loaded = segments_.allLoaded().size();
     if (wanted == wantedTints_ && (wanted.empty() || tintsOf_ == loaded)) return;
     wantedTints_ = std::move(wanted);
     tintsOf_ = loaded;
     makingTints_ = wantedTints_;
-    std::erase_if(makingTints_, [this](const app::ColouredIn3d& each) {
+    std::erase_if(makingTints_, [this](const scene::ColouredIn3d& each) {
         return segments_.loaded(std::get<std::string>(each)) == nullptr;
     });
     if (wantedTints_.empty()) return showNoTints();
-    auto planned = app::plannedTints(session_.state().segmentations, segments_.allLoaded());
+    auto planned = scene::plannedTints(session_.state().segmentations, segments_.allLoaded());
     if (!planned) {
         makingGeometry_ = {};
         // Told as what fails later is: whoever changes the state now is not done with it.
@@ -148,17 +149,17 @@ void ShownAdditions::updateTints() {
     if (colouring_.running() && planned->geometry == makingGeometry_) return;  // it gets these colours
     makingGeometry_ = std::move(planned->geometry);
     colouring_.start([geometry = makingGeometry_, volume = session_.study().volume](Progress& progress) {
-        return app::tintBox(geometry, *volume, progress);
+        return scene::tintBox(geometry, *volume, progress);
     });
 }
 
 void ShownAdditions::onTintBox(const Result<std::shared_ptr<const TintBox>>& outcome) {
     if (!outcome) {
         // The colours of before stay, and the state becomes that of them: menus and panels say what is seen.
-        const std::vector<app::ColouredIn3d> asked = std::exchange(wantedTints_, madeTints_);
-        session_.correct([&](app::StudyState& each) {
-            if (app::colouredIn3dOf(each.segmentations) == asked)
-                each.segmentations = app::withColoursIn3d(each.segmentations, madeTints_);
+        const std::vector<scene::ColouredIn3d> asked = std::exchange(wantedTints_, madeTints_);
+        session_.correct([&](scene::StudyState& each) {
+            if (scene::colouredIn3dOf(each.segmentations) == asked)
+                each.segmentations = scene::withColoursIn3d(each.segmentations, madeTints_);
         });
         emit failed(outcome.error());
         return;
@@ -187,8 +188,8 @@ void ShownAdditions::show() {
     made_.remark.clear();
     if (made_.second && second_)
         made_.remark =
-            app::secondRemark(*made_.second->volume, madeOf_,
-                              app::samePatient(session_.study().identity, second_->study.identity));
+            scene::secondRemark(*made_.second->volume, madeOf_,
+                                study::samePatient(session_.study().identity, second_->study.identity));
     if (made_.tints) made_.remark += made_.remark.empty() ? "coloured segments" : ", coloured segments";
     // The same once more would begin the picture anew.
     if (made_.isNothing() ? additions_ == nullptr : additions_ && *additions_ == made_) return;

@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "pipeline/volume/additions.h"
-#include "scene/second/beside_state.h"
+#include "scene/second/second_volume_state.h"
 #include "scene/segments/segment_tints.h"
-#include "scene/segments/segmentation_choice.h"
+#include "scene/segments/segmentation_settings.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/jobs/background_job.h"
-#include "viewer/session/viewer_session.h"
-#include "viewer/slices/second_series.h"
+#include "viewer/slices/second_volume_texts.h"
 
 namespace macula::viewer {
 
@@ -26,14 +26,14 @@ class ShownAdditions : public QObject {
 
   public:
     // Both outlive it.
-    ShownAdditions(ViewerSession& session, const SegmentationKeeper& segments, QObject* parent = nullptr);
+    ShownAdditions(StudyEditor& session, const SegmentationKeeper& segments, QObject* parent = nullptr);
 
     // Null without additions.
     const std::shared_ptr<const Additions>& additions() const { return additions_; }
     bool isAtRest() const { return !joining_.running() && !colouring_.running(); }
 
     void forget();  // drops everything of the old study; emits nothing
-    void setSecond(std::shared_ptr<const SecondSeries> second);  // null: no second volume
+    void setSecond(std::shared_ptr<const SecondVolumeTexts> second);  // null: no second volume
 
   signals:
     void changed();  // additions()
@@ -43,33 +43,33 @@ class ShownAdditions : public QObject {
     void update();
     void updateSecond();
     void updateTints();
-    void onSecond(const Result<SecondVolume>& outcome);
+    void onSecond(const Result<DrawnSecondVolume>& outcome);
     void join();
     void onTintBox(const Result<std::shared_ptr<const TintBox>>& outcome);
     void showTints();
     void showNoTints();
     void show();
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     const SegmentationKeeper& segments_;
-    std::shared_ptr<const SecondSeries> second_;
+    std::shared_ptr<const SecondVolumeTexts> second_;
     // Its volume as drawn, made once: another curve must not upload another volume.
     std::shared_ptr<const Volume> drawn_;
-    std::optional<app::BesideState> wantedSecond_;
-    app::BesideState joiningOf_;  // the state of the last job
-    app::BesideState madeOf_;     // the state of made_.second
-    std::vector<app::ColouredIn3d> wantedTints_;
-    std::vector<app::ColouredIn3d> makingTints_;  // the loaded ones of wantedTints_
-    std::vector<app::ColouredIn3d> madeTints_;    // the choices of made_.tints
-    std::size_t tintsOf_ = 0;                     // loaded segmentations
+    std::optional<scene::SecondVolumeState> wantedSecond_;
+    scene::SecondVolumeState joiningOf_;  // the state of the last job
+    scene::SecondVolumeState madeOf_;     // the state of made_.second
+    std::vector<scene::ColouredIn3d> wantedTints_;
+    std::vector<scene::ColouredIn3d> makingTints_;  // the loaded ones of wantedTints_
+    std::vector<scene::ColouredIn3d> madeTints_;    // the choices of made_.tints
+    std::size_t tintsOf_ = 0;                       // loaded segmentations
     // Only another geometry needs a pass over the voxels: colours are in a table.
     std::vector<SegmentTints::Colour> wantedColours_;
-    app::TintGeometry makingGeometry_;
-    app::TintGeometry boxOf_;
+    scene::TintGeometry makingGeometry_;
+    scene::TintGeometry boxOf_;
     std::shared_ptr<const TintBox> box_;  // the last one, even if it is not shown
     Additions made_;
     std::shared_ptr<const Additions> additions_;
-    BackgroundJob<SecondVolume> joining_;
+    BackgroundJob<DrawnSecondVolume> joining_;
     BackgroundJob<std::shared_ptr<const TintBox>> colouring_;
 };
 

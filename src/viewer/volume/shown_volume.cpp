@@ -11,20 +11,20 @@
 
 namespace macula::viewer {
 
-ShownVolume::ShownVolume(ViewerSession& session, QObject* parent)
+ShownVolume::ShownVolume(StudyEditor& session, QObject* parent)
     : QObject(parent),
       session_(session),
       table_(new TableRemoval(this)),
       cutting_(new VoxelCutting(this)),
       hidden_(new HiddenVoxels(this)) {
-    connect(&session_, &ViewerSession::studyShown, this, &ShownVolume::onStudyShown);
-    connect(&session_, &ViewerSession::changed, this, &ShownVolume::onChanged);
+    connect(&session_, &StudyEditor::studyShown, this, &ShownVolume::onStudyShown);
+    connect(&session_, &StudyEditor::changed, this, &ShownVolume::onChanged);
     segments_ = new SegmentationKeeper(session_, this);  // hears of a study after this
     additions_ = new ShownAdditions(session_, *segments_, this);
     connect(additions_, &ShownAdditions::changed, this, &ShownVolume::changed);
     // It is in the state once it is found.
     connect(table_, &TableRemoval::changed, this, [this] {
-        session_.change(tr("Table"), [this](app::StudyState& next) {
+        session_.change(tr("Table"), [this](scene::StudyState& next) {
             next.leavesTableOut = table_->action().isChecked();
         });
         hidden_->set(HiddenVoxels::Part::table, table_->mask());
@@ -33,9 +33,9 @@ ShownVolume::ShownVolume(ViewerSession& session, QObject* parent)
             [this] { hidden_->set(HiddenVoxels::Part::scissors, cutting_->mask()); });
     // What is not to be had is not chosen either: pictures and state say the same, and an undo
     // does not ask for it again.
-    connect(cutting_, &VoxelCutting::refused, this, [this](const std::vector<app::ScissorCut>& had) {
-        const std::vector<app::ScissorCut> asked = session_.state().cuts.scissors;
-        session_.correct([&](app::StudyState& each) {
+    connect(cutting_, &VoxelCutting::refused, this, [this](const std::vector<scene::ScissorCut>& had) {
+        const std::vector<scene::ScissorCut> asked = session_.state().cuts.scissors;
+        session_.correct([&](scene::StudyState& each) {
             if (each.cuts.scissors == asked) each.cuts.scissors = had;
         });
     });
@@ -45,39 +45,40 @@ ShownVolume::ShownVolume(ViewerSession& session, QObject* parent)
     connect(hidden_, &HiddenVoxels::failed, this, &ShownVolume::onNotHidden);
 }
 
-app::Drawing ShownVolume::drawingOf(const app::StudyState& other) const {
+scene::Drawing ShownVolume::drawingOf(const scene::StudyState& other) const {
     const auto& volume = session_.study().volume;
-    return drawingOf(other, volume ? app::clipOf(other, *volume, hidden_->mask()) : nullptr);
+    return drawingOf(other, volume ? scene::clipOf(other, *volume, hidden_->mask()) : nullptr);
 }
 
-app::Drawing ShownVolume::drawingOf(const app::StudyState& state, std::shared_ptr<const Clip> clip) const {
-    app::Drawing drawing =
-        app::drawingOf(state, session_.catalogue(), seriesWindows_, session_.study().volume, std::move(clip));
-    app::setAdditions(drawing, additions_->additions());
+scene::Drawing ShownVolume::drawingOf(const scene::StudyState& state,
+                                      std::shared_ptr<const Clip> clip) const {
+    scene::Drawing drawing = scene::drawingOf(state, session_.catalogue(), seriesWindows_,
+                                              session_.study().volume, std::move(clip));
+    scene::setAdditions(drawing, additions_->additions());
     return drawing;
 }
 
-app::StudyState ShownVolume::state() const {
-    app::StudyState state = session_.state();
+scene::StudyState ShownVolume::state() const {
+    scene::StudyState state = session_.state();
     state.leavesTableOut = table_->action().isChecked();
     return state;
 }
 
-Result<void> ShownVolume::take(const app::StudyState& state) {
+Result<void> ShownVolume::take(const scene::StudyState& state) {
     if (!session_.hasStudy())
         return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
-    const app::OpenedStudy& study = session_.study();
-    MACULA_TRY_VOID(app::checkSeries(state, study.seriesDigest, *study.volume, {}));
+    const study::OpenedStudy& study = session_.study();
+    MACULA_TRY_VOID(scene::checkSeries(state, study.seriesDigest, *study.volume, {}));
     // What cannot be read again would be lost with all else of the study the next time it is opened.
-    MACULA_TRY_VOID(app::studyStateFromJson(app::toJson(state), {}));
-    session_.change(tr("Open view"), [&](app::StudyState& next) {
+    MACULA_TRY_VOID(scene::studyStateFromJson(toJson(state), {}));
+    session_.change(tr("Open view"), [&](scene::StudyState& next) {
         const bool leavesTableOut = next.leavesTableOut;
         next = state;
         next.seriesDigest = study.seriesDigest;
         next.grid.reset();  // it is of this one
         next.camera.reset();
         next.leavesTableOut = leavesTableOut;  // until it is found
-        if (!next.preset) next.preset = app::presetFor(session_.catalogue(), *study.volume);
+        if (!next.preset) next.preset = scene::presetFor(session_.catalogue(), *study.volume);
     });
     table_->ask(state.leavesTableOut);
     return {};
@@ -91,12 +92,12 @@ void ShownVolume::onStudyShown() {
     additions_->forget();
     hiddenBy_ = {};
     seriesWindows_.forget();
-    clip_ = volume ? app::clipOf(session_.state(), *volume, std::nullopt) : nullptr;
+    clip_ = volume ? scene::clipOf(session_.state(), *volume, std::nullopt) : nullptr;
     cutting_->want(session_.state().cuts.scissors);
 }
 
-void ShownVolume::onChanged(const app::StudyState& before) {
-    const app::StudyState now = session_.state();  // what follows may change it
+void ShownVolume::onChanged(const scene::StudyState& before) {
+    const scene::StudyState now = session_.state();  // what follows may change it
     if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
     cutting_->want(now.cuts.scissors);
     if (now.clip != before.clip || now.cuts.eye != before.cuts.eye) return updateClip();
@@ -112,21 +113,21 @@ void ShownVolume::onHidden() {
 
 // The mask of before stays, and the state becomes that of it: menus and panels say what is seen.
 void ShownVolume::onNotHidden() {
-    const app::StudyState asked = session_.state();
-    const std::vector<app::In3dOf> askedIn3d = app::in3dOf(asked.segmentations);
-    session_.correct([&](app::StudyState& each) {
+    const scene::StudyState asked = session_.state();
+    const std::vector<scene::In3dOf> askedIn3d = scene::in3dOf(asked.segmentations);
+    session_.correct([&](scene::StudyState& each) {
         if (each.leavesTableOut != asked.leavesTableOut || each.cuts.scissors != asked.cuts.scissors ||
-            app::in3dOf(each.segmentations) != askedIn3d)
+            scene::in3dOf(each.segmentations) != askedIn3d)
             return;
         each.leavesTableOut = hiddenBy_.leavesTableOut;
         each.cuts.scissors = hiddenBy_.scissors;
-        each.segmentations = app::withIn3d(each.segmentations, hiddenBy_.in3d);
+        each.segmentations = scene::withIn3d(each.segmentations, hiddenBy_.in3d);
     });
 }
 
 void ShownVolume::updateClip() {
     const auto& volume = session_.study().volume;
-    clip_ = volume ? app::clipOf(session_.state(), *volume, hidden_->mask()) : nullptr;
+    clip_ = volume ? scene::clipOf(session_.state(), *volume, hidden_->mask()) : nullptr;
     emit changed();
 }
 

@@ -8,7 +8,7 @@
 #include "base/result.h"
 #include "scene/drawing/drawing.h"
 #include "scene/drawing/projection_windows.h"
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 
 namespace macula::viewer {
 
@@ -26,18 +26,18 @@ class ShownVolume : public QObject {
 
   public:
     // The session must outlive it.
-    explicit ShownVolume(ViewerSession& session, QObject* parent = nullptr);
+    explicit ShownVolume(StudyEditor& session, QObject* parent = nullptr);
 
-    app::Drawing drawing() const { return drawingOf(session_.state(), clip_); }
+    scene::Drawing drawing() const { return drawingOf(session_.state(), clip_); }
     // The drawing of another state of the study, with the voxels that are hidden now.
-    app::Drawing drawingOf(const app::StudyState& other) const;
+    scene::Drawing drawingOf(const scene::StudyState& other) const;
     bool hidesSomething() const { return clip_ != nullptr; }
 
     // The session's state with the table's removal as requested, even while the search still runs.
-    app::StudyState state() const;
+    scene::StudyState state() const;
     // Takes over another state of the open study as one undo step, without its camera. usage without a study,
     // inputNotUsable when it was saved of another series, or when its JSON text could not be read again.
-    Result<void> take(const app::StudyState& state);
+    Result<void> take(const scene::StudyState& state);
 
     TableRemoval& table() { return *table_; }
     VoxelCutting& cutting() { return *cutting_; }
@@ -49,14 +49,14 @@ class ShownVolume : public QObject {
     void changed();  // drawing(), of the same study
 
   private:
-    app::Drawing drawingOf(const app::StudyState& state, std::shared_ptr<const Clip> clip) const;
+    scene::Drawing drawingOf(const scene::StudyState& state, std::shared_ptr<const Clip> clip) const;
     void onStudyShown();
-    void onChanged(const app::StudyState& before);
+    void onChanged(const scene::StudyState& before);
     void updateClip();
     void onHidden();
     void onNotHidden();  // corrects the state to the voxels that are hidden
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     TableRemoval* table_;
     VoxelCutting* cutting_;
     HiddenVoxels* hidden_;
@@ -65,12 +65,12 @@ class ShownVolume : public QObject {
     // The choices behind the voxels that are hidden now.
     struct HiddenBy {
         bool leavesTableOut = false;
-        std::vector<app::ScissorCut> scissors = {};
-        std::vector<app::In3dOf> in3d = {};
+        std::vector<scene::ScissorCut> scissors = {};
+        std::vector<scene::In3dOf> in3d = {};
     };
     HiddenBy hiddenBy_;
     std::shared_ptr<const Clip> clip_;  // null: nothing is hidden
-    app::SeriesWindows seriesWindows_;
+    scene::SeriesWindows seriesWindows_;
 };
 
 }  // namespace macula::viewer

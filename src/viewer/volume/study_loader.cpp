@@ -13,9 +13,9 @@ namespace {
 
 constexpr std::chrono::milliseconds kPatience{2000};  // a slow disk keeps nobody from their images
 
-Result<app::OpenedStudy> completed(Result<app::OpenedStudy> study,
-                                   const std::shared_ptr<app::ModelKeeper>& keeper,
-                                   const StudyLoader::Prepare& prepare) {
+Result<study::OpenedStudy> completed(Result<study::OpenedStudy> study,
+                                     const std::shared_ptr<live::StudyKeeper>& keeper,
+                                     const StudyLoader::Prepare& prepare) {
     if (!study || !study->volume) return study;
     if (keeper) study->stateAsLeft = keeper->stateOf(study->volume, kPatience).value_or("");
     if (prepare) prepare(*study);
@@ -30,31 +30,31 @@ StudyLoader::StudyLoader(QObject* parent)
                       [this](const ProgressUpdate& update) {
                           emit progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
-                  .ended = [this](const Result<app::OpenedStudy>& outcome) { tellOutcome(outcome); }}) {}
+                  .ended = [this](const Result<study::OpenedStudy>& outcome) { tellOutcome(outcome); }}) {}
 
-void StudyLoader::open(app::StudySource source, bool join) {
+void StudyLoader::open(study::StudySource source, bool join) {
     source_ = source;
     job_.start([source = std::move(source), join, keeper = keeper_, prepare = prepare_,
                 tells = tellsOf(++opening_)](Progress& progress) {
-        return completed(app::openStudy(source, progress, {.join = join, .foundSoFar = tells}), keeper,
+        return completed(study::openStudy(source, progress, {.join = join, .foundSoFar = tells}), keeper,
                          prepare);
     });
     emit began();
 }
 
 // Called on other threads; the job's end, which is told by the same queue, comes after all of it.
-app::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
-    using Found = std::shared_ptr<const app::FoundVolumes>;
+study::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
+    using Found = std::shared_ptr<const study::FoundVolumes>;
     return NewestPosted<Found>(this, [this, opening](const Found& volumes) {
         if (opening == opening_ && loading()) emit found(volumes);
     });
 }
 
-void StudyLoader::open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index) {
+void StudyLoader::open(std::shared_ptr<const study::FoundVolumes> found, std::size_t index) {
     ++opening_;
     source_.reset();
     job_.start([found = std::move(found), index, keeper = keeper_, prepare = prepare_](Progress& progress) {
-        return completed(app::openFoundVolume(found, index, progress), keeper, prepare);
+        return completed(study::openFoundVolume(found, index, progress), keeper, prepare);
     });
     emit began();
 }
@@ -63,7 +63,7 @@ void StudyLoader::cancel() {
     if (job_.cancel()) emit cancelled();
 }
 
-void StudyLoader::tellOutcome(const Result<app::OpenedStudy>& outcome) {
+void StudyLoader::tellOutcome(const Result<study::OpenedStudy>& outcome) {
     if (outcome && !outcome->volume) {
         emit askedToJoin(QString::fromStdString(source_.value_or("").string()),
                          inWindowsLanguage(outcome->joinQuestion));

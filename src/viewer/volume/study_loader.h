@@ -8,7 +8,7 @@
 #include <memory>
 #include <utility>
 
-#include "live/store/model_keeper.h"
+#include "live/store/study_keeper.h"
 #include "study/open/opened_study.h"
 #include "viewer/jobs/background_job.h"
 
@@ -23,15 +23,15 @@ class StudyLoader : public QObject {
     explicit StudyLoader(QObject* parent = nullptr);
 
     // The keeper of the states in which studies were left; null: none.
-    void setKeeper(std::shared_ptr<app::ModelKeeper> keeper) { keeper_ = std::move(keeper); }
+    void setKeeper(std::shared_ptr<live::StudyKeeper> keeper) { keeper_ = std::move(keeper); }
     // Further slow work on the opened study, on the loading thread; null: none.
-    using Prepare = std::function<void(const app::OpenedStudy&)>;
+    using Prepare = std::function<void(const study::OpenedStudy&)>;
     void setPrepare(Prepare prepare) { prepare_ = std::move(prepare); }
 
-    void open(app::StudySource source, bool join = false);
-    void open(std::shared_ptr<const app::FoundVolumes> found, std::size_t index);
+    void open(study::StudySource source, bool join = false);
+    void open(std::shared_ptr<const study::FoundVolumes> found, std::size_t index);
     void cancel();  // `cancelled` follows
-    const app::StudySource& source() const {
+    const study::StudySource& source() const {
         return source_;
     }  // the source opened last; nothing for a found volume
     bool loading() const { return job_.running(); }
@@ -41,20 +41,20 @@ class StudyLoader : public QObject {
     void began();
     void progressed(const QString& stage, double fraction);
     // The content of the folder so far; finally all of it, before a volume is loaded.
-    void found(std::shared_ptr<const macula::app::FoundVolumes> found);
-    void loaded(const macula::app::OpenedStudy& study);
+    void found(std::shared_ptr<const macula::study::FoundVolumes> found);
+    void loaded(const macula::study::OpenedStudy& study);
     void askedToJoin(const QString& path, const QString& question);  // open(path, true) is yes
     void failed(const macula::Error& error);
     void cancelled();
 
   private:
-    app::FoundSoFar tellsOf(std::uint64_t opening);
-    void tellOutcome(const Result<app::OpenedStudy>& outcome);
+    study::FoundSoFar tellsOf(std::uint64_t opening);
+    void tellOutcome(const Result<study::OpenedStudy>& outcome);
 
-    BackgroundJob<app::OpenedStudy> job_;
-    app::StudySource source_;
+    BackgroundJob<study::OpenedStudy> job_;
+    study::StudySource source_;
     std::uint64_t opening_ = 0;  // the number of the last; others emit nothing
-    std::shared_ptr<app::ModelKeeper> keeper_;
+    std::shared_ptr<live::StudyKeeper> keeper_;
     Prepare prepare_;
 };
 

@@ -52,7 +52,7 @@ void TableRemoval::cancel() {
 }
 
 std::optional<Mask> TableRemoval::mask() const {
-    return asked_ && found_ ? app::maskOf(found_) : std::nullopt;
+    return asked_ && found_ ? scene::maskOf(found_) : std::nullopt;
 }
 
 QStringList TableRemoval::notes() const {

@@ -13,7 +13,7 @@
 
 namespace macula::viewer {
 
-ViewerWidget::ViewerWidget(ViewerSession& session, gpu::Instance instance, ViewerWidgetOptions options,
+ViewerWidget::ViewerWidget(StudyEditor& session, gpu::Instance instance, ViewerWidgetOptions options,
                            QWidget* parent)
     : QWidget(parent),
       session_(session),
@@ -25,28 +25,28 @@ ViewerWidget::ViewerWidget(ViewerSession& session, gpu::Instance instance, Viewe
     layout->addWidget(viewport_);
     viewport_->showNames(options.showsNames);
 
-    connect(&session_, &ViewerSession::studyShown, this, &ViewerWidget::onStudyShown);
+    connect(&session_, &StudyEditor::studyShown, this, &ViewerWidget::onStudyShown);
     connect(shown_, &ShownVolume::changed, this, [this] {
         viewport_->showMarks(session_.state().showsMarks);
         viewport_->setDrawing(shown_->drawing());
     });
     connect(viewport_, &Viewport::marksAsked, this, [this](bool isShown) {
         session_.change(tr("Cube and scale"),
-                        [isShown](app::StudyState& next) { next.showsMarks = isShown; });
+                        [isShown](scene::StudyState& next) { next.showsMarks = isShown; });
     });
     connect(viewport_, &Viewport::namesToggled, viewport_, &Viewport::showNames);
     connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
         const auto from = shown_->drawing().settings.window;
         if (!from || !session_.hasStudy()) return;
-        session_.drag(tr("Window"), [&](app::StudyState& next) {
+        session_.drag(tr("Window"), [&](scene::StudyState& next) {
             next.windows.at(std::size_t(next.settings.look)) =
-                app::dragged(*from, {byHeights.x(), byHeights.y()}, *session_.study().volume);
+                scene::dragged(*from, {byHeights.x(), byHeights.y()}, *session_.study().volume);
         });
     });
-    connect(&viewport_->window(), &VulkanWindow::dragEnded, &session_, &ViewerSession::endDrag);
-    connect(viewport_, &Viewport::rendered, this, [this](const app::RenderEvent& event) {
-        if (const auto* frame = std::get_if<app::FrameShown>(&event)) emit frameShown(*frame);
-        if (const auto* failure = std::get_if<app::RenderFailure>(&event)) emit failed(failure->error);
+    connect(&viewport_->window(), &VulkanWindow::dragEnded, &session_, &StudyEditor::endDrag);
+    connect(viewport_, &Viewport::rendered, this, [this](const live::RenderEvent& event) {
+        if (const auto* frame = std::get_if<live::FrameShown>(&event)) emit frameShown(*frame);
+        if (const auto* failure = std::get_if<live::RenderFailure>(&event)) emit failed(failure->error);
     });
     connect(&shown_->table(), &TableRemoval::failed, this, &ViewerWidget::failed);
     connect(&shown_->cutting(), &VoxelCutting::failed, this, &ViewerWidget::failed);
@@ -58,20 +58,20 @@ ViewerWidget::ViewerWidget(ViewerSession& session, gpu::Instance instance, Viewe
 ViewerWidget::~ViewerWidget() = default;
 
 void ViewerWidget::onStudyShown() {
-    const app::OpenedStudy& study = session_.study();
+    const study::OpenedStudy& study = session_.study();
     viewport_->showMarks(session_.state().showsMarks);
     viewport_->setStudy(study.volume, study.volume ? linesToShow(study.identity) : std::vector<std::string>(),
                         shown_->drawing(), firstView_);
     if (const auto& camera = session_.state().camera) viewport_->showFrom(*camera);
 }
 
-app::StudyState ViewerWidget::state() const {
-    app::StudyState state = shown_->state();
+scene::StudyState ViewerWidget::state() const {
+    scene::StudyState state = shown_->state();
     if (session_.hasStudy()) state.camera = toCamera(viewport_->camera());
     return state;
 }
 
-Result<void> ViewerWidget::setState(const app::StudyState& state) {
+Result<void> ViewerWidget::setState(const scene::StudyState& state) {
     MACULA_TRY_VOID(shown_->take(state));
     if (state.camera) viewport_->showFrom(*state.camera);
     return {};

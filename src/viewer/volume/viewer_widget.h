@@ -7,16 +7,16 @@
 #include <memory>
 #include <string>
 
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/volume/shown_volume.h"
 
 namespace macula::viewer {
 
 struct ViewerWidgetOptions {
-    std::string device = {};                        // as in gpu::chooseDevice
-    std::shared_ptr<app::SceneKeeper> keeper = {};  // for models between runs; null: writes nothing
-    std::optional<ViewDirection> firstView = {};    // nothing: app::usualView
-    bool showsNames = true;                         // patient and study over the picture
+    std::string device = {};                         // as in gpu::chooseDevice
+    std::shared_ptr<live::SceneKeeper> keeper = {};  // for models between runs; null: writes nothing
+    std::optional<ViewDirection> firstView = {};     // nothing: scene::usualView
+    bool showsNames = true;                          // patient and study over the picture
 };
 
 // Shows the session's study as panels of the same session choose, such as StudyBrowser, SliceView,
@@ -27,26 +27,26 @@ class ViewerWidget : public QWidget {
 
   public:
     // The session must outlive it. `instance` of createInstanceForWindows.
-    ViewerWidget(ViewerSession& session, gpu::Instance instance, ViewerWidgetOptions options = {},
+    ViewerWidget(StudyEditor& session, gpu::Instance instance, ViewerWidgetOptions options = {},
                  QWidget* parent = nullptr);
     ~ViewerWidget() override;
 
     // The session's state with the current camera; setState takes one of the same study: see
-    // ShownVolume::take. app::toJson and app::studyStateFromJson convert it to and from text.
-    app::StudyState state() const;
-    Result<void> setState(const app::StudyState& state);
+    // ShownVolume::take. live::toJson and scene::studyStateFromJson convert it to and from text.
+    scene::StudyState state() const;
+    Result<void> setState(const scene::StudyState& state);
 
     Viewport& viewport() { return *viewport_; }
     ShownVolume& shown() { return *shown_; }
 
   signals:
-    void frameShown(const macula::app::FrameShown& frame);
+    void frameShown(const macula::live::FrameShown& frame);
     void failed(const macula::Error& error);  // no picture, or voxels could not be hidden
 
   private:
     void onStudyShown();
 
-    ViewerSession& session_;
+    StudyEditor& session_;
     std::optional<ViewDirection> firstView_;
     ShownVolume* shown_;
     Viewport* viewport_;

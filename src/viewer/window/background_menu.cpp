@@ -10,13 +10,13 @@ namespace macula::viewer {
 namespace {
 
 // In the order of the entries.
-constexpr std::array<std::optional<app::BackgroundColour>, 4> kOffered{std::nullopt, app::kBlackBackground,
-                                                                       app::BackgroundColour{128, 128, 128},
-                                                                       app::BackgroundColour{255, 255, 255}};
+constexpr std::array<std::optional<scene::BackgroundColour>, 4> kOffered{
+    std::nullopt, scene::kBlackBackground, scene::BackgroundColour{128, 128, 128},
+    scene::BackgroundColour{255, 255, 255}};
 
 }  // namespace
 
-BackgroundMenu::BackgroundMenu(ViewerSession& session, QWidget* parent)
+BackgroundMenu::BackgroundMenu(StudyEditor& session, QWidget* parent)
     : ChoiceMenu(tr("Back&ground"), parent), session_(session) {
     setObjectName(QStringLiteral("background-menu"));
     addChoice(tr("&Nearly Black"), QStringLiteral("background-usual"))
@@ -29,8 +29,8 @@ BackgroundMenu::BackgroundMenu(ViewerSession& session, QWidget* parent)
     other->setObjectName(QStringLiteral("background-other"));
     other->setToolTip(tr("Of what lies behind the patient in the 3D picture, and in pictures saved of it"));
     connect(this, &ChoiceMenu::changed, this, &BackgroundMenu::onChosen);
-    connect(&session_, &ViewerSession::changed, this, &BackgroundMenu::showChosen);
-    connect(&session_, &ViewerSession::studyShown, this, &BackgroundMenu::showChosen);
+    connect(&session_, &StudyEditor::changed, this, &BackgroundMenu::showChosen);
+    connect(&session_, &StudyEditor::studyShown, this, &BackgroundMenu::showChosen);
     showChosen();
 }
 
@@ -39,21 +39,21 @@ void BackgroundMenu::onChosen(int index) {
 }
 
 void BackgroundMenu::askForColour() {
-    const app::BackgroundColour now = session_.state().background.value_or(app::kBlackBackground);
+    const scene::BackgroundColour now = session_.state().background.value_or(scene::kBlackBackground);
     auto* dialog = new QColorDialog(QColor(now.r, now.g, now.b), parentWidget());
     dialog->setObjectName(QStringLiteral("background-colour-dialog"));
     dialog->setWindowTitle(tr("Colour of the background"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QColorDialog::colorSelected, this, [this](const QColor& colour) {
         if (!colour.isValid()) return;
-        use(app::BackgroundColour{std::uint8_t(colour.red()), std::uint8_t(colour.green()),
-                                  std::uint8_t(colour.blue())});
+        use(scene::BackgroundColour{std::uint8_t(colour.red()), std::uint8_t(colour.green()),
+                                    std::uint8_t(colour.blue())});
     });
     dialog->open();
 }
 
-void BackgroundMenu::use(std::optional<app::BackgroundColour> colour) {
-    session_.change(tr("Background"), [&](app::StudyState& next) { next.background = colour; });
+void BackgroundMenu::use(std::optional<scene::BackgroundColour> colour) {
+    session_.change(tr("Background"), [&](scene::StudyState& next) { next.background = colour; });
 }
 
 void BackgroundMenu::showChosen() {

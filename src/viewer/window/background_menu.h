@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "scene/lights/background_colour.h"
-#include "viewer/session/viewer_session.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/window/choice_menu.h"
 
 namespace macula::viewer {
@@ -15,15 +15,15 @@ class BackgroundMenu : public ChoiceMenu {
     Q_OBJECT
 
   public:
-    BackgroundMenu(ViewerSession& session, QWidget* parent);
+    BackgroundMenu(StudyEditor& session, QWidget* parent);
 
   private:
     void onChosen(int index);
     void askForColour();
-    void use(std::optional<app::BackgroundColour> colour);
+    void use(std::optional<scene::BackgroundColour> colour);
     void showChosen();
 
-    ViewerSession& session_;
+    StudyEditor& session_;
 };
 
 }  // namespace macula::viewer

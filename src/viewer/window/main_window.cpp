@@ -88,14 +88,14 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     makePresets();
     makePanels();
     connectBrowser();
-    makeBeside();
+    makeSecondVolume();
     makeQuality();
     makeMovies();
     makeHeadset();
     makeMenus();
     makeToolBar();
     makeStatusBar();
-    makeBesideBar();
+    makeSecondVolumeBar();
     connectLoader();
     connectTable();
     connectSegments();
@@ -103,7 +103,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     connectQuit();
     connectPick();
 
-    connect(&session_, &ViewerSession::changed, this, &MainWindow::onChanged);
+    connect(&session_, &StudyEditor::changed, this, &MainWindow::onChanged);
     connect(shown_, &ShownVolume::changed, this, &MainWindow::redraw);
     connect(viewport_, &Viewport::rendered, this, &MainWindow::onRendered);
     connect(viewport_, &Viewport::dropped, this, &MainWindow::openDropped);
@@ -128,7 +128,7 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     showNames(options_.namesPatient && options_.settings.showsNames);
     showPanes();
     redraw();
-    if (options_.layout != app::Layout::volume) {
+    if (options_.layout != scene::Layout::volume) {
         resize(options_.pictureSize);
     } else {
         viewport_->setPictureSizeHint(options_.pictureSize);
@@ -150,7 +150,7 @@ void MainWindow::connectLoader() {
     });
     connect(&loader_, &StudyLoader::progressed, loading_, &WorkBar::setProgress);
     connect(loading_, &WorkBar::cancelClicked, &loader_, &StudyLoader::cancel);
-    connect(&loader_, &StudyLoader::loaded, this, [this](const app::OpenedStudy& study) {
+    connect(&loader_, &StudyLoader::loaded, this, [this](const study::OpenedStudy& study) {
         loading_->hide();
         showStudy(study);
     });
@@ -194,12 +194,12 @@ void MainWindow::connectPick() {
     });
     connect(pick_, &AnatomyPick::found, this, [this](const glm::dvec3& mm) {
         viewport_->centreOn(mm);
-        session_.change(tr("Cross-hair"), [&](app::StudyState& next) { next.slices.crosshairMm = mm; });
+        session_.change(tr("Cross-hair"), [&](scene::StudyState& next) { next.slices.crosshairMm = mm; });
     });
 }
 
 void MainWindow::redraw() {
-    app::Drawing now = shown_->drawing();
+    scene::Drawing now = shown_->drawing();
     const trace::Look look = now.settings.look;
     select(*lights_, catalogue().lights, now.lights);
     lights_->setEnabled(trace::isPathTraced(look));
@@ -216,7 +216,7 @@ void MainWindow::redraw() {
     viewport_->setDrawing(std::move(now));
 }
 
-void MainWindow::open(app::StudySource source) {
+void MainWindow::open(study::StudySource source) {
     keepState();  // it may be the same study that is opened
     if (source) sawStudy(QString::fromStdString(source->string()));
     loader_.open(std::move(source));
@@ -272,8 +272,8 @@ void MainWindow::showOpenError(const Error& error) {
 }
 
 // Of the same study. What is drawn of it is told by ShownVolume.
-void MainWindow::onChanged(const app::StudyState& before) {
-    const app::StudyState now = session_.state();
+void MainWindow::onChanged(const scene::StudyState& before) {
+    const scene::StudyState now = session_.state();
     if (study().volume && now.preset) {
         const QString note = presetWarning(*now.preset, *study().volume);
         if (std::exchange(presetNote_, note) != note) showNotes();
@@ -291,10 +291,10 @@ void MainWindow::onChanged(const app::StudyState& before) {
 // reverse.
 std::shared_ptr<const TransferFunction> MainWindow::usualPreset(const Volume& volume) const {
     const auto& wanted = options_.preset;
-    return wanted && suits(*wanted, volume.unit()) ? wanted : app::presetFor(catalogue(), volume);
+    return wanted && suits(*wanted, volume.unit()) ? wanted : scene::presetFor(catalogue(), volume);
 }
 
-void MainWindow::showStudy(const app::OpenedStudy& study) {
+void MainWindow::showStudy(const study::OpenedStudy& study) {
     keepState();  // of the one before
     sessionNote_.clear();
     if (!std::exchange(storeNoteIsNew_, false)) storeNote_.clear();
@@ -305,21 +305,21 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
         notes << tr("The preset %1 is not made for this kind of volume; %2 is used instead.")
                      .arg(titleOr(wanted->title, wanted->name), titleOr(preset->title, preset->name));
     // How a study is drawn was chosen in it, or nobody has chosen it. How the window is arranged stays.
-    const app::StudyState& before = session_.state();
-    const app::OpeningPlanes planes = app::openingPlanes(volume);
-    app::StudyState now{.seriesDigest = study.seriesDigest,
-                        .preset = preset,
-                        .lights = options_.lights,
-                        .showsMarks = before.showsMarks,
-                        .background = before.background,
-                        .layout = before.layout,
-                        .slices = {.asAcquired = planes.asAcquired}};
-    std::optional<app::StudyState> left = stateAsLeft(study);
+    const scene::StudyState& before = session_.state();
+    const scene::OpeningPlanes planes = scene::openingPlanes(volume);
+    scene::StudyState now{.seriesDigest = study.seriesDigest,
+                          .preset = preset,
+                          .lights = options_.lights,
+                          .showsMarks = before.showsMarks,
+                          .background = before.background,
+                          .layout = before.layout,
+                          .slices = {.asAcquired = planes.asAcquired}};
+    std::optional<scene::StudyState> left = stateAsLeft(study);
     if (left && options_.restores == Restores::work) {
         now.slices = left->slices;
         now.measurements = left->measurements;
         now.namedClips = left->namedClips;
-        now.segmentations = app::onSlicesAlone(left->segmentations);
+        now.segmentations = scene::onSlicesAlone(left->segmentations);
         now.otherKeys = left->otherKeys;
     } else if (left) {
         now = *left;
@@ -332,8 +332,8 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
         sessionNote_ = tr("This study is shown as it was left. The View menu shows it as when first opened.");
     }
     if (options_.restores == Restores::work) left.reset();
-    now.slices = app::carriedSlices(this->study(), before.slices, study, now.slices);
-    const bool keepsCamera = app::staysInPlace(this->study(), study) && !viewport_->framedFrom();
+    now.slices = scene::carriedSlices(this->study(), before.slices, study, now.slices);
+    const bool keepsCamera = study::staysInPlace(this->study(), study) && !viewport_->framedFrom();
     const Camera camera = toCamera(viewport_->camera());
     presetNote_ = presetWarning(*now.preset, volume);
     pick_->cancel();
@@ -341,7 +341,7 @@ void MainWindow::showStudy(const app::OpenedStudy& study) {
     favourPane(planes.largest);
     showChosen();
     showPanes();
-    app::Drawing first = shown_->drawing();
+    scene::Drawing first = shown_->drawing();
     visibilityNote_ = visibilityNote(first, volume, catalogue());
     viewport_->setStudy(study.volume, linesToShow(study.identity), std::move(first), options_.firstView);
     if (keepsCamera) {

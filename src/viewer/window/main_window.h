@@ -15,16 +15,16 @@
 #include <string>
 
 #include "live/quality/calibration.h"
-#include "live/store/model_keeper.h"
+#include "live/store/study_keeper.h"
 #include "scene/choice/catalogue.h"
 #include "scene/drawing/projection_windows.h"
 #include "scene/state/study_state.h"
 #include "slices/slice_plane.h"
 #include "study/list/study_tree.h"
+#include "viewer/editor/study_editor.h"
 #include "viewer/jobs/background_job.h"
 #include "viewer/output/picture_export.h"
 #include "viewer/pick/anatomy_pick.h"
-#include "viewer/session/viewer_session.h"
 #include "viewer/settings/last_folders.h"
 #include "viewer/settings/settings.h"
 #include "viewer/status/status_widgets.h"
@@ -38,15 +38,15 @@ class QDockWidget;
 class QFileDialog;
 class QMenu;
 
-namespace macula::app {
-struct PresentationWish;
+namespace macula::scene {
+struct PresentationRequest;
 struct SoftcopyOnSlices;
-}  // namespace macula::app
+}  // namespace macula::scene
 
 namespace macula::viewer {
 
-class BesideBar;
-class BesideStudy;
+class SecondVolumeBar;
+class SecondVolumeLoader;
 class ClipEditing;
 class ClipPanel;
 class ConvergeNow;
@@ -77,7 +77,7 @@ class TransferFunctionEditor;
 class UndoActions;
 class VoxelCutting;
 enum class Pane;
-struct HeadsetChoice;
+struct HeadsetSelection;
 struct LibraryPreset;
 
 // How much of a study's state is restored, and kept for the next time.
@@ -88,12 +88,12 @@ enum class Restores {
 };
 
 struct MainWindowOptions {
-    app::Catalogue catalogue;
+    scene::Catalogue catalogue;
     std::string device = {};                              // as in gpu::chooseDevice
     std::shared_ptr<const TransferFunction> preset = {};  // null: by the volume's modality
     std::shared_ptr<const trace::LightRig> lights = {};   // null: the default lights of each look
-    std::optional<ViewDirection> firstView = {};          // nothing: app::usualView
-    app::Layout layout = app::Layout::fourPanes;
+    std::optional<ViewDirection> firstView = {};          // nothing: scene::usualView
+    scene::Layout layout = scene::Layout::fourPanes;
     QSize pictureSize{960, 720};  // of the 3D pane alone; with slices, of the window
     std::uint32_t sampleLimit = 512;
     bool usesModel = true;  // shows splats in motion
@@ -120,9 +120,9 @@ class MainWindow : public QMainWindow {
     MainWindow(gpu::Instance instance, MainWindowOptions options);
     ~MainWindow() override;  // waits until learnt models are saved
 
-    void open(app::StudySource source);
+    void open(study::StudySource source);
     // open() ends with this when it succeeds.
-    void showStudy(const app::OpenedStudy& study);
+    void showStudy(const study::OpenedStudy& study);
     void cancelLoading() { loader_.cancel(); }
     bool loading() const { return loader_.loading(); }
     SegmentationKeeper& segments() { return *segments_; }
@@ -135,7 +135,7 @@ class MainWindow : public QMainWindow {
     Viewport& viewport() { return *viewport_; }
     SliceView& slices(slices::Orientation orientation) { return *slices_.at(std::size_t(orientation)); }
     PaneGrid& panes() { return *panes_; }
-    BesideStudy& beside() { return *beside_; }  // the second volume
+    SecondVolumeLoader& secondVolume() { return *secondVolume_; }  // the second volume
     SlicePair& pair(slices::Orientation orientation) { return *pairs_.at(std::size_t(orientation)); }
     // The last error; the notes on the study. Empty without one, or after it was dismissed.
     QString message() const { return messages_->isVisible() ? messages_->text() : QString(); }
@@ -149,14 +149,14 @@ class MainWindow : public QMainWindow {
     void takeSettings(const Settings& settings);  // applies and stores them
     void tell(const Error& error) { messages_->showError(error); }
     // Null if nothing is kept.
-    app::ModelKeeper* keeper() { return keeper_.get(); }
+    live::StudyKeeper* keeper() { return keeper_.get(); }
     QString modelState() const { return modelText_->fullText(); }  // the state of the peripheral model
     bool hasStudy() const { return session_.hasStudy(); }
-    ViewerSession& session() { return session_; }
+    StudyEditor& session() { return session_; }
     // The session's state with the current camera; setState takes one of the same study. usage without a
     // study, inputNotUsable for a state of another series.
-    app::StudyState state() const;
-    Result<void> setState(const app::StudyState& state);
+    scene::StudyState state() const;
+    Result<void> setState(const scene::StudyState& state);
     bool hidesSomething() const { return shown_->hidesSomething(); }
     // Stores choices and measurements before the program ends. Returns true once stored, false after some
     // seconds without success.
@@ -164,7 +164,7 @@ class MainWindow : public QMainWindow {
     bool isWriting() const { return !unfinishedWork().isEmpty(); }  // a picture or movie; quitting asks
 
   signals:
-    void frameShown(const macula::app::FrameShown& frame);
+    void frameShown(const macula::live::FrameShown& frame);
     void studyShown();
     void loadingCancelled();
     void failed(const macula::Error& error);
@@ -189,12 +189,12 @@ class MainWindow : public QMainWindow {
     void makePresets();
     void makePresetMenu();
     void fillPresetMenu(QMenu& menu);
-    void makeBeside();
-    void makeBesideBar();
-    void addBesideToFile(QMenu& file);
-    void addBesideToView(QMenu& view);
-    void askForBeside(int mode);  // a QFileDialog::FileMode
-    void showBeside();
+    void makeSecondVolume();
+    void makeSecondVolumeBar();
+    void addSecondToFile(QMenu& file);
+    void addSecondToView(QMenu& view);
+    void askForSecond(int mode);  // a QFileDialog::FileMode
+    void showSecond();
     QStringList besideNotes() const;  // notes on the second volume
     void makeMenus();
     void makeFileMenu();
@@ -208,14 +208,14 @@ class MainWindow : public QMainWindow {
     void makeQuality();
     void addQualityActions(QMenu& view);
     void calibrate();
-    void onCalibrated(const Result<app::Calibration>& measured);
+    void onCalibrated(const Result<live::Calibration>& measured);
     void convergeNow();
     void showCost();  // of frames in motion, in this window
     void makeMovies();
     void makeHeadset();
     void addHeadsetAction(QMenu& view);
     void showInHeadset();
-    void takeFromHeadset(const HeadsetChoice& choice);
+    void takeFromHeadset(const HeadsetSelection& choice);
     void addOutputActions(QMenu& file);
     void askWhereToDrawMovie();
     void askForPath();
@@ -224,18 +224,18 @@ class MainWindow : public QMainWindow {
     bool hasPictureFor(const QString& what);
     void connectLoader();
     void connectBrowser();
-    void showFound(const std::shared_ptr<const app::FoundVolumes>& found, std::optional<std::size_t> open);
+    void showFound(const std::shared_ptr<const study::FoundVolumes>& found, std::optional<std::size_t> open);
     void connectTable();
     void connectSegments();
-    const app::Catalogue& catalogue() const { return session_.catalogue(); }
-    const app::OpenedStudy& study() const { return session_.study(); }
-    void onChanged(const app::StudyState& before);
+    const scene::Catalogue& catalogue() const { return session_.catalogue(); }
+    const study::OpenedStudy& study() const { return session_.study(); }
+    void onChanged(const scene::StudyState& before);
     void redraw();      // call after a choice has changed
     void showChosen();  // in menus and lists
-    std::shared_ptr<app::ModelKeeper> makeKeeper();
+    std::shared_ptr<live::StudyKeeper> makeKeeper();
     // Nothing: the state is not restored.
-    std::optional<app::StudyState> stateAsLeft(const app::OpenedStudy& study);
-    app::StudyState stateToKeep() const;
+    std::optional<scene::StudyState> stateAsLeft(const study::OpenedStudy& study);
+    scene::StudyState stateToKeep() const;
     void connectKeeping();
     void beginToKeep();
     void keepState();
@@ -253,10 +253,10 @@ class MainWindow : public QMainWindow {
     void askForPresentation();
     void openPresentation(const std::filesystem::path& path);  // a 3D view of the open study
     void connectListedPresentations();
-    void showListed(const app::StudyRow::Presentation& listed);
-    void showOnSlices(const app::SoftcopyOnSlices& shown, const QStringList& notes);
+    void showListed(const study::StudyRow::Presentation& listed);
+    void showOnSlices(const scene::SoftcopyOnSlices& shown, const QStringList& notes);
     void askHowToSavePresentation();
-    void askWhereToSavePresentation(app::PresentationWish wish);
+    void askWhereToSavePresentation(scene::PresentationRequest request);
     void askForPicture();
     void askWhereToSavePicture(const PictureDialog& how);
     void openFound(std::size_t index);  // another volume of the folder
@@ -271,13 +271,13 @@ class MainWindow : public QMainWindow {
     void askWhereToExportPreset(const LibraryPreset& preset);
     void comparePreset(const LibraryPreset& preset);
     void showOpenError(const Error& error);
-    void onRendered(const app::RenderEvent& event);
-    void onFrame(const app::FrameShown& frame);
+    void onRendered(const live::RenderEvent& event);
+    void onFrame(const live::FrameShown& frame);
     void onModel(const hybrid::ModelNews& model);
     // Updates title, task bar, tool bar and status line for the open study.
     void showStudyTexts();
     void tellOfPicture();  // writes the status line of the 3D picture
-    void tellOfFrame(const app::FrameShown& frame);
+    void tellOfFrame(const live::FrameShown& frame);
     void explainTabs();
     void showPanes();  // of the state
     void favourPane(std::optional<slices::Orientation> orientation);
@@ -295,19 +295,19 @@ class MainWindow : public QMainWindow {
     MainWindowOptions options_;
     StudyLoader loader_;
     // The open study and its choices. The viewport has the camera. Its preset may differ from the option.
-    ViewerSession session_;
+    StudyEditor session_;
     QStringList studyNotes_;  // notes on the study
     QString presetNote_;      // on its preset
     QString visibilityNote_;  // on why nothing is visible
     QString pictureNote_;     // on what the device shows of it
     QString deviceNote_;      // on the device
     bool deviceIsBack_ = true;
-    bool pictureFailed_ = false;                // the 3D picture of the open study
-    std::shared_ptr<app::ModelKeeper> keeper_;  // null: nothing is kept
+    bool pictureFailed_ = false;                 // the 3D picture of the open study
+    std::shared_ptr<live::StudyKeeper> keeper_;  // null: nothing is kept
     // The last state given to the keeper, or the state at opening: an unchanged state is not stored, so it
     // never replaces a stored state that came too late or cannot be read.
-    std::optional<app::StudyState> kept_;
-    // Its JSON text, or the text read: the base of this window's changes. See ModelKeeper::keepState.
+    std::optional<scene::StudyState> kept_;
+    // Its JSON text, or the text read: the base of this window's changes. See StudyKeeper::keepState.
     std::shared_ptr<std::string> keptText_;
     QString sessionNote_;          // how this study was restored
     QString storeNote_;            // errors of the store
@@ -316,15 +316,15 @@ class MainWindow : public QMainWindow {
     QTimer keepsChange_;                              // soon
     QTimer prepares_;                                 // after this delay the status line says so
     QString preparing_;                               // what the device prepares
-    bool isFirstStart_ = false;                       // app::DeviceReady
+    bool isFirstStart_ = false;                       // live::DeviceReady
     LastFolders folders_{options_.settings.folders};  // of file dialogs
 
     ShownVolume* shown_ = nullptr;
     Viewport* viewport_ = nullptr;
     std::array<SliceView*, 3> slices_{};  // by slices::Orientation
     std::array<SlicePair*, 3> pairs_{};   // the same, with those of the second volume
-    BesideStudy* beside_ = nullptr;
-    BesideBar* besideBar_ = nullptr;
+    SecondVolumeLoader* secondVolume_ = nullptr;
+    SecondVolumeBar* besideBar_ = nullptr;
     QList<QAction*> besideActions_;  // actions that need a second volume
     WorkBar* besideWork_ = nullptr;
     PaneGrid* panes_ = nullptr;
@@ -355,15 +355,15 @@ class MainWindow : public QMainWindow {
     PresentationFiles* presentations_ = nullptr;
     // A presentation to show once its series is open.
     struct AwaitedPresentation {
-        std::shared_ptr<const app::FoundVolumes> found;
-        app::StudyRow::Presentation listed;
+        std::shared_ptr<const study::FoundVolumes> found;
+        study::StudyRow::Presentation listed;
     };
     std::optional<AwaitedPresentation> awaiting_;
     WorkBar* exporting_ = nullptr;
     AnatomyPick* pick_ = nullptr;
     OwnWindowList* ownWindows_ = nullptr;
     QualityControl* quality_ = nullptr;
-    BackgroundJob<app::Calibration> calibration_;
+    BackgroundJob<live::Calibration> calibration_;
     ConvergeNow* converge_ = nullptr;
     WorkBar* converging_ = nullptr;
     QAction* stopConverging_ = nullptr;

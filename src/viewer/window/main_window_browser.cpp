@@ -21,9 +21,9 @@ void MainWindow::connectBrowser() {
 
     connect(
         &loader_, &StudyLoader::found, this,
-        [this](const std::shared_ptr<const app::FoundVolumes>& found) { showFound(found, std::nullopt); });
+        [this](const std::shared_ptr<const study::FoundVolumes>& found) { showFound(found, std::nullopt); });
     connect(&loader_, &StudyLoader::loaded, this, [this] {
-        if (const app::StudySource& source = loader_.source()) recent_->add(*source);
+        if (const study::StudySource& source = loader_.source()) recent_->add(*source);
     });
     // Of a folder that was read the series stay, to choose another one from.
     const auto goBack = [this] {
@@ -35,7 +35,7 @@ void MainWindow::connectBrowser() {
 }
 
 // Which of it was seen before is known later, and of glimpses not asked for: there are no volumes yet.
-void MainWindow::showFound(const std::shared_ptr<const app::FoundVolumes>& found,
+void MainWindow::showFound(const std::shared_ptr<const study::FoundVolumes>& found,
                            std::optional<std::size_t> open) {
     const bool isNew = found != browser_->found();
     browser_->setFound(found, open);

@@ -29,7 +29,7 @@ void MainWindow::makeClipTools() {
             pane->showClip(clipEditing_->showsOnSlices(), clipEditing_->hasHandles());
         viewport_->updateToolMarks();
     });
-    connect(&session_, &ViewerSession::changed, viewport_, &Viewport::updateToolMarks);
+    connect(&session_, &StudyEditor::changed, viewport_, &Viewport::updateToolMarks);
     connect(viewport_, &Viewport::cameraRested, clipEditing_,
             [this] { clipEditing_->setCamera(toCamera(viewport_->camera())); });
     connect(scissors_, &ScissorTool::drawn, viewport_, &Viewport::updateToolMarks);
@@ -113,8 +113,8 @@ void MainWindow::addClipActions(QMenu& menu) {
         eye->setChecked(session_.state().cuts.eye.has_value());
     });
     const auto showEye = [this, eye] { eye->setChecked(session_.state().cuts.eye.has_value()); };
-    connect(&session_, &ViewerSession::changed, eye, showEye);
-    connect(&session_, &ViewerSession::studyShown, eye, showEye);
+    connect(&session_, &StudyEditor::changed, eye, showEye);
+    connect(&session_, &StudyEditor::studyShown, eye, showEye);
 }
 
 }  // namespace macula::viewer

@@ -21,7 +21,7 @@ void MainWindow::showStudyTexts() {
 // What is told of the picture in 3D is told only while that is shown, and of no other study.
 void MainWindow::tellOfPicture() {
     const bool isShown = panes_->isShown(Pane::volume);
-    const app::FrameShown* frame = isShown ? viewport_->frameOnScreen() : nullptr;
+    const live::FrameShown* frame = isShown ? viewport_->frameOnScreen() : nullptr;
     if (frame != nullptr) return tellOfFrame(*frame);
     rateEnds_.stop();
     badge_->hide();
@@ -33,20 +33,21 @@ void MainWindow::tellOfPicture() {
                                             : tr("The picture in 3D is being made…"));
 }
 
-void MainWindow::onRendered(const app::RenderEvent& event) {
+void MainWindow::onRendered(const live::RenderEvent& event) {
     // What was prepared is there; or other words take the place of those.
-    if (std::holds_alternative<app::FrameShown>(event) || std::holds_alternative<app::RenderFailure>(event) ||
-        std::holds_alternative<app::DeviceReady>(event) ||
-        std::holds_alternative<app::DeviceRestarting>(event))
+    if (std::holds_alternative<live::FrameShown>(event) ||
+        std::holds_alternative<live::RenderFailure>(event) ||
+        std::holds_alternative<live::DeviceReady>(event) ||
+        std::holds_alternative<live::DeviceRestarting>(event))
         prepares_.stop();
-    if (const auto* frame = std::get_if<app::FrameShown>(&event)) {
+    if (const auto* frame = std::get_if<live::FrameShown>(&event)) {
         onFrame(*frame);
-    } else if (const auto* ready = std::get_if<app::DeviceReady>(&event)) {
+    } else if (const auto* ready = std::get_if<live::DeviceReady>(&event)) {
         deviceText_->setFullText(QString::fromStdString(ready->name));
         deviceText_->setToolTip(QString::fromStdString(ready->description));
         isFirstStart_ = ready->isFirstStart;
         if (!study().volume || !panes_->isShown(Pane::volume)) tellOfPicture();  // nothing else comes
-    } else if (std::holds_alternative<app::DeviceRestarting>(event)) {
+    } else if (std::holds_alternative<live::DeviceRestarting>(event)) {
         badge_->hide();
         fidelity_->setFullText(tr("Starting the graphics device again…"));
         deviceNote_ =
@@ -54,14 +55,14 @@ void MainWindow::onRendered(const app::RenderEvent& event) {
                "anew. If this comes back, update the graphics driver.");
         deviceIsBack_ = false;
         showNotes();
-    } else if (const auto* changed = std::get_if<app::ModelChanged>(&event)) {
+    } else if (const auto* changed = std::get_if<live::ModelChanged>(&event)) {
         if (changed->study == viewport_->study()) onModel(changed->model);
-    } else if (const auto* preparing = std::get_if<app::Preparing>(&event)) {
+    } else if (const auto* preparing = std::get_if<live::Preparing>(&event)) {
         preparing_ = inWindowsLanguage(preparing->what) + QStringLiteral("…");
         if (!prepares_.isActive()) prepares_.start();
-    } else if (std::holds_alternative<app::PictureRemoved>(event)) {
+    } else if (std::holds_alternative<live::PictureRemoved>(event)) {
         tellOfPicture();
-    } else if (const auto* failure = std::get_if<app::RenderFailure>(&event)) {
+    } else if (const auto* failure = std::get_if<live::RenderFailure>(&event)) {
         pictureFailed_ = true;
         if (!std::exchange(deviceIsBack_, true)) {
             deviceNote_.clear();  // the error says what became of it
@@ -79,7 +80,7 @@ void MainWindow::onModel(const hybrid::ModelNews& model) {
         modelText_->setFullText(modelText(model, isFirstStart_), aboutModel(model, isFirstStart_));
 }
 
-void MainWindow::onFrame(const app::FrameShown& frame) {
+void MainWindow::onFrame(const live::FrameShown& frame) {
     pictureFailed_ = false;
     QStringList about;
     for (const Message& message : frame.messages) about << inWindowsLanguage(message);
@@ -98,16 +99,16 @@ void MainWindow::onFrame(const app::FrameShown& frame) {
     emit frameShown(frame);
 }
 
-void MainWindow::tellOfFrame(const app::FrameShown& frame) {
+void MainWindow::tellOfFrame(const live::FrameShown& frame) {
     QString text = fidelityText(frame);
     if (frame.samplesLeftOut > 0) text += tr(", %n samples left out", nullptr, int(frame.samplesLeftOut));
     if (!frame.messages.empty())
         text += tr(", less than the full resolution");  // also when the note is dismissed
     fidelity_->setFullText(text);
-    badge_->setFidelity(app::fidelityOf(frame));
+    badge_->setFidelity(live::fidelityOf(frame));
     onModel(frame.model);
     QString pictureText = QStringLiteral("%1×%2").arg(frame.width).arg(frame.height);
-    if (frame.framesPerSecond > 0.0 && frame.stage == app::Stage::moving) {
+    if (frame.framesPerSecond > 0.0 && frame.stage == live::Stage::moving) {
         pictureText += tr(", %1/s").arg(withLocalNumbers(QString::number(frame.framesPerSecond, 'f', 1)));
         rateEnds_.start();
     }

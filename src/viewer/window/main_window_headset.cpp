@@ -48,10 +48,10 @@ void MainWindow::makeHeadset() {
         emit headsetEnded();
     });
     // Another study is no surprise for somebody's eyes.
-    connect(&session_, &ViewerSession::studyShown, headset_, &HeadsetShow::abandon);
+    connect(&session_, &StudyEditor::studyShown, headset_, &HeadsetShow::abandon);
     connect(shown_, &ShownVolume::changed, this, [this] {
         if (!headset_->isRunning() || isFromHeadset_) return;
-        const app::Drawing drawing = shown_->drawing();
+        const scene::Drawing drawing = shown_->drawing();
         headsetClip_ = drawing.clip;
         headset_->propose({.transferFunction = drawing.transferFunction, .clip = drawing.clip});
     });
@@ -68,31 +68,31 @@ void MainWindow::addHeadsetAction(QMenu& view) {
 
 void MainWindow::showInHeadset() {
     if (!hasPictureFor(tr("There is nothing to show in a headset yet."))) return;
-    HeadsetWish wish;
-    wish.volume = study().volume;
-    wish.drawing = shown_->drawing();
+    HeadsetShowRequest request;
+    request.volume = study().volume;
+    request.drawing = shown_->drawing();
     for (const auto& preset : catalogue().presets)
-        if (suits(*preset, wish.volume->unit())) wish.presets.push_back(preset);
-    wish.pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation).toStdString();
+        if (suits(*preset, request.volume->unit())) request.presets.push_back(preset);
+    request.pictures = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation).toStdString();
     QStringList names;
-    for (const std::string& line : app::linesOf(study().identity)) names << QString::fromStdString(line);
+    for (const std::string& line : study::linesOf(study().identity)) names << QString::fromStdString(line);
     mirror_->setNames(names.join(QLatin1Char('\n')));
-    headsetClip_ = wish.drawing.clip;
-    headset_->start(std::move(wish));
+    headsetClip_ = request.drawing.clip;
+    headset_->start(std::move(request));
 }
 
 // One step of undo of the window, too. What cannot be kept with the study is seen in the headset alone.
-void MainWindow::takeFromHeadset(const HeadsetChoice& choice) {
+void MainWindow::takeFromHeadset(const HeadsetSelection& choice) {
     if (!hasStudy() || !headset_->isRunning()) return;
     const bool isOtherClip = std::exchange(headsetClip_, choice.clip) != choice.clip;
-    app::ClipChoice clip = session_.state().clip;
+    scene::OptionalClip clip = session_.state().clip;
     if (isOtherClip) {
-        auto kept = app::clipOfShape(choice.clip ? *choice.clip : Clip{}, clip, *study().volume);
+        auto kept = scene::clipOfShape(choice.clip ? *choice.clip : Clip{}, clip, *study().volume);
         if (!kept) return messages_->showError(kept.error());
         clip = *std::move(kept);
     }
     isFromHeadset_ = true;
-    session_.change(tr("In the headset"), [&](app::StudyState& next) {
+    session_.change(tr("In the headset"), [&](scene::StudyState& next) {
         next.preset = choice.transferFunction;
         if (!isOtherClip) return;
         next.clip = clip;

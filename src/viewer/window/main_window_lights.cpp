@@ -11,7 +11,7 @@ void MainWindow::makeLights() {
                        {.seen =
                             [this] {
                                 const QSize size = viewport_->pictureSize();
-                                app::ViewPicture picture;
+                                pictures::ViewPicture picture;
                                 picture.volume = study().volume;
                                 picture.drawing = shown_->drawing();
                                 picture.camera = toCamera(viewport_->camera());

@@ -11,11 +11,11 @@
 #include "scene/camera/view_directions.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
+#include "viewer/editor/undo_actions.h"
 #include "viewer/keys/keys.h"
 #include "viewer/language/core_words.h"
 #include "viewer/presets/preset_box.h"
 #include "viewer/quality/quality_control.h"
-#include "viewer/session/undo_actions.h"
 #include "viewer/settings/key_book.h"
 #include "viewer/status/status_texts.h"
 #include "viewer/window/help_boxes.h"
@@ -45,7 +45,7 @@ void fill(QComboBox& box, const std::vector<std::shared_ptr<const Item>>& items)
 }
 
 // How values between voxels are found; of looks that show matter.
-void addFilters(QMenu& menu, ViewerSession& session) {
+void addFilters(QMenu& menu, StudyEditor& session) {
     struct Choice {
         trace::Filter filter;
         QString text;
@@ -64,7 +64,7 @@ void addFilters(QMenu& menu, ViewerSession& session) {
             ->setToolTip(choice.hint);
     menu.addMenu(filters);
     QObject::connect(filters, &ChoiceMenu::changed, &session, [&session, choices](int index) {
-        session.change(MainWindow::tr("Values between voxels"), [&](app::StudyState& next) {
+        session.change(MainWindow::tr("Values between voxels"), [&](scene::StudyState& next) {
             next.settings.filter = choices[std::size_t(index)].filter;
         });
     });
@@ -74,13 +74,13 @@ void addFilters(QMenu& menu, ViewerSession& session) {
         filters->choose(shown == choices.end() ? -1 : int(shown - choices.begin()));
         for (QAction* action : filters->actions()) action->setEnabled(trace::showsMatter(settings.look));
     };
-    QObject::connect(&session, &ViewerSession::changed, filters, show);
-    QObject::connect(&session, &ViewerSession::studyShown, filters, show);
+    QObject::connect(&session, &StudyEditor::changed, filters, show);
+    QObject::connect(&session, &StudyEditor::studyShown, filters, show);
     show();
 }
 
 // How light that is brighter than the screen is shown; a projection shows values as they are.
-void addToneMap(QMenu& menu, ViewerSession& session) {
+void addToneMap(QMenu& menu, StudyEditor& session) {
     QAction* keepsHue = menu.addAction(MainWindow::tr("Keep &Hues of Highlights"));
     keepsHue->setObjectName(QStringLiteral("keep-hues"));
     keepsHue->setCheckable(true);
@@ -88,7 +88,7 @@ void addToneMap(QMenu& menu, ViewerSession& session) {
         "What is too bright for the screen bleaches in its own hue; without it, contrast is higher. Not of "
         "projections"));
     QObject::connect(keepsHue, &QAction::triggered, &session, [&session](bool keeps) {
-        session.change(MainWindow::tr("Hues of highlights"), [keeps](app::StudyState& next) {
+        session.change(MainWindow::tr("Hues of highlights"), [keeps](scene::StudyState& next) {
             next.settings.toneMap = keeps ? trace::ToneMap::hue : trace::ToneMap::neutral;
         });
     });
@@ -96,8 +96,8 @@ void addToneMap(QMenu& menu, ViewerSession& session) {
         keepsHue->setChecked(session.state().settings.toneMap == trace::ToneMap::hue);
         keepsHue->setEnabled(!trace::isProjection(session.state().settings.look));
     };
-    QObject::connect(&session, &ViewerSession::changed, keepsHue, show);
-    QObject::connect(&session, &ViewerSession::studyShown, keepsHue, show);
+    QObject::connect(&session, &StudyEditor::changed, keepsHue, show);
+    QObject::connect(&session, &StudyEditor::studyShown, keepsHue, show);
     show();
 }
 
@@ -129,7 +129,7 @@ void MainWindow::makeFileMenu() {
     file->addMenu(recent_);
     QAction* phantom = file->addAction(tr("Open &Phantom"), this, [this] { open(std::nullopt); });
     phantom->setToolTip(tr("Open the built-in phantom study"));
-    addBesideToFile(*file);
+    addSecondToFile(*file);
     file->addSeparator();
     QAction* openView = file->addAction(tr("Open &View…"), this, &MainWindow::askForView);
     openView->setShortcut(keyOf(KeyAction::openView));
@@ -168,7 +168,8 @@ void MainWindow::makeEditMenu() {
     find->setShortcut(keyOf(KeyAction::find));
     edit->addSeparator();
     QAction* clear = edit->addAction(tr("Remove All &Measurements"), this, [this] {
-        session_.change(tr("Remove measurements"), [](app::StudyState& next) { next.measurements.clear(); });
+        session_.change(tr("Remove measurements"),
+                        [](scene::StudyState& next) { next.measurements.clear(); });
     });
     clear->setObjectName(QStringLiteral("remove-measurements"));
     edit->addSeparator();
@@ -187,7 +188,7 @@ void MainWindow::makeViewMenu() {
     };
     for (const KeyRow& row : kKeys) {
         if (const auto direction = viewDirectionOf(row.action))
-            withKey(view->addAction(asTitle(app::nameOf(*direction)), this,
+            withKey(view->addAction(asTitle(nameOf(*direction)), this,
                                     [this, from = *direction] { viewport_->showFrom(from); }),
                     row.action);
     }
@@ -201,11 +202,11 @@ void MainWindow::makeViewMenu() {
     for (const LayoutRow& row : kLayouts) {
         QAction* action = view->addAction(
             inWindowsLanguage(QString::fromLatin1(row.title)), this, [this, layout = row.layout] {
-                session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
+                session_.change(tr("Panes"), [layout](scene::StudyState& next) { next.layout = layout; });
             });
         action->setShortcut(keyOf(row));
     }
-    addBesideToView(*view);
+    addSecondToView(*view);
     view->addSeparator();
     view->addActions(panels_);
     view->addSeparator();
@@ -242,7 +243,7 @@ void MainWindow::makeLookMenu() {
     addFilters(*looks_, session_);
     addToneMap(*looks_, session_);
     QAction* window = looks_->addAction(tr("Reset &Window"), this, [this] {
-        session_.change(tr("Window"), [](app::StudyState& next) {
+        session_.change(tr("Window"), [](scene::StudyState& next) {
             next.windows.at(std::size_t(next.settings.look)).reset();
         });
     });
@@ -253,19 +254,19 @@ void MainWindow::makeLookMenu() {
     connect(viewport_, &Viewport::windowDragged, this, [this](QPointF byHeights) {
         const auto from = shown_->drawing().settings.window;
         if (!from || !session_.hasStudy()) return;
-        session_.drag(tr("Window"), [&](app::StudyState& next) {
+        session_.drag(tr("Window"), [&](scene::StudyState& next) {
             next.windows.at(std::size_t(next.settings.look)) =
-                app::dragged(*from, {byHeights.x(), byHeights.y()}, *session_.study().volume);
+                scene::dragged(*from, {byHeights.x(), byHeights.y()}, *session_.study().volume);
         });
     });
-    connect(&viewport_->window(), &VulkanWindow::dragEnded, &session_, &ViewerSession::endDrag);
+    connect(&viewport_->window(), &VulkanWindow::dragEnded, &session_, &StudyEditor::endDrag);
     connect(looks_, &ChoiceMenu::changed, this, [this](int index) {
-        session_.change(tr("Look"), [index](app::StudyState& next) {
+        session_.change(tr("Look"), [index](scene::StudyState& next) {
             next.settings.look = trace::kLooks.at(std::size_t(index)).look;
         });
     });
     connect(shading_, &QAction::triggered, this, [this](bool shaded) {
-        session_.change(tr("Shading"), [shaded](app::StudyState& next) {
+        session_.change(tr("Shading"), [shaded](scene::StudyState& next) {
             next.settings.shading = shaded ? trace::Shading::headlight : trace::Shading::none;
         });
     });
@@ -283,7 +284,7 @@ void MainWindow::makeClipMenu() {
                           QStringLiteral("clip-") + QString::fromStdString(clip->name));
     }
     connect(clips_, &ChoiceMenu::changed, this, [this](int index) {
-        session_.change(tr("Clip"), [&](app::StudyState& next) {
+        session_.change(tr("Clip"), [&](scene::StudyState& next) {
             next.clip.reset();
             if (index == 0) next.cuts = {};
             if (index > 0) next.clip = *catalogue().clips.at(std::size_t(index) - 1);  // 0 is no clip
@@ -317,8 +318,9 @@ void MainWindow::makeToolBar() {
 
     connect(presets_, &PresetBox::chosen, this, &MainWindow::usePreset);
     connect(lights_, &QComboBox::activated, this, [this](int index) {
-        session_.change(tr("Lights"),
-                        [&](app::StudyState& next) { next.lights = catalogue().lights[std::size_t(index)]; });
+        session_.change(tr("Lights"), [&](scene::StudyState& next) {
+            next.lights = catalogue().lights[std::size_t(index)];
+        });
         focusPicture();
     });
 }

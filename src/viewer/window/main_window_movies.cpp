@@ -80,8 +80,8 @@ void MainWindow::makeMovies() {
     connect(savingModel_, &WorkBar::cancelClicked, modelExport_, &ModelExport::cancel);
     connect(modelExport_, &ModelExport::ended, savingModel_, &QWidget::hide);
     connect(modelExport_, &ModelExport::written, messages_, &MessageBar::showNote);
-    connect(viewport_, &Viewport::rendered, this, [this](const app::RenderEvent& event) {
-        if (const auto* taken = std::get_if<app::ModelTaken>(&event)) modelExport_->onTaken(*taken);
+    connect(viewport_, &Viewport::rendered, this, [this](const live::RenderEvent& event) {
+        if (const auto* taken = std::get_if<live::ModelSnapshot>(&event)) modelExport_->onTaken(*taken);
     });
     const auto tell = [this](const Error& error) {
         messages_->showError(error);
@@ -112,24 +112,24 @@ void MainWindow::askWhereToDrawMovie() {
     const auto path = movie_->pathFrom(camera);
     if (!path) return;
     // What is on screen now: while a person looks for a folder another study may come.
-    MovieWish wish;
-    wish.sequence.picture.volume = study().volume;
-    wish.sequence.picture.seriesDigest = study().seriesDigest;
-    wish.sequence.picture.drawing = shown_->drawing();
-    wish.sequence.picture.sizePx = {movie_->sizePx().width(), movie_->sizePx().height()};
-    wish.sequence.picture.effort.quality = movie_->quality();
-    wish.sequence.path = *path;
-    wish.sequence.frames = movie_->frames();
-    wish.sequence.isClosed = movie_->isClosed();
-    wish.picturesPerS = movie_->picturesPerS();
-    wish.wantsVideo = movie_->wantsVideo();
+    MovieRequest request;
+    request.sequence.picture.volume = study().volume;
+    request.sequence.picture.seriesDigest = study().seriesDigest;
+    request.sequence.picture.drawing = shown_->drawing();
+    request.sequence.picture.sizePx = {movie_->sizePx().width(), movie_->sizePx().height()};
+    request.sequence.picture.effort.quality = movie_->quality();
+    request.sequence.path = *path;
+    request.sequence.frames = movie_->frames();
+    request.sequence.isClosed = movie_->isClosed();
+    request.picturesPerS = movie_->picturesPerS();
+    request.wantsVideo = movie_->wantsVideo();
     const std::vector<std::string> lines =
         movie_->withNames() ? linesOf(study().identity) : std::vector<std::string>();
     if (movie_->withLetters() || !lines.empty()) {
-        wish.sequence.stampsFor = [lines, withLetters = movie_->withLetters(),
-                                   sizePx = wish.sequence.picture.sizePx](const Camera& from) {
-            const app::EdgeLetters letters =
-                withLetters ? app::edgeLetters(app::orbitCameraOf(from)) : app::EdgeLetters{};
+        request.sequence.stampsFor = [lines, withLetters = movie_->withLetters(),
+                                      sizePx = request.sequence.picture.sizePx](const Camera& from) {
+            const scene::EdgeLetters letters =
+                withLetters ? scene::edgeLetters(scene::orbitCameraOf(from)) : scene::EdgeLetters{};
             return stampsOf(lines, letters, sizePx);
         };
     }
@@ -137,8 +137,8 @@ void MainWindow::askWhereToDrawMovie() {
         new QFileDialog(this, tr("Choose a folder for the pictures"), folders_.of(FolderKind::movies));
     dialog->setFileMode(QFileDialog::Directory);
     dialog->setOption(QFileDialog::ShowDirsOnly);
-    ask(dialog, FolderKind::movies, [this, wish = std::move(wish)](const QString& folder) {
-        MovieWish now = wish;
+    ask(dialog, FolderKind::movies, [this, request = std::move(request)](const QString& folder) {
+        MovieRequest now = request;
         now.sequence.folder = folder.toStdString();
         movieExport_->start(std::move(now));
     });
@@ -149,7 +149,7 @@ void MainWindow::askForPath() {
                                    tr("Ways (*.json)"));
     dialog->setFileMode(QFileDialog::ExistingFile);
     ask(dialog, FolderKind::movies, [this](const QString& file) {
-        auto path = app::readCameraPath(file.toStdString());
+        auto path = scene::readCameraPath(file.toStdString());
         if (!path) return messages_->showError(path.error());
         messages_->hide();
         movie_->setViews(*std::move(path));

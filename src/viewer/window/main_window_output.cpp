@@ -16,7 +16,7 @@ namespace macula::viewer {
 namespace {
 
 // One of those that the volume was made of.
-std::optional<dicom::SecondaryCapture::Source> imageOf(const app::OpenedStudy& study) {
+std::optional<dicom::SecondaryCapture::Source> imageOf(const study::OpenedStudy& study) {
     if (!study.found) return std::nullopt;
     const auto& frames = study.found->volumes().at(study.volumeIndex).stack->frames;
     if (frames.empty()) return std::nullopt;
@@ -74,24 +74,24 @@ void MainWindow::askWhereToSavePicture(const PictureDialog& how) {
         dialog->setDefaultSuffix(filter.section(QLatin1String("*."), 1).chopped(1));
     });
     // What is on screen now: while a person looks for a folder another study may come.
-    app::ViewPicture picture{.volume = study().volume,
-                             .seriesDigest = study().seriesDigest,
-                             .drawing = shown_->drawing(),
-                             .camera = toCamera(viewport_->camera()),
-                             .sizePx = {how.sizePx().width(), how.sizePx().height()},
-                             .effort = {.quality = how.quality()},
-                             .effects = how.effects(),
-                             .output = {},
-                             .source = imageOf(study()),
-                             .isOfNobody = study().identity.isOfNobody,
-                             .isDeidentified = how.isDeidentified()};
+    pictures::ViewPicture picture{.volume = study().volume,
+                                  .seriesDigest = study().seriesDigest,
+                                  .drawing = shown_->drawing(),
+                                  .camera = toCamera(viewport_->camera()),
+                                  .sizePx = {how.sizePx().width(), how.sizePx().height()},
+                                  .effort = {.quality = how.quality()},
+                                  .effects = how.effects(),
+                                  .output = {},
+                                  .source = imageOf(study()),
+                                  .isOfNobody = study().identity.isOfNobody,
+                                  .isDeidentified = how.isDeidentified()};
     if (how.hasOverlays())
         picture.stampsFor = [sizePx = picture.sizePx,
                              isCalibrated = picture.volume->provenance().isCalibrated](const Camera& camera) {
             return overlaysOf(camera, sizePx, isCalibrated);
         };
     ask(dialog, FolderKind::pictures, [this, picture = std::move(picture)](const QString& path) {
-        app::ViewPicture wanted = picture;
+        pictures::ViewPicture wanted = picture;
         wanted.output = path.toStdString();
         export_->start(std::move(wanted));
     });
@@ -140,7 +140,7 @@ void MainWindow::askWhereToSaveMeasurements() {
     ask(dialog, FolderKind::measurements,
         [this, measurements = session_.state().measurements, volume = study().measured(),
          numbers = study().imageNumbers](const QString& path) {
-            tellOfFile(app::writeMeasurements(path.toStdString(), measurements, {*volume, numbers}),
+            tellOfFile(scene::writeMeasurements(path.toStdString(), measurements, {*volume, numbers}),
                        tr("The measurements are written to %1.").arg(path));
         });
 }

@@ -6,17 +6,17 @@
 #include <array>
 #include <utility>
 
-#include "viewer/beside/slice_pair.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/clip/clip_panel.h"
+#include "viewer/editor/undo_actions.h"
 #include "viewer/keys/keys.h"
 #include "viewer/lights/lights_desk.h"
 #include "viewer/panes/pane_grid.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/presets/preset_gallery.h"
+#include "viewer/second/slice_pair.h"
 #include "viewer/segmentation/segmentation_panel.h"
-#include "viewer/session/undo_actions.h"
 #include "viewer/slices/slice_view.h"
 #include "viewer/transfer/transfer_function_editor.h"
 #include "viewer/window/main_window.h"
@@ -54,8 +54,8 @@ void MainWindow::makePanes() {
                            .coronal = pairs_[std::size_t(slices::Orientation::coronal)],
                            .sagittal = pairs_[std::size_t(slices::Orientation::sagittal)]},
                           this);
-    connect(panes_, &PaneGrid::layoutAsked, this, [this](app::Layout layout) {
-        session_.change(tr("Panes"), [layout](app::StudyState& next) { next.layout = layout; });
+    connect(panes_, &PaneGrid::layoutAsked, this, [this](scene::Layout layout) {
+        session_.change(tr("Panes"), [layout](scene::StudyState& next) { next.layout = layout; });
     });
     connect(panes_, &PaneGrid::activePaneChanged, this, [this] {
         if (const auto active = panes_->activePane()) lastPane_ = active;
@@ -144,9 +144,9 @@ void MainWindow::explainTabs() {
 }
 
 void MainWindow::showPanes() {
-    const app::Layout layout = session_.state().layout;
+    const scene::Layout layout = session_.state().layout;
     panes_->setLayout(layout);
-    tools_->setVisible(layout != app::Layout::volume);  // they are of slices
+    tools_->setVisible(layout != scene::Layout::volume);  // they are of slices
     tellOfPicture();
 }
 

@@ -31,7 +31,7 @@ void MainWindow::addPresentationsTo(QMenu& file) {
                 messages_->showNote((told + notes).join(QLatin1Char(' ')));
             });
     connect(presentations_, &PresentationFiles::opened, this,
-            [this](const app::StudyState& state, const QStringList& notes) {
+            [this](const scene::StudyState& state, const QStringList& notes) {
                 if (const Result<void> shown = setState(state); !shown) {
                     messages_->showError(shown.error());
                 } else if (notes.isEmpty()) {
@@ -62,12 +62,12 @@ void MainWindow::askForPresentation() {
 }
 
 void MainWindow::openPresentation(const std::filesystem::path& path) {
-    const app::OpenedStudy& shown = study();
+    const study::OpenedStudy& shown = study();
     std::vector<dicom::ReferencedFrames> images;
-    if (shown.found) images = app::imagesOf(*shown.found->volumes().at(shown.volumeIndex).stack);
-    app::StudyState usual = state();
+    if (shown.found) images = study::imagesOf(*shown.found->volumes().at(shown.volumeIndex).stack);
+    scene::StudyState usual = state();
     // It is of the 3D view, which may be hidden.
-    if (usual.layout != app::Layout::volume) usual.layout = app::Layout::fourPanes;
+    if (usual.layout != scene::Layout::volume) usual.layout = scene::Layout::fourPanes;
     presentations_->open(path, shown.volume, shown.seriesDigest, std::move(images), std::move(usual),
                          viewport_->aspect());
 }
@@ -75,7 +75,7 @@ void MainWindow::openPresentation(const std::filesystem::path& path) {
 // Those of the list of studies: their series is opened first, unless it is on screen.
 void MainWindow::connectListedPresentations() {
     connect(browser_, &StudyBrowser::presentationChosen, this,
-            [this](const app::StudyRow::Presentation& chosen) {
+            [this](const study::StudyRow::Presentation& chosen) {
                 const auto found = browser_->found();
                 if (study().found == found && study().volumeIndex == chosen.volume && !loading())
                     return showListed(chosen);
@@ -102,7 +102,7 @@ void MainWindow::connectListedPresentations() {
     });
 }
 
-void MainWindow::showListed(const app::StudyRow::Presentation& listed) {
+void MainWindow::showListed(const study::StudyRow::Presentation& listed) {
     if (listed.isOfSlices) {
         presentations_->openOnSlices(listed.file, study(), session_.state().slices);
     } else {
@@ -111,10 +111,10 @@ void MainWindow::showListed(const app::StudyRow::Presentation& listed) {
 }
 
 // Zoom and place are of the pane, and no part of what can be undone.
-void MainWindow::showOnSlices(const app::SoftcopyOnSlices& shown, const QStringList& notes) {
-    session_.change(tr("Presentation state"), [&](app::StudyState& next) {
+void MainWindow::showOnSlices(const scene::SoftcopyOnSlices& shown, const QStringList& notes) {
+    session_.change(tr("Presentation state"), [&](scene::StudyState& next) {
         next.slices = shown.slices;
-        if (next.layout == app::Layout::volume) next.layout = app::Layout::fourPanes;
+        if (next.layout == scene::Layout::volume) next.layout = scene::Layout::fourPanes;
     });
     for (SliceView* pane : slices_) {
         if (shown.area && shown.area->orientation == pane->orientation()) {
@@ -138,33 +138,33 @@ void MainWindow::askHowToSavePresentation() {
              {},
              tr("Open a folder with DICOM files, or save the view.").toStdString()});
     // What is on screen now: while a person answers another study may come.
-    const app::FoundVolume& shown = study().found->volumes().at(study().volumeIndex);
-    auto images = app::presentedImages(*shown.series, *shown.stack);
+    const study::FoundVolume& shown = study().found->volumes().at(study().volumeIndex);
+    auto images = scene::presentedImages(*shown.series, *shown.stack);
     if (!images) return messages_->showError(images.error());
-    app::PresentationWish wish;
-    wish.state = state();
-    wish.volume = study().volume;
-    wish.images = *std::move(images);
+    scene::PresentationRequest request;
+    request.state = state();
+    request.volume = study().volume;
+    request.images = *std::move(images);
     const QSize size = viewport_->pictureSize();
-    if (!size.isEmpty()) wish.aspectWidthOverHeight = double(size.width()) / size.height();
+    if (!size.isEmpty()) request.aspectWidthOverHeight = double(size.width()) / size.height();
     viewport_->window().endDrag();
     auto* dialog = new PresentationDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, wish = std::move(wish)]() mutable {
-        wish.isDeidentified = dialog->isDeidentified();
-        askWhereToSavePresentation(std::move(wish));
+    connect(dialog, &QDialog::accepted, this, [this, dialog, request = std::move(request)]() mutable {
+        request.isDeidentified = dialog->isDeidentified();
+        askWhereToSavePresentation(std::move(request));
     });
     dialog->open();
 }
 
-void MainWindow::askWhereToSavePresentation(app::PresentationWish wish) {
+void MainWindow::askWhereToSavePresentation(scene::PresentationRequest request) {
     auto* dialog = new QFileDialog(this, tr("Save the presentation state"),
                                    folders_.of(FolderKind::presentations), tr("DICOM files (*.dcm)"));
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("dcm"));
     dialog->selectFile(QStringLiteral("presentation.dcm"));
-    ask(dialog, FolderKind::presentations, [this, wish = std::move(wish)](const QString& path) {
-        presentations_->save(path.toStdString(), wish);
+    ask(dialog, FolderKind::presentations, [this, request = std::move(request)](const QString& path) {
+        presentations_->save(path.toStdString(), request);
     });
 }
 

@@ -30,8 +30,8 @@ QString inMenu(QString title) {
 }
 
 // A null volume: nothing is open.
-void use(const LibraryPreset& preset, const Volume* volume, app::StudyState& next) {
-    if (volume != nullptr && preset.own && preset.own->seen) return app::use(*preset.own, *volume, next);
+void use(const LibraryPreset& preset, const Volume* volume, scene::StudyState& next) {
+    if (volume != nullptr && preset.own && preset.own->seen) return live::use(*preset.own, *volume, next);
     next.preset = preset.function;
     // In projections it is a window, and of those each look has its own.
     if (const trace::Look look = next.settings.look; volume != nullptr && trace::isProjection(look))
@@ -63,8 +63,8 @@ void MainWindow::makePresets() {
         presets_->fillAnew();
         showChosen();
     };
-    connect(&session_, &ViewerSession::presetsChanged, this, offer);
-    connect(&session_, &ViewerSession::studyShown, this, offer);
+    connect(&session_, &StudyEditor::presetsChanged, this, offer);
+    connect(&session_, &StudyEditor::studyShown, this, offer);
 }
 
 // Made anew whenever it opens: it is of the volume that is open then.
@@ -84,7 +84,7 @@ void MainWindow::fillPresetMenu(QMenu& menu) {
     const auto add = [&](QMenu& to, const LibraryPreset& preset) {
         QAction* action = to.addAction(inMenu(titleOf(preset)), this, [this, preset] { usePreset(preset); });
         action->setCheckable(true);
-        action->setChecked(shown && app::isSame(*shown, *preset.function));
+        action->setChecked(shown && scene::isSame(*shown, *preset.function));
     };
     const std::vector<LibraryPreset> own = presetLibrary_->own();
     for (const LibraryPreset& preset : own) add(menu, preset);
@@ -109,9 +109,9 @@ void MainWindow::fillPresetMenu(QMenu& menu) {
 }
 
 void MainWindow::usePreset(const LibraryPreset& preset) {
-    session_.change(tr("Preset"), [&](app::StudyState& next) { use(preset, study().volume.get(), next); });
+    session_.change(tr("Preset"), [&](scene::StudyState& next) { use(preset, study().volume.get(), next); });
     if (study().volume && preset.own && preset.own->seen && preset.own->seen->camera)
-        viewport_->showFrom(app::cameraIn(*preset.own->seen->camera, *study().volume));
+        viewport_->showFrom(live::cameraIn(*preset.own->seen->camera, *study().volume));
     presetLibrary_->noteUsed(preset.ref);
     focusPicture();
 }
@@ -141,11 +141,11 @@ void MainWindow::askWhereToExportPreset(const LibraryPreset& preset) {
 void MainWindow::comparePreset(const LibraryPreset& preset) {
     if (!study().volume) return;
     const QSize size = viewport_->pictureSize().scaled(QSize(kComparedPx, kComparedPx), Qt::KeepAspectRatio);
-    const app::StudyState& now = session_.state();
-    app::StudyState other = now;
+    const scene::StudyState& now = session_.state();
+    scene::StudyState other = now;
     use(preset, study().volume.get(), other);
-    const auto picture = [&](app::Drawing drawing) {
-        app::ViewPicture view;
+    const auto picture = [&](scene::Drawing drawing) {
+        pictures::ViewPicture view;
         view.volume = study().volume;
         view.drawing = std::move(drawing);
         view.camera = toCamera(viewport_->camera());
@@ -159,7 +159,7 @@ void MainWindow::comparePreset(const LibraryPreset& preset) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &PresetComparison::secondChosen, this, [this, preset] { usePreset(preset); });
     // No picture is seen beside another study.
-    connect(&session_, &ViewerSession::studyShown, dialog, &QDialog::reject);
+    connect(&session_, &StudyEditor::studyShown, dialog, &QDialog::reject);
     dialog->show();
 }
 

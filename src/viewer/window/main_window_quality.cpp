@@ -15,7 +15,7 @@
 namespace macula::viewer {
 
 void MainWindow::makeQuality() {
-    const auto front = app::builtInQualityFront();
+    const auto front = live::builtInQualityFront();
     MACULA_CHECK(front.ok());  // a test reads it
     quality_ = new QualityControl(*front, this);
     connect(quality_, &QualityControl::changed, viewport_, &Viewport::setLiveQuality);
@@ -90,9 +90,9 @@ void MainWindow::showCost() {
 // Beside the window, on a device of its own.
 void MainWindow::calibrate() {
     calibration_.start([device = options_.device,
-                        folder = options_.sessions](Progress& progress) -> Result<app::Calibration> {
+                        folder = options_.sessions](Progress& progress) -> Result<live::Calibration> {
         try {
-            return app::calibrationOf(device, folder, false, progress);
+            return live::calibrationOf(device, folder, false, progress);
         } catch (const std::exception&) {
             return Error{ErrorCode::outOfMemory, "There is not enough memory to measure.", {}, {}};
         }
@@ -100,7 +100,7 @@ void MainWindow::calibrate() {
 }
 
 // Without it only errors are told, and no times.
-void MainWindow::onCalibrated(const Result<app::Calibration>& measured) {
+void MainWindow::onCalibrated(const Result<live::Calibration>& measured) {
     if (!measured) return log::warning("This machine could not be measured: {}", measured.error().message);
     quality_->setSlowness(measured->traceMs / quality_->front().calibrationMs);
 }

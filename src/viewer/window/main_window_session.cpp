@@ -4,13 +4,13 @@
 #include <optional>
 #include <utility>
 
-#include "live/store/model_keeper.h"
-#include "viewer/beside/beside_bar.h"
-#include "viewer/beside/beside_study.h"
+#include "live/store/study_keeper.h"
 #include "viewer/jobs/post.h"
 #include "viewer/language/core_words.h"
 #include "viewer/panes/tool_box.h"
 #include "viewer/presets/preset_library.h"
+#include "viewer/second/second_volume_bar.h"
+#include "viewer/second/second_volume_loader.h"
 #include "viewer/window/main_window.h"
 
 namespace macula::viewer {
@@ -25,11 +25,11 @@ constexpr std::chrono::milliseconds kWorkIsKeptWithin{3000};  // a desktop that 
 }  // namespace
 
 // Called on another thread: the error crosses to this one's through its queue.
-std::shared_ptr<app::ModelKeeper> MainWindow::makeKeeper() {
+std::shared_ptr<live::StudyKeeper> MainWindow::makeKeeper() {
     if (!options_.sessions) return nullptr;
     std::optional<std::chrono::days> retention;
     if (options_.keepDays) retention.emplace(*options_.keepDays);
-    return std::make_shared<app::ModelKeeper>(
+    return std::make_shared<live::StudyKeeper>(
         session::StoreOptions{.folder = *options_.sessions,
                               .modelCapBytes = std::uint64_t(options_.settings.modelCapMb) * 1'000'000},
         [this](const Error& error) {
@@ -52,16 +52,16 @@ MainWindow::~MainWindow() {
     delete tools_;
     delete presetLibrary_;
     delete besideBar_;
-    delete beside_;
+    delete secondVolume_;
     delete takeCentralWidget();  // with the panes
     viewport_ = nullptr;
     loader_.setKeeper(nullptr);
     keeper_.reset();
 }
 
-std::optional<app::StudyState> MainWindow::stateAsLeft(const app::OpenedStudy& study) {
+std::optional<scene::StudyState> MainWindow::stateAsLeft(const study::OpenedStudy& study) {
     if (study.stateAsLeft.empty() || options_.restores == Restores::nothing) return std::nullopt;
-    auto state = app::studyStateFromJson(study.stateAsLeft, {});
+    auto state = scene::studyStateFromJson(study.stateAsLeft, {});
     if (!state) {
         sessionNote_ = tr("How this study was left cannot be read; it is shown as when opened first.");
         return std::nullopt;
@@ -70,8 +70,8 @@ std::optional<app::StudyState> MainWindow::stateAsLeft(const app::OpenedStudy& s
 }
 
 // A camera that nobody has moved goes on fitting what is visible, in a window of another size too.
-app::StudyState MainWindow::stateToKeep() const {
-    app::StudyState now = state();
+scene::StudyState MainWindow::stateToKeep() const {
+    scene::StudyState now = state();
     if (!study().volume) return now;
     if (viewport_->framedFrom() == viewport_->firstFrom()) now.camera.reset();
     return now;
@@ -86,7 +86,7 @@ void MainWindow::connectKeeping() {
     keepsChange_.setSingleShot(true);
     keepsChange_.setInterval(kChangeKeptAfter);
     // Not begun anew: while a hand drags it is kept too.
-    connect(&session_, &ViewerSession::changed, &keepsChange_, [this] {
+    connect(&session_, &StudyEditor::changed, &keepsChange_, [this] {
         if (!keepsChange_.isActive()) keepsChange_.start();
     });
 }
@@ -94,15 +94,15 @@ void MainWindow::connectKeeping() {
 // What is there from the beginning is what a person has not changed: of it nothing is kept.
 void MainWindow::beginToKeep() {
     kept_ = stateToKeep();
-    keptText_ = std::make_shared<std::string>(study().stateAsLeft.empty() ? app::toJson(*kept_)
-                                                                          : study().stateAsLeft);
+    keptText_ =
+        std::make_shared<std::string>(study().stateAsLeft.empty() ? toJson(*kept_) : study().stateAsLeft);
 }
 
 void MainWindow::keepState() {
     if (!keeper_ || !study().volume || options_.restores == Restores::nothing) return;
-    app::StudyState now = stateToKeep();
+    scene::StudyState now = stateToKeep();
     if (kept_ && *kept_ == now) return;
-    keeper_->keepState(study().volume, app::toJson(now), keptText_);
+    keeper_->keepState(study().volume, toJson(now), keptText_);
     kept_ = std::move(now);
 }
 
@@ -116,15 +116,15 @@ void MainWindow::showAfresh() {
     if (!study().volume) return;
     table_->cancel();
     sessionNote_.clear();
-    session_.change(tr("Show afresh"), [this](app::StudyState& next) {
-        const app::StudyState before = std::exchange(next, {});
+    session_.change(tr("Show afresh"), [this](scene::StudyState& next) {
+        const scene::StudyState before = std::exchange(next, {});
         next.seriesDigest = before.seriesDigest;
         next.preset = usualPreset(*study().volume);
         next.lights = options_.lights;
         next.layout = before.layout;
         next.measurements = before.measurements;
         next.namedClips = before.namedClips;
-        next.beside = before.beside;
+        next.secondVolume = before.secondVolume;
         next.otherKeys = before.otherKeys;
     });
     viewport_->setParallel(false);

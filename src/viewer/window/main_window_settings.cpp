@@ -50,7 +50,7 @@ void MainWindow::takeSettings(const Settings& settings) {
         writeSettings(stored ? withChanges(*stored, before, settings) : settings, *options_.settingsFile);
     if (!written) return messages_->showError(written.error());
     const bool isForNextStart =
-        settings.language != before.language || settings.sessionFolder != before.sessionFolder ||
+        settings.language != before.language || settings.storeFolder != before.storeFolder ||
         settings.keepDays != before.keepDays || settings.modelCapMb != before.modelCapMb;
     if (isForNextStart)
         messages_->showNote(

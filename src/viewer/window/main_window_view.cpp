@@ -21,13 +21,13 @@ int indexOf(const Items& items, const Same& isSame) {
 
 }  // namespace
 
-app::StudyState MainWindow::state() const {
-    app::StudyState state = shown_->state();
+scene::StudyState MainWindow::state() const {
+    scene::StudyState state = shown_->state();
     if (study().volume) state.camera = toCamera(viewport_->camera());
     return state;
 }
 
-Result<void> MainWindow::setState(const app::StudyState& state) {
+Result<void> MainWindow::setState(const scene::StudyState& state) {
     MACULA_TRY_VOID(shown_->take(state));
     sessionNote_.clear();  // it is not as it was left any more
     showNotes();
@@ -36,7 +36,7 @@ Result<void> MainWindow::setState(const app::StudyState& state) {
 }
 
 void MainWindow::showChosen() {
-    const app::StudyState& state = session_.state();
+    const scene::StudyState& state = session_.state();
     presets_->choose(state.preset.get());
     looks_->choose(int(state.settings.look));
     shading_->setChecked(state.settings.shading == trace::Shading::headlight);
@@ -65,15 +65,15 @@ void MainWindow::askWhereToSaveView() {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("json"));
     dialog->selectFile(QStringLiteral("view.json"));
-    app::StudyState view = state();
-    view.grid = app::savedGridOf(*study().volume);
+    scene::StudyState view = state();
+    view.grid = scene::savedGridOf(*study().volume);
     ask(dialog, FolderKind::views,
-        [this, json = app::toJson(view)](const QString& path) { saveView(path, json); });
+        [this, json = toJson(view)](const QString& path) { saveView(path, json); });
 }
 
 void MainWindow::openView(const QString& path) {
     const auto shown = [&]() -> Result<void> {
-        MACULA_TRY(const app::StudyState state, app::readStudyState(path.toStdString()));
+        MACULA_TRY(const scene::StudyState state, scene::readStudyState(path.toStdString()));
         return setState(state);
     }();
     if (shown) {

@@ -26,7 +26,7 @@ void MainWindow::addView3dActions(QMenu& view) {
     QAction* parallel = add(tr("Parallel rays"), KeyAction::parallel, "parallel-rays",
                             tr("The same millimetres for each pixel at every depth"));
     const auto ask = [this](bool shown) {
-        session_.change(tr("Cube and scale"), [shown](app::StudyState& next) { next.showsMarks = shown; });
+        session_.change(tr("Cube and scale"), [shown](scene::StudyState& next) { next.showsMarks = shown; });
     };
     connect(marks, &QAction::triggered, this, ask);
     connect(viewport_, &Viewport::marksAsked, this, ask);
@@ -34,8 +34,8 @@ void MainWindow::addView3dActions(QMenu& view) {
         marks->setChecked(session_.state().showsMarks);
         viewport_->showMarks(session_.state().showsMarks);
     };
-    connect(&session_, &ViewerSession::changed, this, show);
-    connect(&session_, &ViewerSession::studyShown, this, show);
+    connect(&session_, &StudyEditor::changed, this, show);
+    connect(&session_, &StudyEditor::studyShown, this, show);
     show();
     view.addMenu(new BackgroundMenu(session_, this));
     connect(parallel, &QAction::triggered, viewport_, &Viewport::setParallel);

@@ -16,7 +16,7 @@ struct PictureWords {
 
 const QString kProgram = QStringLiteral("Macula");
 
-QString titleText(const app::OpenedStudy& study) {
+QString titleText(const study::OpenedStudy& study) {
     QString title = QString::fromStdString(titleOf(study.identity)).simplified();
     title.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));  // Qt's mark for what is not saved
     return title.isEmpty() ? kProgram : title + QStringLiteral(" \u2013 ") + kProgram;
@@ -37,7 +37,7 @@ QString voxelsText(const Volume& volume) {
 
 }  // namespace
 
-StudyTexts textsOf(const app::OpenedStudy& study, bool names) {
+StudyTexts textsOf(const study::OpenedStudy& study, bool names) {
     StudyTexts texts{.title = kProgram};
     if (!study.volume) return texts;
     texts.voxels = voxelsText(*study.volume);
@@ -61,16 +61,16 @@ QStringList withoutRepeats(const QStringList& notes) {
     return once;
 }
 
-QString withoutVolumeText(app::Layout layout) {
+QString withoutVolumeText(scene::Layout layout) {
     switch (layout) {
-        case app::Layout::axial:
+        case scene::Layout::axial:
             return PictureWords::tr("Axial slices; 3D is not shown");
-        case app::Layout::coronal:
+        case scene::Layout::coronal:
             return PictureWords::tr("Coronal slices; 3D is not shown");
-        case app::Layout::sagittal:
+        case scene::Layout::sagittal:
             return PictureWords::tr("Sagittal slices; 3D is not shown");
-        case app::Layout::volume:
-        case app::Layout::fourPanes:
+        case scene::Layout::volume:
+        case scene::Layout::fourPanes:
             break;
     }
     return {};

@@ -21,12 +21,12 @@ struct StudyTexts {
 
 // The only source of these texts, whichever panes show the study. A study without a volume counts as no
 // study. With `names` false they hold no patient name, date or description from the files.
-StudyTexts textsOf(const app::OpenedStudy& study, bool names);
+StudyTexts textsOf(const study::OpenedStudy& study, bool names);
 
 // Removes repeated sentences: those of a series often recur for its volume.
 QStringList withoutRepeats(const QStringList& notes);
 
 // Replaces the text about the 3D picture in layouts without it; empty in others.
-QString withoutVolumeText(app::Layout layout);
+QString withoutVolumeText(scene::Layout layout);
 
 }  // namespace macula::viewer

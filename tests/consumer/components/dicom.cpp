@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
         return fail(written.error());
     const auto scan = macula::dicom::scanFolder(folder, progress);
     if (!scan) return fail(scan.error());
-    const macula::dicom::Choice best = macula::dicom::bestVolume(*scan);
+    const macula::dicom::ChosenStack best = macula::dicom::bestVolume(*scan);
     if (!best) return expect(false, best.why.c_str());
     const auto read = macula::dicom::loadVolume(*best.series, *best.stack, progress);
     if (!read) return fail(read.error());

@@ -4,7 +4,7 @@
 #include "ends.h"
 
 int main() {
-    auto device = macula::app::openDevice("", {});
+    auto device = macula::live::openDevice("", {});
     if (!device) return fail(device.error());
     bool hasMemory = false;
     const auto used = device->run([&](const auto& lent) -> macula::Result<void> {

@@ -9,20 +9,20 @@
 int main() {
     using namespace macula;
     Progress progress;
-    auto study = app::openStudy(std::nullopt, progress);
+    auto study = study::openStudy(std::nullopt, progress);
     if (!study) return fail(study.error());
-    const auto catalogue = app::builtInCatalogue();
+    const auto catalogue = scene::builtInCatalogue();
     if (!catalogue) return fail(catalogue.error());
-    auto device = app::openDevice("", {});
+    auto device = live::openDevice("", {});
     if (!device) return fail(device.error());
     bool isWhole = false;
-    app::PictureRequest request;
+    pictures::PictureRequest request;
     request.scene.volume = study->volume;
-    request.scene.function = *app::presetFor(*catalogue, *study->volume);
+    request.scene.function = *scene::presetFor(*catalogue, *study->volume);
     request.sizePx = {32, 32};
     request.samplesPerPixel = 1;
     const auto drawn = device->run([&](const auto& lent) -> Result<void> {
-        const auto picture = app::drawPicture(lent, request, progress);
+        const auto picture = pictures::drawPicture(lent, request, progress);
         if (!picture) return picture.error();
         isWhole = picture->rgba.size() == std::size_t{4} * 32 * 32;
         return {};

@@ -5,10 +5,11 @@
 #include "ends.h"
 
 int main() {
-    const auto catalogue = macula::app::builtInCatalogue();
+    const auto catalogue = macula::scene::builtInCatalogue();
     if (!catalogue) return fail(catalogue.error());
     macula::Progress progress;
-    const auto study = macula::app::openStudy(std::nullopt, progress);
+    const auto study = macula::study::openStudy(std::nullopt, progress);
     if (!study) return fail(study.error());
-    return expect(macula::app::presetFor(*catalogue, *study->volume) != nullptr, "a preset for the phantom");
+    return expect(macula::scene::presetFor(*catalogue, *study->volume) != nullptr,
+                  "a preset for the phantom");
 }

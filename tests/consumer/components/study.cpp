@@ -5,7 +5,7 @@
 
 int main() {
     macula::Progress progress;
-    const auto study = macula::app::openStudy(std::nullopt, progress);
+    const auto study = macula::study::openStudy(std::nullopt, progress);
     if (!study) return fail(study.error());
     return expect(study->identity.isOfNobody, "a phantom of nobody");
 }

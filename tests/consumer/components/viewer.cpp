@@ -10,9 +10,9 @@
 int main(int argc, char** argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
-    auto catalogue = macula::app::builtInCatalogue();
+    auto catalogue = macula::scene::builtInCatalogue();
     if (!catalogue) return fail(catalogue.error());
-    macula::viewer::ViewerSession session(*std::move(catalogue));
+    macula::viewer::StudyEditor session(*std::move(catalogue));
     macula::viewer::SliceView axial(session, macula::slices::Orientation::axial);
     axial.resize(320, 240);
     return expect(!axial.grab().isNull(), "an empty slice view");

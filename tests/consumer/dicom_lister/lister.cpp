@@ -29,7 +29,7 @@ int main(int argc, char** argv) {
     }
     for (const macula::dicom::SkippedFile& skipped : scan->skipped)
         std::printf("left out: %s\n", skipped.message.sentence.c_str());
-    const macula::dicom::Choice best = macula::dicom::bestVolume(*scan);
+    const macula::dicom::ChosenStack best = macula::dicom::bestVolume(*scan);
     std::printf("%s\n", best.why.c_str());
     return volumes > 0 && best ? 0 : 1;
 }

@@ -17,21 +17,21 @@ int main(int argc, char** argv) {
         QCoreApplication::exit(1);
         return 1;
     };
-    auto catalogue = app::builtInCatalogue();
+    auto catalogue = scene::builtInCatalogue();
     if (!catalogue) return fail(catalogue.error());
     auto instance = viewer::createInstanceForWindows();
     if (!instance) return fail(instance.error());
 
-    viewer::ViewerSession session(*std::move(catalogue));
+    viewer::StudyEditor session(*std::move(catalogue));
     QSplitter window;
     window.addWidget(new viewer::SliceView(session, slices::Orientation::axial));
     window.addWidget(new viewer::ViewerWidget(session, *std::move(instance)));
     window.addWidget(new viewer::TransferFunctionEditor(session));
     viewer::StudyLoader loader;
     QObject::connect(&loader, &viewer::StudyLoader::loaded,
-                     [&](const app::OpenedStudy& study) { session.show(study); });
+                     [&](const study::OpenedStudy& study) { session.show(study); });
     QObject::connect(&loader, &viewer::StudyLoader::failed, fail);
-    loader.open(argc > 1 ? app::StudySource(argv[1]) : std::nullopt);
+    loader.open(argc > 1 ? study::StudySource(argv[1]) : std::nullopt);
     window.resize(1200, 500);
     window.show();
     return application.exec();

@@ -241,7 +241,7 @@ TEST_F(D25BestVolume, originalOfTwentySlicesComesFirst) {
     writeFiles(folder.path(), numbered(4, 24, "ORIGINAL\\PRIMARY\\AXIAL"));
     writeFiles(folder.path(), numbered(5, 19, "ORIGINAL\\PRIMARY\\AXIAL"));
     const Opened opened = open();
-    const Choice best = bestVolume(opened.scan());
+    const ChosenStack best = bestVolume(opened.scan());
     ASSERT_NE(best.stack, nullptr);
     ASSERT_NE(best.series, nullptr);
     EXPECT_EQ(best.series->number, 4);
@@ -253,7 +253,7 @@ TEST_F(D25BestVolume, aDerivedVolumeIsBetterThanNone) {
     writeFiles(folder.path(), numbered(1, 3, "ORIGINAL\\PRIMARY\\LOCALIZER"));
     writeFiles(folder.path(), numbered(2, 5, "DERIVED\\SECONDARY\\MPR"));
     const Opened opened = open();
-    const Choice best = bestVolume(opened.scan());
+    const ChosenStack best = bestVolume(opened.scan());
     ASSERT_NE(best.series, nullptr);
     EXPECT_EQ(best.series->number, 2);
 }
@@ -261,7 +261,7 @@ TEST_F(D25BestVolume, aDerivedVolumeIsBetterThanNone) {
 TEST_F(D25BestVolume, whyThereIsNone) {
     writeFiles(folder.path(), numbered(1, 3, "ORIGINAL\\PRIMARY\\LOCALIZER"));
     const Opened opened = open();
-    const Choice best = bestVolume(opened.scan());
+    const ChosenStack best = bestVolume(opened.scan());
     EXPECT_EQ(best.stack, nullptr);
     EXPECT_FALSE(best.why.empty());
     EXPECT_EQ((best.why + " ").find("SYNTHETIC"), std::string::npos);

@@ -59,7 +59,7 @@ TEST(Patient, eachDifferenceSeparates) {
             const std::string uid = found->studies[0].series[0].seriesInstanceUid;
             EXPECT_EQ(findSeries(*found, uid), nullptr);
             EXPECT_EQ(findAllSeries(*found, uid).size(), 2u);
-            const Choice best = bestVolume(*found);
+            const ChosenStack best = bestVolume(*found);
             ASSERT_TRUE(best);
             EXPECT_NE(best.why.find("of 2 patients in this folder"), std::string::npos) << best.why;
         }

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "dicom/messages/messages.h"
 #include "dicom/read/tags.h"
 #include "dicom/segmentation/segment_voxels.h"
 #include "dicom/segmentation/segmentation.h"
-#include "dicom/stack/messages.h"
 #include "segmentation/drawing.h"
 #include "support.h"
 

@@ -9,9 +9,9 @@
 #include <fstream>
 
 #include "bytes.h"
+#include "dicom/messages/messages.h"
 #include "dicom/read/dataset.h"
 #include "dicom/segmentation/grid_placement.h"
-#include "dicom/stack/messages.h"
 #include "segmentation/drawing.h"
 #include "support.h"
 

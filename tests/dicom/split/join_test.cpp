@@ -36,7 +36,7 @@ TEST_F(Join, asksAndDoesNothingByItself) {
         const Scan scan = scanIt(false);
         ASSERT_EQ(scan.messages.size(), 1u);
         EXPECT_EQ(scan.messages[0].key, key::kUidPerSlice);
-        const Choice choice = bestVolume(scan);
+        const ChosenStack choice = bestVolume(scan);
         EXPECT_FALSE(choice);
         EXPECT_NE(choice.why.find("--join"), std::string::npos) << choice.why;
     }

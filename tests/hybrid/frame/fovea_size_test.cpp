@@ -46,8 +46,8 @@ TEST(FoveaSize, WithLessItShrinksFirstAndIsCoarserThen) {
 }
 
 TEST(FoveaSize, IsAsItIsWished) {
-    const FoveaWish wish{.fieldDeg = 10.0, .samplesPerPixel = 16, .denoising = trace::Denoising::off};
-    const FoveaAim all = affordableFovea(kWhole, {}, 1e-9, kFoveaBudgetMs, wish);
+    const FoveaOptions request{.fieldDeg = 10.0, .samplesPerPixel = 16, .denoising = trace::Denoising::off};
+    const FoveaAim all = affordableFovea(kWhole, {}, 1e-9, kFoveaBudgetMs, request);
     EXPECT_NEAR(all.fieldDeg, 10.0, 1e-9);
     EXPECT_EQ(all.samplesPerPixel, 16u);
     EXPECT_EQ(all.denoising, trace::Denoising::off);
@@ -55,7 +55,7 @@ TEST(FoveaSize, IsAsItIsWished) {
                 0.02 * pixelsPerTangent(all));
     // All of its samples have to fit into the time.
     for (const double budgetMs : {50.0, 250.0, 2000.0}) {
-        const FoveaAim some = affordableFovea(kWhole, {}, 1e-3, budgetMs, wish);
+        const FoveaAim some = affordableFovea(kWhole, {}, 1e-3, budgetMs, request);
         EXPECT_LE(msOf(some, 1e-3), 1.05 * budgetMs);
     }
 }

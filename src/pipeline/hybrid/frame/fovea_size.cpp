@@ -23,17 +23,17 @@ double guessedFoveaMsPerSample(const gpu::Device& device) {
 }
 
 FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, double msPerSample,
-                         double budgetMs, const FoveaWish& wish) {
+                         double budgetMs, const FoveaOptions& request) {
     const double halfOfFrame = halfTangent(whole.camera.verticalFovDeg);
     const double pixelsPerTangent = 0.5 * double(whole.height) / halfOfFrame;
     const double aspect = double(whole.width) / double(whole.height);
-    const double half = std::min(halfTangent(wish.fieldDeg), halfOfFrame * std::max(aspect, 1.0));
+    const double half = std::min(halfTangent(request.fieldDeg), halfOfFrame * std::max(aspect, 1.0));
     const double wantedPx = std::max(2.0 * half * pixelsPerTangent, 1.0);
     // Of the side that is wanted. In steps: a picture as large as the one before keeps its memory, and its
     // noise can be filtered with that of the one before.
     constexpr double kLeastShare = kLeastField * kCoarsest;
-    const double affordable =
-        std::clamp(std::sqrt(budgetMs / (msPerSample * wish.samplesPerPixel)) / wantedPx, kLeastShare, 1.0);
+    const double affordable = std::clamp(
+        std::sqrt(budgetMs / (msPerSample * request.samplesPerPixel)) / wantedPx, kLeastShare, 1.0);
     const double share = kLeastShare * std::floor(affordable / kLeastShare + 1e-6);
     const double fineness = std::clamp(share / kFieldBeforeCoarser, kCoarsest, 1.0);
     const double field = std::min(share / fineness, 1.0);
@@ -41,8 +41,8 @@ FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, doubl
             .gaze = gaze,
             .fieldDeg = std::max(glm::degrees(2.0 * std::atan(field * half)), kLeastFieldDeg),
             .sidePx = std::max(static_cast<int>(std::lround(wantedPx * share)), 1),
-            .samplesPerPixel = wish.samplesPerPixel,
-            .denoising = wish.denoising};
+            .samplesPerPixel = request.samplesPerPixel,
+            .denoising = request.denoising};
 }
 
 }  // namespace macula::hybrid

@@ -20,12 +20,12 @@ inline constexpr double kLeastFoveaBudgetMs = 60.0;
 double guessedFoveaMsPerSample(const gpu::Device& device);
 
 // What is wanted of one, where time allows.
-struct FoveaWish {
+struct FoveaOptions {
     double fieldDeg = trace::kFovealFieldDeg;
     std::uint32_t samplesPerPixel = 1;
     trace::Denoising denoising = trace::Denoising::on;
 
-    bool operator==(const FoveaWish&) const = default;
+    bool operator==(const FoveaOptions&) const = default;
 };
 
 // With enough time the wished field, and as fine as the frame. With less, first the
@@ -33,6 +33,6 @@ struct FoveaWish {
 // last, in steps of a twentieth of the sides. Never larger than the frame. `whole` is a usable view;
 // milliseconds are above 0.
 FoveaAim affordableFovea(const trace::View& whole, const glm::dvec2& gaze, double msPerSample,
-                         double budgetMs = kFoveaBudgetMs, const FoveaWish& wish = {});
+                         double budgetMs = kFoveaBudgetMs, const FoveaOptions& request = {});
 
 }  // namespace macula::hybrid

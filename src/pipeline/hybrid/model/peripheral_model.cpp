@@ -187,7 +187,7 @@ Result<void> PeripheralModel::showIfBetter() {
 }
 
 // What was sharp stays it: pictures that are held out later are no reason to take it off a screen. A model of
-// points is mottled, as if the patient were ill, until it has learnt from views of its own wish; then more
+// points is mottled, as if the patient were ill, until it has learnt from views of its own request; then more
 // are held out than of the first ones.
 void PeripheralModel::noteSharpness() {
     const Errors mean = meanErrors();

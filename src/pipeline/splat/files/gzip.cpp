@@ -83,7 +83,7 @@ std::optional<std::vector<std::byte>> Gunzip::rest(std::size_t most) {
     return rest;
 }
 
-std::string Gunzip::comment() const {
+std::string Gunzip::headerComment() const {
     const State& s = *state_;
     if (s.header.comment == Z_NULL) return {};  // inflate's word for none
     const auto end = std::find(s.comment.begin(), s.comment.end(), Bytef{0});

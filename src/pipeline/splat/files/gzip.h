@@ -35,7 +35,7 @@ class Gunzip {
     std::optional<std::vector<std::byte>> rest(std::size_t most);
 
     // The comment of the header, once something was read. Longer ones than 4 KiB are cut off.
-    std::string comment() const;
+    std::string headerComment() const;
 
   private:
     struct State;

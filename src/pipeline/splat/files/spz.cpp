@@ -338,7 +338,7 @@ Result<ModelFile> decodeGzip(std::span<const std::byte> bytes, BadSplats bad) {
     if (!packed.read(std::as_writable_bytes(std::span(data)))) return damaged();
     const auto behind = packed.rest(most);
     if (!behind) return damaged();
-    return finished(header, data, packed.comment(), readSpzRecords(*behind).axes, bad);
+    return finished(header, data, packed.headerComment(), readSpzRecords(*behind).axes, bad);
 }
 
 }  // namespace

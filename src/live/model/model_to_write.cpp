@@ -1,0 +1,77 @@
+#include "live/model/model_to_write.h"
+
+#include <fstream>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "live/model/model_key.h"
+#include "live/model/model_output.h"
+#include "pipeline/hybrid/model/peripheral_file.h"
+#include "pipeline/splat/model/constant_colour.h"
+#include "pipeline/trace/environment.h"
+
+namespace macula::live {
+
+namespace {
+
+Error cancelled() {
+    return {ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+}
+
+Result<void> writeState(const std::filesystem::path& path, const ModelToWrite& model) {
+    if (!model.state)
+        return Error{ErrorCode::inputNotUsable,
+                     "The model has learnt nothing yet that training could go on with.",
+                     {},
+                     "Wait until the picture converges, or save it as .ply, .spz or .glb."};
+    const scene::Drawing& drawing = model.drawing;
+    hybrid::PeripheralState state = *model.state;  // pictures are shared
+    // In the program it has the name of its scene, which means nothing to others.
+    state.training.options.key = trainingIdentity(
+        *in16Bits(model.volume), *drawing.transferFunction, drawing.clip ? *drawing.clip : Clip{},
+        trace::Environment::fromRig(*drawing.lights), drawing.additions ? *drawing.additions : Additions{});
+    state.first.key = state.training.options.key;
+    return writeAtomically(path, [&](const std::filesystem::path& temporary) -> Result<void> {
+        std::ofstream stream(temporary, std::ios::binary);
+        splat::PackedPictures packed;
+        MACULA_TRY_VOID(hybrid::writePeripheral(stream, state, packed));
+        stream.flush();
+        if (stream) return {};
+        return Error{ErrorCode::outputNotWritable,
+                     "The model could not be written.",
+                     {},
+                     "Check free space and permissions."};
+    });
+}
+
+}  // namespace
+
+splat::Splats asBright(splat::Splats splats, double gain) {
+    const auto factor = static_cast<float>(gain);
+    for (glm::vec3& dc : splats.dc) dc = splat::dcOfColour(factor * splat::colourOfDc(dc));
+    for (glm::vec3& sh : splats.sh) sh *= factor;
+    return splats;
+}
+
+Result<std::size_t> writeModelFile(const std::filesystem::path& path, const ModelToWrite& model,
+                                   bool displayColours, Progress& progress) {
+    MACULA_TRY_VOID(checkModelName(path));
+    progress.beginStage("Writing the model", 1);
+    if (progress.cancelled()) return cancelled();
+    if (holdsTraining(path)) {
+        if (displayColours)
+            return Error{ErrorCode::usage,
+                         "What goes on learning needs linear colours.",
+                         {},
+                         "Save it as .ply, .spz or .glb, or without colours as displayed."};
+        MACULA_TRY_VOID(writeState(path, model));
+        progress.advance();
+        return std::size_t{0};
+    }
+    MACULA_TRY(const std::size_t limited,
+               writeSplats(path, asBright(*model.splats, model.gain), displayColours));
+    progress.advance();
+    return limited;
+}
+
+}  // namespace macula::live

@@ -1,0 +1,39 @@
+#include "viewer/editor/undo_actions.h"
+
+#include <QKeySequence>
+
+#include "viewer/editor/study_editor.h"
+
+namespace macula::viewer {
+
+namespace {
+
+// "Undo Preset". In a menu an ampersand would be taken for a mark of its key.
+void tell(QAction& action, const QString& verb, const QString& tip, const QString& what, bool can) {
+    const QString plain = QString(what).replace(QLatin1Char('&'), QStringLiteral("&&"));
+    action.setText(can && !what.isEmpty() ? QStringLiteral("%1 %2").arg(verb, plain) : verb);
+    action.setToolTip(can ? tip.arg(what) : QString());
+    action.setEnabled(can);
+}
+
+}  // namespace
+
+UndoActions::UndoActions(StudyEditor& session, QObject* parent)
+    : QObject(parent), session_(session), undo_(new QAction(this)), redo_(new QAction(this)) {
+    undo_->setObjectName(QStringLiteral("undo"));
+    undo_->setShortcuts(QKeySequence::Undo);
+    redo_->setObjectName(QStringLiteral("redo"));
+    redo_->setShortcuts(QKeySequence::Redo);
+    connect(undo_, &QAction::triggered, &session_, &StudyEditor::undo);
+    connect(redo_, &QAction::triggered, &session_, &StudyEditor::redo);
+    connect(&session_, &StudyEditor::changed, this, &UndoActions::update);
+    connect(&session_, &StudyEditor::studyShown, this, &UndoActions::update);
+    update();
+}
+
+void UndoActions::update() {
+    tell(*undo_, tr("&Undo"), tr("Take the last change back: %1"), session_.undoText(), session_.canUndo());
+    tell(*redo_, tr("&Redo"), tr("Make it again: %1"), session_.redoText(), session_.canRedo());
+}
+
+}  // namespace macula::viewer
