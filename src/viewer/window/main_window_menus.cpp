@@ -188,7 +188,7 @@ void MainWindow::makeViewMenu() {
     };
     for (const KeyRow& row : kKeys) {
         if (const auto direction = viewDirectionOf(row.action))
-            withKey(view->addAction(asTitle(nameOf(*direction)), this,
+            withKey(view->addAction(asTitle(scene::nameOf(*direction)), this,
                                     [this, from = *direction] { viewport_->showFrom(from); }),
                     row.action);
     }

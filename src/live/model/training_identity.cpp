@@ -1,4 +1,4 @@
-#include "live/model/model_key.h"
+#include "live/model/training_identity.h"
 
 #include <fmt/ranges.h>
 

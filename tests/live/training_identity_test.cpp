@@ -1,4 +1,4 @@
-#include "live/model/model_key.h"
+#include "live/model/training_identity.h"
 
 #include <gtest/gtest.h>
 
@@ -44,7 +44,7 @@ TEST_F(ModelKey, tellsWhatIsNotTheSame) {
     lights_ = *scene::chooseLights("even");
     EXPECT_EQ(refusal(before), "The saved training is of another preset and other lights.");
     volume_ = phantom::make({.size = {24, 20, 17}});
-    clip_ = scene::clipFor(*scene::chooseClip("left-half"), volume_);
+    clip_ = clipFor(*scene::chooseClip("left-half"), volume_);
     EXPECT_EQ(refusal(before),
               "The saved training is of another study and another preset and another clip and other lights.");
     EXPECT_EQ(refusal("of another program\n"), "The saved training does not say what its pictures show.");
