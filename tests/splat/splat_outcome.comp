@@ -3,8 +3,9 @@
 #define OUT(type) out type
 #define INOUT(type) inout type
 #define PRECISE precise
-#include "lib/splat_lib.glsl"
 #include "shared/splat_view.h"
+
+#include "lib/splat_lib.glsl"
 #include "splat_outcome.glsl"
 
 layout(local_size_x = 8) in;
