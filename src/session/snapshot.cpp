@@ -192,7 +192,7 @@ Result<void> importModel(StoreState& state, const ModelInfo& info, const BlobFil
 
 }  // namespace
 
-Result<SnapshotReport> Snapshots::exportTo(const fs::path& newFolder, Progress& progress) {
+Result<SnapshotReport> StoreSnapshots::exportTo(const fs::path& newFolder, Progress& progress) {
     MACULA_TRY(const fs::path target, placeOfExport(state_, newFolder));
     MACULA_TRY(const Draft draft, Draft::beside(target, Draft::Kind::folder));
     MACULA_TRY(const SnapshotReport report, fillSnapshot(state_, draft.path(), progress));
@@ -203,7 +203,7 @@ Result<SnapshotReport> Snapshots::exportTo(const fs::path& newFolder, Progress& 
     return report;
 }
 
-Result<SnapshotReport> Snapshots::importFrom(const fs::path& folder, Progress& progress) {
+Result<SnapshotReport> StoreSnapshots::importFrom(const fs::path& folder, Progress& progress) {
     std::error_code error;
     const fs::path source = fs::canonical(folder, error);
     if (error) return errorOf(Trouble::snapshotInvalid, folder);

@@ -10,9 +10,9 @@
 namespace macula::session {
 
 // The contracts are those of Store. Uses connection, locks and blobs of the state.
-class Snapshots {
+class StoreSnapshots {
   public:
-    explicit Snapshots(StoreState& state) : state_(state) {}
+    explicit StoreSnapshots(StoreState& state) : state_(state) {}
 
     Result<SnapshotReport> exportTo(const std::filesystem::path& newFolder, Progress& progress);
     Result<SnapshotReport> importFrom(const std::filesystem::path& folder, Progress& progress);

@@ -227,10 +227,10 @@ Result<GcReport> Store::collectGarbage() {
 }
 
 Result<SnapshotReport> Store::exportTo(const fs::path& newFolder, Progress& progress) {
-    return Snapshots(*state_).exportTo(newFolder, progress);
+    return StoreSnapshots(*state_).exportTo(newFolder, progress);
 }
 Result<SnapshotReport> Store::importFrom(const fs::path& folder, Progress& progress) {
-    return Snapshots(*state_).importFrom(folder, progress);
+    return StoreSnapshots(*state_).importFrom(folder, progress);
 }
 
 }  // namespace macula::session
