@@ -90,6 +90,15 @@ float secondSteps(CellWalk cells, float transmittance) {
     return max(change * params.secondStepsPerEntry * transmittance, float(2.0) * length(end - begin));
 }
 
+// Mixes what the second volume emits and absorbs at `at` with what the study does there.
+void addSecond(vec3 at, EyeRay eye, bool masked, INOUT(vec3) emitted, INOUT(float) extinction) {
+    vec4 second = secondMatter(at);
+    Mixture mixture = Mixture(extinction, masked ? float(0.0) : second.w);
+    if (useShading()) second *= vec4(vec3(headlight(secondGradient(at), eye.direction)), float(1.0));
+    emitted = mix(emitted, vec3(second), secondShareOf(mixture));
+    extinction = totalOf(mixture);
+}
+
 // Emission and absorption: the integral over the ray of transmittance * extinction * colour, premultiplied,
 // and one minus the transmittance. A cell is crossed in as many steps as the transfer function needs over the
 // values in it, and as what is left of the light deserves. Exact where extinction and colour are constant
@@ -160,14 +169,7 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
                     extinction *= tint.opacity;
                 }
                 if (useShading()) emitted *= shade;
-                if (useSecond()) {
-                    vec4 second = secondMatter(at);
-                    Mixture mixture = Mixture(extinction, masked ? float(0.0) : second.w);
-                    if (useShading())
-                        second *= vec4(vec3(headlight(secondGradient(at), eye.direction)), float(1.0));
-                    emitted = mix(emitted, vec3(second), secondShareOf(mixture));
-                    extinction = totalOf(mixture);
-                }
+                if (useSecond()) addSecond(at, eye, masked, emitted, extinction);
                 float through = exp(-extinction * step);
                 colour += emitted * (transmittance * (float(1.0) - through));
                 transmittance *= through;

@@ -25,7 +25,6 @@
 #include "scene/choice/typed_values.h"
 
 namespace macula::cli {
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 using Answer = hybrid::StoredModel::Answer;
 using namespace std::chrono_literals;
 
-class ModelKeeperTest : public testing::Test {
+class StudyKeeperTest : public testing::Test {
   protected:
     void SetUp() override {
         std::string name = (fs::temp_directory_path() / "macula-keeper-XXXXXX").string();
@@ -83,7 +83,7 @@ class ModelKeeperTest : public testing::Test {
                             .lights = std::make_shared<const trace::LightRig>()};
 };
 
-TEST_F(ModelKeeperTest, GivesBackInAnotherRunWhatWasKept) {
+TEST_F(StudyKeeperTest, GivesBackInAnotherRunWhatWasKept) {
     store("study 1 scene 0", drawing_, 123);
     const auto second = keeper();
     // Another name and other objects: what they are counts.
@@ -101,7 +101,7 @@ TEST_F(ModelKeeperTest, GivesBackInAnotherRunWhatWasKept) {
     EXPECT_TRUE(told_.empty()) << told_.front();
 }
 
-TEST_F(ModelKeeperTest, TheNewestOfManyIsKept) {
+TEST_F(StudyKeeperTest, TheNewestOfManyIsKept) {
     {
         const auto first = keeper();
         first->willShow("a", volume_, drawing_);
@@ -116,7 +116,7 @@ TEST_F(ModelKeeperTest, TheNewestOfManyIsKept) {
 }
 
 // What was learnt is not lost with the thread that should have written it.
-TEST_F(ModelKeeperTest, IsKeptWhereThereIsNoOtherThread) {
+TEST_F(StudyKeeperTest, IsKeptWhereThereIsNoOtherThread) {
     {
         const auto first = keeper();
         first->willShow("a", volume_, drawing_);
@@ -132,7 +132,7 @@ TEST_F(ModelKeeperTest, IsKeptWhereThereIsNoOtherThread) {
 }
 
 // Each step of a slider is another scene: what a second volume is does not have to be found for each.
-TEST_F(ModelKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
+TEST_F(StudyKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
     const auto first = keeper();
     Additions added;
     added.second.emplace();
@@ -155,7 +155,7 @@ TEST_F(ModelKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
 }
 
 // As of a run that began anew, because the disk was slow.
-TEST_F(ModelKeeperTest, AModelThatHasLearntLessReplacesNone) {
+TEST_F(StudyKeeperTest, AModelThatHasLearntLessReplacesNone) {
     store("a", drawing_, 50);
     store("a", drawing_, 5);
     const auto second = keeper();
@@ -166,7 +166,7 @@ TEST_F(ModelKeeperTest, AModelThatHasLearntLessReplacesNone) {
     EXPECT_TRUE(told_.empty());
 }
 
-TEST_F(ModelKeeperTest, NothingIsFoundForAnotherVolume) {
+TEST_F(StudyKeeperTest, NothingIsFoundForAnotherVolume) {
     store("a", drawing_, 5);
     std::vector<std::uint16_t> voxels(volume_->voxels().begin(), volume_->voxels().end());
     ++voxels[voxels.size() / 2];
@@ -187,7 +187,7 @@ TEST_F(ModelKeeperTest, NothingIsFoundForAnotherVolume) {
     EXPECT_EQ(found(*second, "equal").answer, Answer::whole);
 }
 
-TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
+TEST_F(StudyKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
     store("a", drawing_, 5);
     const auto second = keeper();
     scene::Drawing lit = drawing_;
@@ -206,7 +206,7 @@ TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
 }
 
 // As of a device that was lost, when what is on the host is older than what was handed over before.
-TEST_F(ModelKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
+TEST_F(StudyKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
     {
         const auto first = keeper();
         first->willShow("a", volume_, drawing_);
@@ -219,7 +219,7 @@ TEST_F(ModelKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
 }
 
 // Its colours are of other pictures than those that are traced now.
-TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
+TEST_F(StudyKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
     PartDigests parts;
     session::ModelKey key = modelKeyOf(fingerprint(*volume_), *volume_, drawing_, parts);
     const auto tracer = std::ranges::find(key.parts, "tracer", &session::KeyPart::name);
@@ -253,7 +253,7 @@ TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
 }
 
 // Any bit of a stored model that was changed: it is set aside, said so, and the study begins anew.
-TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
+TEST_F(StudyKeeperTest, ADamagedModelIsNeverGivenBack) {
     store("a", drawing_, 5);
     const auto files = blobs();
     ASSERT_EQ(files.size(), 1u);
@@ -279,7 +279,7 @@ TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
     }
 }
 
-TEST_F(ModelKeeperTest, WithoutAStoreNothingIsFoundAndItIsSaidOnce) {
+TEST_F(StudyKeeperTest, WithoutAStoreNothingIsFoundAndItIsSaidOnce) {
     std::ofstream(folder_ / "sessions") << "a file where the folder should be";
     {
         const auto first = keeper();
@@ -292,7 +292,7 @@ TEST_F(ModelKeeperTest, WithoutAStoreNothingIsFoundAndItIsSaidOnce) {
     EXPECT_EQ(told_.size(), 1u);
 }
 
-TEST_F(ModelKeeperTest, WithoutAStoreNothingIsHeldOnTo) {
+TEST_F(StudyKeeperTest, WithoutAStoreNothingIsHeldOnTo) {
     std::ofstream(folder_ / "sessions") << "a file where the folder should be";
     const auto only = keeper();
     const auto state = model("a", 5);
@@ -307,7 +307,7 @@ TEST_F(ModelKeeperTest, WithoutAStoreNothingIsHeldOnTo) {
 }
 
 // A hand drags a curve, and then another study is opened.
-TEST_F(ModelKeeperTest, NoVolumeIsHeldOnToThatIsNotOpen) {
+TEST_F(StudyKeeperTest, NoVolumeIsHeldOnToThatIsNotOpen) {
     const auto only = keeper();
     for (int i = 0; i < 20; ++i) {
         scene::Drawing drawing = drawing_;
@@ -319,7 +319,7 @@ TEST_F(ModelKeeperTest, NoVolumeIsHeldOnToThatIsNotOpen) {
     EXPECT_EQ(volume_.use_count(), 1);
 }
 
-TEST_F(ModelKeeperTest, WhatWasFoundIsForgottenOnceAnotherSceneIsShown) {
+TEST_F(StudyKeeperTest, WhatWasFoundIsForgottenOnceAnotherSceneIsShown) {
     store("a", drawing_, 5);
     const auto second = keeper();
     second->willShow("a", volume_, drawing_);
@@ -333,7 +333,7 @@ TEST_F(ModelKeeperTest, WhatWasFoundIsForgottenOnceAnotherSceneIsShown) {
 }
 
 // The last of one study is handed over in the moment in which the next one is shown.
-TEST_F(ModelKeeperTest, WhatIsHandedOverIsKeptThoughAnotherStudyIsShown) {
+TEST_F(StudyKeeperTest, WhatIsHandedOverIsKeptThoughAnotherStudyIsShown) {
     const auto other = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}}));
     {
         const auto first = keeper();
@@ -347,7 +347,7 @@ TEST_F(ModelKeeperTest, WhatIsHandedOverIsKeptThoughAnotherStudyIsShown) {
     EXPECT_EQ(found(*second, "again").answer, Answer::whole);
 }
 
-TEST_F(ModelKeeperTest, WhatIsOpenedIsRecordedThoughNothingOfItIsKept) {
+TEST_F(StudyKeeperTest, WhatIsOpenedIsRecordedThoughNothingOfItIsKept) {
     EXPECT_EQ(keeper()->stateOf(volume_, 60s), std::nullopt);
     auto store = session::Store::open({.folder = folder_ / "sessions"});
     ASSERT_TRUE(store.ok());
@@ -357,7 +357,7 @@ TEST_F(ModelKeeperTest, WhatIsOpenedIsRecordedThoughNothingOfItIsKept) {
     EXPECT_EQ(audit->entries.front().action, session::nameOf(session::AuditAction::opened));
 }
 
-TEST_F(ModelKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
+TEST_F(StudyKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
     constexpr std::int64_t kDayMs = 86'400'000;
     std::int64_t nowMs = 1'700'000'000'000;
     const session::StoreOptions options{.folder = folder_ / "sessions", .nowMs = [&nowMs] { return nowMs; }};
@@ -395,7 +395,7 @@ TEST_F(ModelKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
     EXPECT_EQ(audit->entries.front().subject, session::studyIdentity("old"));
 }
 
-TEST_F(ModelKeeperTest, AClockThatJumpedDeletesNothingAndIsTold) {
+TEST_F(StudyKeeperTest, AClockThatJumpedDeletesNothingAndIsTold) {
     constexpr std::int64_t kDayMs = 86'400'000;
     std::int64_t nowMs = 1'700'000'000'000;
     const session::StoreOptions options{.folder = folder_ / "sessions", .nowMs = [&nowMs] { return nowMs; }};
@@ -417,7 +417,7 @@ TEST_F(ModelKeeperTest, AClockThatJumpedDeletesNothingAndIsTold) {
     EXPECT_EQ(report->volumes, 1u) << "it was there to the end";
 }
 
-TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
+TEST_F(StudyKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     {
         const auto first = keeper();
         EXPECT_EQ(first->stateOf(volume_, 5s), std::nullopt);
@@ -436,7 +436,7 @@ TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
 }
 
 // Each keeper is a window of its own: neither knows of the other.
-TEST_F(ModelKeeperTest, OfTwoWindowsOnOneStudyNothingThatWasMeasuredIsLost) {
+TEST_F(StudyKeeperTest, OfTwoWindowsOnOneStudyNothingThatWasMeasuredIsLost) {
     const auto measured = [](double lengthMm) {
         return slices::Measurement{
             .label = {},
@@ -469,7 +469,7 @@ TEST_F(ModelKeeperTest, OfTwoWindowsOnOneStudyNothingThatWasMeasuredIsLost) {
 }
 
 // Else what is in the window and not in the store would look as if another window had removed it.
-TEST_F(ModelKeeperTest, WhatCouldNotBeKeptIsKeptWithTheNextState) {
+TEST_F(StudyKeeperTest, WhatCouldNotBeKeptIsKeptWithTheNextState) {
     const auto base = std::make_shared<std::string>(toJson(scene::StudyState{}));
     const std::string opened = *base;
     const auto only = keeper();
@@ -484,7 +484,7 @@ TEST_F(ModelKeeperTest, WhatCouldNotBeKeptIsKeptWithTheNextState) {
 }
 
 // Of a newer version, say: it stays, under another name, and spoils nothing of what is kept instead.
-TEST_F(ModelKeeperTest, AStateThatCannotBeReadIsSetAsideBeforeAnotherIsKept) {
+TEST_F(StudyKeeperTest, AStateThatCannotBeReadIsSetAsideBeforeAnotherIsKept) {
     const std::string newer = R"({"version":2,"camera":{"lens":"a new one"}})";
     const std::string broken = R"({"version":1,"camera":{"positionMm":[1e7,0,0]}})";
     {
@@ -519,7 +519,7 @@ TEST_F(ModelKeeperTest, AStateThatCannotBeReadIsSetAsideBeforeAnotherIsKept) {
     EXPECT_TRUE(stays.contains(nlohmann::json::parse(broken).dump()));
 }
 
-TEST_F(ModelKeeperTest, KnowsWhatOfAFolderWasSeenBefore) {
+TEST_F(StudyKeeperTest, KnowsWhatOfAFolderWasSeenBefore) {
     dicom::Scan scan;
     const auto series = [](const std::string& uid, std::size_t volumes) {
         dicom::Series made = study::test::seriesOf(1, "Thorax", {});
