@@ -64,7 +64,7 @@ class ModelKeeperTest : public testing::Test {
     }
     void store(const std::string& name, const scene::Drawing& drawing, std::uint64_t steps) {
         const auto first = keeper();
-        first->look(name, volume_, drawing);
+        first->willShow(name, volume_, drawing);
         first->keep(model(name, steps));
     }
     std::vector<fs::path> blobs() const {
@@ -90,7 +90,7 @@ TEST_F(ModelKeeperTest, GivesBackInAnotherRunWhatWasKept) {
     scene::Drawing same = drawing_;
     same.transferFunction = std::make_shared<const TransferFunction>(*drawing_.transferFunction);
     volume_ = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 16}}));
-    second->look("study 7 scene 3", volume_, same);
+    second->willShow("study 7 scene 3", volume_, same);
     const hybrid::StoredModel stored = found(*second, "study 7 scene 3");
     ASSERT_EQ(stored.answer, Answer::whole);
     EXPECT_EQ(stored.gain, 1.25);
@@ -104,12 +104,12 @@ TEST_F(ModelKeeperTest, GivesBackInAnotherRunWhatWasKept) {
 TEST_F(ModelKeeperTest, TheNewestOfManyIsKept) {
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
         for (std::uint64_t steps = 1; steps <= 40; ++steps) first->keep(model("a", steps));
     }
     EXPECT_EQ(blobs().size(), 1u);
     const auto second = keeper();
-    second->look("b", volume_, drawing_);
+    second->willShow("b", volume_, drawing_);
     const hybrid::StoredModel stored = found(*second, "b");
     ASSERT_EQ(stored.answer, Answer::whole);
     EXPECT_EQ(stored.state->training.steps, 40u);
@@ -119,7 +119,7 @@ TEST_F(ModelKeeperTest, TheNewestOfManyIsKept) {
 TEST_F(ModelKeeperTest, IsKeptWhereThereIsNoOtherThread) {
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
         first->waitUntilIdle();
         const macula::test::NoThreads none;
         first->keep(model("a", 123));
@@ -127,7 +127,7 @@ TEST_F(ModelKeeperTest, IsKeptWhereThereIsNoOtherThread) {
     }
     EXPECT_TRUE(told_.empty()) << told_.front();
     const auto second = keeper();
-    second->look("b", volume_, drawing_);
+    second->willShow("b", volume_, drawing_);
     EXPECT_EQ(found(*second, "b").steps, 123u);
 }
 
@@ -147,7 +147,7 @@ TEST_F(ModelKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
         added.tints->colours.front().opacity = 0.1f * float(step);
         scene::Drawing next = drawing_;
         next.additions = std::make_shared<const Additions>(added);
-        first->look(std::to_string(step), volume_, next);
+        first->willShow(std::to_string(step), volume_, next);
         first->waitUntilIdle();
     }
     EXPECT_EQ(first->digests().made(), 3u) << "both volumes and the segments";
@@ -159,7 +159,7 @@ TEST_F(ModelKeeperTest, AModelThatHasLearntLessReplacesNone) {
     store("a", drawing_, 50);
     store("a", drawing_, 5);
     const auto second = keeper();
-    second->look("b", volume_, drawing_);
+    second->willShow("b", volume_, drawing_);
     const hybrid::StoredModel stored = found(*second, "b");
     ASSERT_EQ(stored.answer, Answer::whole);
     EXPECT_EQ(stored.steps, 50u);
@@ -181,9 +181,9 @@ TEST_F(ModelKeeperTest, NothingIsFoundForAnotherVolume) {
     --voxels[voxels.size() / 2];
     const auto equal = std::make_shared<const Volume>(std::move(Volume::create(options, voxels)).value());
     const auto second = keeper();
-    second->look("changed", changed, drawing_);
+    second->willShow("changed", changed, drawing_);
     EXPECT_EQ(found(*second, "changed").answer, Answer::none);
-    second->look("equal", equal, drawing_);
+    second->willShow("equal", equal, drawing_);
     EXPECT_EQ(found(*second, "equal").answer, Answer::whole);
 }
 
@@ -192,7 +192,7 @@ TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
     const auto second = keeper();
     scene::Drawing lit = drawing_;
     lit.settings.lightRotationDeg = 90.0;
-    second->look("lit", volume_, lit);
+    second->willShow("lit", volume_, lit);
     const hybrid::StoredModel warm = found(*second, "lit");
     EXPECT_EQ(warm.answer, Answer::warm);
     ASSERT_NE(warm.splats, nullptr);
@@ -201,7 +201,7 @@ TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
     scene::Drawing other = drawing_;
     other.transferFunction =
         std::make_shared<const TransferFunction>(scene::choosePreset("cinematic-chest")->function);
-    second->look("other", volume_, other);
+    second->willShow("other", volume_, other);
     EXPECT_EQ(found(*second, "other").answer, Answer::none);
 }
 
@@ -209,12 +209,12 @@ TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
 TEST_F(ModelKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
         for (int i = 0; i < 20; ++i) first->keep(model("a", 50));
         first->keep(model("a", 5));
     }
     const auto second = keeper();
-    second->look("b", volume_, drawing_);
+    second->willShow("b", volume_, drawing_);
     EXPECT_EQ(found(*second, "b").steps, 50u);
 }
 
@@ -236,7 +236,7 @@ TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
     }
     {
         const auto second = keeper();
-        second->look("a", volume_, drawing_);
+        second->willShow("a", volume_, drawing_);
         const hybrid::StoredModel stale = found(*second, "a");
         EXPECT_EQ(stale.answer, Answer::stale);
         EXPECT_EQ(stale.state, nullptr);
@@ -245,7 +245,7 @@ TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
         second->keep(model("a", 5));  // it has learnt less, of the right pictures
     }
     const auto third = keeper();
-    third->look("b", volume_, drawing_);
+    third->willShow("b", volume_, drawing_);
     const hybrid::StoredModel whole = found(*third, "b");
     EXPECT_EQ(whole.answer, Answer::whole);
     EXPECT_EQ(whole.steps, 5u);
@@ -268,13 +268,13 @@ TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
         std::ofstream(blobs().front(), std::ios::binary) << other;
         told_.clear();
         const auto second = keeper();
-        second->look("b", volume_, drawing_);
+        second->willShow("b", volume_, drawing_);
         EXPECT_EQ(found(*second, "b").answer, Answer::damaged) << at;
         ASSERT_FALSE(told_.empty()) << at;
         // And it can be kept again.
         second->keep(model("b", 6));
         second->waitUntilIdle();
-        second->look("b", volume_, drawing_);
+        second->willShow("b", volume_, drawing_);
         EXPECT_EQ(found(*second, "b").answer, Answer::whole) << at;
     }
 }
@@ -283,7 +283,7 @@ TEST_F(ModelKeeperTest, WithoutAStoreNothingIsFoundAndItIsSaidOnce) {
     std::ofstream(folder_ / "sessions") << "a file where the folder should be";
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
         first->keep(model("a", 5));
         first->keepState(volume_, "{}");
         EXPECT_EQ(first->stateOf(volume_, 5s), std::nullopt);
@@ -296,12 +296,12 @@ TEST_F(ModelKeeperTest, WithoutAStoreNothingIsHeldOnTo) {
     std::ofstream(folder_ / "sessions") << "a file where the folder should be";
     const auto only = keeper();
     const auto state = model("a", 5);
-    only->look("a", volume_, drawing_);
+    only->willShow("a", volume_, drawing_);
     only->keep(state);
     only->waitUntilIdle();
     EXPECT_EQ(state.use_count(), 1);
     EXPECT_EQ(volume_.use_count(), 1);
-    only->look("b", volume_, drawing_);
+    only->willShow("b", volume_, drawing_);
     only->keep(model("b", 5));
     EXPECT_EQ(volume_.use_count(), 1);
 }
@@ -312,9 +312,9 @@ TEST_F(ModelKeeperTest, NoVolumeIsHeldOnToThatIsNotOpen) {
     for (int i = 0; i < 20; ++i) {
         scene::Drawing drawing = drawing_;
         drawing.settings.lightRotationDeg = i;
-        only->look("a" + std::to_string(i), volume_, drawing);
+        only->willShow("a" + std::to_string(i), volume_, drawing);
     }
-    only->look("other", std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}})), drawing_);
+    only->willShow("other", std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}})), drawing_);
     only->waitUntilIdle();
     EXPECT_EQ(volume_.use_count(), 1);
 }
@@ -322,13 +322,13 @@ TEST_F(ModelKeeperTest, NoVolumeIsHeldOnToThatIsNotOpen) {
 TEST_F(ModelKeeperTest, WhatWasFoundIsForgottenOnceAnotherSceneIsShown) {
     store("a", drawing_, 5);
     const auto second = keeper();
-    second->look("a", volume_, drawing_);
+    second->willShow("a", volume_, drawing_);
     second->waitUntilIdle();
     scene::Drawing lit = drawing_;
     lit.settings.lightRotationDeg = 90.0;
-    second->look("lit", volume_, lit);
+    second->willShow("lit", volume_, lit);
     EXPECT_EQ(found(*second, "a").answer, Answer::none);
-    second->look("a", volume_, drawing_);
+    second->willShow("a", volume_, drawing_);
     EXPECT_EQ(found(*second, "a").answer, Answer::whole);
 }
 
@@ -337,13 +337,13 @@ TEST_F(ModelKeeperTest, WhatIsHandedOverIsKeptThoughAnotherStudyIsShown) {
     const auto other = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}}));
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
-        first->look("b", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
+        first->willShow("b", volume_, drawing_);
         first->keep(model("a", 5));
-        first->look("other", other, drawing_);
+        first->willShow("other", other, drawing_);
     }
     const auto second = keeper();
-    second->look("again", volume_, drawing_);
+    second->willShow("again", volume_, drawing_);
     EXPECT_EQ(found(*second, "again").answer, Answer::whole);
 }
 
@@ -522,15 +522,15 @@ TEST_F(ModelKeeperTest, AStateThatCannotBeReadIsSetAsideBeforeAnotherIsKept) {
 TEST_F(ModelKeeperTest, KnowsWhatOfAFolderWasSeenBefore) {
     dicom::Scan scan;
     const auto series = [](const std::string& uid, std::size_t volumes) {
-        dicom::Series made = test::seriesOf(1, "Thorax", {});
-        for (std::size_t n = 0; n < volumes; ++n) made.stacks.push_back(test::volumeOf(2));
+        dicom::Series made = study::test::seriesOf(1, "Thorax", {});
+        for (std::size_t n = 0; n < volumes; ++n) made.stacks.push_back(study::test::volumeOf(2));
         made.studyInstanceUid = uid.empty() ? "" : "1.2.3";
         made.seriesInstanceUid = uid;
         return made;
     };
-    scan.studies.push_back(
-        test::studyOf(0, "DOE^JANE", "20200102", "Chest",
-                      {series("1.2.3.1", 1), series("1.2.3.2", 1), series("1.2.3.3", 2), series("", 1)}));
+    scan.studies.push_back(study::test::studyOf(
+        0, "DOE^JANE", "20200102", "Chest",
+        {series("1.2.3.1", 1), series("1.2.3.2", 1), series("1.2.3.3", 2), series("", 1)}));
     const auto folder = std::make_shared<const study::FoundVolumes>(std::move(scan));
     const auto open = [this](const char* uid, const char* digest) {
         auto store = session::Store::open({.folder = folder_ / "sessions"});

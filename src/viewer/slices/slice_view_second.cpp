@@ -90,7 +90,7 @@ bool SliceView::secondIsInverted() const {
     return session_.state().slices.isInverted != second_->study.isLowBright;
 }
 
-// Completes what is wished for, which is of the study so far.
+// Completes what is wanted for, which is of the study so far.
 void SliceView::addSecond(SliceRequest& request) const {
     const scene::SecondVolumeState* state = secondVolume();
     if (state == nullptr) return;
