@@ -15,8 +15,8 @@ class StudyEditor;
 class StudyNotes;
 class Viewport;
 
-// Each controller of a feature keeps a copy. What is referred to outlives the controllers, but for the
-// viewport, which the window takes down before them.
+// Each controller of a feature keeps a copy. All of it lives until the window's destructor, which takes it
+// down in an order of its own: a controller's destructor uses none of it.
 struct WindowContext {
     QMainWindow& window;  // the parent of dialogs
     StudyEditor& session;
