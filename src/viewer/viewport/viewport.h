@@ -17,7 +17,7 @@
 #include "viewer/overlay/painted_text.h"
 #include "viewer/overlay/picture_tool.h"
 #include "viewer/overlay/tool_marks.h"
-#include "viewer/quality/converge_now.h"
+#include "viewer/viewport/rest_goal.h"
 
 namespace macula::viewer {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "viewer/keys/focus_order.h"
 #include "viewer/keys/keys.h"
-#include "viewer/panes/focus_order.h"
 
 namespace macula::viewer {
 

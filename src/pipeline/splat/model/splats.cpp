@@ -22,7 +22,8 @@ bool isGood(const Splats& splats, std::size_t i) {
     const auto first = splats.sh.begin() + static_cast<std::ptrdiff_t>(i * count);
     return isFinite(splats.position[i]) && isFinite(splats.logScale[i]) && isRotation(splats.rotation[i]) &&
            std::isfinite(splats.opacityLogit[i]) && isFinite(splats.dc[i]) &&
-           std::all_of(first, first + static_cast<std::ptrdiff_t>(count), finite);
+           std::all_of(first, first + static_cast<std::ptrdiff_t>(count),
+                       [](const glm::vec3& sh) { return isFinite(sh); });
 }
 
 // Checks everything but the single splats.
