@@ -41,7 +41,7 @@ class StudyNotesTest : public test::OffscreenTest {
 TEST_F(StudyNotesTest, StandInOneOrderWhoeverComesFirst) {
     notes_->set(NoteOn::device, QStringLiteral("Last."));
     notes_->set(NoteOn::study, QStringList{QStringLiteral("Second."), QStringLiteral("Third.")});
-    notes_->ask(NoteOn::visibility, [] { return QStringList{QStringLiteral("First.")}; });
+    notes_->setSource(NoteOn::visibility, [] { return QStringList{QStringLiteral("First.")}; });
     EXPECT_EQ(notes_->text(), QString()) << "nothing is shown before it is asked for";
     notes_->show();
     EXPECT_EQ(notes_->text(), QStringLiteral("First. Second. Third. Last."));
@@ -76,9 +76,9 @@ TEST_F(StudyNotesTest, FailuresAreShownAndSignalled) {
 }
 
 TEST_F(StudyNotesTest, WhatNeedsAStudySaysSo) {
-    EXPECT_TRUE(notifications_->hasStudy(true, QStringLiteral("There is no picture.")));
+    EXPECT_TRUE(notifications_->refuseUnless(true, QStringLiteral("There is no picture.")));
     EXPECT_EQ(notifications_->text(), QString());
-    EXPECT_FALSE(notifications_->hasStudy(false, QStringLiteral("There is no picture.")));
+    EXPECT_FALSE(notifications_->refuseUnless(false, QStringLiteral("There is no picture.")));
     EXPECT_EQ(notifications_->text(), QStringLiteral("There is no picture. Open a study first."));
 }
 

@@ -30,14 +30,14 @@ void CourseSteps::hear(const FrameInput& input) {
     hasLearntBesideHand_ = false;
 }
 
-void CourseSteps::follow() {
+void CourseSteps::tellCourse() {
     models_.forgetNeedlessEstimate();
     course_.setHand(input_.interacting);
     course_.setPreviewLimit(TracedPictures::previewLimit(input_));
     course_.setFovea(models_.wantsFovea(input_));
     ModelState state = ModelState::none;
     const bool works = models_.hasWork() && !input_.convergesNow;
-    if (models_.canDraw())
+    if (models_.canDrawModel())
         state = models_.hasFit() ? ModelState::ready : ModelState::young;
     else if (works)
         state = ModelState::searching;
@@ -50,8 +50,8 @@ void CourseSteps::follow() {
 // Once for each input: whoever holds the picture will move it soon. Where the device is the CPU, frames and
 // learning take the same cores, and a step takes longer than a frame may be late.
 bool CourseSteps::learnsBesideHand() const {
-    return input_.interacting && !hasLearntBesideHand_ && models_.canDraw() && !device_.device()->isCpu() &&
-           rhythm_.leftMs(Clock::now()) > 0.0;
+    return input_.interacting && !hasLearntBesideHand_ && models_.canDrawModel() &&
+           !device_.device()->isCpu() && rhythm_.leftMs(Clock::now()) > 0.0;
 }
 
 bool CourseSteps::isQuick() const {
@@ -67,7 +67,7 @@ Result<void> CourseSteps::takeNext(const Interrupts& interrupts) {
     Result<void> done = take(course_.next(Clock::now()), interrupts);
     // Traced pictures come first: without the model there may be memory for them.
     const bool isEstimate = models_.drawsEstimate(input_);
-    if (done || done.error().code != ErrorCode::outOfMemory || (!isEstimate && !models_.canModelBeDrawn()))
+    if (done || done.error().code != ErrorCode::outOfMemory || (!isEstimate && !models_.isModelDrawable()))
         return done;
     duty_.beginAnew();
     device_.traced()->roomChanged();
@@ -112,7 +112,7 @@ Result<void> CourseSteps::withoutSplats(bool isEstimate, const Error& error) {
 
 Result<void> CourseSteps::showModel() {
     const bool isEstimate = models_.drawsEstimate(input_);
-    if (!models_.canDraw() && !isEstimate) {  // it was given up meanwhile
+    if (!models_.canDrawModel() && !isEstimate) {  // it was given up meanwhile
         duty_.beginAnew();
         return {};
     }

@@ -45,8 +45,8 @@ class CourseSteps {
     void otherDrawing() { editShownAt_.reset(); }
     // The sample limit rose or the noise target fell.
     void goOnTracing() { course_.goOnTracing(); }
-    // Tells the course what it decides by.
-    void follow();
+    // Frees an estimate that is not needed any more, and tells the course what it decides by.
+    void tellCourse();
 
     // Whether the course has a step before the next input.
     bool hasStep() const { return course_.next(Clock::now()) != Step::none; }

@@ -18,7 +18,8 @@ class FovealFrame {
   public:
     explicit FovealFrame(RenderDevice& device) : device_(device) {}
 
-    // Whether it was made. All but make, drop, roomChanged and forgetLast require that.
+    // Whether it was made. hasDisplayOf, setScene, hasTimeForFovea, draw, and what traces, adopts or forgets
+    // a fovea require that; wantsFovea too, unless hasRoomForFovea() is false.
     bool isThere() const { return frame_.has_value(); }
     Result<void> make();
     void drop() { frame_.reset(); }  // and its memory with it

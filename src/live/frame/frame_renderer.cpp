@@ -64,7 +64,7 @@ void FrameRenderer::accept(FrameInput input) {
     if (input.volume) input.camera = standingBefore(input.camera, input.volume->worldBox());
     input_ = std::move(input);
     models_.lookFor(input_);
-    steps_.follow();
+    steps_.tellCourse();
     giveModelIfAsked();
 }
 
@@ -163,7 +163,7 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
     MACULA_TRY_VOID(screen_.ensure(input_));
     const bool mustClear = screen_.mustBeCleared();
     if (mustClear) MACULA_TRY_VOID(screen_.clear(input_.background));
-    steps_.follow();
+    steps_.tellCourse();
     switch (work()) {
         case RenderDuty::Work::nothing:
             return {};
@@ -186,7 +186,7 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
         case RenderDuty::Work::course:
             break;
     }
-    steps_.follow();
+    steps_.tellCourse();
     return steps_.takeNext(interrupts);
 }
 

@@ -19,7 +19,7 @@ constexpr std::uint32_t kLearntFromSamples = 4;
 void ModelPictures::otherStudy() {
     frame_.drop();
     estimate_.reset();
-    model_.putAway();
+    model_.putAwayAndDrop();
     model_.dropShelf();
 }
 
@@ -36,17 +36,17 @@ void ModelPictures::hide() {
 
 void ModelPictures::failed() {
     frame_.drop();
-    model_.save();
+    model_.saveAndDrop();
 }
 
 void ModelPictures::dropDevice() {
     frame_.drop();
     estimate_.reset();
-    model_.save();
+    model_.saveAndDrop();
 }
 
 bool ModelPictures::hasFit() const {
-    return canDraw() && hybrid::isFitToBeShown(model_.live()->news());
+    return canDrawModel() && hybrid::isFitToBeShown(model_.live()->news());
 }
 
 bool ModelPictures::drawsEstimate(const FrameInput& input) const {
@@ -171,7 +171,7 @@ Result<void> ModelPictures::workWithin(double leftMs, const std::function<bool()
 Result<void> ModelPictures::keepForMotion(const FrameInput& input) {
     const TimelineStage stage("keep for motion");
     // A fovea is reprojected, and a model learns, for an eye; with parallel rays splats alone are shown.
-    if (!canDraw() || !frame_.hasRoomForFovea() || isParallel(input.camera)) return {};
+    if (!canDrawModel() || !frame_.hasRoomForFovea() || isParallel(input.camera)) return {};
     TracedPictures& traced = *device_.traced();
     MACULA_TRY(const trace::Statistics statistics, traced.statistics());
     if (!statistics.denoised) return {};
@@ -186,7 +186,7 @@ Result<void> ModelPictures::keepForMotion(const FrameInput& input) {
 }
 
 bool ModelPictures::wantsFovea(const FrameInput& input) const {
-    return canDraw() && !drawsEstimate(input) && frame_.wantsFovea(input);
+    return canDrawModel() && !drawsEstimate(input) && frame_.wantsFovea(input);
 }
 
 hybrid::Periphery ModelPictures::periphery(const FrameInput& input) {
@@ -207,7 +207,7 @@ hybrid::Periphery ModelPictures::periphery(const FrameInput& input) {
 Result<const gpu::Image*> ModelPictures::draw(const FrameInput& input, float tracedShare) {
     frame_.forgetLast();
     TracedPictures& traced = *device_.traced();
-    if (!canDraw() && !drawsEstimate(input)) return traced.display(input.background);
+    if (!canDrawModel() && !drawsEstimate(input)) return traced.display(input.background);
     const hybrid::Periphery splats = periphery(input);
     hybrid::FrameRequest request{.eyes = {input.camera},
                                  .sizePx = {input.width, input.height},
@@ -220,7 +220,7 @@ Result<const gpu::Image*> ModelPictures::draw(const FrameInput& input, float tra
     }
     Result<const gpu::Image*> drawn = frame_.draw(request, splats);
     // Rather without the fovea than without the model.
-    if (!drawn && drawn.error().code == ErrorCode::outOfMemory && canDraw() && frame_.hasFovea()) {
+    if (!drawn && drawn.error().code == ErrorCode::outOfMemory && canDrawModel() && frame_.hasFovea()) {
         frame_.doWithoutFovea();
         drawn = frame_.draw(request, splats);
     }
@@ -243,7 +243,7 @@ Result<const gpu::Image*> ModelPictures::drawTraced(const FrameInput& input) {
 }
 
 Result<void> ModelPictures::snapshot(const FrameInput& input, ModelSnapshot& taken) {
-    if (!isComplete(input) || !canDraw()) return {};
+    if (!isComplete(input) || !canDrawModel()) return {};
     return model_.snapshot(input, taken);
 }
 

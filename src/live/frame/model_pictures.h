@@ -20,7 +20,7 @@ namespace macula::live {
 // Without memory for the model, the estimate or the fovea each is given up alone, and the others go on.
 //
 // Used by the render thread alone. The input is the renderer's newest one. Methods that draw or work require
-// a device that is ready, and the scene of the input on it.
+// a device that is ready, and the scene of the input on it; an estimate does not need the scene.
 class ModelPictures {
   public:
     // `keeper` as in SceneModel.
@@ -37,7 +37,7 @@ class ModelPictures {
     void failed();
     // Before the device is dropped: as failed(), and nothing is left on it.
     void dropDevice();
-    void putAway() { model_.putAway(); }
+    void putAway() { model_.putAwayAndDrop(); }
 
     // From here on no picture of the model of before is drawn any more. Makes an estimate where the scene's
     // own model is not there yet.
@@ -49,8 +49,8 @@ class ModelPictures {
     void forgetNeedlessEstimate();
 
     bool hasModel() const { return model_.live() != nullptr; }
-    bool canDraw() const { return frame_.isThere() && model_.live() && model_.live()->canBeDrawn(); }
-    bool canModelBeDrawn() const { return model_.live() && model_.live()->canBeDrawn(); }
+    bool canDrawModel() const { return frame_.isThere() && model_.live() && model_.live()->canBeDrawn(); }
+    bool isModelDrawable() const { return model_.live() && model_.live()->canBeDrawn(); }
     bool hasFit() const;
     // Whether splats are those of an estimate, which is better than a model that is not fit yet.
     bool drawsEstimate(const FrameInput& input) const;

@@ -17,7 +17,7 @@
 namespace macula::live {
 
 // Names scenes, has their models looked for, and owns the one that is shown. Shelf and names outlive the
-// device; the model does not: save() it before the device is dropped.
+// device; the model does not: saveAndDrop() before the device is dropped.
 //
 // Used by the render thread alone.
 class SceneModel {
@@ -48,11 +48,11 @@ class SceneModel {
     // There may be a model of the next scene, whatever became of this one.
     void forgetWhyNone() { whyNone_ = hybrid::ModelStage::none; }
     void giveUp(hybrid::ModelStage why);
-    // These drop the model, and throw nothing. putAway: what it has learnt goes to the shelf and to the
-    // keeper. save: only what is on the host does, because what the device did last may be lost or half of a
-    // step.
-    void putAway() { dropAfter(&hybrid::LiveModel::hide); }
-    void save() { dropAfter(&hybrid::LiveModel::save); }
+    // These drop the model, and throw nothing. putAwayAndDrop: what it has learnt goes to the shelf and to
+    // the keeper. saveAndDrop: only what is on the host does, because what the device did last may be lost or
+    // half of a step.
+    void putAwayAndDrop() { dropAfter(&hybrid::LiveModel::hide); }
+    void saveAndDrop() { dropAfter(&hybrid::LiveModel::save); }
     // Models of another volume are of no use.
     void dropShelf() { shelf_.reset(); }
 

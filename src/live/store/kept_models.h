@@ -48,10 +48,10 @@ class KeptModels {
         std::shared_ptr<const Volume> volume;  // null, and no drawing, once `named` is set
         scene::Drawing drawing;
         hybrid::StoredModel found{};
-        std::optional<Named> named{};  // made on the store's thread
+        std::optional<Named> named{};  // made on the keeper's thread
     };
 
-    // On the store's thread: ------------------------------------------------------------------------------
+    // On the keeper's thread: -----------------------------------------------------------------------------
     std::optional<Named> nameForStore(const std::string& name);
     void answer(const std::string& name, hybrid::StoredModel found);
     void searchFor(session::Store& store, const std::string& name);
@@ -71,7 +71,7 @@ class KeptModels {
     std::list<std::string> names_;         // of scenes; the last one passed to willShow() comes last
     std::map<std::string, std::shared_ptr<const hybrid::PeripheralState>> toKeep_;  // the newest, by name
 
-    // Used by the store's thread alone.
+    // Used by the keeper's thread alone.
     std::optional<session::OpenMark> open_;  // keeps the shown model from eviction
     splat::PackedPictures packed_;           // of the last saved model; only jobs that can wait use it
 };

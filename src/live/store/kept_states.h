@@ -14,7 +14,7 @@
 
 namespace macula::live {
 
-// Any thread may call both methods; what they post runs on the store's thread.
+// Any thread may call both methods; what they post runs on the keeper's thread.
 class KeptStates {
   public:
     KeptStates(StoreThread& thread, KeeperMessages& messages, OpenedRecord& opened, PartDigests& digests)

@@ -18,8 +18,9 @@ namespace macula::live {
 
 // Opens the store, and does jobs with it in order: first those that somebody waits for.
 //
-// Any thread may call the public methods but for doBeside(). Its lock is free while a job runs and while the
-// store is opened, and guards the queues alone: no other lock is taken under it.
+// Any thread may call post, withStore, isIdle and waitUntilIdle; start and finish are the owner's, doBeside
+// is for jobs. Its lock is free while a job runs and while the store is opened, and guards the queues alone:
+// no other lock is taken under it.
 class StoreThread {
   public:
     using Job = std::function<void(session::Store&)>;
@@ -29,6 +30,9 @@ class StoreThread {
     StoreThread(session::StoreOptions options, std::optional<std::chrono::days> retention,
                 KeeperMessages& messages)
         : options_(std::move(options)), retention_(retention), messages_(messages) {}
+    StoreThread(const StoreThread&) = delete;
+    StoreThread& operator=(const StoreThread&) = delete;
+    ~StoreThread() { MACULA_CHECK(!thread_.joinable()); }  // jobs use what its owner may have destroyed
 
     // Once, when all that jobs use is there. `withoutStore` is called on the thread, before the first job, if
     // the store cannot be opened.
@@ -74,7 +78,7 @@ class StoreThread {
 
     std::optional<session::Store> store_;  // used by the thread alone
 
-    std::jthread thread_;  // last, because it uses all of the above
+    std::jthread thread_;
 };
 
 }  // namespace macula::live

@@ -101,7 +101,7 @@ void BrowserController::showFound(const std::shared_ptr<const study::FoundVolume
     browser_->setFound(found, open);
     if (!keeper_ || !found || !found->isWhole() || !isNew) return;
     keeper_->askWhatWasSeen(found, [this, found](const std::set<std::size_t>& seen) {
-        post(this, [this, found, seen] {
+        post(&context_.window, [this, found, seen] {
             if (browser_->found() == found) browser_->setStored(seen);
         });
     });

@@ -29,7 +29,7 @@ class BrowserController : public QObject {
     Q_OBJECT
 
   public:
-    // `opening` and the keeper outlive it; null: nothing is kept.
+    // `opening` and the keeper live until the window's destructor; null: nothing is kept.
     BrowserController(const WindowContext& context, OpeningController& opening, live::StudyKeeper* keeper);
 
     StudyBrowser& browser() const { return *browser_; }

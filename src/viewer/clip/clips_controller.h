@@ -26,7 +26,7 @@ class ClipsController : public QObject {
     Q_OBJECT
 
   public:
-    // `cutting` outlives it.
+    // `cutting` lives until the window's destructor.
     ClipsController(const WindowContext& context, const std::array<SliceView*, 3>& slices,
                     VoxelCutting& cutting);
 

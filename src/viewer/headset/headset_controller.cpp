@@ -66,8 +66,8 @@ void HeadsetController::addAction(QMenu& view) {
 
 void HeadsetController::begin() {
     const StudyEditor& session = context_.session;
-    if (!context_.notifications.hasStudy(session.hasStudy(),
-                                         tr("There is nothing to show in a headset yet.")))
+    if (!context_.notifications.refuseUnless(session.hasStudy(),
+                                             tr("There is nothing to show in a headset yet.")))
         return;
     HeadsetShowRequest request;
     request.volume = session.study().volume;

@@ -19,7 +19,7 @@ class View3dController : public QObject {
     Q_OBJECT
 
   public:
-    // `transfer` outlives it.
+    // `transfer` lives until the window's destructor.
     View3dController(const WindowContext& context, const TransferFunctionEditor& transfer);
 
     void redraw();                // after another choice, in the same study

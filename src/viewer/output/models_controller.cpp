@@ -64,7 +64,8 @@ void ModelsController::cancel() {
 }
 
 void ModelsController::askWhereToSave() {
-    if (!context_.notifications.hasStudy(context_.session.hasStudy(), tr("There is no model to save yet.")))
+    if (!context_.notifications.refuseUnless(context_.session.hasStudy(),
+                                             tr("There is no model to save yet.")))
         return;
     QStringList filters;
     for (const ModelFilter& filter : kModelFilters) filters << tr(filter.title);

@@ -78,7 +78,8 @@ void MoviesController::onStudyShown() {
 }
 
 void MoviesController::askWhereToDraw() {
-    if (!context_.notifications.hasStudy(context_.session.hasStudy(), tr("There is nothing to draw yet.")))
+    if (!context_.notifications.refuseUnless(context_.session.hasStudy(),
+                                             tr("There is nothing to draw yet.")))
         return;
     const study::OpenedStudy& study = context_.session.study();
     const auto path = panel_->pathFrom(toCamera(context_.viewport.camera()));

@@ -64,7 +64,8 @@ void PicturesController::cancel() {
 }
 
 void PicturesController::askHowToSave() {
-    if (!context_.notifications.hasStudy(context_.session.hasStudy(), tr("There is no picture to save yet.")))
+    if (!context_.notifications.refuseUnless(context_.session.hasStudy(),
+                                             tr("There is no picture to save yet.")))
         return;
     context_.viewport.window().endDrag();
     const bool is3dShown = panes_.isShown(Pane::volume);

@@ -21,7 +21,7 @@ class PicturesController : public QObject {
     Q_OBJECT
 
   public:
-    // Both outlive it.
+    // Both live until the window's destructor.
     PicturesController(const WindowContext& context, const PaneGrid& panes,
                        const SettingsController& settings);
 

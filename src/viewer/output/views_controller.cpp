@@ -39,7 +39,8 @@ void ViewsController::open(const QString& path) {
 }
 
 void ViewsController::askWhereToSave() {
-    if (!context_.notifications.hasStudy(context_.session.hasStudy(), tr("There is no view to save yet.")))
+    if (!context_.notifications.refuseUnless(context_.session.hasStudy(),
+                                             tr("There is no view to save yet.")))
         return;
     auto* dialog = context_.files.toSave(FolderKind::views, tr("Save the view"), tr("Views (*.json)"),
                                          QStringLiteral("json"), QStringLiteral("view.json"));

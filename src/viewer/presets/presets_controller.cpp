@@ -67,7 +67,6 @@ PresetsController::PresetsController(const WindowContext& context,
     connect(gallery_, &PresetGallery::importAsked, this, &PresetsController::askForFile);
     connect(gallery_, &PresetGallery::failed, &context_.notifications, &Notifications::showError);
     connectLibrary();
-    connect(&context_.session, &StudyEditor::changed, this, &PresetsController::onChanged);
 }
 
 // Of the same study.
@@ -77,7 +76,7 @@ void PresetsController::onChanged(const scene::StudyState& before) {
     if (context_.session.hasStudy() && now.preset)
         context_.notes.showIfOther(NoteOn::preset,
                                    presetWarning(*now.preset, *context_.session.study().volume));
-    if (box_ != nullptr) showChosen();
+    showChosen();
 }
 
 void PresetsController::connectLibrary() {
@@ -117,6 +116,8 @@ void PresetsController::addBox(QToolBar& bar) {
     bar.addWidget(box_);
     connect(box_, &PresetBox::chosen, this, &PresetsController::use);
     followState(context_.session, box_, [this] { showLook(); });
+    // Not sooner: its notes are shown with those of the second volume.
+    connect(&context_.session, &StudyEditor::changed, this, &PresetsController::onChanged);
 }
 
 void PresetsController::showChosen() {
@@ -191,7 +192,8 @@ void PresetsController::askWhereToExport(const LibraryPreset& preset) {
 
 void PresetsController::askWhereToSaveShown() {
     const auto& preset = context_.session.state().preset;
-    if (!context_.notifications.hasStudy(preset != nullptr, tr("There is no preset to save yet."))) return;
+    if (!context_.notifications.refuseUnless(preset != nullptr, tr("There is no preset to save yet.")))
+        return;
     auto* dialog = context_.files.toSave(FolderKind::presets, tr("Save the preset"), tr("Presets (*.json)"),
                                          QStringLiteral("json"),
                                          QString::fromStdString(preset->name) + QStringLiteral(".json"));

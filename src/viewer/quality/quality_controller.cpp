@@ -90,8 +90,8 @@ void QualityController::addActions(QMenu& view) {
 }
 
 void QualityController::convergeNow() {
-    if (context_.notifications.hasStudy(context_.session.hasStudy(),
-                                        tr("There is no picture to converge yet.")))
+    if (context_.notifications.refuseUnless(context_.session.hasStudy(),
+                                            tr("There is no picture to converge yet.")))
         converge_->start();
 }
 

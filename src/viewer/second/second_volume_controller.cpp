@@ -38,7 +38,7 @@ SecondVolumeController::SecondVolumeController(const WindowContext& context, Bro
     connectLoader();
     askAbout();
     connect(&context_.session, &StudyEditor::changed, this, &SecondVolumeController::show);
-    context_.notes.ask(NoteOn::second, [this] { return notes(); });
+    context_.notes.setSource(NoteOn::second, [this] { return notes(); });
 }
 
 SecondVolumeController::~SecondVolumeController() {

@@ -30,7 +30,7 @@ SegmentationsController::SegmentationsController(const WindowContext& context, S
     connect(bar_, &WorkBar::cancelClicked, &keeper_, &SegmentationKeeper::cancel);
     connect(&keeper_, &SegmentationKeeper::failed, &context_.notifications,
             &Notifications::failUnlessCancelled);
-    context_.notes.ask(NoteOn::segments, [this] {
+    context_.notes.setSource(NoteOn::segments, [this] {
         const QString note = keeper_.note();
         return note.isEmpty() ? QStringList() : QStringList{note};
     });

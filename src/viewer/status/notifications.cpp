@@ -63,7 +63,7 @@ void Notifications::refuse(const QString& why, const QString& hint) {
     bar_->showError({ErrorCode::usage, why.toStdString(), {}, hint.toStdString()});
 }
 
-bool Notifications::hasStudy(bool isOpen, const QString& whyNot) {
+bool Notifications::refuseUnless(bool isOpen, const QString& whyNot) {
     if (!isOpen) refuse(whyNot, tr("Open a study first."));
     return isOpen;
 }

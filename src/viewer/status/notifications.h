@@ -34,7 +34,7 @@ class Notifications : public QObject {
     void showOutcome(const Result<void>& done);  // hides the bar after success
     void refuse(const QString& why, const QString& hint);
     // What a person asked for needs an open study: says so without one, and returns whether there is one.
-    bool hasStudy(bool isOpen, const QString& whyNot);
+    bool refuseUnless(bool isOpen, const QString& whyNot);
 
   signals:
     void failed(const macula::Error& error);  // of work: scripts and tests listen

@@ -21,7 +21,7 @@ bool StudyNotes::set(NoteOn what, const QString& note) {
     return set(what, note.isEmpty() ? QStringList() : QStringList{note});
 }
 
-void StudyNotes::ask(NoteOn what, std::function<QStringList()> source) {
+void StudyNotes::setSource(NoteOn what, std::function<QStringList()> source) {
     sources_.at(std::size_t(what)) = std::move(source);
 }
 

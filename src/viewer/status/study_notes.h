@@ -39,7 +39,7 @@ class StudyNotes : public QObject {
     bool set(NoteOn what, const QStringList& notes);
     bool set(NoteOn what, const QString& note);  // empty: none
     // Asks for notes at each show(), instead of those that were set.
-    void ask(NoteOn what, std::function<QStringList()> source);
+    void setSource(NoteOn what, std::function<QStringList()> source);
     void show();  // also what was dismissed; without notes hides the bar
     void showIfOther(NoteOn what, const QString& note);
 

@@ -28,6 +28,9 @@ OpeningController::OpeningController(const WindowContext& context, StateControll
     });
     connect(&loader_, &StudyLoader::progressed, bar_, &WorkBar::setProgress);
     connect(bar_, &WorkBar::cancelClicked, &loader_, &StudyLoader::cancel);
+}
+
+void OpeningController::connectOutcomes() {
     connect(&loader_, &StudyLoader::loaded, this, [this](const study::OpenedStudy& study) {
         bar_->hide();
         emit loaded(study);

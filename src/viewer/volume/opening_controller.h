@@ -22,9 +22,12 @@ class OpeningController : public QObject {
     Q_OBJECT
 
   public:
-    // `states` outlives it. `keeper` null: nothing is kept.
+    // `states` lives until the window's destructor. `keeper` null: nothing is kept.
     OpeningController(const WindowContext& context, StateController& states,
                       std::shared_ptr<live::StudyKeeper> keeper);
+
+    // Call it when others listen to the loader: they learn first how an opening ended.
+    void connectOutcomes();
 
     void open(study::StudySource source);
     void openFound(std::shared_ptr<const study::FoundVolumes> found, std::size_t index);

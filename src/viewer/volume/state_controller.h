@@ -48,7 +48,7 @@ class StateController : public QObject {
     Q_OBJECT
 
   public:
-    // `keeper` outlives it; null: nothing is kept.
+    // `keeper` lives until the window's destructor; null: nothing is kept.
     StateController(const WindowContext& context, StateOptions options, live::StudyKeeper* keeper);
 
     // The state with the current camera; setState takes one of the same study. usage without a study,

@@ -16,7 +16,7 @@ TableController::TableController(const WindowContext& context)
     : QObject(&context.window), table_(context.shown.table()), bar_(new WorkBar) {
     showWork(table_, *bar_, tr("Looking for the table"), context.notifications);
     connect(&table_, &TableRemoval::changed, &context.notes, &StudyNotes::show);
-    context.notes.ask(NoteOn::table, [&table = table_] { return table.notes(); });
+    context.notes.setSource(NoteOn::table, [&table = table_] { return table.notes(); });
     connect(&context.shown.hidden(), &HiddenVoxels::failed, &context.notifications,
             &Notifications::failUnlessCancelled);
     connect(&context.shown.additions(), &ShownAdditions::failed, &context.notifications,

@@ -104,7 +104,8 @@ MainWindow::MainWindow(gpu::Instance instance, MainWindowOptions options)
     context_.focusPicture();
 }
 
-// Features are made in the order in which they learn of another study, and in which Tab goes through them.
+// In this order Tab goes through the features, and those that listen to the session from their construction
+// on hear of it; showStudy() and connectStudy() say the rest.
 void MainWindow::makeStudy() {
     states_ = new StateController(context_,
                                   {.preset = options_.preset,
@@ -202,6 +203,7 @@ void MainWindow::connectSettings() {
 }
 
 void MainWindow::connectStudy() {
+    opening_->connectOutcomes();
     connect(opening_, &OpeningController::loaded, this, &MainWindow::showStudy);
     connect(opening_, &OpeningController::cancelled, this, &MainWindow::loadingCancelled);
     connect(notifications_, &Notifications::failed, this, &MainWindow::failed);
@@ -244,9 +246,10 @@ MainWindow::~MainWindow() {
     for (QDockWidget* panel : findChildren<QDockWidget*>()) delete panel;
     delete &panes_->tools();
     delete presets_;
+    notes_->setSource(NoteOn::second, {});
     delete second_;
     delete takeCentralWidget();  // with the panes
-    viewport_ = nullptr;
+    viewport_ = nullptr;         // for the accessor
     opening_->letKeeperGo();
     keeper_.reset();
 }

@@ -23,7 +23,7 @@ class StatusController : public QObject {
     Q_OBJECT
 
   public:
-    // `panes` outlives it.
+    // `panes` lives until the window's destructor.
     StatusController(const WindowContext& context, const PanesController& panes);
 
     void addDescription(QToolBar& bar);  // of the open study
