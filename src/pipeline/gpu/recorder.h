@@ -196,7 +196,7 @@ class Recorder {
     [[nodiscard]] Scope label(std::string_view name);  // for debuggers
     [[nodiscard]] Scope timed(std::string_view name);  // a label that is timed; at most kMaxTimers
 
-    static constexpr int kMaxTimers = 64;
+    static constexpr int kMaxTimers = CommandPool::kQueries / 2;
     static constexpr std::size_t kMaxUpdateBytes = 65536;  // Vulkan's own limit
 
     // The command buffer, for what this class does not offer. Put barrier() before and after.
@@ -225,7 +225,7 @@ class Recorder {
     static constexpr int kNoTimer = -1;
 
     std::shared_ptr<Device> device_;
-    Device::Commands commands_;
+    CommandPool::Commands commands_;
     State state_ = State::movedFrom;
     std::string label_;
     std::vector<std::string> timers_;
