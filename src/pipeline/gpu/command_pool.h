@@ -21,7 +21,7 @@ class CommandPool {
         Ticket busyUntil = 0;
     };
 
-    // Gives some that are idle, of what is completed, or makes new ones; below 0 when that fails.
+    // Gives commands whose work is completed, or makes new ones. A negative result when that fails.
     VkResult take(VkDevice device, std::uint32_t queueFamily, Ticket completed, Commands& commands);
     void give(const Commands& commands) { free_.push_back(commands); }
     void destroyAll(VkDevice device);  // once the device is idle

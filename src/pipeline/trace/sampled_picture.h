@@ -28,8 +28,8 @@ namespace macula::trace {
 // Something was never set, or could not be: why is told by the error of that call.
 Error nothingToTrace();
 
-// Used by one thread at a time, the one that uses the device. What has the name of a method of PathTracer
-// does what that says.
+// Used by one thread at a time, the one that uses the device. Methods with the name of one of PathTracer do
+// what its comment says.
 class SampledPicture {
   public:
     explicit SampledPicture(SceneView scene)
@@ -53,7 +53,7 @@ class SampledPicture {
     const Settings& settings() const { return settings_; }
     const View& view() const { return view_; }
 
-    // The samples there are, are not of what was set.
+    // Something has changed since the samples were traced.
     bool isStale() const { return stale_ || !scene_.isCurrent(); }
     // Brings the device up to what was set, and starts a new accumulation when anything changed.
     Result<void> prepare();
@@ -68,7 +68,7 @@ class SampledPicture {
     Result<ErrorEstimate> estimateError();
     bool converged() const;
 
-    // When prepared: the samples, the guides, and where the settings denoise what that gives.
+    // When prepared: the samples, the guides, and, where the settings denoise, the filtered picture.
     const Accumulation& accumulation() const { return accumulation_; }
     Result<const Guides*> guides() { return history_.guides(scene_, kernels_); }
     Result<const gpu::Buffer*> denoised();

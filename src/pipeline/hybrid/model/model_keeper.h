@@ -31,7 +31,7 @@ class ModelKeeper {
     void endAsking() { askingSince_.reset(); }
     bool isAsking() const { return askingSince_.has_value(); }
     // Waits for an answer that is news, where it is drawn or not; nothing when `goesOn`, which is asked in
-    // between, says no. What comes too late for a person is answered as pending, where `hasOther` work.
+    // between, says no. After a while it gives a pending answer too, if `hasOther` work waits.
     std::optional<StoredModel> answer(const std::string& key, bool isDrawn, bool hasOther,
                                       const std::function<bool()>& goesOn);
 

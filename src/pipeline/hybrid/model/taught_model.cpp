@@ -87,7 +87,7 @@ Result<const splat::DevicePicture*> TaughtModel::draw(const Camera& camera, cons
     return drawn_.draw(camera, sizePx, nearMm);
 }
 
-// What was learnt becomes what is drawn, as bright as traced pictures are.
+// Makes the newest model drawable, as bright as traced pictures are.
 Result<void> TaughtModel::makeDrawable() {
     return drawn_.show(device_, model_->shown().splats, gauge_ ? &*gauge_ : nullptr);
 }

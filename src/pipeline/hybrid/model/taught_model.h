@@ -30,27 +30,27 @@ class TaughtModel {
     PeripheralModel& model() { return *model_; }
     const PeripheralModel& model() const { return *model_; }
 
-    // What is drawn may be there before: a stored one.
+    // A stored model may be drawn before it exists.
     DrawnModel& drawn() { return drawn_; }
     const DrawnModel& drawn() const { return drawn_; }
     Result<void> showStored(const StoredModel& stored) {
         return drawn_.show(device_, stored.splats, stored.gain);
     }
-    // As LiveModel::draw. What was learnt since is made drawable by learning: a frame does not wait for that.
+    // As LiveModel::draw. A frame does not wait until the newest model is drawable: learnSome sees to that.
     Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx, double nearMm);
 
     Result<void> resume(const PeripheralState& state);
-    // In slices: the gauge of what is seen in that box, and whether it is whole; then the model, which learns
-    // from the pictures of the gauge first.
+    // Traces the gauge of that box, in slices: whether it is whole, and `goesOn` says yes. Then the model
+    // begins, and learns from the pictures of the gauge first.
     Result<bool> traceGauge(const Box& seenMm, trace::PathTracer& tracer, const trace::Settings& settings,
                             const std::function<bool()>& goesOn);
     Result<void> begin(const ModelStart& start);
-    // So many that it can be drawn, and then it is; whether they are done.
+    // Trains until it has done so many steps, and then makes it drawable; whether they are done.
     Result<bool> takeFirstSteps(std::uint64_t steps, double budgetMs, const std::function<bool()>& goesOn);
-    void forget();  // what the device is known to take stays
+    void forget();  // but for the pace of the device
 
-    // A slice of learning, when it exists: views that `tracer` traces with these settings, or training. It
-    // rests when it has learnt what it can.
+    // A slice of learning, when it exists: a view that `tracer` traces with these settings, or training.
+    // `all`: its views can teach it no more.
     enum class Learnt { something, trained, all };
     Result<Learnt> learnSome(trace::PathTracer& tracer, const trace::Settings& settings,
                              const std::function<bool()>& goesOn);

@@ -15,7 +15,7 @@
 namespace macula::hybrid {
 
 // Used by one thread at a time, the one that uses the device. The tracer and the model are the same until
-// it is made anew, and nobody else sets views meanwhile.
+// it is made anew, and nobody else sets views of that tracer meanwhile.
 class WantedView {
   public:
     // Of a model that goes on after so many steps with views that it was given, or asked for in vain.
@@ -34,7 +34,7 @@ class WantedView {
     bool isTraced() const { return isTraced_; }
     Result<void> take(PeripheralModel& model, trace::PathTracer& tracer);  // when it is traced
 
-    // What these took.
+    // How long these took.
     void tookToTrain(double ms) { trainedMs_ += ms; }
     void tookToTrace(double ms) { lastViewMs_ += ms; }
 

@@ -14,7 +14,7 @@ class AskedViews {
   public:
     explicit AskedViews(const glm::ivec2& sizePx) : sizePx_(sizePx) {}
 
-    // Forgets the first of many.
+    // Keeps the last few.
     void add(const Camera& camera);
     // A picture has come from there: forgets those of the same pose.
     void came(const splat::RasterView& from, const glm::dvec3& originMm, double radiusMm,
