@@ -107,6 +107,15 @@ Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rule
     return partition;
 }
 
+Partition within(const Part& coarse, const Partition& finer) {
+    Partition result = finer;
+    for (Part& part : result) {
+        part.values.insert(part.values.begin(), coarse.values.begin(), coarse.values.end());
+        for (std::size_t& index : part.frames) index = coarse.frames[index];
+    }
+    return result;
+}
+
 std::size_t alternations(std::span<const Frame> frames, const Partition& partition) {
     const auto positions = positionsOf(frames).groups;
     std::vector<std::size_t> partOf(frames.size(), 0);

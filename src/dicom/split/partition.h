@@ -23,6 +23,9 @@ using Partition = std::vector<Part>;
 Partition partitionByValue(std::span<const Frame> frames, const SplitRules& rules,
                            const std::vector<std::size_t>& attributes);
 
+// The parts of `finer`, which divide the frames of `coarse`, as parts of the whole.
+Partition within(const Part& coarse, const Partition& finer);
+
 // The number of positions along the normal whose part is not that of the position before.
 std::size_t alternations(std::span<const Frame> frames, const Partition& partition);
 

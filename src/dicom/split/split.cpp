@@ -8,6 +8,7 @@
 #include "dicom/split/hard_split.h"
 #include "dicom/split/partition.h"
 #include "dicom/split/splitter.h"
+#include "dicom/split/stack_maker.h"
 #include "dicom/stack/odd_images.h"
 
 namespace macula::dicom {

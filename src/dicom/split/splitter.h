@@ -8,19 +8,22 @@
 #include "base/progress.h"
 #include "dicom/split/partition.h"
 #include "dicom/split/phases.h"
+#include "dicom/split/run_splitter.h"
+#include "dicom/split/split_budget.h"
+#include "dicom/split/stack_maker.h"
 #include "dicom/split/trial.h"
 #include "dicom/stack/stack.h"
 
 namespace macula::dicom {
-
-Stack makeStack(std::vector<Frame> frames, std::vector<StackLabel> labels, const std::string& modality);
 
 // Tries one way after another, from explicit attributes to assumptions, in the order of split.h.
 class Splitter {
   public:
     // Keeps the references.
     Splitter(const std::string& modality, const SplitRules& rules, const CancelToken& cancel)
-        : modality_(modality), rules_(rules), cancel_(cancel) {}
+        : maker_(modality, rules), rules_(rules), budget_(cancel), runs_(maker_, rules_, budget_) {}
+    Splitter(const Splitter&) = delete;
+    Splitter& operator=(const Splitter&) = delete;
 
     // Every frame is in exactly one stack. Messages are about the series.
     std::vector<Stack> split(std::vector<Frame> frames, std::vector<StackLabel> labels,
@@ -39,7 +42,6 @@ class Splitter {
     Stacks ofRepeats(const Stack& whole, Messages& messages) const;
 
     Stacks bySoftAttributes(const Stack& whole, Grade least, Messages& messages) const;
-    Stacks byRuns(const Stack& whole, Grade least, Messages& messages) const;
     Stacks byWays(const Stack& whole, Messages& messages) const;
     Stacks byLattices(const Stack& whole, Messages& messages) const;
     Stacks byPhases(const Stack& whole, PhasesAsked asked, Messages& messages) const;
@@ -47,27 +49,16 @@ class Splitter {
     Stacks byRepetition(const Stack& whole, Messages& messages) const;
     Stacks atGaps(const Stack& whole, Messages& messages) const;
 
-    Partition runsOf(const Stack& whole, std::size_t attribute, Grade least) const;
-    Partition runsWithin(const Stack& whole, const Part& run, std::size_t attribute) const;
-    std::vector<Stack> asAcquisitions(const Stack& whole, Partition runs, std::size_t attribute,
-                                      Messages& messages) const;
     Stacks asPhases(const Stack& whole, const SplitRules::Phase& rule, Phases phases,
                     Messages& messages) const;
     Phases phasesOf(const std::vector<Frame>& frames, const SplitRules::Phase& rule) const;
     std::vector<std::vector<std::size_t>> softCandidates(const Stack& whole) const;
     bool separatesNothing(const Stack& whole, const Partition& partition) const;
-    std::vector<Stack> stacksOf(const Stack& whole, const Partition& partition,
-                                const std::vector<std::string>& names) const;
-    void addUnclear(const Stack& whole, std::vector<std::size_t> frames, std::vector<Stack>& stacks,
-                    Messages& messages) const;
-    std::vector<std::string> namesOf(const std::vector<std::size_t>& attributes) const;
-    void tellPhases(Messages& messages, const SplitRules::Phase& rule, std::size_t count) const;
-    bool spend(std::size_t frames) const;
 
-    const std::string& modality_;
+    const StackMaker maker_;
     const SplitRules& rules_;
-    const CancelToken& cancel_;
-    mutable std::size_t tried_ = 0;
+    mutable SplitBudget budget_;
+    const RunSplitter runs_;
 };
 
 }  // namespace macula::dicom

@@ -5,21 +5,21 @@
 
 #include <atomic>
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/result.h"
+#include "pipeline/gpu/command_pool.h"
 #include "pipeline/gpu/device_info.h"
+#include "pipeline/gpu/device_opening.h"
+#include "pipeline/gpu/device_options.h"
+#include "pipeline/gpu/dropped_objects.h"
 #include "pipeline/gpu/handle.h"
 #include "pipeline/gpu/instance.h"
+#include "pipeline/gpu/ticket.h"
 
 namespace macula::gpu {
 
@@ -27,52 +27,7 @@ struct CompiledKernel;
 class PipelineCache;
 class StagingPool;
 
-// The place of a submission on the device's timeline: 1, 2, 3, ... 0 is done from the start.
-using Ticket = std::uint64_t;
-
 inline constexpr std::uint64_t kForever = UINT64_MAX;
-
-// The lock of a queue that others use too. As std::mutex: held by one thread at a time, for moments; throws
-// nothing.
-class QueueGuard {
-  public:
-    QueueGuard() = default;
-    QueueGuard(const QueueGuard&) = delete;
-    QueueGuard& operator=(const QueueGuard&) = delete;
-    virtual ~QueueGuard() = default;
-
-    virtual void lock() = 0;
-    virtual void unlock() = 0;
-};
-
-// A device that a host has made of DeviceOptions::physical and destroys after all that is made from it: with
-// VK_KHR_push_descriptor, timeline semaphores, scalar block layout, synchronization2 and maintenance4.
-struct LentDevice {
-    VkDevice handle = VK_NULL_HANDLE;
-    VkQueue queue = VK_NULL_HANDLE;  // with compute
-    std::uint32_t queueFamily = 0;
-    // Held while the queue is used; null: the host does not use it meanwhile.
-    std::shared_ptr<QueueGuard> guard = nullptr;
-};
-
-struct DeviceOptions {
-    std::string preferred;                // see chooseDevice; when empty, the environment MACULA_DEVICE
-    std::vector<const char*> extensions;  // on top of ours: VK_KHR_SWAPCHAIN_EXTENSION_NAME for a window
-    // OpenXR dictates the device (xrGetVulkanGraphicsDevice2KHR) and creates it itself
-    // (xrCreateVulkanDeviceKHR).
-    VkPhysicalDevice physical = VK_NULL_HANDLE;
-    std::function<VkResult(VkPhysicalDevice, const VkDeviceCreateInfo&, VkDevice*)> createDevice;
-    std::optional<LentDevice> lent;  // nothing is created
-    // Where the driver's compiled kernels are kept for the next start (pipeline_cache.h); made when missing.
-    // Empty: no file is read or written. Never of a lent device.
-    std::filesystem::path kernelsFolder;
-    // Where the device is the processor, this thread and those of the driver let a window's go first
-    // (give_way.h), for good. On a card a thread that submits frames must not be late.
-    bool givesWay = false;
-    // Takes device memory for unmapped, as on a graphics card, to test staging copies without one.
-    bool separateMemory = false;
-    bool isAnnounced = true;  // log::announce
-};
 
 // A VkDevice with one queue for everything (compute, transfer, graphics where there is any).
 //
@@ -99,9 +54,9 @@ class Device : public std::enable_shared_from_this<Device> {
     bool hasUnifiedMemory() const { return unifiedMemory_; }
     VkInstance instance() const;
     VkPhysicalDevice physical() const { return info_.physical; }
-    VkDevice handle() const { return device_; }
-    VkQueue queue() const { return queue_; }
-    std::uint32_t queueFamily() const { return queueFamily_; }
+    VkDevice handle() const { return opened_.handle; }
+    VkQueue queue() const { return opened_.queue; }
+    std::uint32_t queueFamily() const { return opened_.queueFamily; }
 
     // Free device-local memory now, by VK_EXT_memory_budget; the size of the heap where the driver does not
     // tell.
@@ -131,7 +86,7 @@ class Device : public std::enable_shared_from_this<Device> {
 
     // Destroys what was dropped and is no longer in use. Submitting and waiting do it as well.
     void destroyUnused();
-    std::size_t pendingDestructions() const;
+    std::size_t pendingDestructions() const { return dropped_.count(); }
 
     // Names an object for validation messages and debuggers; nothing where debug utils are missing.
     void setName(VkObjectType type, std::uint64_t object, std::string_view name) const;
@@ -152,40 +107,22 @@ class Device : public std::enable_shared_from_this<Device> {
         PFN_vkCmdBeginDebugUtilsLabelEXT cmdBeginLabel = nullptr;
         PFN_vkCmdEndDebugUtilsLabelEXT cmdEndLabel = nullptr;
     };
-    struct Commands {  // what one recording needs; recycled
-        VkCommandPool pool = VK_NULL_HANDLE;
-        VkCommandBuffer buffer = VK_NULL_HANDLE;
-        VkQueryPool queries = VK_NULL_HANDLE;
-        Ticket busyUntil = 0;
-    };
-    struct Dropped {
-        DestroyFunction destroy = nullptr;
-        std::uint64_t object = 0;
-        Ticket after = 0;
-    };
-    static constexpr Ticket kNotYetKnown = UINT64_MAX;  // dropped while a recorder is open
-
     Device();
     Result<void> initialise(const Instance& instance, const DeviceOptions& options);
-    Result<void> open(const DeviceOptions& options, const std::string& doing);
-    Result<void> borrow(const LentDevice& lent, VkPhysicalDevice physical);
-    Result<Commands> takeCommands();
-    Result<Commands> makeCommands();
-    void giveCommandsBack(const Commands& commands);
+    Result<void> loadFunctions(bool hasDebugUtils);
+    // What one recording needs, until recorderClosed() and giveCommandsBack().
+    Result<CommandPool::Commands> takeCommands();
+    void giveCommandsBack(const CommandPool::Commands& commands) { commands_.give(commands); }
     void loseIt() const;
     void waitUntilIdle() const;
-    void recorderClosed();
+    void recorderClosed() { dropped_.recorderClosed(submitted_); }
     Result<Ticket> submit(VkCommandBuffer commands, VkSemaphore wait, VkSemaphore signal);
 
     std::shared_ptr<void> instanceState_;
     VkInstance instance_ = VK_NULL_HANDLE;
     DeviceInfo info_;
     bool unifiedMemory_ = false;
-    VkDevice device_ = VK_NULL_HANDLE;
-    VkQueue queue_ = VK_NULL_HANDLE;
-    std::uint32_t queueFamily_ = 0;
-    bool isLent_ = false;
-    std::shared_ptr<QueueGuard> queueGuard_;  // of the host that lends the queue
+    OpenedDevice opened_;
     double timestampPeriodNs_ = 1.0;
     std::uint32_t timestampBits_ = 0;  // 0: the queue has no timestamps
     std::uint32_t maxGroups_[3] = {0, 0, 0};
@@ -196,14 +133,11 @@ class Device : public std::enable_shared_from_this<Device> {
     std::map<std::pair<const std::uint32_t*, std::string>, std::shared_ptr<const CompiledKernel>> kernels_;
     std::unique_ptr<PipelineCache> pipelineCache_;  // null: none is kept on disk
     std::unique_ptr<StagingPool> staging_;
-    std::vector<Commands> freeCommands_;
+    CommandPool commands_;
     std::atomic<Ticket> submitted_{0};
     std::uint64_t bytesRead_ = 0;
     mutable std::atomic<bool> lost_{false};  // mutable: a const query may discover the loss
-
-    mutable std::mutex droppedMutex_;  // guards the two below: resources are dropped on any thread
-    std::vector<Dropped> dropped_;
-    std::size_t openRecorders_ = 0;
+    DroppedObjects dropped_;
 };
 
 }  // namespace macula::gpu

@@ -1,8 +1,6 @@
 #include "pipeline/gpu/recorder.h"
 
-#include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "pipeline/gpu/vulkan_error.h"
@@ -25,135 +23,12 @@ void memoryBarrier(VkCommandBuffer commands, VkPipelineStageFlags2 toStages, VkA
     vkCmdPipelineBarrier2(commands, &dependency);
 }
 
-VkImageMemoryBarrier2 imageBarrier(VkImage image, std::uint32_t layer, VkImageLayout from, VkImageLayout to,
-                                   VkAccessFlags2 access) {
-    VkImageMemoryBarrier2 barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2};
-    barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    barrier.dstAccessMask = access;
-    barrier.oldLayout = from;
-    barrier.newLayout = to;
-    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image;
-    barrier.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
-    return barrier;
-}
-
-void record(VkCommandBuffer commands, const VkImageMemoryBarrier2& barrier) {
-    VkDependencyInfo dependency{VK_STRUCTURE_TYPE_DEPENDENCY_INFO};
-    dependency.imageMemoryBarrierCount = 1;
-    dependency.pImageMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(commands, &dependency);
-}
-
-void moveLayout(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to,
-                VkAccessFlags2 access, std::uint32_t layer = 0) {
-    record(commands, imageBarrier(image, layer, from, to, access));
-}
-
-// To another device, which acquires it with that layout before and after. It was not acquired from there:
-// what it held is lost.
-void release(VkCommandBuffer commands, const LentLayer& layer, std::uint32_t queueFamily) {
-    VkImageMemoryBarrier2 barrier =
-        imageBarrier(layer.image, layer.layer, layer.layout, layer.layout, VK_ACCESS_2_NONE);
-    barrier.srcQueueFamilyIndex = queueFamily;
-    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_EXTERNAL;
-    record(commands, barrier);
-}
-
-// The blit of a part of the source to a place in the target; nothing where they do not meet.
-std::optional<VkImageBlit> placed(const VkRect2D& part, VkOffset2D place, VkExtent2D target) {
-    // Of the part, along one side.
-    struct Span {
-        std::int32_t begin;
-        std::int32_t end;
-    };
-    const auto within = [](std::int32_t at, std::uint32_t length, std::uint32_t most) {
-        const std::int64_t begin = std::max<std::int64_t>(-std::int64_t{at}, 0);
-        const std::int64_t end = std::min<std::int64_t>(length, std::int64_t{most} - at);
-        return begin < end ? Span{std::int32_t(begin), std::int32_t(end)} : Span{0, 0};
-    };
-    const Span x = within(place.x, part.extent.width, target.width);
-    const Span y = within(place.y, part.extent.height, target.height);
-    if (x.begin == x.end || y.begin == y.end) return std::nullopt;
-    const auto region = [&](VkOffset2D from, std::int32_t atX, std::int32_t atY, std::int32_t z) {
-        return VkOffset3D{from.x + atX, from.y + atY, z};
-    };
-    return VkImageBlit{kWholeLayer,
-                       {region(part.offset, x.begin, y.begin, 0), region(part.offset, x.end, y.end, 1)},
-                       kWholeLayer,
-                       {region(place, x.begin, y.begin, 0), region(place, x.end, y.end, 1)}};
-}
-
-std::vector<VkImageBlit> partsOf(const BlitOverlay& overlay, VkExtent2D target) {
-    std::vector<VkImageBlit> parts;
-    MACULA_CHECK(overlay.places.empty() || overlay.places.size() == overlay.parts.size());
-    for (std::size_t i = 0; i < overlay.parts.size(); ++i) {
-        const VkRect2D& part = overlay.parts[i];
-        MACULA_CHECK(overlay.image != nullptr && part.offset.x >= 0 && part.offset.y >= 0);
-        MACULA_CHECK_LE(std::uint64_t(part.offset.x) + part.extent.width, overlay.image->extent().width);
-        MACULA_CHECK_LE(std::uint64_t(part.offset.y) + part.extent.height, overlay.image->extent().height);
-        const VkOffset2D place = overlay.places.empty() ? part.offset : overlay.places[i];
-        if (const auto region = placed(part, place, target)) parts.push_back(*region);
-    }
-    return parts;
-}
-
 void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes) {
     MACULA_CHECK_LE(offset, buffer.bytes());
     MACULA_CHECK_LE(bytes, buffer.bytes() - offset);
 }
 
 }  // namespace
-
-Binding::Binding(const Buffer& buffer)
-    : kind_(Kind::buffer),
-      label_(&buffer.label()),
-      buffer_{buffer.handle(), 0, VK_WHOLE_SIZE},
-      usage_(buffer.usage()) {}
-
-Binding::Binding(const TexelBuffer& texels) : Binding(texels, 0) {}
-
-Binding::Binding(const TexelBuffer& texels, std::size_t view)
-    : kind_(Kind::texelBuffer),
-      label_(&texels.buffer().label()),
-      view_(texels.view(view)),
-      usage_(texels.buffer().usage()) {}
-
-Binding::Binding(const Image& image)
-    : kind_(Kind::image),
-      label_(&image.label()),
-      image_{VK_NULL_HANDLE, image.view(), VK_IMAGE_LAYOUT_GENERAL},
-      usage_(image.usage()) {}
-
-Binding::Binding(const Image& image, const Sampler& sampler)
-    : kind_(Kind::sampledImage),
-      label_(&image.label()),
-      image_{sampler.handle(), image.view(), VK_IMAGE_LAYOUT_GENERAL},
-      usage_(image.usage()) {}
-
-bool Binding::fits(VkDescriptorType type) const {
-    switch (type) {
-        case VK_DESCRIPTOR_TYPE_STORAGE_BUFFER:
-            return kind_ == Kind::buffer && (usage_ & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
-        case VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER:
-            return kind_ == Kind::buffer && (usage_ & VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
-        case VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER:
-            return kind_ == Kind::texelBuffer && (usage_ & VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT);
-        case VK_DESCRIPTOR_TYPE_STORAGE_TEXEL_BUFFER:
-            return kind_ == Kind::texelBuffer && (usage_ & VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT);
-        case VK_DESCRIPTOR_TYPE_STORAGE_IMAGE:
-            return kind_ == Kind::image && (usage_ & VK_IMAGE_USAGE_STORAGE_BIT);
-        case VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE:
-            return kind_ == Kind::image && (usage_ & VK_IMAGE_USAGE_SAMPLED_BIT);
-        case VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER:
-            return kind_ == Kind::sampledImage && (usage_ & VK_IMAGE_USAGE_SAMPLED_BIT);
-        default:
-            return false;
-    }
-}
 
 Recorder::Scope::Scope(Scope&& other) noexcept
     : recorder_(std::exchange(other.recorder_, nullptr)), timer_(other.timer_) {}
@@ -319,22 +194,8 @@ void Recorder::update(const Buffer& buffer, std::span<const std::byte> bytes, Or
 }
 
 void Recorder::copy(const Image& from, const VkRect2D& part, const LentLayer& to) {
-    MACULA_CHECK(from.shape() == ImageShape::flat && part.offset.x >= 0 && part.offset.y >= 0);
-    MACULA_CHECK_LE(std::uint64_t(part.offset.x) + part.extent.width, from.extent().width);
-    MACULA_CHECK_LE(std::uint64_t(part.offset.y) + part.extent.height, from.extent().height);
     begin(Order::afterPrevious);
-    moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-               VK_ACCESS_2_TRANSFER_WRITE_BIT, to.layer);
-    const VkImageCopy region{kWholeLayer,
-                             {part.offset.x, part.offset.y, 0},
-                             {VK_IMAGE_ASPECT_COLOR_BIT, 0, to.layer, 1},
-                             {0, 0, 0},
-                             {part.extent.width, part.extent.height, 1}};
-    vkCmdCopyImage(commands_.buffer, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,
-                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
-    moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, to.layout,
-               VK_ACCESS_2_MEMORY_READ_BIT, to.layer);
-    if (to.isExternal) release(commands_.buffer, to, device_->queueFamily());
+    recordCopy(commands_.buffer, from, part, to, device_->queueFamily());
 }
 
 void Recorder::fill(const Buffer& buffer, std::uint32_t value, Order order) {
@@ -350,30 +211,8 @@ void Recorder::clear(const Image& image, const VkClearColorValue& value, Order o
 
 void Recorder::blit(const Image& from, const BlitTarget& to, VkFilter filter,
                     std::span<const BlitOverlay> overlays) {
-    MACULA_CHECK(from.shape() == ImageShape::flat);
     begin(Order::afterPrevious);
-    moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-               VK_ACCESS_2_TRANSFER_WRITE_BIT);
-    VkImageBlit region{};
-    region.srcSubresource = kWholeLayer;
-    region.srcOffsets[1] = {static_cast<std::int32_t>(from.extent().width),
-                            static_cast<std::int32_t>(from.extent().height), 1};
-    region.dstSubresource = kWholeLayer;
-    region.dstOffsets[1] = {static_cast<std::int32_t>(to.extent.width),
-                            static_cast<std::int32_t>(to.extent.height), 1};
-    vkCmdBlitImage(commands_.buffer, from.handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,
-                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region, filter);
-    for (const BlitOverlay& overlay : overlays) {
-        const std::vector<VkImageBlit> parts = partsOf(overlay, to.extent);
-        if (parts.empty()) continue;
-        moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                   VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_ACCESS_2_TRANSFER_WRITE_BIT);
-        vkCmdBlitImage(commands_.buffer, overlay.image->handle(), VK_IMAGE_LAYOUT_GENERAL, to.image,
-                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, static_cast<std::uint32_t>(parts.size()),
-                       parts.data(), VK_FILTER_NEAREST);
-    }
-    moveLayout(commands_.buffer, to.image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-               VK_IMAGE_LAYOUT_PRESENT_SRC_KHR, 0);
+    recordBlit(commands_.buffer, from, to, filter, overlays);
 }
 
 Recorder::Scope Recorder::label(std::string_view name) {

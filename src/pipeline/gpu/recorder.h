@@ -24,7 +24,9 @@
 #include <vector>
 
 #include "base/result.h"
+#include "pipeline/gpu/binding.h"
 #include "pipeline/gpu/device.h"
+#include "pipeline/gpu/foreign_images.h"
 #include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/resources.h"
 
@@ -36,29 +38,6 @@ struct Threads {
     std::uint32_t x = 1;
     std::uint32_t y = 1;
     std::uint32_t z = 1;
-};
-
-// A resource for one binding. Which kind of descriptor it becomes is for the shader to say.
-class Binding {
-  public:
-    Binding(const Buffer& buffer);                         // buffer (std430, scalar) or uniform block
-    Binding(const TexelBuffer& texels);                    // samplerBuffer or imageBuffer
-    Binding(const TexelBuffer& texels, std::size_t view);  // likewise, one of its views
-    Binding(const Image& image);                           // image2D, image3D, texture2D
-    Binding(const Image& image, const Sampler& sampler);   // sampler2D, sampler3D
-
-  private:
-    friend class Recorder;
-
-    enum class Kind { buffer, texelBuffer, image, sampledImage };
-    bool fits(VkDescriptorType type) const;
-
-    Kind kind_;
-    const std::string* label_;
-    VkDescriptorBufferInfo buffer_{};
-    VkDescriptorImageInfo image_{};
-    VkBufferView view_ = VK_NULL_HANDLE;
-    VkFlags usage_ = 0;
 };
 
 // Whether a command waits for those before it. `concurrent` saves a barrier where the commands touch
@@ -74,27 +53,6 @@ struct SubmitOptions {
 struct Timing {
     std::string name;
     double milliseconds = 0.0;
-};
-
-// Parts of an image that are laid over a blitted one; what lies outside of the target is left out.
-struct BlitOverlay {
-    const Image* image = nullptr;  // null: nothing
-    std::span<const VkRect2D> parts;
-    std::span<const VkOffset2D> places = {};  // of each in the target; empty: where it is in its own image
-};
-
-struct BlitTarget {  // Swapchain::Frame::target()
-    VkImage image = VK_NULL_HANDLE;
-    VkExtent2D extent{};
-};
-
-// A layer of an image that others own, and the layout in which they want it back: xr/swapchains.h,
-// shared_image.h.
-struct LentLayer {
-    VkImage image = VK_NULL_HANDLE;
-    std::uint32_t layer = 0;
-    VkImageLayout layout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    bool isExternal = false;  // they own it on another device: it is released to VK_QUEUE_FAMILY_EXTERNAL
 };
 
 // Equivalent of a VkCommandBuffer in recording state. Movable, not copyable; one thread. While any recorder
@@ -196,7 +154,7 @@ class Recorder {
     [[nodiscard]] Scope label(std::string_view name);  // for debuggers
     [[nodiscard]] Scope timed(std::string_view name);  // a label that is timed; at most kMaxTimers
 
-    static constexpr int kMaxTimers = 64;
+    static constexpr int kMaxTimers = CommandPool::kQueries / 2;
     static constexpr std::size_t kMaxUpdateBytes = 65536;  // Vulkan's own limit
 
     // The command buffer, for what this class does not offer. Put barrier() before and after.
@@ -225,7 +183,7 @@ class Recorder {
     static constexpr int kNoTimer = -1;
 
     std::shared_ptr<Device> device_;
-    Device::Commands commands_;
+    CommandPool::Commands commands_;
     State state_ = State::movedFrom;
     std::string label_;
     std::vector<std::string> timers_;

@@ -1,14 +1,12 @@
 #include "pipeline/trace/device_scene.h"
 
 #include <algorithm>
-#include <bit>
-#include <cstring>
 #include <limits>
 #include <span>
 
 #include "pipeline/gpu/recorder.h"
-#include "pipeline/gpu/transfer.h"
 #include "pipeline/trace/scene.h"
+#include "pipeline/trace/scene_texels.h"
 #include "pipeline/volume/clip_bricks.h"
 #include "pipeline/volume/visible_box.h"
 #include "pipeline/volume/visible_hull.h"
@@ -17,15 +15,6 @@
 namespace macula::trace {
 
 namespace {
-
-template <class T>
-Result<gpu::TexelBuffer> makeTexels(const std::shared_ptr<gpu::Device>& device, const char* label,
-                                    VkFormat format, std::span<const T> values) {
-    MACULA_TRY(auto texels, gpu::TexelBuffer::create(
-                                device, {.label = label, .elements = values.size(), .format = format}));
-    MACULA_TRY_VOID(gpu::uploadTo(texels.buffer(), values));
-    return texels;
-}
 
 // What a look needs of the scene beside its transfer function.
 std::optional<Projection> projectionOf(Look look) {
@@ -63,8 +52,7 @@ Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
     volume_.reset();
     additions_ = {};
     second_.reset();
-    additionTable_.reset();
-    tints_.reset();
+    additionTables_.forget();
     grid_ = makeBrickGrid(*volume);
     MACULA_TRY(voxels_, DeviceVolume::create(device_, volume, grid_, limits_));
     volume_ = std::move(volume);
@@ -101,9 +89,10 @@ Result<void> DeviceScene::makeMask() {
         maskBits_ = maskBits(*clip_.mask, *volume_);
     }
     const std::uint32_t none = 0;
-    MACULA_TRY(mask_, makeTexels<std::uint32_t>(device_, "mask", VK_FORMAT_R32_UINT,
-                                                maskBits_ ? std::span<const std::uint32_t>(maskBits_->words)
-                                                          : std::span(&none, 1)));
+    MACULA_TRY(mask_,
+               uploadedTexels<std::uint32_t>(
+                   device_, "mask", VK_FORMAT_R32_UINT,
+                   maskBits_ ? std::span<const std::uint32_t>(maskBits_->words) : std::span(&none, 1)));
     return {};
 }
 
@@ -111,14 +100,11 @@ Result<void> DeviceScene::setAdditions(const Additions& additions) {
     if (volume_) MACULA_TRY_VOID(validate(additions, *volume_, additions_));
     ++edition_;
     const bool sameMatter = isComplete() && isSameMatter(additions, additions_);
-    const bool sameTints =
-        additions.tints && additions_.tints && additions.tints->box == additions_.tints->box;
+    additionTables_.forgetFor(additions, additions_);
     additions_ = additions;
-    if (!sameTints) tints_.reset();
-    additionTable_.reset();
-    if (second_ && (!additions.second || additions.second->volume != second_->volume)) second_.reset();
+    if (second_ && (!additions.second || additions.second->volume != second_->volume())) second_.reset();
     if (!volume_ || !function_) return {};
-    return sameMatter ? makeAdditionTables() : makeTables();
+    return sameMatter ? additionTables_.make(device_, additions_) : makeTables();
 }
 
 // Projections show the values of the volume alone.
@@ -128,63 +114,16 @@ const Additions& DeviceScene::shownAdditions() const {
 }
 
 std::span<const float> DeviceScene::secondBounds() const {
-    return hasSecond() && second_ ? std::span<const float>(second_->bounds) : std::span<const float>();
+    return hasSecond() && second_ ? second_->bounds() : std::span<const float>();
 }
 
-// Brings the second volume to the device, as far as its curve shows it, and finds what it adds to each brick.
-// Its gradients are there too: the filter and the shading take them where it is what is seen.
 Result<void> DeviceScene::showSecond() {
     const Additions& shown = shownAdditions();
     if (!shown.second) return {};
     if (!second_) {
-        BrickGrid grid = makeBrickGrid(*shown.second->volume);
-        MemoryLimits limits = limits_;
-        limits.isSecond = true;
-        MACULA_TRY(DeviceVolume voxels, DeviceVolume::create(device_, shown.second->volume, grid, limits));
-        second_.emplace(Second{shown.second->volume, {std::move(grid), {}}, {}, {}, std::move(voxels)});
+        MACULA_TRY(second_, SecondOnDevice::create(device_, shown.second->volume, limits_));
     }
-    // Another curve of the volume itself changes nothing here.
-    if (second_->shownAs == shown.second) return {};
-    second_->shownAs.reset();
-    SecondMedium& made = second_->made;
-    made.medium = makeMedium(*second_->volume, made.grid, *shown.second->function);
-    std::vector<std::uint8_t> alsoShown;
-    addReachOfGradients(made.grid, made.medium.bounds, alsoShown);
-    MACULA_TRY_VOID(
-        second_->voxels.show(made.grid, made.medium.bounds, alsoShown, made.medium.extinctionPerMm));
-    if (second_->voxels.isCoarse()) coverCoarseBlocks(made.medium, made.grid, second_->voxels.levels());
-    second_->bounds = boundsInVolume(*shown.second, made, *volume_, grid_);
-    second_->shownAs = shown.second;
-    return {};
-}
-
-// Each is one element of nothing where there is nothing.
-Result<void> DeviceScene::makeAdditionTables() {
-    const std::uint32_t none = 0;
-    if (!noWords_) {
-        const std::uint16_t noEntry = 0;
-        const glm::uvec4 noBlock(0);
-        MACULA_TRY(noWords_,
-                   makeTexels<std::uint32_t>(device_, "no words", VK_FORMAT_R32_UINT, std::span(&none, 1)));
-        MACULA_TRY(noEntries_, makeTexels<std::uint16_t>(device_, "no entries", VK_FORMAT_R16_UINT,
-                                                         std::span(&noEntry, 1)));
-        MACULA_TRY(noBlocks_, makeTexels<glm::uvec4>(device_, "no blocks", VK_FORMAT_R32G32B32A32_UINT,
-                                                     std::span(&noBlock, 1)));
-    }
-    if (!additionTable_) {
-        std::vector<glm::vec4> table = additionTable(additions_);
-        if (table.empty()) table.emplace_back(0.0f);
-        MACULA_TRY(additionTable_,
-                   makeTexels<glm::vec4>(device_, "additions", VK_FORMAT_R32G32B32A32_SFLOAT, table));
-    }
-    if (!tints_ && additions_.tints) {
-        const std::vector<std::uint8_t>& voxels = additions_.tints->box->voxels;
-        static_assert(std::endian::native == std::endian::little);  // the first voxel is in the lowest bits
-        std::vector<std::uint32_t> words((voxels.size() + 3) / 4, 0);
-        std::memcpy(words.data(), voxels.data(), voxels.size());
-        MACULA_TRY(tints_, makeTexels<std::uint32_t>(device_, "segments", VK_FORMAT_R32_UINT, words));
-    }
-    return {};
+    return second_->show(*shown.second, *volume_, grid_);
 }
 
 Result<void> DeviceScene::showVoxels() {
@@ -204,7 +143,7 @@ Result<void> DeviceScene::makeTables() {
     albedo_.reset();
     bounds_.reset();
     MACULA_TRY_VOID(showSecond());
-    MACULA_TRY_VOID(makeAdditionTables());
+    MACULA_TRY_VOID(additionTables_.make(device_, additions_));
     medium_ = projection_
                   ? makeMedium(*volume_, grid_, *projection_, clip_, mask)
                   : makeMedium(*volume_, grid_, fitted(*function_, *volume_), clip_, mask, secondBounds());
@@ -218,9 +157,9 @@ Result<void> DeviceScene::makeTables() {
     hasSteepDensity_ = false;
     for (std::size_t entry = 0; entry < medium_.steep.size(); ++entry)
         hasSteepDensity_ = hasSteepDensity_ || medium_.steep[entry].w != medium_.extinctionPerMm[entry];
-    MACULA_TRY(extinction_, makeTexels<float>(device_, "extinction", VK_FORMAT_R32_SFLOAT, opacities));
-    MACULA_TRY(albedo_, makeTexels<glm::vec4>(device_, "albedo", VK_FORMAT_R32G32B32A32_SFLOAT, matter));
-    MACULA_TRY(bounds_, makeTexels<float>(device_, "bounds", VK_FORMAT_R32_SFLOAT, medium_.bounds));
+    MACULA_TRY(extinction_, uploadedTexels<float>(device_, "extinction", VK_FORMAT_R32_SFLOAT, opacities));
+    MACULA_TRY(albedo_, uploadedTexels<glm::vec4>(device_, "albedo", VK_FORMAT_R32G32B32A32_SFLOAT, matter));
+    MACULA_TRY(bounds_, uploadedTexels<float>(device_, "bounds", VK_FORMAT_R32_SFLOAT, medium_.bounds));
     return {};
 }
 
@@ -230,17 +169,17 @@ Result<void> DeviceScene::setEnvironment(const Environment& environment) {
     environmentTexels_.reset();
     cumulativeTexels_.reset();
     MACULA_TRY(environmentTexels_,
-               makeTexels<EnvironmentTexel>(device_, "environment", VK_FORMAT_R32G32B32A32_SFLOAT,
-                                            environment.texels()));
-    MACULA_TRY(cumulativeTexels_, makeTexels<float>(device_, "cumulative light", VK_FORMAT_R32_SFLOAT,
-                                                    environment.cumulative()));
+               uploadedTexels<EnvironmentTexel>(device_, "environment", VK_FORMAT_R32G32B32A32_SFLOAT,
+                                                environment.texels()));
+    MACULA_TRY(cumulativeTexels_, uploadedTexels<float>(device_, "cumulative light", VK_FORMAT_R32_SFLOAT,
+                                                        environment.cumulative()));
     environment_ = environment;
     return {};
 }
 
 bool DeviceScene::isComplete() const {
-    return voxels_ && voxels_->isShown() && mask_ && extinction_ && albedo_ && bounds_ && additionTable_ &&
-           noWords_ && (tints_ || !additions_.tints) && (second_ || !hasSecond()) && environmentTexels_ &&
+    return voxels_ && voxels_->isShown() && mask_ && extinction_ && albedo_ && bounds_ &&
+           additionTables_.areMade(additions_) && (second_ || !hasSecond()) && environmentTexels_ &&
            cumulativeTexels_;
 }
 
@@ -301,7 +240,7 @@ std::vector<glm::dvec3> DeviceScene::outlineMm() const {
 VoxelMemory DeviceScene::voxelMemory() const {
     VoxelMemory memory = voxels_ ? voxels_->memory() : VoxelMemory{};
     if (!second_) return memory;
-    const VoxelMemory second = second_->voxels.memory();
+    const VoxelMemory second = second_->voxels().memory();
     memory.shownBlocks += second.shownBlocks;
     memory.coarseBlocks += second.coarseBlocks;
     memory.poolBytes += second.poolBytes;
@@ -312,8 +251,8 @@ VoxelMemory DeviceScene::voxelMemory() const {
 std::vector<Message> DeviceScene::messages() const {
     std::vector<Message> messages;
     if (voxels_ && voxels_->message()) messages.push_back(*voxels_->message());
-    if (hasSecond() && second_ && second_->voxels.message()) {
-        Message message = *second_->voxels.message();
+    if (hasSecond() && second_ && second_->voxels().message()) {
+        Message message = *second_->voxels().message();
         message.sentence = "Of the second volume: " + message.sentence;
         messages.push_back(std::move(message));
     }
@@ -335,10 +274,10 @@ std::vector<gpu::Binding> DeviceScene::bindings() const {
             *cumulativeTexels_,
             voxels_->table(),
             *mask_,
-            second_ ? second_->voxels.pool() : *noEntries_,
-            second_ ? second_->voxels.table() : *noBlocks_,
-            *additionTable_,
-            tints_ ? *tints_ : *noWords_,
+            second_ ? second_->voxels().pool() : additionTables_.noEntries(),
+            second_ ? second_->voxels().table() : additionTables_.noBlocks(),
+            additionTables_.optics(),
+            additionTables_.segments(),
             poolView(1),
             poolView(2),
             poolView(3)};

@@ -12,9 +12,11 @@
 #include "base/volume.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/resources.h"
+#include "pipeline/trace/addition_tables.h"
 #include "pipeline/trace/device_volume.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/indirect_cache.h"
+#include "pipeline/trace/second_on_device.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/volume/additions.h"
 #include "pipeline/volume/medium.h"
@@ -53,7 +55,8 @@ class DeviceScene {
     // What kernels are specialised for.
     bool isClipped() const { return clip_.hasShape(); }
     bool holdsCoarseBlocks() const {
-        return (voxels_ && voxels_->holdsCoarseBlocks()) || (second_ && second_->voxels.holdsCoarseBlocks());
+        return (voxels_ && voxels_->holdsCoarseBlocks()) ||
+               (second_ && second_->voxels().holdsCoarseBlocks());
     }
     // Of the pool of voxels (kPoolViews in shaders/trace/host.glsl).
     int poolViews() const { return voxels_ && voxels_->isShown() ? int(voxels_->pool().viewCount()) : 1; }
@@ -115,9 +118,9 @@ class DeviceScene {
     Result<void> makeTables();
     Result<void> showVoxels();
     Result<void> showSecond();
-    Result<void> makeAdditionTables();
     const Additions& shownAdditions() const;
     std::span<const float> secondBounds() const;
+
     std::shared_ptr<gpu::Device> device_;
     MemoryLimits limits_;
     mutable IndirectCache indirect_;
@@ -131,18 +134,8 @@ class DeviceScene {
     std::optional<TransferFunction> function_;  // as it was given
     Clip clip_;
     Additions additions_;
-    struct Second {
-        std::shared_ptr<const Volume> volume;
-        SecondMedium made;
-        std::vector<float> bounds;                 // by brick of the volume
-        std::optional<DrawnSecondVolume> shownAs;  // what both are of; nothing: they are still to be made
-        DeviceVolume voxels;
-    };
-    std::optional<Second> second_;
-    std::optional<gpu::TexelBuffer> noWords_;  // where there is nothing, something is bound
-    std::optional<gpu::TexelBuffer> noEntries_;
-    std::optional<gpu::TexelBuffer> noBlocks_;
-    std::optional<gpu::TexelBuffer> additionTable_, tints_;
+    std::optional<SecondOnDevice> second_;
+    AdditionTables additionTables_;
     std::optional<DeviceVolume> voxels_;
     std::optional<gpu::TexelBuffer> extinction_, albedo_, bounds_, mask_;
     std::optional<MaskBits> maskBits_;  // of the clip, on the grid of the volume

@@ -27,6 +27,7 @@
 #include "pipeline/trace/sampling_plan.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/trace/surface_points.h"
+#include "pipeline/trace/traced_picture.h"
 #include "pipeline/trace/view_reading.h"
 #include "pipeline/trace/voxel_memory.h"
 #include "pipeline/volume/additions.h"
@@ -38,55 +39,6 @@
 namespace macula::trace {
 
 class DeviceScene;
-
-struct Statistics {
-    std::uint64_t samplesPerPixel = 0;  // the least that any pixel has: traceFor() gives some more
-    double meanSamplesPerPixel = 0.0;   // what they have on average
-    // Standard error of what is shown, display-encoded, 0 to 1, RMS over the parts of the picture that show
-    // something; as of the last pass of traceFor() or estimateError(). +infinity before.
-    double estimatedError = std::numeric_limits<double>::infinity();
-    bool converged = false;              // it is below Settings::errorThreshold, and nowhere far above
-    std::uint64_t nonFiniteSamples = 0;  // dropped from the picture, never hidden
-    std::uint64_t abandonedSamples = 0;  // likewise: paths too long for the device
-    // Collisions in matter that was denser than the bound that its brick was said to have: light passed where
-    // it should not. There are none; one is a fault of Macula.
-    std::uint64_t collisionsAboveBound = 0;
-    bool denoised = false;         // whether display() and readback() give a filtered picture
-    double deviceMs = 0.0;         // spent tracing since the last change
-    std::uint32_t dispatches = 0;  // of samples, since then
-    VoxelMemory voxels;
-    std::vector<Message> messages;  // what a person has to know about what is shown
-};
-
-// Row 0 on top. Linear, premultiplied; depth is the distance in mm from the camera to the point where
-// transmittance falls to one half, +infinity where it does not, and everywhere for
-// projections, which show no surface.
-struct TracedImage {
-    int width = 0;
-    int height = 0;
-    std::vector<glm::vec4> radiance;
-    std::vector<float> depthMm;
-    // The variance of the mean over the samples of this view, before any denoising: of its luminance (Rec.
-    // 709) and of its coverage; +infinity for fewer than two samples.
-    std::vector<glm::vec2> variance;
-    std::vector<std::uint32_t> samples;  // of each pixel, finite ones
-    bool denoised = false;               // then `radiance` is filtered, and may use what earlier views knew
-};
-
-// The picture so far, where it lies on the device: linear, premultiplied, row 0 on top.
-struct TracedLight {
-    const gpu::Buffer* values = nullptr;  // vec4 for each pixel: the mean, or the sum of its samples
-    const gpu::Buffer* counts = nullptr;  // uint for each pixel: samples
-    bool areMeans = false;                // then it is denoised, and counts do not count
-    // Of noisyLight() alone: float for each pixel, the mean square error of the luminance (Rec. 709) of the
-    // mean, as far as its samples tell; very large where there are none (shaders/lib/variance.glsl, of a
-    // filtered picture denoise_variance.glsl).
-    const gpu::Buffer* variances = nullptr;
-};
-
-// For previews of few samples that are not denoised: a binomial filter over the means of neighbouring pixels,
-// before the tone map. It trades sharpness for noise and is never part of readback().
-enum class Smoothing { none = 0, slight = 1, strong = 2 };  // radius in pixels
 
 // Used by one thread at a time, the one that uses the device. Setters upload; trace() accumulates. Whoever
 // cancels waits for one dispatch, at most some 40 ms once it is known how fast the device is, and for the
@@ -145,10 +97,7 @@ class PathTracer {
     // Begins to read what addPrimaries has told, which must have begun at a multiple of kPrimarySamples, and
     // what readColours gives, or one of them; the guides and the filter that this takes are submitted too.
     // Samples and views may follow at once. It waits only where device memory is host memory.
-    struct WantedReading {
-        bool primaries = false;
-        bool colours = false;
-    };
+    using WantedReading = trace::WantedReading;
     Result<void> beginReading(ViewReading& reading, const WantedReading& wanted);
 
     // Adds samples for about `budgetMs` (may be infinite), at least one dispatch, and stops within 20 ms of

@@ -2,9 +2,32 @@
 
 #include <algorithm>
 
+#include "base/check.h"
 #include "base/parallel.h"
+#include "pipeline/trace/sampled_picture.h"
 
 namespace macula::trace {
+
+Result<void> beginReading(SampledPicture& picture, ViewReading& reading, const WantedReading& wanted) {
+    MACULA_CHECK(wanted.primaries || wanted.colours);
+    MACULA_TRY_VOID(picture.prepare());
+    if (wanted.primaries) MACULA_CHECK(picture.primarySamples() > 0);
+    reading.width_ = picture.view().width;
+    reading.height_ = picture.view().height;
+    reading.primarySamples_ = wanted.primaries ? picture.primarySamples() : 0;
+    reading.areMeans_ = isDenoised(picture.settings());
+    reading.meanSamples_ = picture.accumulation().plan().meanSamples();
+    if (!wanted.colours) return reading.reading_.begin({&picture.accumulation().primaries()});
+    MACULA_TRY(const Guides* guides, picture.guides());
+    const gpu::Buffer* matters = &guides->matters().buffer();
+    const gpu::Buffer* counts = &picture.accumulation().film().counts();
+    const gpu::Buffer* light = &picture.accumulation().film().sums();
+    if (reading.areMeans_) {
+        MACULA_TRY(light, picture.denoised());
+    }
+    if (!wanted.primaries) return reading.reading_.begin({matters, counts, light});
+    return reading.reading_.begin({&picture.accumulation().primaries(), matters, counts, light});
+}
 
 std::span<const shared::PrimaryVertex> ViewReading::primaries() const {
     if (primarySamples_ == 0) return {};

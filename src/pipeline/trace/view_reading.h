@@ -12,6 +12,8 @@
 
 namespace macula::trace {
 
+class SampledPicture;
+
 // The radiance and samples of a TracedImage, and the guides' coverage along the centre rays. A quarter of the
 // bytes of a TracedImage and its guides, and the host has little to do with them.
 struct TracedColours {
@@ -21,6 +23,11 @@ struct TracedColours {
     std::vector<std::uint32_t> samples;
     std::vector<float> coverage;
     double meanSamples = 0.0;  // of `samples`
+};
+
+struct WantedReading {
+    bool primaries = false;
+    bool colours = false;
 };
 
 // Begun by PathTracer::beginReading, again and again; finished and dropped by the thread that uses the
@@ -35,7 +42,8 @@ class ViewReading {
     TracedColours colours() const;
 
   private:
-    friend class PathTracer;
+    friend Result<void> beginReading(SampledPicture& picture, ViewReading& reading,
+                                     const WantedReading& wanted);
 
     gpu::Reading reading_;  // of primaries, matters, counts and light, those that were wanted
     int width_ = 0;
@@ -44,5 +52,8 @@ class ViewReading {
     bool areMeans_ = false;             // of the light: it is denoised
     double meanSamples_ = 0.0;
 };
+
+// PathTracer::beginReading
+Result<void> beginReading(SampledPicture& picture, ViewReading& reading, const WantedReading& wanted);
 
 }  // namespace macula::trace

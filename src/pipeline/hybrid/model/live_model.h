@@ -6,7 +6,6 @@
 //     if (model.canBeDrawn()) picture = model.draw(camera, sizePx);
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <glm/glm.hpp>
@@ -15,39 +14,20 @@
 #include <string>
 
 #include "base/camera.h"
-#include "base/frames.h"
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
-#include "pipeline/hybrid/frame/brightness_gauge.h"
-#include "pipeline/hybrid/model/learning_pace.h"
+#include "pipeline/hybrid/model/live_model_options.h"
+#include "pipeline/hybrid/model/model_keeper.h"
 #include "pipeline/hybrid/model/model_news.h"
+#include "pipeline/hybrid/model/model_search.h"
 #include "pipeline/hybrid/model/model_shelf.h"
 #include "pipeline/hybrid/model/model_store.h"
 #include "pipeline/hybrid/model/peripheral_model.h"
+#include "pipeline/hybrid/model/taught_model.h"
 #include "pipeline/splat/draw/device_picture.h"
-#include "pipeline/splat/draw/model_painter.h"
 #include "pipeline/trace/path_tracer.h"
-#include "pipeline/trace/surface_points.h"
 
 namespace macula::hybrid {
-
-struct LiveModelOptions {
-    PeripheralOptions model;            // wanted.sizePx: of the pictures that it learns from
-    trace::SurfacePointOptions points;  // count: at most model.firstCapacity
-    std::uint32_t samplesPerPixel = 2;  // of these pictures
-    std::uint64_t roughSteps = 0;       // first steps of training, which take
-    int roughSidePx = 0;                // pictures of such sides
-    std::size_t views = 48;             // pictures in all
-    // Of training: at least so many, and so many more that training takes as long as tracing does.
-    std::uint64_t stepsBetweenViews = 8;
-    std::uint64_t mostStepsBetweenViews = 24;
-    std::uint64_t stepsBeforeShown = 40;               // of training, on the small pictures of the gauge
-    std::chrono::milliseconds mostWaitForStore{2000};  // then it begins without
-    std::chrono::milliseconds leastBetweenKeeping{20000};
-    std::optional<double> dispatchMs = {};  // of tracing its views; nothing: as PathTracer has it
-};
-// What is fast enough on the device to be taught beside a picture that converges.
-LiveModelOptions liveModelOptions(const gpu::Device& device);
 
 // Used by one thread at a time, the one that uses the device.
 class LiveModel {
@@ -72,7 +52,7 @@ class LiveModel {
     void save();
 
     bool canBeDrawn() const {
-        return stage_ == ModelStage::resuming || (model_ && stage_ != ModelStage::searching);
+        return stage_ == ModelStage::resuming || (taught_.exists() && stage_ != ModelStage::searching);
     }
     bool hasWork() const {
         return stage_ == ModelStage::searching || stage_ == ModelStage::resuming ||
@@ -99,8 +79,8 @@ class LiveModel {
     Result<const splat::DevicePicture*> draw(const Camera& camera, const glm::ivec2& sizePx,
                                              double nearMm = splat::RasterView{}.nearMm);
     // Of that picture: Rasterizer::depths.
-    const gpu::Buffer& drawnDepths() const { return painter_->depthsOnDevice(); }
-    double gain() const { return gain_; }
+    const gpu::Buffer& drawnDepths() const { return taught_.drawn().depths(); }
+    double gain() const { return taught_.drawn().gain(); }
 
     // The model that draw() draws; null when there is none.
     std::shared_ptr<const splat::Splats> shown() const;
@@ -112,80 +92,34 @@ class LiveModel {
     const std::string& key() const { return key_; }
 
   private:
-    LiveModel(std::shared_ptr<gpu::Device> device, trace::PathTracer tracer,
+    LiveModel(const std::shared_ptr<gpu::Device>& device, trace::PathTracer tracer,
               std::shared_ptr<ModelShelf> shelf, std::shared_ptr<ModelStore> store,
               const LiveModelOptions& options);
 
-    // What tells a model from itself some time before.
-    struct Kept {
-        std::uint64_t steps = 0;
-        std::uint64_t generation = 0;
-        double gain = 1.0;
-        bool operator==(const Kept&) const = default;
-    };
-
     void putAway();
-    void keepWhole();
-    void giveToStore(std::shared_ptr<const PeripheralState> state);
-    void put(PeripheralState state);
-    void keepSometimes();
     Result<void> askStore(const std::function<bool()>& goesOn);
     Result<void> takeFromStore(const StoredModel& stored);
     Result<void> drawStored(const StoredModel& stored);
     Result<void> goOnWith(const PeripheralState& state, ModelOrigin origin);
     void beginWithPoints(ModelOrigin origin);
-    Result<void> makeDrawable();
     void end(ModelStage stage);
     Result<void> tryShow();
     Result<void> searchSome(double budgetMs, const std::function<bool()>& goesOn);
     Result<void> takeFirstSteps(double budgetMs, const std::function<bool()>& goesOn);
-    Result<void> beginSearch();
     Result<void> learnSome(const std::function<bool()>& goesOn);
-    Result<void> askForView();
-    Result<void> traceWanted(const std::function<bool()>& goesOn);
-    Result<void> takeWanted();
-    Result<void> doPart(LearningPart part, const std::function<bool()>& goesOn);
-    std::optional<LearningPart> nextWithin(double leftMs) const;
     Result<void> withoutRoom(Result<void> done);
-    bool wantsView() const;
     bool isSharp() const;
-    bool isShownDrawn() const { return painter_ && model_->shown().splats == drawn_; }
 
-    std::shared_ptr<gpu::Device> device_;
-    trace::PathTracer tracer_;
-    std::shared_ptr<ModelShelf> shelf_;
-    std::shared_ptr<ModelStore> store_;
     LiveModelOptions options_;
+    trace::PathTracer tracer_;
+    ModelKeeper keeper_;
     std::string key_;  // empty: nothing is shown
     trace::Settings settings_;
     ModelStage stage_ = ModelStage::none;
     ModelOrigin origin_ = ModelOrigin::none;
-    std::optional<std::chrono::steady_clock::time_point> askingSince_;  // the store; it has not answered yet
-    std::uint64_t stepsOfStored_ = 0;                                   // of what is drawn while it resumes
-    std::optional<StoredModel> whole_;                // that is drawn, and gone on with next
-    std::shared_ptr<const splat::Splats> startWith_;  // instead of points, another model of the store
-    Kept kept_;                                       // what the store was given last
-    std::chrono::steady_clock::time_point keptAt_;
-    // Set by the search; a model from the shelf has the gauge only, which is made anew.
-    std::optional<Box> seenMm_;
-    std::optional<trace::SurfacePoints> points_;  // found, while the gauge is made
-    std::optional<BrightnessGauge> gauge_;
-    std::optional<PeripheralModel> model_;
-    struct LookedAt {
-        Camera camera;
-        std::uint32_t samples = 0;  // of each pixel
-    };
-    std::optional<LookedAt> lookedAt_;  // the last picture on screen that it has learnt from
-    std::optional<Camera> wanted_;      // the view that is traced for it now
-    bool isWantedTraced_ = false;       // and is to be taken
-    LearningPace pace_;
-    std::size_t views_ = 0;  // views that the model was given, or asked for in vain
-    std::uint64_t stepsAtLastView_ = 0;
-    double lastViewMs_ = 0.0;                     // that tracing took
-    double trainedMs_ = 0.0;                      // since that
-    std::shared_ptr<const splat::Splats> drawn_;  // what the painter has
-    std::optional<splat::ModelPainter> painter_;
-    double gain_ = 1.0;  // of the painter's model, see gain()
+    std::uint64_t stepsOfStored_ = 0;  // of what is drawn while it resumes
+    ModelSearch search_;
+    TaughtModel taught_;
 };
 
 }  // namespace macula::hybrid

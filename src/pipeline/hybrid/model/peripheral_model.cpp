@@ -9,6 +9,7 @@
 #include "pipeline/hybrid/model/refinement.h"
 #include "pipeline/hybrid/model/training_rounds.h"
 #include "pipeline/hybrid/views/held_out.h"
+#include "pipeline/hybrid/views/learnt_views.h"
 
 namespace macula::hybrid {
 
@@ -45,12 +46,8 @@ std::string_view describe(Pause pause) {
 // The number of steps that keeps the pixels of held-out pictures to at most judgingShare of all that are
 // drawn.
 std::uint64_t PeripheralModel::stepsBetweenJudging() const {
-    double heldOut = 0.0;
-    for (const HeldOut& h : heldOut_) heldOut += double(h.picture->pixels.size());
-    double learnt = 0.0;
-    for (std::size_t i = 0; i < trainer_.viewCount(); ++i) learnt += double(trainer_.view(i).pixels.size());
-    const double each = learnt / double(std::max<std::size_t>(trainer_.viewCount(), 1));
-    const double steps = std::ceil(heldOut / std::max(options_.judgingShare * each, 1.0));
+    const double each = meanPixelsOfViews(trainer_);
+    const double steps = std::ceil(heldOut_.pixels() / std::max(options_.judgingShare * each, 1.0));
     return std::max(kLeastSteps, static_cast<std::uint64_t>(std::min(steps, 1e6)));
 }
 
@@ -86,25 +83,23 @@ Result<void> PeripheralModel::learn(const std::function<bool()>& goesOn) {
     trainingSeconds_ += secondsSince(start);
     if (!trained) return trained.error();
     isJudging_ = trained->steps % every == 0;
-    judged_ = 0;
+    heldOut_.beginJudging();
     return {};
 }
 
 // Compares the next held-out picture, one for each call, so that no call takes long; the model stays as it is
 // until all are compared.
 Result<void> PeripheralModel::judgeNext() {
-    if (judged_ < heldOut_.size()) {
+    if (!heldOut_.isJudged()) {
         const TimelineStage stage("model: judging");
         const auto start = Clock::now();
-        HeldOut& h = heldOut_[judged_++];
-        MACULA_TRY(const double difference, trainer_.differenceTo(*h.picture));
-        h.errors.trained = difference / h.coverage;
+        MACULA_TRY_VOID(heldOut_.judgeNext(trainer_));
         judgingSeconds_ += secondsSince(start);
         trainingSeconds_ += secondsSince(start);
     }
-    if (judged_ < heldOut_.size()) return {};
+    if (!heldOut_.isJudged()) return {};
     isJudging_ = false;
-    if (!heldOut_.empty()) trend_.add(trainingSeconds_, meanErrors().trained);
+    if (!heldOut_.empty()) trend_.add(trainingSeconds_, heldOut_.meanErrors().trained);
     MACULA_TRY_VOID(showIfBetter());
     noteSharpness();
     return pauseOrSettle();
@@ -154,23 +149,11 @@ Result<bool> PeripheralModel::goOnWith(const splat::TrainerOptions& options, int
     return done.ok();
 }
 
-PeripheralModel::Errors PeripheralModel::meanErrors() const {
-    Errors mean;
-    for (const HeldOut& h : heldOut_) {
-        mean.trained += h.errors.trained / double(heldOut_.size());
-        mean.shown += h.errors.shown / double(heldOut_.size());
-        mean.best += h.errors.best / double(heldOut_.size());
-        mean.coarse += h.errors.coarse / double(heldOut_.size());
-    }
-    return mean;
-}
-
 // What is shown follows the model, as long as that does not get worse.
 Result<void> PeripheralModel::showIfBetter() {
-    const Errors mean = meanErrors();
-    const bool areTooFew = heldOut_.size() < kLeastHeldOut;
+    const HeldOutErrors mean = heldOut_.meanErrors();
     // With few views the model overfits to them, and gets worse from elsewhere.
-    if (areTooFew && trainer_.viewCount() < kFewViews) return {};
+    if (!heldOut_.canJudge() && trainer_.viewCount() < kFewViews) return {};
     // The comparison is with the best, not with the last that was shown: a little worse again and again would
     // add up.
     if (mean.trained > (1.0 + options_.shownMayBeWorse) * mean.best) return {};
@@ -179,10 +162,7 @@ Result<void> PeripheralModel::showIfBetter() {
     shown_ = std::make_shared<const splat::Splats>(std::move(now));
     ++generation_;
     if (isBest) best_ = shown_;
-    for (HeldOut& h : heldOut_) {
-        h.errors.shown = h.errors.trained;
-        if (isBest) h.errors.best = h.errors.trained;
-    }
+    heldOut_.judgedIsShown(isBest);
     return {};
 }
 
@@ -190,17 +170,17 @@ Result<void> PeripheralModel::showIfBetter() {
 // points is mottled, as if the patient were ill, until it has learnt from views of its own request; then more
 // are held out than of the first ones.
 void PeripheralModel::noteSharpness() {
-    const Errors mean = meanErrors();
+    const HeldOutErrors mean = heldOut_.meanErrors();
     const bool hasLearnt =
         isTaught_ || heldOut_.size() > kLeastHeldOut || trainer_.report().steps >= kManySteps;
-    if (heldOut_.size() >= kLeastHeldOut && hasLearnt && mean.shown <= mean.coarse) wasSharp_ = true;
+    if (heldOut_.canJudge() && hasLearnt && mean.shown <= mean.coarse) wasSharp_ = true;
 }
 
 Result<void> PeripheralModel::pauseOrSettle() {
     const splat::TrainerOptions& now = trainer_.lastGood().options;
     const std::uint64_t steps = trainer_.report().steps;
     const bool settled = isSettled(now, steps);
-    if (heldOut_.size() < kLeastHeldOut) {
+    if (!heldOut_.canJudge()) {
         if (settled) pause_ = Pause::notJudged;
         return {};
     }
@@ -225,10 +205,10 @@ PeripheralReport PeripheralModel::report() const {
                             .rounds = rounds_,
                             .noRoom = noRoom_};
     if (heldOut_.empty()) return report;
-    const Errors mean = meanErrors();
+    const HeldOutErrors mean = heldOut_.meanErrors();
     report.error = mean.trained;
     report.shownError = mean.shown;
-    if (heldOut_.size() >= kLeastHeldOut) report.isSharp = wasSharp_;
+    if (heldOut_.canJudge()) report.isSharp = wasSharp_;
     return report;
 }
 

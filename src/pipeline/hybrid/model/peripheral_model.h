@@ -20,8 +20,10 @@
 #include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/light/traced_view.h"
 #include "pipeline/hybrid/model/error_trend.h"
+#include "pipeline/hybrid/model/held_out_pictures.h"
 #include "pipeline/hybrid/model/model_start.h"
 #include "pipeline/hybrid/model/peripheral_state.h"
+#include "pipeline/hybrid/views/asked_views.h"
 #include "pipeline/hybrid/views/candidate_poses.h"
 #include "pipeline/hybrid/views/training_views.h"
 #include "pipeline/splat/train/trainer.h"
@@ -136,31 +138,14 @@ class PeripheralModel {
     PeripheralState lastGood() const;
 
   private:
-    // Mean absolute difference to a held-out picture, over its coverage.
-    struct Errors {
-        double trained = 0.0;  // of the model, when it was last judged
-        double shown = 0.0;
-        double best = 0.0;    // of the best that was shown
-        double coarse = 0.0;  // of the picture itself, as a coarse one would show it
-    };
-    struct HeldOut {
-        std::shared_ptr<const splat::TrainingView> picture;
-        double coverage = 0.0;
-        Errors errors;
-    };
-
     PeripheralModel(std::shared_ptr<gpu::Device> device, const PeripheralOptions& options,
                     splat::Trainer trainer, PeripheralState notes);
 
     static Result<splat::Trainer> beginTrainer(const std::shared_ptr<gpu::Device>& device,
                                                const ModelStart& start, const PeripheralOptions& options);
-    Errors meanErrors() const;  // zeros where nothing is held out
-    Result<void> judgeShown(std::span<HeldOut> heldOut) const;
     Result<void> takeHeldOut(std::span<const std::shared_ptr<const splat::TrainingView>> pictures);
     bool isFull() const;
     bool isKnown(const splat::RasterView& view) const;
-    std::optional<std::size_t> learntViewOf(const splat::RasterView& view) const;
-    double degreesBesideHeldOut(const splat::RasterView& view) const;
     std::vector<KnownPose> knownViews() const;
     std::uint64_t stepsBetweenJudging() const;
     Result<void> beginRoundIfDue();
@@ -177,14 +162,13 @@ class PeripheralModel {
     PeripheralOptions options_;
     splat::Trainer trainer_;
     PeripheralState notes_;  // but for `training`, `heldOut` and models that are shown
-    std::vector<HeldOut> heldOut_;
-    std::vector<Camera> asked_;  // views wanted that have not come yet
+    HeldOutPictures heldOut_;
+    AskedViews asked_;
     std::shared_ptr<const splat::Splats> shown_;
     std::shared_ptr<const splat::Splats> best_;  // of what was shown
     std::uint64_t generation_;
     ErrorTrend trend_;
     bool isJudging_ = false;
-    std::size_t judged_ = 0;  // pictures of heldOut_ in this round of judging
     Pause pause_ = Pause::noViews;
     std::uint64_t rounds_ = 1;
     bool noRoom_ = false;

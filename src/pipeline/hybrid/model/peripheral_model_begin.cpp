@@ -31,6 +31,7 @@ PeripheralModel::PeripheralModel(std::shared_ptr<gpu::Device> device, const Peri
       options_(options),
       trainer_(std::move(trainer)),
       notes_(std::move(notes)),
+      asked_(options_.wanted.sizePx),
       shown_(std::make_shared<const splat::Splats>(trainer_.lastGood().splats)),
       best_(shown_),
       generation_(notes_.generation + 1),
@@ -89,7 +90,7 @@ PeripheralState PeripheralModel::lastGood() const {
     PeripheralState state = notes_;
     state.generation = generation_;
     state.training = trainer_.lastGood();
-    for (const HeldOut& h : heldOut_) state.heldOut.push_back(h.picture);
+    for (const HeldOutPicture& h : heldOut_) state.heldOut.push_back(h.picture);
     state.shown = shown_;
     if (best_ != shown_) state.best = best_;
     return state;

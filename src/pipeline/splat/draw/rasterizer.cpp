@@ -5,13 +5,11 @@
 
 #include "base/check.h"
 #include "pipeline/gpu/transfer.h"
-#include "shaders/splat.h"
 
 namespace macula::splat {
 
 namespace {
 
-using shared::kPairValues;
 using shared::kScreenTexels;
 
 RasterShape chosenShape(const RasterShape& asked, const gpu::Device& device) {
@@ -23,12 +21,6 @@ RasterShape chosenShape(const RasterShape& asked, const gpu::Device& device) {
     return shape;
 }
 
-// The subgroup size of the kernel whose sums are laid out by it: 32 where that can be had. A device that has
-// several sizes may choose another for each kernel unless it is told.
-std::uint32_t askedSubgroupSize(const gpu::DeviceInfo& info) {
-    return info.maxSubgroupSize == 0 ? 0 : std::clamp(32u, info.minSubgroupSize, info.maxSubgroupSize);
-}
-
 bool makesLists(const gpu::Device& device, std::uint32_t capacity, ListMaker wanted) {
     if (wanted == ListMaker::host || capacity > kMostSplatsInDeviceLists) return false;
     return wanted == ListMaker::device || !device.isCpu();
@@ -37,13 +29,12 @@ bool makesLists(const gpu::Device& device, std::uint32_t capacity, ListMaker wan
 }  // namespace
 
 Rasterizer::Rasterizer(std::shared_ptr<gpu::Device> device, std::uint32_t capacity, RasterShape shape,
-                       int slots, Kernels kernels, gpu::Buffer frame, gpu::TexelBuffer screen,
+                       RasterKernels kernels, gpu::Buffer frame, gpu::TexelBuffer screen,
                        TileBuffers tileBuffers, std::optional<DeviceTileLists> deviceLists,
                        gpu::Buffer visible, gpu::Buffer statistics)
     : device_(std::move(device)),
       capacity_(capacity),
       shape_(shape),
-      slots_(slots),
       kernels_(std::move(kernels)),
       frame_(std::move(frame)),
       screen_(std::move(screen)),
@@ -56,37 +47,7 @@ Result<Rasterizer> Rasterizer::create(const std::shared_ptr<gpu::Device>& device
                                       int shDegree, const RasterShape& askedShape) {
     MACULA_CHECK_LT(0u, capacity);
     const RasterShape shape = chosenShape(askedShape, *device);
-    MACULA_CHECK_EQ(shape.tileRows % shape.rowsPerThread, 0);
-    const int threadRows = shape.tileRows / shape.rowsPerThread;
-    const int threads = shared::kTileColumns * threadRows;
-    const std::uint32_t asked = askedSubgroupSize(device->info());
-    const int subgroup = static_cast<int>(asked > 0 ? asked : device->info().subgroupSize);
-    const int slots = (threads + subgroup - 1) / subgroup;
-
-    const std::vector<gpu::Specialization> tile{{"kRows", shape.rowsPerThread}, {2u, threads}};
-    const std::vector<gpu::Specialization> degree{{"kDegree", shDegree}};
-    std::vector<gpu::Specialization> tileSlots = tile;
-    tileSlots.emplace_back("kSlots", slots);
-    tileSlots.emplace_back("kLanes", std::min(threads, subgroup));
-    std::vector<gpu::Specialization> degreeSlots = degree;
-    degreeSlots.emplace_back("kSlots", slots);
-    MACULA_TRY(gpu::Kernel project,
-               gpu::Kernel::create(device, shaders::splat_project_comp, {.specializations = degree}));
-    MACULA_TRY(gpu::Kernel raster,
-               gpu::Kernel::create(device, shaders::splat_raster_comp, {.specializations = tile}));
-    Kernels kernels{.project = std::move(project), .raster = std::move(raster)};
-    if (shDegree <= 1) {
-        if (subgroup < shared::kTileColumns)
-            return Error{ErrorCode::deviceNotUsable,
-                         "This device runs too few threads together to train models.",
-                         {},
-                         "Choose another device: `macula devices` lists them."};
-        MACULA_TRY(kernels.rasterBack,
-                   gpu::Kernel::create(device, shaders::splat_raster_back_comp,
-                                       {.specializations = tileSlots, .subgroupSize = asked}));
-        MACULA_TRY(kernels.gather,
-                   gpu::Kernel::create(device, shaders::splat_gather_comp, {.specializations = degreeSlots}));
-    }
+    MACULA_TRY(RasterKernels kernels, RasterKernels::create(device, shDegree, shape));
     MACULA_TRY(gpu::Buffer frame,
                gpu::Buffer::create(device, {.label = "splat frame", .bytes = sizeof(shared::SplatFrame)}));
     MACULA_TRY(gpu::TexelBuffer screen,
@@ -108,9 +69,9 @@ Result<Rasterizer> Rasterizer::create(const std::shared_ptr<gpu::Device>& device
         gpu::Buffer statistics,
         gpu::Buffer::create(device, {.label = "statistics of splats",
                                      .bytes = std::uint64_t(capacity) * sizeof(shared::SplatStatistics)}));
-    Rasterizer rasterizer(device, capacity, shape, slots, std::move(kernels), std::move(frame),
-                          std::move(screen), std::move(tileBuffers), std::move(deviceLists),
-                          std::move(visible), std::move(statistics));
+    Rasterizer rasterizer(device, capacity, shape, std::move(kernels), std::move(frame), std::move(screen),
+                          std::move(tileBuffers), std::move(deviceLists), std::move(visible),
+                          std::move(statistics));
     MACULA_TRY(auto recorder, gpu::Recorder::create(device, "clear statistics"));
     rasterizer.clearStatistics(recorder);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
@@ -175,16 +136,6 @@ Result<void> Rasterizer::recordLists(gpu::Recorder& recorder, std::uint64_t most
     return {};
 }
 
-// The most pairs for whose derivatives a buffer can have room.
-std::uint64_t Rasterizer::mostDifferentiated() const {
-    if (!kernels_.gather) return kMostSorted;
-    const gpu::DeviceInfo& info = device_->info();
-    const std::uint64_t floats =
-        std::min({std::uint64_t(info.maxStorageBufferBytes) / sizeof(float),
-                  info.maxAllocationBytes / sizeof(float), std::uint64_t(info.maxTexelBufferElements)});
-    return floats / (std::uint64_t(kPairValues) * std::uint64_t(slots_));
-}
-
 // One work group for each tile. The kernel requires its subgroup size: with another, sums of derivatives
 // would lie in wrong places.
 gpu::Threads Rasterizer::tileThreads() const {
@@ -207,7 +158,7 @@ Result<RasterPass> Rasterizer::recordDraw(gpu::Recorder& recorder, const SplatBu
     RasterPass pass = beginPass(count);
     MACULA_TRY_VOID(makePicture(view.sizePx));
     recordProject(recorder, parameters, count, view, blending);
-    MACULA_TRY_VOID(recordLists(recorder, mostDifferentiated(), pass));
+    MACULA_TRY_VOID(recordLists(recorder, kernels_.mostPairs(device_->info()), pass));
     recordRaster(recorder, screen_);
     return pass;
 }
@@ -340,8 +291,8 @@ Result<void> Rasterizer::recordBackward(gpu::Recorder& recorder, const RasterPas
     if (pass.splats_ == 0) return {};
     // For a picture that is not settled, pairs_ is all that lists on the device have room for.
     MACULA_TRY_VOID(makeRoom(pairs_, device_, "derivatives of pairs", VK_FORMAT_R32_SFLOAT,
-                             pass.pairs_ * std::uint64_t(kPairValues) * std::uint64_t(slots_),
-                             kReadAndWritten, pass.isSettled_ ? Room::toGrow : Room::exact));
+                             pass.pairs_ * kernels_.floatsOfPair(), kReadAndWritten,
+                             pass.isSettled_ ? Room::toGrow : Room::exact));
     recorder.dispatch(kernels_.rasterBack.value(), tileThreads(),
                       {frame_, screen_, *tileBuffers_.ranges, *tileBuffers_.entries, picture_->texels,
                        gradient.texels, pairs_->buffer()});

@@ -10,11 +10,12 @@
 #include <optional>
 
 #include "base/result.h"
-#include "pipeline/gpu/kernel.h"
 #include "pipeline/gpu/recorder.h"
 #include "pipeline/gpu/resources.h"
 #include "pipeline/splat/draw/device_picture.h"
 #include "pipeline/splat/draw/device_tile_lists.h"
+#include "pipeline/splat/draw/raster_kernels.h"
+#include "pipeline/splat/draw/raster_shape.h"
 #include "pipeline/splat/draw/raster_view.h"
 #include "pipeline/splat/draw/tile_buffers.h"
 #include "pipeline/splat/draw/tile_lists.h"
@@ -22,17 +23,6 @@
 #include "shared/splat_frame.h"
 
 namespace macula::splat {
-
-// Where tile binning is done. `fast`: on a CPU device by the host, else by the device.
-enum class ListMaker { fast, host, device };
-
-// How the pixels of a tile are divided among threads. Zeros: what is fast on the device.
-struct RasterShape {
-    int tileRows = 0;             // pixels, a multiple of rowsPerThread
-    int rowsPerThread = 0;        // pixels of one column
-    std::uint64_t mostPairs = 0;  // of splats and tiles in a picture
-    ListMaker lists = ListMaker::fast;
-};
 
 // The stages of drawing.
 enum class DrawStage { project, lists, raster };
@@ -103,14 +93,8 @@ class Rasterizer {
     void clearStatistics(gpu::Recorder& recorder) { recorder.fill(statistics_, 0u); }
 
   private:
-    struct Kernels {
-        gpu::Kernel project;
-        gpu::Kernel raster;
-        std::optional<gpu::Kernel> rasterBack;  // not of degrees that are only drawn
-        std::optional<gpu::Kernel> gather;
-    };
-    Rasterizer(std::shared_ptr<gpu::Device> device, std::uint32_t capacity, RasterShape shape, int slots,
-               Kernels kernels, gpu::Buffer frame, gpu::TexelBuffer screen, TileBuffers tileBuffers,
+    Rasterizer(std::shared_ptr<gpu::Device> device, std::uint32_t capacity, RasterShape shape,
+               RasterKernels kernels, gpu::Buffer frame, gpu::TexelBuffer screen, TileBuffers tileBuffers,
                std::optional<DeviceTileLists> deviceLists, gpu::Buffer visible, gpu::Buffer statistics);
 
     shared::SplatFrame frameOf(const RasterView& view, const Blending& blending) const;
@@ -119,7 +103,6 @@ class Rasterizer {
                        const RasterView& view, const Blending& blending);
     RasterPass beginPass(std::uint32_t splats);
     Result<void> recordLists(gpu::Recorder& recorder, std::uint64_t mostPairs, RasterPass& pass);
-    std::uint64_t mostDifferentiated() const;
     gpu::Threads tileThreads() const;
     void recordRaster(gpu::Recorder& recorder, const gpu::TexelBuffer& screen);
     Result<std::span<const glm::vec4>> readScreen(std::uint32_t count);
@@ -130,8 +113,7 @@ class Rasterizer {
     std::shared_ptr<gpu::Device> device_;
     std::uint32_t capacity_;
     RasterShape shape_;
-    int slots_;  // subgroups of a tile: each writes sums of its own for a pair
-    Kernels kernels_;
+    RasterKernels kernels_;
     gpu::Buffer frame_;
     gpu::TexelBuffer screen_;
     TileBuffers tileBuffers_;

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <random>
 
 #include "pipeline/gpu/transfer.h"
+#include "pipeline/splat/train/dice.h"
+#include "pipeline/splat/train/regrouped_state.h"
 
 namespace macula::splat {
 
@@ -18,21 +19,6 @@ double millisecondsSince(Clock::time_point time) {
 }
 
 constexpr int kMostHalvings = 15;
-constexpr std::uint64_t kNewEvery = 6;  // steps; docs/peripheral-model.md, "512 views"
-
-// Random numbers of a step, the same whenever it is done.
-class Dice {
-  public:
-    Dice(std::uint32_t seed, std::uint64_t step, std::uint32_t purpose) {
-        std::seed_seq sequence{seed, static_cast<std::uint32_t>(step), static_cast<std::uint32_t>(step >> 32),
-                               purpose};
-        engine_.seed(sequence);
-    }
-    double operator()() { return (engine_() + 0.5) / 4294967296.0; }  // 0 to 1
-
-  private:
-    std::mt19937 engine_;
-};
 
 Result<void> check(const TrainerOptions& o) {
     const bool stages = std::all_of(o.stages.begin(), o.stages.end(), [](const TrainingStage& stage) {
@@ -104,7 +90,7 @@ Result<void> Trainer::addView(std::shared_ptr<const TrainingView> given) {
     // The loss is made now, because a view that no step can compare would stop all that follow.
     MACULA_TRY([[maybe_unused]] const Loss* loss, lossFor(given->view.sizePx));
     lastGood_.views.push_back({.given = given});
-    views_.push_back({.pictures = std::move(pictures), .given = std::move(given)});
+    views_.add({.pictures = std::move(pictures), .given = std::move(given)});
     return {};
 }
 
@@ -124,9 +110,8 @@ Result<void> Trainer::replaceView(std::size_t index, TrainingView view) {
 }
 
 void Trainer::forgetStandIns() {
-    const auto standsIn = [](const auto& view) { return view.given->kind != ViewKind::picture; };
-    std::erase_if(views_, standsIn);
-    std::erase_if(lastGood_.views, standsIn);
+    views_.forgetStandIns();
+    std::erase_if(lastGood_.views, [](const TrainingState::View& view) { return !isPicture(*view.given); });
 }
 
 Result<Loss*> Trainer::lossFor(glm::ivec2 sizePx) {
@@ -143,35 +128,6 @@ TrainingStage Trainer::stageNow() const {
     for (const TrainingStage& stage : options_.stages)
         if (stage.firstStep <= steps_) now = stage;
     return now;
-}
-
-// Chooses the next view. First each once. Of views that come later, one at every kNewEvery steps, so that
-// hundreds of new ones in a row do not displace what the others show. Else half of the time any view, and
-// half of the time one with a probability in proportion to its loss.
-std::optional<std::size_t> Trainer::nextView() const {
-    std::vector<std::size_t> known;
-    std::optional<std::size_t> firstNew;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < views_.size(); ++i) {
-        if (views_[i].hasNoRoom) continue;
-        if (views_[i].loss < 0.0) {
-            firstNew = firstNew.value_or(i);
-            continue;
-        }
-        known.push_back(i);
-        sum += views_[i].loss;
-    }
-    const bool isFirstRound = known.size() == steps_;
-    if (firstNew && (isFirstRound || known.empty() || steps_ % kNewEvery == 0)) return firstNew;
-    if (known.empty()) return std::nullopt;
-    Dice dice(options_.seed, steps_, 0);
-    const double share = dice();
-    if (dice() < 0.5 || !(sum > 0.0))
-        return known[std::min(static_cast<std::size_t>(share * double(known.size())), known.size() - 1)];
-    double left = share * sum;
-    std::size_t k = 0;
-    while (k + 1 < known.size() && left >= views_[known[k]].loss) left -= views_[known[k++]].loss;
-    return known[k];
 }
 
 // Returns false when there was no room for all pairs: then no splat has moved, and room has been made.
@@ -224,7 +180,7 @@ Result<bool> Trainer::tryStepTwice(const PictureLevel& level, Loss& loss, const 
     return tryStep(level, loss, over);
 }
 
-Result<shared::SplatLossResult> Trainer::stepOf(View& view) {
+Result<shared::SplatLossResult> Trainer::stepOf(TrainedView& view) {
     if (!view.pictures) {
         MACULA_TRY(view.pictures, PicturePyramid::upload(device_, *lossKernels_, *view.given));
     }
@@ -249,8 +205,8 @@ Result<shared::SplatLossResult> Trainer::stepOf(View& view) {
 // ever.
 Result<void> Trainer::oneStep() {
     Error noRoom;
-    while (const std::optional<std::size_t> next = nextView()) {
-        View& view = views_[*next];
+    while (const std::optional<std::size_t> next = views_.next(options_.seed, steps_)) {
+        TrainedView& view = views_[*next];
         const Result<shared::SplatLossResult> result = stepOf(view);
         if (!result && result.error().code == ErrorCode::outOfMemory) {
             view.hasNoRoom = true;
@@ -264,12 +220,8 @@ Result<void> Trainer::oneStep() {
         if (isTimeToRegroup()) MACULA_TRY_VOID(regroupSplats());
         return {};
     }
-    tryAllAgain();
+    views_.tryAllAgain();
     return noRoom;
-}
-
-void Trainer::tryAllAgain() {
-    for (View& view : views_) view.hasNoRoom = false;
 }
 
 bool Trainer::isTimeToRegroup() const {
@@ -278,40 +230,26 @@ bool Trainer::isTimeToRegroup() const {
            (steps_ - density.firstStep) % density.every == 0;
 }
 
-// Splats that stay keep what the optimiser knows of them.
 Result<void> Trainer::regroupSplats() {
     MACULA_TRY(const Splats before, snapshot());
     MACULA_TRY(auto statistics, gpu::read<shared::SplatStatistics>(rasterizer_.statistics()));
     statistics.resize(count_);
     MACULA_TRY(const OptimizerState known, optimizer_.download(count_));
     const Regrouped regrouped = regroup(before, statistics, options_.density, parameters_.capacity());
-    const std::size_t count = regrouped.source.size();
-    const auto components = static_cast<std::size_t>(parameters_.components());
-    OptimizerState state{.stepsDone = known.stepsDone,
-                         .steps = std::vector<std::uint32_t>(count, 0),
-                         .first = std::vector<float>(count * components, 0.0f),
-                         .second = std::vector<float>(count * components, 0.0f)};
-    for (std::size_t i = 0; i < count; ++i) {
-        if (regrouped.isNew[i] != 0) continue;
-        const std::size_t from = regrouped.source[i];
-        state.steps[i] = known.steps[from];
-        for (std::size_t k = 0; k < components; ++k) {
-            state.first[k * count + i] = known.first[k * count_ + from];
-            state.second[k * count + i] = known.second[k * count_ + from];
-        }
-    }
+    const OptimizerState state =
+        regroupedState(known, regrouped, static_cast<std::size_t>(parameters_.components()));
     MACULA_TRY_VOID(optimizer_.upload(state));
     MACULA_TRY_VOID(parameters_.upload(componentsOf(regrouped.splats)));
-    count_ = static_cast<std::uint32_t>(count);
+    count_ = static_cast<std::uint32_t>(regrouped.source.size());
     MACULA_TRY(auto recorder, gpu::Recorder::create(device_, "clear statistics"));
     rasterizer_.clearStatistics(recorder);
     MACULA_TRY([[maybe_unused]] const gpu::Ticket ticket, recorder.submit());
-    tryAllAgain();
+    views_.tryAllAgain();
     return {};
 }
 
 Result<TrainingReport> Trainer::step(std::uint64_t steps, const std::function<bool()>& keepGoing) {
-    if (views_.empty())
+    if (views_.size() == 0)
         return Error{ErrorCode::usage, "There is no picture to learn from.", {}, "Add views first."};
     for (std::uint64_t i = 0; i < steps; ++i) {
         MACULA_TRY_VOID(oneStep());
@@ -327,23 +265,8 @@ Result<Splats> Trainer::snapshot() const {
 }
 
 TrainingReport Trainer::report() const {
-    TrainingReport report{.steps = steps_, .splats = count_};
-    double weights = 0.0;
-    double drawn = 0.0;
-    double pictures = 0.0;
-    for (const View& view : views_) {
-        if (view.given->kind != ViewKind::picture) continue;
-        if (view.loss < 0.0 && view.hasNoRoom) continue;
-        pictures += 1.0;
-        if (view.loss < 0.0) continue;
-        report.loss += view.loss;
-        report.l1 += view.l1;
-        weights += double(view.given->weight);
-        drawn += 1.0;
-    }
-    report.loss = drawn == pictures && drawn > 0.0 ? report.loss / weights : 0.0;
-    report.l1 /= std::max(drawn, 1.0);
-    return report;
+    const TrainedViews::Means means = views_.means();
+    return {.steps = steps_, .loss = means.loss, .l1 = means.l1, .splats = count_};
 }
 
 }  // namespace macula::splat

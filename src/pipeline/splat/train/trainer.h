@@ -20,6 +20,7 @@
 #include "pipeline/splat/train/loss.h"
 #include "pipeline/splat/train/optimizer.h"
 #include "pipeline/splat/train/picture_pyramid.h"
+#include "pipeline/splat/train/trained_views.h"
 #include "pipeline/splat/train/trainer_options.h"
 #include "pipeline/splat/train/training_state.h"
 #include "pipeline/splat/train/training_view.h"
@@ -94,14 +95,6 @@ class Trainer {
     TrainingReport report() const;
 
   private:
-    struct View {
-        std::optional<PicturePyramid> pictures;  // empty: released
-        std::shared_ptr<const TrainingView> given;
-        double loss = -1.0;  // when it was drawn last; below 0: never
-        double l1 = 0.0;
-        bool hasNoRoom = false;  // left out of training, as step() says
-    };
-
     Trainer(std::shared_ptr<gpu::Device> device, TrainerOptions options, Splats like,
             std::shared_ptr<const LossKernels> lossKernels, SplatBuffer parameters, SplatBuffer gradients,
             Rasterizer rasterizer, Optimizer optimizer);
@@ -110,14 +103,12 @@ class Trainer {
     Result<void> restore(const TrainingState& state);  // all but views
     Result<void> keep();
     Result<void> oneStep();
-    Result<shared::SplatLossResult> stepOf(View& view);
+    Result<shared::SplatLossResult> stepOf(TrainedView& view);
     Result<bool> tryStep(const PictureLevel& level, Loss& loss, const LossStep& over);
     Result<bool> tryStepTwice(const PictureLevel& level, Loss& loss, const LossStep& over);
-    void tryAllAgain();
     bool isTimeToRegroup() const;
     Result<void> regroupSplats();
     TrainingStage stageNow() const;
-    std::optional<std::size_t> nextView() const;
     Result<Loss*> lossFor(glm::ivec2 sizePx);
 
     std::shared_ptr<gpu::Device> device_;
@@ -130,7 +121,7 @@ class Trainer {
     SplatBuffer gradients_;
     Rasterizer rasterizer_;
     Optimizer optimizer_;
-    std::vector<View> views_;
+    TrainedViews views_;
     std::optional<Loss> loss_;  // of as many pixels as the largest picture has
     TrainingState lastGood_;
     std::chrono::steady_clock::time_point keptAt_;

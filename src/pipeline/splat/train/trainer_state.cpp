@@ -14,7 +14,7 @@ Result<TrainingState> Trainer::state() const {
     if (count_ > 0)
         MACULA_TRY_VOID(
             gpu::readInto(rasterizer_.statistics(), 0, std::as_writable_bytes(std::span(state.statistics))));
-    for (const View& view : views_)
+    for (const TrainedView& view : views_)
         state.views.push_back({.given = view.given, .loss = view.loss, .l1 = view.l1});
     return state;
 }
@@ -42,7 +42,7 @@ Result<void> Trainer::goBack() {
         views_[i].loss = lastGood_.views[i].loss;
         views_[i].l1 = lastGood_.views[i].l1;
     }
-    tryAllAgain();
+    views_.tryAllAgain();
     return {};
 }
 
@@ -52,8 +52,8 @@ Result<Trainer> Trainer::resume(const std::shared_ptr<gpu::Device>& device, cons
     MACULA_TRY_VOID(trainer.restore(state));
     for (const TrainingState::View& view : state.views) {
         MACULA_TRY_VOID(trainer.addView(view.given));
-        trainer.views_.back().loss = view.loss;
-        trainer.views_.back().l1 = view.l1;
+        trainer.views_.last().loss = view.loss;
+        trainer.views_.last().l1 = view.l1;
     }
     trainer.lastGood_ = state;
     return trainer;
@@ -72,7 +72,7 @@ Result<void> Trainer::goOnWith(const TrainerOptions& options, int shDegree) {
     other.lastGood_ = std::move(now);
     other.views_ = std::move(views_);
     other.loss_ = std::move(loss_);
-    other.tryAllAgain();
+    other.views_.tryAllAgain();
     *this = std::move(other);
     return {};
 }

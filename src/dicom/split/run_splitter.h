@@ -1,0 +1,38 @@
+// Separates acquisitions of one stack by the pauses between their times.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "dicom/split/partition.h"
+#include "dicom/split/split_budget.h"
+#include "dicom/split/stack_maker.h"
+#include "dicom/split/trial.h"
+#include "dicom/stack/stack.h"
+
+namespace macula::dicom {
+
+class RunSplitter {
+  public:
+    // Keeps the references.
+    RunSplitter(const StackMaker& maker, const SplitRules& rules, SplitBudget& budget)
+        : maker_(maker), rules_(rules), budget_(budget) {}
+
+    // Two or more acquisitions at interleaved positions, or that overlap, one after the other; nothing where
+    // there are none.
+    std::optional<std::vector<Stack>> split(const Stack& whole, Grade least,
+                                            std::vector<Message>& messages) const;
+
+  private:
+    Partition runsOf(const Stack& whole, std::size_t attribute, Grade least) const;
+    Partition runsWithin(const Stack& whole, const Part& run, std::size_t attribute) const;
+    std::vector<Stack> asAcquisitions(const Stack& whole, Partition runs, std::size_t attribute,
+                                      std::vector<Message>& messages) const;
+
+    const StackMaker& maker_;
+    const SplitRules& rules_;
+    SplitBudget& budget_;
+};
+
+}  // namespace macula::dicom

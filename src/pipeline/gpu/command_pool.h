@@ -1,0 +1,33 @@
+// Command buffers that are used again once the device is done with them.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "pipeline/gpu/ticket.h"
+
+namespace macula::gpu {
+
+class CommandPool {
+  public:
+    static constexpr std::uint32_t kQueries = 128;  // timestamps
+
+    struct Commands {  // what one recording needs
+        VkCommandPool pool = VK_NULL_HANDLE;
+        VkCommandBuffer buffer = VK_NULL_HANDLE;
+        VkQueryPool queries = VK_NULL_HANDLE;  // kQueries
+        Ticket busyUntil = 0;
+    };
+
+    // Gives commands whose work is completed, or makes new ones. A negative result when that fails.
+    VkResult take(VkDevice device, std::uint32_t queueFamily, Ticket completed, Commands& commands);
+    void give(const Commands& commands) { free_.push_back(commands); }
+    void destroyAll(VkDevice device);  // once the device is idle
+
+  private:
+    std::vector<Commands> free_;
+};
+
+}  // namespace macula::gpu

@@ -1,0 +1,34 @@
+// Choosing a device, and opening it with what Macula needs of it. Not for users of macula::gpu: they create a
+// Device.
+#pragma once
+
+#include <vulkan/vulkan_core.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "base/result.h"
+#include "pipeline/gpu/device_info.h"
+#include "pipeline/gpu/device_options.h"
+#include "pipeline/gpu/instance.h"
+
+namespace macula::gpu {
+
+struct OpenedDevice {
+    VkDevice handle = VK_NULL_HANDLE;
+    VkQueue queue = VK_NULL_HANDLE;
+    std::uint32_t queueFamily = 0;
+    bool isLent = false;                // a host destroys it
+    std::shared_ptr<QueueGuard> guard;  // of the host that lends the queue
+};
+
+// deviceNotUsable as chooseDevice, and where DeviceOptions::physical is not one of the instance's.
+Result<DeviceInfo> chosenDevice(const Instance& instance, const DeviceOptions& options);
+
+// deviceNotUsable when an extension is missing or the driver refuses. `doing` as in vulkanError.
+Result<OpenedDevice> openDevice(const DeviceInfo& info, const DeviceOptions& options,
+                                const std::string& doing);
+Result<OpenedDevice> borrowDevice(const LentDevice& lent, VkPhysicalDevice physical);
+
+}  // namespace macula::gpu

@@ -1,0 +1,118 @@
+#include "pipeline/hybrid/model/held_out_pictures.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pipeline/hybrid/model/model_start.h"
+#include "pipeline/hybrid/views/coarse_picture.h"
+#include "pipeline/hybrid/views/held_out.h"
+
+namespace macula::hybrid {
+
+namespace {
+
+constexpr double kLeastShare = 0.02;
+
+// Of the picture that the window traces while a hand moves and there is no model, on two cores.
+constexpr int kCoarseLines = 42;
+constexpr int kCoarserThanPicture = 3;  // at least so many times
+
+// Compares with a copy of what was shown that is on the device only for that time: pictures are held out
+// rarely, and a copy that stayed would take room from the model that learns.
+Result<void> judgeShown(std::span<HeldOutPicture> held, const std::shared_ptr<gpu::Device>& device,
+                        const glm::dvec3& originMm, splat::TrainerOptions options,
+                        const ShownOfModel& shown) {
+    if (held.empty()) return {};
+    options.capacity = 0;  // room for as many splats as there are
+    const auto compare = [&](const splat::Splats& splats, double HeldOutErrors::*error) -> Result<void> {
+        const splat::Splats here = relativeTo(splats, originMm);
+        MACULA_TRY(splat::Trainer judge, splat::Trainer::create(device, here, options));
+        for (HeldOutPicture& h : held) {
+            MACULA_TRY(const double difference, judge.differenceTo(*h.picture));
+            h.errors.*error = difference / h.coverage;
+        }
+        return {};
+    };
+    MACULA_TRY_VOID(compare(shown.now, &HeldOutErrors::shown));
+    if (&shown.best != &shown.now) return compare(shown.best, &HeldOutErrors::best);
+    for (HeldOutPicture& h : held) h.errors.best = h.errors.shown;
+    return {};
+}
+
+}  // namespace
+
+double judgedCoverage(const splat::TrainingView& view) {
+    return std::max(meanCoverage(view), kLeastShare);
+}
+
+bool HeldOutPictures::canJudge() const {
+    return held_.size() >= kLeastHeldOut;
+}
+
+Result<void> HeldOutPictures::take(std::span<const std::shared_ptr<const splat::TrainingView>> pictures,
+                                   splat::Trainer& trainer, const std::shared_ptr<gpu::Device>& device,
+                                   const splat::TrainerOptions& options, const ShownOfModel& shown) {
+    std::vector<HeldOutPicture> taken;
+    for (const auto& picture : pictures) {
+        HeldOutPicture& h = taken.emplace_back();
+        h.picture = picture;
+        h.coverage = judgedCoverage(*picture);
+        MACULA_TRY(const double error, trainer.differenceTo(*picture));
+        h.errors.trained = error / h.coverage;
+        const int lines = std::min(kCoarseLines, picture->view.sizePx.y / kCoarserThanPicture);
+        h.errors.coarse = coarseDifference(*picture, std::max(lines, 1), options.loss) / h.coverage;
+    }
+    MACULA_TRY_VOID(judgeShown(taken, device, trainer.lastGood().splats.originMm, options, shown));
+    held_.insert(held_.end(), taken.begin(), taken.end());
+    return {};
+}
+
+Result<void> HeldOutPictures::judgeNext(splat::Trainer& trainer) {
+    HeldOutPicture& h = held_[judged_++];
+    MACULA_TRY(const double difference, trainer.differenceTo(*h.picture));
+    h.errors.trained = difference / h.coverage;
+    return {};
+}
+
+void HeldOutPictures::judgedIsShown(bool isBest) {
+    for (HeldOutPicture& h : held_) {
+        h.errors.shown = h.errors.trained;
+        if (isBest) h.errors.best = h.errors.trained;
+    }
+}
+
+HeldOutErrors HeldOutPictures::meanErrors() const {
+    HeldOutErrors mean;
+    for (const HeldOutPicture& h : held_) {
+        mean.trained += h.errors.trained / double(held_.size());
+        mean.shown += h.errors.shown / double(held_.size());
+        mean.best += h.errors.best / double(held_.size());
+        mean.coarse += h.errors.coarse / double(held_.size());
+    }
+    return mean;
+}
+
+double HeldOutPictures::pixels() const {
+    double pixels = 0.0;
+    for (const HeldOutPicture& h : held_) pixels += double(h.picture->pixels.size());
+    return pixels;
+}
+
+double HeldOutPictures::degreesBeside(const splat::RasterView& view, const glm::dvec3& centre) const {
+    double least = 180.0;
+    for (const HeldOutPicture& h : held_) {
+        const glm::dvec3 a = view.eyeMm - centre;
+        const glm::dvec3 b = h.picture->view.eyeMm - centre;
+        least = std::min(least, glm::degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))));
+    }
+    return least;
+}
+
+bool HeldOutPictures::hasFrom(const splat::RasterView& view, double radiusMm,
+                              const AdmissionOptions& options) const {
+    return std::any_of(held_.begin(), held_.end(), [&](const HeldOutPicture& h) {
+        return isSamePose(view, h.picture->view, radiusMm, options);
+    });
+}
+
+}  // namespace macula::hybrid

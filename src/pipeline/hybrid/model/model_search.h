@@ -1,0 +1,43 @@
+// The search for what a new model begins with.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/frames.h"
+#include "base/result.h"
+#include "pipeline/hybrid/model/model_start.h"
+#include "pipeline/trace/path_tracer.h"
+#include "pipeline/trace/surface_points.h"
+
+namespace macula::hybrid {
+
+// Used by one thread at a time, the one that uses the device.
+class ModelSearch {
+  public:
+    // Instead of points, another model.
+    void startWith(std::shared_ptr<const splat::Splats> splats) { startWith_ = std::move(splats); }
+    void forget();
+    void forgetStart();  // all but where anything is seen
+
+    // Finds where anything is seen in what `tracer` shows, and then points on it, in slices: the next call
+    // goes on where `goesOn` said no. Leaves the tracer with another view.
+    enum class Found { notYet, nothing, all };
+    Result<Found> findSome(trace::PathTracer& tracer, const trace::SurfacePointOptions& options,
+                           const std::function<bool()>& goesOn);
+
+    // When all is found.
+    const Box& seenMm() const { return *seenMm_; }
+    ModelStart start(const std::string& key) const;
+
+  private:
+    Result<void> findBox(trace::PathTracer& tracer);
+
+    std::optional<Box> seenMm_;
+    std::optional<trace::SurfacePoints> points_;
+    std::shared_ptr<const splat::Splats> startWith_;
+};
+
+}  // namespace macula::hybrid

@@ -1,0 +1,30 @@
+// Views that a model has asked for and that have not come yet.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "base/camera.h"
+#include "pipeline/hybrid/views/training_views.h"
+#include "pipeline/splat/draw/raster_view.h"
+
+namespace macula::hybrid {
+
+class AskedViews {
+  public:
+    explicit AskedViews(const glm::ivec2& sizePx) : sizePx_(sizePx) {}
+
+    // Keeps the last few.
+    void add(const Camera& camera);
+    // A picture has come from there: forgets those of the same pose.
+    void came(const splat::RasterView& from, const glm::dvec3& originMm, double radiusMm,
+              const AdmissionOptions& options);
+    // As pictures of that size, relative to the origin of a model.
+    std::vector<splat::RasterView> views(const glm::dvec3& originMm) const;
+
+  private:
+    glm::ivec2 sizePx_;
+    std::vector<Camera> cameras_;
+};
+
+}  // namespace macula::hybrid

@@ -1,0 +1,41 @@
+// What is beside the volume (additions.h), as tables on the device.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "base/result.h"
+#include "pipeline/gpu/resources.h"
+#include "pipeline/volume/additions.h"
+
+namespace macula::trace {
+
+class AdditionTables {
+  public:
+    // Makes those that are not there. Each is one element of nothing where there is nothing.
+    Result<void> make(const std::shared_ptr<gpu::Device>& device, const Additions& additions);
+    bool areMade(const Additions& additions) const {
+        return table_ && noBlocks_ && (tints_ || !additions.tints);
+    }
+
+    void forget();
+    // Keeps what `next` has too: the segments of each voxel, where they are in the same box.
+    void forgetFor(const Additions& next, const Additions& before);
+
+    // When made. Optics of the second volume, and colours of segments (additionTable).
+    const gpu::TexelBuffer& optics() const { return *table_; }
+    const gpu::TexelBuffer& segments() const { return tints_ ? *tints_ : *noWords_; }
+    // Where there is no second volume.
+    const gpu::TexelBuffer& noEntries() const { return *noEntries_; }
+    const gpu::TexelBuffer& noBlocks() const { return *noBlocks_; }
+
+  private:
+    Result<void> makeNothings(const std::shared_ptr<gpu::Device>& device);
+
+    std::optional<gpu::TexelBuffer> noWords_;
+    std::optional<gpu::TexelBuffer> noEntries_;
+    std::optional<gpu::TexelBuffer> noBlocks_;  // the last that is made of these
+    std::optional<gpu::TexelBuffer> table_, tints_;
+};
+
+}  // namespace macula::trace
