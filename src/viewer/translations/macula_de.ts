@@ -4009,62 +4009,21 @@
     </message>
 </context>
 <context>
-    <name>macula::viewer::SliceView</name>
+    <name>PaneClip</name>
     <message>
-        <source>%1 slices</source>
-        <translation>%1e Schichten</translation>
+        <source>Clip</source>
+        <translation>Beschnitt</translation>
     </message>
-    <message>
-        <source>Slice</source>
-        <translation>Schicht</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Fensterung</translation>
-    </message>
-    <message>
-        <source>No study is open</source>
-        <translation>Keine Studie ist offen</translation>
-    </message>
-    <message>
-        <source>No memory for this picture: make the window smaller</source>
-        <translation>Kein Speicher für dieses Bild: machen Sie das Fenster kleiner</translation>
-    </message>
-    <message>
-        <source>Low values are white, as in the images</source>
-        <translation>Niedrige Werte sind weiß, wie in den Bildern</translation>
-    </message>
-    <message>
-        <source>Inverted</source>
-        <translation>Invertiert</translation>
-    </message>
-    <message>
-        <source>Interpolated: no image was taken here</source>
-        <translation>Interpoliert: hier wurde kein Bild aufgenommen</translation>
-    </message>
-    <message>
-        <source>Middle of the slab: %1</source>
-        <translation>Mitte des Slabs: %1</translation>
-    </message>
-    <message>
-        <source>Plane alone: %1</source>
-        <translation>Ebene allein: %1</translation>
-    </message>
+</context>
+<context>
+    <name>PaneMeasurements</name>
     <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
     </message>
     <message>
-        <source>Cine</source>
-        <translation>Cine</translation>
-    </message>
-    <message>
-        <source>Cross-hair</source>
-        <translation>Fadenkreuz</translation>
-    </message>
-    <message>
-        <source>Measurement moved</source>
-        <translation>Messung verschoben</translation>
+        <source>Plane alone: %1</source>
+        <translation>Ebene allein: %1</translation>
     </message>
     <message>
         <source>Measurement</source>
@@ -4075,40 +4034,31 @@
         <translation>Messung entfernt</translation>
     </message>
     <message>
-        <source>%1 slices of the second volume</source>
-        <translation>%1e Schichten des zweiten Volumens</translation>
+        <source>Measurement moved</source>
+        <translation>Messung verschoben</translation>
+    </message>
+</context>
+<context>
+    <name>PaneRequest</name>
+    <message>
+        <source>In colours: the size of pixels is not calibrated</source>
+        <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
     </message>
     <message>
-        <source>%1 slices, in mm. Wheel: next slice; right drag: window; right click: windows</source>
-        <translation>%1e Schichten, in mm. Rad: nächste Schicht; rechts ziehen: Fensterung; Rechtsklick: Fensterungen</translation>
-    </message>
-    <message>
-        <source>Second volume moved</source>
-        <translation>Zweites Volumen verschoben</translation>
-    </message>
-    <message>
-        <source>Segments: middle of the slab</source>
-        <translation>Segmente: Mitte des Slabs</translation>
-    </message>
-    <message>
-        <source>Measurements are of the study alone</source>
-        <translation>Messungen gelten nur für die Studie</translation>
-    </message>
-    <message>
-        <source>%1, in %2</source>
-        <translation>%1, in %2</translation>
+        <source>In colours: some slices are interpolated</source>
+        <translation>In Farbe: einige Schichten sind interpoliert</translation>
     </message>
     <message>
         <source>In colours: %1</source>
         <translation>In Farben: %1</translation>
     </message>
     <message>
-        <source>Clip</source>
-        <translation>Beschnitt</translation>
+        <source>The size of its pixels is not calibrated</source>
+        <translation>Die Größe seiner Pixel ist nicht kalibriert</translation>
     </message>
     <message>
-        <source>Label</source>
-        <translation>Beschriftung</translation>
+        <source>Some of its slices are interpolated</source>
+        <translation>Einige seiner Schichten sind interpoliert</translation>
     </message>
     <message>
         <source>In the plane of the study: %1</source>
@@ -4118,49 +4068,137 @@
         <source>Not in a plane of the study</source>
         <translation>Nicht in einer Ebene der Studie</translation>
     </message>
+</context>
+<context>
+    <name>PictureTexts</name>
     <message>
-        <source>Some of its slices are interpolated</source>
-        <translation>Einige seiner Schichten sind interpoliert</translation>
+        <source>In colours: %1</source>
+        <translation>In Farben: %1</translation>
     </message>
     <message>
-        <source>Window of the second volume</source>
-        <translation>Fensterung des zweiten Volumens</translation>
+        <source>Middle of the slab: %1</source>
+        <translation>Mitte des Slabs: %1</translation>
     </message>
     <message>
-        <source>Segments: nearest voxel of another grid</source>
-        <translation>Segmente: nächstes Voxel eines anderen Rasters</translation>
+        <source>%1, in %2</source>
+        <translation>%1, in %2</translation>
+    </message>
+    <message>
+        <source>Measurements are of the study alone</source>
+        <translation>Messungen gelten nur für die Studie</translation>
+    </message>
+    <message>
+        <source>Segments: middle of the slab</source>
+        <translation>Segmente: Mitte des Slabs</translation>
+    </message>
+    <message>
+        <source>No memory for this picture: make the window smaller</source>
+        <translation>Kein Speicher für dieses Bild: machen Sie das Fenster kleiner</translation>
     </message>
     <message>
         <source>Segments: fractions of half or more</source>
         <translation>Segmente: Anteile ab der Hälfte</translation>
     </message>
     <message>
-        <source>In colours: some slices are interpolated</source>
-        <translation>In Farbe: einige Schichten sind interpoliert</translation>
+        <source>Segments: nearest voxel of another grid</source>
+        <translation>Segmente: nächstes Voxel eines anderen Rasters</translation>
     </message>
     <message>
-        <source>The size of its pixels is not calibrated</source>
-        <translation>Die Größe seiner Pixel ist nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>In colours: the size of pixels is not calibrated</source>
-        <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
+        <source>Low values are white, as in the images</source>
+        <translation>Niedrige Werte sind weiß, wie in den Bildern</translation>
     </message>
     <message>
         <source>Low values are white, as is custom for PET</source>
         <translation>Niedrige Werte sind weiß, wie bei PET üblich</translation>
     </message>
     <message>
-        <source>Some slices of the slab are interpolated</source>
-        <translation>Einige Schichten des Slabs sind interpoliert</translation>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+    <message>
+        <source>Interpolated between dashed lines: no image was taken there</source>
+        <translation>Zwischen gestrichelten Linien interpoliert: dort wurde kein Bild aufgenommen</translation>
     </message>
     <message>
         <source>Some of these slices are interpolated</source>
         <translation>Einige dieser Schichten sind interpoliert</translation>
     </message>
     <message>
-        <source>Interpolated between dashed lines: no image was taken there</source>
-        <translation>Zwischen gestrichelten Linien interpoliert: dort wurde kein Bild aufgenommen</translation>
+        <source>Some slices of the slab are interpolated</source>
+        <translation>Einige Schichten des Slabs sind interpoliert</translation>
+    </message>
+    <message>
+        <source>Interpolated: no image was taken here</source>
+        <translation>Interpoliert: hier wurde kein Bild aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>SliceKeys</name>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+</context>
+<context>
+    <name>SliceWindowing</name>
+    <message>
+        <source>Window</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>Window of the second volume</source>
+        <translation>Fensterung des zweiten Volumens</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SliceCine</name>
+    <message>
+        <source>Cine</source>
+        <translation>Cine</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SlicePopups</name>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SliceTravel</name>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Second volume moved</source>
+        <translation>Zweites Volumen verschoben</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>SlicePainting</name>
+    <message>
+        <source>No study is open</source>
+        <translation>Keine Studie ist offen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SliceView</name>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1e Schichten</translation>
+    </message>
+    <message>
+        <source>%1 slices of the second volume</source>
+        <translation>%1e Schichten des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>%1 slices, in mm. Wheel: next slice; right drag: window; right click: windows</source>
+        <translation>%1e Schichten, in mm. Rad: nächste Schicht; rechts ziehen: Fensterung; Rechtsklick: Fensterungen</translation>
     </message>
 </context>
 <context>
