@@ -4617,18 +4617,18 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     </message>
 </context>
 <context>
-    <name>macula::viewer::Viewport</name>
+    <name>WindowContainer</name>
     <message>
-        <source>The volume in 3D</source>
-        <translation>Das Volumen in 3D</translation>
+        <source>Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4</source>
+        <translation>Seiten des Patienten links, rechts, oben und unten: %1, %2, %3, %4</translation>
     </message>
     <message>
         <source>Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm</source>
         <translation>Links ziehen oder Pfeile gehen um den Patienten herum, das Rad geht näher; Größen sind in mm</translation>
     </message>
     <message>
-        <source>Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4</source>
-        <translation>Seiten des Patienten links, rechts, oben und unten: %1, %2, %3, %4</translation>
+        <source>The volume in 3D</source>
+        <translation>Das Volumen in 3D</translation>
     </message>
 </context>
 <context>
