@@ -3248,6 +3248,49 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::PresetNaming</name>
+    <message>
+        <source>Another name for “%1”.</source>
+        <translation>Ein anderer Name für „%1“.</translation>
+    </message>
+    <message>
+        <source>Rename the preset</source>
+        <translation>Voreinstellung umbenennen</translation>
+    </message>
+    <message>
+        <source>A preset of your own, like “%1”.</source>
+        <translation>Eine eigene Voreinstellung, wie „%1“.</translation>
+    </message>
+    <message>
+        <source>Save as copy</source>
+        <translation>Als Kopie speichern</translation>
+    </message>
+    <message>
+        <source>%1, as seen</source>
+        <translation>%1, wie gezeigt</translation>
+    </message>
+    <message>
+        <source>Curve, look, lights, window, clip and camera, as a preset of your own. It is for all studies: clip and camera go with the size of the volume.</source>
+        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung. Sie gilt für alle Studien: Beschnitt und Kamera richten sich nach der Größe des Volumens.</translation>
+    </message>
+    <message>
+        <source>Keep all that is seen</source>
+        <translation>Alles Gezeigte behalten</translation>
+    </message>
+    <message>
+        <source>The transfer function that is shown, as a preset of your own.</source>
+        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Keep the curve</source>
+        <translation>Kurve behalten</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::PresetGallery</name>
     <message>
         <source>Undo</source>
@@ -3364,46 +3407,6 @@
     <message>
         <source>The curve, as a file for --preset and 3D Slicer</source>
         <translation>Die Kurve, als Datei für --preset und 3D Slicer</translation>
-    </message>
-    <message>
-        <source>Preset</source>
-        <translation>Voreinstellung</translation>
-    </message>
-    <message>
-        <source>Keep the curve</source>
-        <translation>Kurve behalten</translation>
-    </message>
-    <message>
-        <source>The transfer function that is shown, as a preset of your own.</source>
-        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung.</translation>
-    </message>
-    <message>
-        <source>Keep all that is seen</source>
-        <translation>Alles Gezeigte behalten</translation>
-    </message>
-    <message>
-        <source>Curve, look, lights, window, clip and camera, as a preset of your own. It is for all studies: clip and camera go with the size of the volume.</source>
-        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung. Sie gilt für alle Studien: Beschnitt und Kamera richten sich nach der Größe des Volumens.</translation>
-    </message>
-    <message>
-        <source>%1, as seen</source>
-        <translation>%1, wie gezeigt</translation>
-    </message>
-    <message>
-        <source>Save as copy</source>
-        <translation>Als Kopie speichern</translation>
-    </message>
-    <message>
-        <source>A preset of your own, like “%1”.</source>
-        <translation>Eine eigene Voreinstellung, wie „%1“.</translation>
-    </message>
-    <message>
-        <source>Rename the preset</source>
-        <translation>Voreinstellung umbenennen</translation>
-    </message>
-    <message>
-        <source>Another name for “%1”.</source>
-        <translation>Ein anderer Name für „%1“.</translation>
     </message>
 </context>
 <context>
