@@ -3633,6 +3633,33 @@
     </message>
 </context>
 <context>
+    <name>SegmentEdits</name>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Segment in colour</source>
+        <translation>Segment farbig</translation>
+    </message>
+    <message>
+        <source>Segments in 3D</source>
+        <translation>Segmente in 3D</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Segmentations</source>
+        <translation>Segmentierungen</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SegmentationPanel</name>
     <message>
         <source>Drawn by hand</source>
@@ -3751,20 +3778,8 @@
         <translation>Dieses Segment hat im Volumen kein Voxel.</translation>
     </message>
     <message>
-        <source>Segments in 3D</source>
-        <translation>Segmente in 3D</translation>
-    </message>
-    <message>
         <source>Colour of the segment</source>
         <translation>Farbe des Segments</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Cross-hair</source>
-        <translation>Fadenkreuz</translation>
     </message>
     <message>
         <source>in colour</source>
@@ -3785,10 +3800,6 @@
     <message>
         <source>Opacity in 3D</source>
         <translation>Deckkraft in 3D</translation>
-    </message>
-    <message>
-        <source>Segment in colour</source>
-        <translation>Segment farbig</translation>
     </message>
     <message>
         <source>Volumes are estimates: the size of a pixel is not calibrated.</source>
