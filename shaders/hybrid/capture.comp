@@ -1,4 +1,5 @@
-// A traced picture as it is kept for other eyes: what shines from each pixel, how far away that is, and how sure both are.
+// A traced picture as it is kept for other eyes: what shines from each pixel, how far away that is, and how
+// sure both are.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -33,11 +34,11 @@ layout(push_constant, scalar) uniform Push {
     CapturePush push;
 };
 
-// An empty pixel is only sure to be empty where a ring of pixels around it shows no matter that is too thin to have a
-// depth: noise moves the border of thin matter by a few pixels.
+// An empty pixel is only sure to be empty where a ring of pixels around it shows no matter that is too thin
+// to have a depth: noise moves the border of thin matter by a few pixels.
 #define RING_PX 3
-const ivec2 kRing[8] = ivec2[8](ivec2(-1, -1), ivec2(0, -1), ivec2(1, -1), ivec2(-1, 0), ivec2(1, 0), ivec2(-1, 1),
-                                ivec2(0, 1), ivec2(1, 1));
+const ivec2 kRing[8] = ivec2[8](ivec2(-1, -1), ivec2(0, -1), ivec2(1, -1), ivec2(-1, 0), ivec2(1, 0),
+                                ivec2(-1, 1), ivec2(0, 1), ivec2(1, 1));
 
 vec4 lightAt(int index) {
     return traced[index] / (push.areMeans == 1 ? 1.0 : float(max(counts[index], 1u)));

@@ -1,5 +1,5 @@
-// Splats, over them a reprojected picture for the fovea, and a traced picture of all pixels, mixed and shown: background,
-// exposure, tone map and encoding come last.
+// Splats, over them a reprojected picture for the fovea, and a traced picture of all pixels, mixed and shown:
+// background, exposure, tone map and encoding come last.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -34,8 +34,8 @@ layout(push_constant, scalar) uniform Push {
     ComposePush push;
 };
 
-// As linear light behind the tone map, so that it may be laid over something: what covers half of a pixel is half as bright
-// as where it covers all.
+// As linear light behind the tone map, so that it may be laid over something: what covers half of a pixel is
+// half as bright as where it covers all.
 vec4 displayCovering(vec4 light, float exposure, bool keepsHue) {
     float coverage = clamp(light.w, 0.0, 1.0);
     if (!(coverage > 0.0)) return vec4(0.0);
@@ -59,6 +59,7 @@ void main() {
         light = composed(light, ofTracer, push.tracedShare);
     }
     imageStore(picture, pixel,
-               kKeepsCoverage ? displayCovering(light, push.exposure, push.keepsHue == 1)
-                              : vec4(displayColour(light, push.background, push.exposure, push.keepsHue == 1), 1.0));
+               kKeepsCoverage
+                   ? displayCovering(light, push.exposure, push.keepsHue == 1)
+                   : vec4(displayColour(light, push.background, push.exposure, push.keepsHue == 1), 1.0));
 }

@@ -1,4 +1,5 @@
-// Where splats show something, as a depth buffer has it: 0 at the near plane, 1 at the far one and where there is nothing.
+// Where splats show something, as a depth buffer has it: 0 at the near plane, 1 at the far one and where
+// there is nothing.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

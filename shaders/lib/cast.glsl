@@ -1,24 +1,27 @@
-// Ray casting: one march along each ray through the one walk, without chance. What the clip removes is skipped.
+// Ray casting: one march along each ray through the one walk, without chance. What the clip removes is
+// skipped.
 //
 // Needs, beside path.glsl, cell_walk.glsl and spline.glsl: params.windowLow and windowHigh, in table entries,
 // params.entryCount, params.stepsPerEntry, params.ambient and params.diffuse.
 
-// The most steps in one cell, and the most once a ray has taken MANY_ROUNDS, because lavapipe ends long loops.
+// The most steps in one cell, and the most once a ray has taken MANY_ROUNDS, because lavapipe ends long
+// loops.
 #define CAST_STEPS 64
 #define CAST_STEPS_LATE 4
 #define MANY_ROUNDS 8000
 // Below this transmittance nothing behind is seen.
 #define CAST_OPAQUE 0.00390625
 
-// The next stretch of the ray that is shown and whose brick has a bound above `least`: walk.distanceMm to toMm. toMm is where
-// the one before ended, at first walk.distanceMm. False at the end.
+// The next stretch of the ray that is shown and whose brick has a bound above `least`: walk.distanceMm to
+// toMm. toMm is where the one before ended, at first walk.distanceMm. False at the end.
 bool nextPiece(INOUT(BrickWalk) walk, float least, INOUT(float) toMm, INOUT(int) rounds) {
     walk.distanceMm = toMm;
     do {
         rounds += 1;
         if (useClip()) {
             // One cut may end inside another.
-            for (int i = 0; i < 3; ++i) walk.distanceMm = max(walk.distanceMm, endOfCut(walk.cutFrom, walk.cutTo, walk.distanceMm));
+            for (int i = 0; i < 3; ++i)
+                walk.distanceMm = max(walk.distanceMm, endOfCut(walk.cutFrom, walk.cutTo, walk.distanceMm));
         }
         if (walk.majorant > least && walk.distanceMm < walk.segmentEndMm) {
             toMm = walk.segmentEndMm;
@@ -35,8 +38,9 @@ bool nextPiece(INOUT(BrickWalk) walk, float least, INOUT(float) toMm, INOUT(int)
     return false;
 }
 
-// What a headlight leaves of a colour: ambient + diffuse |cos| of the angle between the ray and the gradient (Lambert, both
-// sides alike). Where the values around are all the same there is no surface, and it is seen as if it faced the light.
+// What a headlight leaves of a colour: ambient + diffuse |cos| of the angle between the ray and the gradient
+// (Lambert, both sides alike). Where the values around are all the same there is no surface, and it is seen
+// as if it faced the light.
 float headlight(vec3 gradient, vec3 worldDirection) {
     float length2 = dot(gradient, gradient);
     float cosine = length2 > float(0.0) ? abs(dot(gradient, worldDirection)) / sqrt(length2) : float(1.0);
@@ -55,14 +59,16 @@ vec4 steepMatterOfEntry(float entry) {
     return matter + (fetchSteepMatter(low + 1) - matter) * (entry - float(low));
 }
 
-// The steep part at each corner of a cell: between them it is trilinear, as for paths. A spline has a gradient of its own at
-// each place, and needs no corners.
+// The steep part at each corner of a cell: between them it is trilinear, as for paths. A spline has a
+// gradient of its own at each place, and needs no corners.
 Corners steepOfCell(CellWalk cells, CellGradient gradient) {
     Corners part;
     part.fraction = vec3(0.0);
     for (int i = 0; i < 4; ++i) {
-        part.near[i] = steepPart(worldGradient(vec3(gradient.x.near[i], gradient.y.near[i], gradient.z.near[i]) * cells.side));
-        part.far[i] = steepPart(worldGradient(vec3(gradient.x.far[i], gradient.y.far[i], gradient.z.far[i]) * cells.side));
+        part.near[i] = steepPart(
+            worldGradient(vec3(gradient.x.near[i], gradient.y.near[i], gradient.z.near[i]) * cells.side));
+        part.far[i] = steepPart(
+            worldGradient(vec3(gradient.x.far[i], gradient.y.far[i], gradient.z.far[i]) * cells.side));
     }
     return part;
 }
@@ -74,8 +80,8 @@ vec4 mixedMatter(vec4 usual, vec4 steep, float part) {
     return vec4(mix(vec3(usual), vec3(steep), share), extinction);
 }
 
-// How much the second volume's value changes through the cell, in parts of what its curve needs a step for, and how many of
-// its voxels the ray crosses there.
+// How much the second volume's value changes through the cell, in parts of what its curve needs a step for,
+// and how many of its voxels the ray crosses there.
 float secondSteps(CellWalk cells, float transmittance) {
     vec3 begin = inSecond(positionIn(cells, fractionIn(cells, float(0.0))));
     vec3 end = inSecond(positionIn(cells, fractionIn(cells, float(1.0))));
@@ -84,10 +90,20 @@ float secondSteps(CellWalk cells, float transmittance) {
     return max(change * params.secondStepsPerEntry * transmittance, float(2.0) * length(end - begin));
 }
 
-// Emission and absorption: the integral over the ray of transmittance * extinction * colour, premultiplied, and one minus
-// the transmittance. A cell is crossed in as many steps as the transfer function needs over the values in it, and as what is
-// left of the light deserves. Exact where extinction and colour are constant over each step; `phase`, 0 to 1, is where in its
-// step a value is taken, and the mean over all phases has no bias of first order.
+// Mixes what the second volume emits and absorbs at `at` with what the study does there.
+void addSecond(vec3 at, EyeRay eye, bool masked, INOUT(vec3) emitted, INOUT(float) extinction) {
+    vec4 second = secondMatter(at);
+    Mixture mixture = Mixture(extinction, masked ? float(0.0) : second.w);
+    if (useShading()) second *= vec4(vec3(headlight(secondGradient(at), eye.direction)), float(1.0));
+    emitted = mix(emitted, vec3(second), secondShareOf(mixture));
+    extinction = totalOf(mixture);
+}
+
+// Emission and absorption: the integral over the ray of transmittance * extinction * colour, premultiplied,
+// and one minus the transmittance. A cell is crossed in as many steps as the transfer function needs over the
+// values in it, and as what is left of the light deserves. Exact where extinction and colour are constant
+// over each step; `phase`, 0 to 1, is where in its step a value is taken, and the mean over all phases has no
+// bias of first order.
 vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
     vec3 directionVoxel = voxelsPerMm(eye.direction);
     BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
@@ -133,12 +149,15 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
                 bool masked = isMasked(at);
                 float shade = float(1.0);
                 if (hasGradients()) {
-                    vec3 gradient = useSpline() ? gradientOn(cells, spline, part) : gradientIn(cells, gradients, fraction);
+                    vec3 gradient = useSpline() ? gradientOn(cells, spline, part)
+                                                : gradientIn(cells, gradients, fraction);
                     if (useGradientOpacity()) matter.w = thinnedByGradient(matter.w, gradient);
                     if (useSteep()) {
                         vec4 steep = steepMatterOfEntry(entry);
                         if (useGradientOpacity()) steep.w = thinnedByGradient(steep.w, gradient);
-                        matter = mixedMatter(matter, steep, useSpline() ? steepPart(gradient) : interpolated(steepParts, fraction));
+                        matter = mixedMatter(
+                            matter, steep,
+                            useSpline() ? steepPart(gradient) : interpolated(steepParts, fraction));
                     }
                     if (useShading()) shade = headlight(gradient, eye.direction);
                 }
@@ -150,13 +169,7 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
                     extinction *= tint.opacity;
                 }
                 if (useShading()) emitted *= shade;
-                if (useSecond()) {
-                    vec4 second = secondMatter(at);
-                    Mixture mixture = Mixture(extinction, masked ? float(0.0) : second.w);
-                    if (useShading()) second *= vec4(vec3(headlight(secondGradient(at), eye.direction)), float(1.0));
-                    emitted = mix(emitted, vec3(second), secondShareOf(mixture));
-                    extinction = totalOf(mixture);
-                }
+                if (useSecond()) addSecond(at, eye, masked, emitted, extinction);
                 float through = exp(-extinction * step);
                 colour += emitted * (transmittance * (float(1.0) - through));
                 transmittance *= through;
@@ -169,21 +182,22 @@ vec4 castMatter(EyeRay eye, float phase, INOUT(int) rounds) {
     return vec4(colour, float(1.0) - transmittance);
 }
 
-// Voxels outside the scan have an entry of their own, below those of all that were measured (entry_map.cpp): air in a trachea
-// counts. Padding lowers what it is interpolated with: that is no minimum, and no part of a mean. To a maximum it does no harm,
-// and what lies beside it must not be lost.
+// Voxels outside the scan have an entry of their own, below those of all that were measured (entry_map.cpp):
+// air in a trachea counts. Padding lowers what it is interpolated with: that is no minimum, and no part of a
+// mean. To a maximum it does no harm, and what lies beside it must not be lost.
 bool isCounted(Corners corners) {
     vec4 near = abs(corners.near - vec4(params.paddingEntry));
     vec4 far = abs(corners.far - vec4(params.paddingEntry));
     if (castLook() == kCastMaximum) return dot(near, vec4(1.0)) + dot(far, vec4(1.0)) > float(0.5);
-    return min(min(min(near.x, near.y), min(near.z, near.w)), min(min(far.x, far.y), min(far.z, far.w))) > float(0.5);
+    return min(min(min(near.x, near.y), min(near.z, near.w)), min(min(far.x, far.y), min(far.z, far.w))) >
+           float(0.5);
 }
 
-// The largest, smallest or mean value along what is shown of the ray, as the grey that the window gives it; nothing where
-// the ray meets no values. The mean is exact, by Simpson's rule on cubics; an extreme is that at a face of a cell, where
-// most lie, or at one of three points between. A mask counts for a whole cell, as it is in the middle of its stretch. The medium
-// of a projection bounds how much a brick can change the answer (src/pipeline/volume/medium.h), so that bricks which cannot are
-// not looked at.
+// The largest, smallest or mean value along what is shown of the ray, as the grey that the window gives it;
+// nothing where the ray meets no values. The mean is exact, by Simpson's rule on cubics; an extreme is that
+// at a face of a cell, where most lie, or at one of three points between. A mask counts for a whole cell, as
+// it is in the middle of its stretch. The medium of a projection bounds how much a brick can change the
+// answer (src/pipeline/volume/medium.h), so that bricks which cannot are not looked at.
 vec4 castValues(EyeRay eye, INOUT(int) rounds) {
     vec3 directionVoxel = voxelsPerMm(eye.direction);
     BrickWalk walk = startEyeWalk(eye.originVoxel, directionVoxel);
@@ -216,16 +230,19 @@ vec4 castValues(EyeRay eye, INOUT(int) rounds) {
     }
     if (best <= float(-1e9)) return vec4(0.0);
     float entry = castLook() == kCastMean ? (lengthMm > float(0.0) ? sum / lengthMm : best) : sign * best;
-    float grey = clamp((entry - params.windowLow) / (params.windowHigh - params.windowLow), float(0.0), float(1.0));
+    float grey =
+        clamp((entry - params.windowLow) / (params.windowHigh - params.windowLow), float(0.0), float(1.0));
     return vec4(vec3(greyBeforeToneMap(grey, params.keepsHue == 1) / params.exposure), float(1.0));
 }
 
-// An additive recurrence (Roberts 2018, in three dimensions): where in the pixel and in its steps a sample lies, 0 to 1. The
-// first one is the centre. The same for all pixels, so that a smooth picture stays smooth.
+// An additive recurrence (Roberts 2018, in three dimensions): where in the pixel and in its steps a sample
+// lies, 0 to 1. The first one is the centre. The same for all pixels, so that a smooth picture stays smooth.
 vec3 castOffset(uint sampleIndex) {
     uint centre = 0x80000000u;
-    return vec3(float((centre + sampleIndex * 3518319155u) >> 8u), float((centre + sampleIndex * 2882110345u) >> 8u),
-                float((centre + sampleIndex * 2360945575u) >> 8u)) * float(1.0 / 16777216.0);
+    return vec3(float((centre + sampleIndex * 3518319155u) >> 8u),
+                float((centre + sampleIndex * 2882110345u) >> 8u),
+                float((centre + sampleIndex * 2360945575u) >> 8u)) *
+           float(1.0 / 16777216.0);
 }
 
 // One sample of a pixel: premultiplied, with coverage.

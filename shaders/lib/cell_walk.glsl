@@ -1,23 +1,25 @@
-// Rays that are cast go from cell to cell: what a cell between eight voxel centres is, and the way through them.
+// Rays that are cast go from cell to cell: what a cell between eight voxel centres is, and the way through
+// them.
 //
-// Needs, beside brick_walk.glsl and gradient.glsl: blocksOfBrick(brick) and fetchFrom(blocks, voxel) for the voxels of one
-// brick; castLook(), useShading(), constants.
+// Needs, beside brick_walk.glsl and gradient.glsl: blocksOfBrick(brick) and fetchFrom(blocks, voxel) for the
+// voxels of one brick; castLook(), useShading(), constants.
 
-// A ray from cell to cell: between eight voxel centres, so that along the ray the interpolated value is one cubic. From one
-// cell to the next four of its corners stay, and only four are fetched. Half a voxel beyond the outer centres a cell has the
-// same corner twice.
+// A ray from cell to cell: between eight voxel centres, so that along the ray the interpolated value is one
+// cubic. From one cell to the next four of its corners stay, and only four are fetched. Half a voxel beyond
+// the outer centres a cell has the same corner twice.
 //
-// Along each axis that the ray goes down, the volume is mirrored: in the walk's own coordinates every ray goes up.
+// Along each axis that the ray goes down, the volume is mirrored: in the walk's own coordinates every ray
+// goes up.
 struct CellWalk {
     vec3 side;       // 1, or -1 along the axes that are mirrored
     vec3 shift;      // see mirrored()
     vec3 origin;     // in voxels, with integers at centres
     vec3 direction;  // voxels per mm, none below 0
     vec3 inverse;
-    vec3 cell;       // its low corner
-    vec3 faceMm;     // where the ray meets the cell's high faces
-    float fromMm;    // where it enters the cell
-    float toMm;      // and leaves it
+    vec3 cell;     // its low corner
+    vec3 faceMm;   // where the ray meets the cell's high faces
+    float fromMm;  // where it enters the cell
+    float toMm;    // and leaves it
     Corners corners;
     Blocks blocks;     // of the brick under way
     ivec3 firstVoxel;  // of this brick, not mirrored
@@ -37,11 +39,13 @@ CellWalk startCells(vec3 originVoxel, vec3 directionVoxel) {
     cells.shift = (vec3(1.0) - cells.side) * float(0.5) * vec3(params.volumeSize - ivec3(1));
     cells.origin = mirrored(cells, originVoxel - vec3(0.5));
     cells.direction = directionVoxel * cells.side;
-    cells.inverse = vec3(safeInverse(cells.direction.x), safeInverse(cells.direction.y), safeInverse(cells.direction.z));
+    cells.inverse =
+        vec3(safeInverse(cells.direction.x), safeInverse(cells.direction.y), safeInverse(cells.direction.z));
     return cells;
 }
 
-// A corner's voxel. Rounding may carry a cell across a face of its brick: its corners are those of the face then.
+// A corner's voxel. Rounding may carry a cell across a face of its brick: its corners are those of the face
+// then.
 ivec3 voxelOf(CellWalk cells, vec3 corner) {
     return clamp(ivec3(mirrored(cells, corner)), cells.firstVoxel, cells.lastVoxel);
 }
@@ -63,8 +67,8 @@ bool hasGradients() {
 
 // Enters the first cell of a stretch in one brick. Returns the value where the ray enters it.
 float enterBrick(INOUT(CellWalk) cells, BrickWalk walk, float endMm) {
-    ivec3 brick = clamp(ivec3(floor(walk.origin + walk.direction * (float(0.5) * (walk.distanceMm + endMm)))), ivec3(0),
-                        params.gridSize - ivec3(1));
+    ivec3 brick = clamp(ivec3(floor(walk.origin + walk.direction * (float(0.5) * (walk.distanceMm + endMm)))),
+                        ivec3(0), params.gridSize - ivec3(1));
     cells.blocks = blocksOfBrick(brick);
     cells.firstVoxel = max(brick * BRICK - ivec3(1), ivec3(0));
     cells.lastVoxel = min(brick * BRICK + ivec3(BRICK - 1), params.volumeSize - ivec3(1));
@@ -73,10 +77,12 @@ float enterBrick(INOUT(CellWalk) cells, BrickWalk walk, float endMm) {
     leaveCellAt(cells, endMm);
     ivec3 a = voxelOf(cells, cells.cell);
     ivec3 b = voxelOf(cells, cells.cell + vec3(1.0));
-    cells.corners.near = vec4(fetchFrom(cells.blocks, a), fetchFrom(cells.blocks, ivec3(b.x, a.y, a.z)),
-                              fetchFrom(cells.blocks, ivec3(a.x, b.y, a.z)), fetchFrom(cells.blocks, ivec3(b.x, b.y, a.z)));
-    cells.corners.far = vec4(fetchFrom(cells.blocks, ivec3(a.x, a.y, b.z)), fetchFrom(cells.blocks, ivec3(b.x, a.y, b.z)),
-                             fetchFrom(cells.blocks, ivec3(a.x, b.y, b.z)), fetchFrom(cells.blocks, b));
+    cells.corners.near =
+        vec4(fetchFrom(cells.blocks, a), fetchFrom(cells.blocks, ivec3(b.x, a.y, a.z)),
+             fetchFrom(cells.blocks, ivec3(a.x, b.y, a.z)), fetchFrom(cells.blocks, ivec3(b.x, b.y, a.z)));
+    cells.corners.far =
+        vec4(fetchFrom(cells.blocks, ivec3(a.x, a.y, b.z)), fetchFrom(cells.blocks, ivec3(b.x, a.y, b.z)),
+             fetchFrom(cells.blocks, ivec3(a.x, b.y, b.z)), fetchFrom(cells.blocks, b));
     return interpolated(cells.corners, fractionIn(cells, float(0.0)));
 }
 
@@ -91,8 +97,8 @@ Corners movedOn(Corners c, vec4 ahead, bool x, bool y) {
     return next;
 }
 
-// Moves on through the face that the ray meets first, false at the end. It goes by index from cell to cell: rounding
-// can neither stall it nor make it skip one.
+// Moves on through the face that the ray meets first, false at the end. It goes by index from cell to cell:
+// rounding can neither stall it nor make it skip one.
 bool nextCell(INOUT(CellWalk) cells, float endMm) {
     if (cells.toMm >= endMm) return false;
     bool x = cells.faceMm.x <= min(cells.faceMm.y, cells.faceMm.z);
@@ -102,12 +108,14 @@ bool nextCell(INOUT(CellWalk) cells, float endMm) {
     cells.fromMm = cells.toMm;
     leaveCellAt(cells, endMm);
 
-    // The four corners on the far side: (low, low), (high, low), (low, high), (high, high) along the other two axes.
+    // The four corners on the far side: (low, low), (high, low), (low, high), (high, high) along the other
+    // two axes.
     ivec3 a = voxelOf(cells, cells.cell);
     ivec3 b = voxelOf(cells, cells.cell + vec3(1.0));
-    vec4 ahead = vec4(fetchFrom(cells.blocks, ivec3(x ? b.x : a.x, y ? b.y : a.y, z ? b.z : a.z)),
-                      fetchFrom(cells.blocks, ivec3(b.x, x || y ? b.y : a.y, z ? b.z : a.z)),
-                      fetchFrom(cells.blocks, ivec3(x ? b.x : a.x, x ? a.y : b.y, b.z)), fetchFrom(cells.blocks, b));
+    vec4 ahead =
+        vec4(fetchFrom(cells.blocks, ivec3(x ? b.x : a.x, y ? b.y : a.y, z ? b.z : a.z)),
+             fetchFrom(cells.blocks, ivec3(b.x, x || y ? b.y : a.y, z ? b.z : a.z)),
+             fetchFrom(cells.blocks, ivec3(x ? b.x : a.x, x ? a.y : b.y, b.z)), fetchFrom(cells.blocks, b));
     cells.corners = movedOn(cells.corners, ahead, x, y);
     return true;
 }
@@ -150,8 +158,8 @@ struct CellGradient {
     Corners z;
 };
 
-// The values at a corner of the cell's neighbourhood and at the three beside it along u and v. `blocks` has those
-// of all of it.
+// The values at a corner of the cell's neighbourhood and at the three beside it along u and v. `blocks` has
+// those of all of it.
 vec4 fetchFour(CellWalk cells, Blocks blocks, vec3 corner, vec3 u, vec3 v) {
     ivec3 last = params.volumeSize - ivec3(1);
     return vec4(fetchFrom(blocks, clamp(ivec3(mirrored(cells, corner)), ivec3(0), last)),
@@ -166,8 +174,8 @@ Blocks blocksAround(CellWalk cells) {
     return blocksOfBrick(clamp(ivec3(end), ivec3(0), params.volumeSize - ivec3(1)) >> 3);
 }
 
-// The gradients of the whole cell at once: a branch within the steps would skip nothing where eight rays are one
-// vector. What is at both ends of a difference in the cell itself is there already.
+// The gradients of the whole cell at once: a branch within the steps would skip nothing where eight rays are
+// one vector. What is at both ends of a difference in the cell itself is there already.
 CellGradient gradientOfCell(CellWalk cells) {
     vec3 x = vec3(float(1.0), float(0.0), float(0.0));
     vec3 y = vec3(float(0.0), float(1.0), float(0.0));
@@ -178,11 +186,13 @@ CellGradient gradientOfCell(CellWalk cells) {
     CellGradient gradient;
     vec4 before = fetchFour(cells, blocks, cells.cell - x, y, z);
     vec4 after = fetchFour(cells, blocks, cells.cell + x * float(2.0), y, z);
-    gradient.x.near = vec4(near.y - before.x, after.x - near.x, near.w - before.y, after.y - near.z) * float(0.5);
+    gradient.x.near =
+        vec4(near.y - before.x, after.x - near.x, near.w - before.y, after.y - near.z) * float(0.5);
     gradient.x.far = vec4(far.y - before.z, after.z - far.x, far.w - before.w, after.w - far.z) * float(0.5);
     before = fetchFour(cells, blocks, cells.cell - y, x, z);
     after = fetchFour(cells, blocks, cells.cell + y * float(2.0), x, z);
-    gradient.y.near = vec4(near.z - before.x, near.w - before.y, after.x - near.x, after.y - near.y) * float(0.5);
+    gradient.y.near =
+        vec4(near.z - before.x, near.w - before.y, after.x - near.x, after.y - near.y) * float(0.5);
     gradient.y.far = vec4(far.z - before.z, far.w - before.w, after.z - far.x, after.w - far.y) * float(0.5);
     gradient.z.near = (far - fetchFour(cells, blocks, cells.cell - z, x, y)) * float(0.5);
     gradient.z.far = (fetchFour(cells, blocks, cells.cell + z * float(2.0), x, y) - near) * float(0.5);
@@ -191,5 +201,6 @@ CellGradient gradientOfCell(CellWalk cells) {
 
 vec3 gradientIn(CellWalk cells, CellGradient gradient, vec3 fraction) {
     return worldGradient(vec3(interpolated(gradient.x, fraction), interpolated(gradient.y, fraction),
-                              interpolated(gradient.z, fraction)) * cells.side);
+                              interpolated(gradient.z, fraction)) *
+                         cells.side);
 }

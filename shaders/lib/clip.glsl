@@ -1,5 +1,6 @@
-// Which parts of a ray are shown. A clip keeps one convex region and removes up to three: the distances at which a ray
-// enters and leaves them are found once, when the ray starts. Voxel coordinates as in medium.glsl; distances in mm.
+// Which parts of a ray are shown. A clip keeps one convex region and removes up to three: the distances at
+// which a ray enters and leaves them are found once, when the ray starts. Voxel coordinates as in
+// medium.glsl; distances in mm.
 //
 // Needs from its host: params.clip*, and useClip(), a constant.
 
@@ -7,7 +8,8 @@
 #define PARALLEL 1e-12
 
 float safeInverse(float x) {
-    return float(1.0) / (abs(x) > float(PARALLEL) ? x : (x < float(0.0) ? float(-PARALLEL) : float(PARALLEL)));
+    return float(1.0) /
+           (abs(x) > float(PARALLEL) ? x : (x < float(0.0) ? float(-PARALLEL) : float(PARALLEL)));
 }
 
 struct ClipSpans {
@@ -20,14 +22,16 @@ struct ClipSpans {
 // Farther than any patient; its product with PARALLEL and its square are still numbers.
 #define FAR_MM 1e15
 
-// Where a ray is inside of all the half-spaces [first, first + count); nowhere: x > y. The border belongs to the inside.
+// Where a ray is inside of all the half-spaces [first, first + count); nowhere: x > y. The border belongs to
+// the inside.
 vec2 spanOfPlanes(vec3 origin, vec3 direction, int first, int count) {
     vec2 span = vec2(float(-FAR_MM), float(FAR_MM));
     for (int i = first; i < first + count; ++i) {
         vec4 plane = params.clipPlanes[i];
         vec3 normal = vec3(plane.x, plane.y, plane.z);
         float slope = dot(normal, direction);
-        float at = clamp(-(dot(normal, origin) + plane.w) * safeInverse(slope), float(-FAR_MM), float(FAR_MM));
+        float at =
+            clamp(-(dot(normal, origin) + plane.w) * safeInverse(slope), float(-FAR_MM), float(FAR_MM));
         if (slope < float(0.0)) {
             span.y = min(span.y, at);
         } else {
@@ -94,11 +98,12 @@ float endOfCut(vec3 cutFrom, vec3 cutTo, float atMm) {
     return end;
 }
 
-// The next face of the clip after `afterMm` at which the ray comes from what is removed into what is shown; FAR_MM when
-// there is none.
+// The next face of the clip after `afterMm` at which the ray comes from what is removed into what is shown;
+// FAR_MM when there is none.
 float nextFace(ClipSpans spans, float afterMm) {
     float face = float(FAR_MM);
-    if (spans.from > afterMm && endOfCut(spans.cutFrom, spans.cutTo, spans.from) < float(0.0)) face = spans.from;
+    if (spans.from > afterMm && endOfCut(spans.cutFrom, spans.cutTo, spans.from) < float(0.0))
+        face = spans.from;
     vec3 to = spans.cutTo;
     bool ofBox = spans.cutFrom.x < to.x && to.x > afterMm && to.x >= spans.from;
     bool ofCorner = spans.cutFrom.y < to.y && to.y > afterMm && to.y >= spans.from;

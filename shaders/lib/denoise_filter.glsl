@@ -1,13 +1,13 @@
 // Third step of denoising, several times with growing stride: exchange between pixels that show the same.
 //
-// Needs from its host, by index of a pixel: fetchColour and fetchNoise (the mean and preparePixel, then the pass before),
-// fetchMass, fetchSurface.
+// Needs from its host, by index of a pixel: fetchColour and fetchNoise (the mean and preparePixel, then the
+// pass before), fetchMass, fetchSurface.
 
 // What a unit of difference costs, in the exponent of a weight.
 #define DEPTH_STOP 0.15    // of the depth that slope and spread explain, squared
 #define NORMAL_STOP 2.0    // of 1 - cosine
 #define COVERAGE_STOP 8.0  // of coverage, squared
-#define LIGHT_STOP 0.1    // of the variance of a difference: 1 at two standard deviations
+#define LIGHT_STOP 0.1     // of the variance of a difference: 1 at two standard deviations
 
 struct Filtered {
     vec4 colour;
@@ -62,18 +62,24 @@ Filtered filterPixel(ivec2 pixel) {
         vec4 difference = colourQ * inverseQ - ratio;
         difference.w = (colourQ.w - massQ.w) - (colour.w - mass.w);
         float brighter =
-            luminance(vec3(colourQ.x, colourQ.y, colourQ.z)) / max(massOfLight(massQ), float(LEAST_MASS)) - light;
+            luminance(vec3(colourQ.x, colourQ.y, colourQ.z)) / max(massOfLight(massQ), float(LEAST_MASS)) -
+            light;
         float stopLight = float(LIGHT_STOP) * (brighter * brighter / max(noise.x + noiseQ.x, float(1e-30)));
-        float stopAlpha = float(LIGHT_STOP) * (difference.w * difference.w / max(noise.y + noiseQ.y, float(1e-30)));
+        float stopAlpha =
+            float(LIGHT_STOP) * (difference.w * difference.w / max(noise.y + noiseQ.y, float(1e-30)));
 
         float kernel = x == 0 || y == 0 ? float(1.0 / 6.0) : float(1.0 / 12.0);
         kernel = inside ? kernel : float(0.0);
-        vec2 weight = vec2(exp(-min(stop + stopLight, float(80.0))), exp(-min(stop + stopAlpha, float(80.0)))) * kernel;
+        vec2 weight =
+            vec2(exp(-min(stop + stopLight, float(80.0))), exp(-min(stop + stopAlpha, float(80.0)))) * kernel;
         // All colours go, or none: what stays behind would have another hue.
-        vec4 both = min(mass, massQ) * (min(massOfLight(mass), massOfLight(massQ)) < float(LEAST_MASS) ? float(0.0) : float(1.0));
+        vec4 both =
+            min(mass, massQ) *
+            (min(massOfLight(mass), massOfLight(massQ)) < float(LEAST_MASS) ? float(0.0) : float(1.0));
         both.w = min(chanceOf(mass.w), chanceOf(massQ.w));
         flow += difference * both * vec4(weight.x, weight.x, weight.x, weight.y);
-        vec2 share = vec2(weight.x * massOfLight(both) / max(massOfLight(mass), float(LEAST_MASS)), weight.y * both.w);
+        vec2 share =
+            vec2(weight.x * massOfLight(both) / max(massOfLight(mass), float(LEAST_MASS)), weight.y * both.w);
         given += share;
         variance += share * share * vec2(noiseQ.x, noiseQ.y);
     }
@@ -81,6 +87,7 @@ Filtered filterPixel(ivec2 pixel) {
     filtered.colour = colour + flow;
     vec2 left = vec2(float(1.0)) - given;
     filtered.variance = left * left * vec2(noise.x, noise.y) + variance;
-    if (denoise.last == 1) filtered.colour = clamp(filtered.colour, vec4(0.0), vec4(vec3(MOST_LIGHT), float(1.0)));
+    if (denoise.last == 1)
+        filtered.colour = clamp(filtered.colour, vec4(0.0), vec4(vec3(MOST_LIGHT), float(1.0)));
     return filtered;
 }

@@ -1,8 +1,8 @@
 // First step of denoising: what is known of each pixel.
 //
-// Needs from its host, by index of a pixel: fetchSums (radiance and coverage), fetchCount, fetchSquares (of luminance),
-// fetchSurface, fetchMatter, fetchMotion as guides.comp writes them; and of the view before: fetchOldMean, fetchOldMoments,
-// fetchOldSurface, fetchOldMatter.
+// Needs from its host, by index of a pixel: fetchSums (radiance and coverage), fetchCount, fetchSquares (of
+// luminance), fetchSurface, fetchMatter, fetchMotion as guides.comp writes them; and of the view before:
+// fetchOldMean, fetchOldMoments, fetchOldSurface, fetchOldMatter.
 
 // What is known of a pixel: the mean and the mean square of luminance over so many samples.
 struct Record {
@@ -11,8 +11,9 @@ struct Record {
     float samples;
 };
 
-// Temporal accumulation: the film of this view, and the record of the view before where it shows the same matter. Its
-// samples count for less the more this view has of its own: what was seen from elsewhere is never quite the same.
+// Temporal accumulation: the film of this view, and the record of the view before where it shows the same
+// matter. Its samples count for less the more this view has of its own: what was seen from elsewhere is never
+// quite the same.
 Record gatherPixel(ivec2 pixel) {
     int index = indexOf(pixel);
     vec4 sums = fetchSums(index);
@@ -33,7 +34,8 @@ Record gatherPixel(ivec2 pixel) {
     vec4 matter = fetchMatter(index);
     vec4 motion = fetchMotion(index);
     float trust = denoise.historySamples > float(0.0)
-                      ? max(float(1.0) - samples / (float(4.0) * denoise.historySamples), float(0.0)) : float(0.0);
+                      ? max(float(1.0) - samples / (float(4.0) * denoise.historySamples), float(0.0))
+                      : float(0.0);
     if (motion.w < float(0.0) || trust <= float(0.0)) return record;
 
     // The four pixels around the place in the view before, those that show the same.

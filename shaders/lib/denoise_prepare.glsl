@@ -1,14 +1,16 @@
-// Second step of denoising: the masses that light and alpha are divided by (demodulation), and how noisy both are.
+// Second step of denoising: the masses that light and alpha are divided by (demodulation), and how noisy both
+// are.
 //
-// Needs from its host, by index of a pixel: fetchMean and fetchMoments (of gatherPixel), fetchSurface, fetchMatter,
-// fetchMotion.
+// Needs from its host, by index of a pixel: fetchMean and fetchMoments (of gatherPixel), fetchSurface,
+// fetchMatter, fetchMotion.
 
 // From so many samples on, a pixel's own variance counts more than that of its neighbours.
 #define SAMPLES_TRUSTED 16.0
 
 struct Prepared {
     vec4 mass;   // coverage * albedo, coverage: what light and alpha are measured by
-    vec4 noise;  // variance of luminance per mass and of alpha per coverage; slope of depth in mm per pixel; its spread
+    vec4 noise;  // variance of luminance per mass and of alpha per coverage; slope of depth in mm per pixel;
+                 // its spread
     float told;  // what the variance of luminance was multiplied by, for the filter
 };
 
@@ -38,8 +40,8 @@ float slopeAlong(ivec2 pixel, float depth, ivec2 side) {
     return slope < none ? slope : float(0.0);
 }
 
-// Variance of the mean by the samples themselves, of this pixel and of those around; where no pixel has two samples, by
-// how much the pixels differ from each other.
+// Variance of the mean by the samples themselves, of this pixel and of those around; where no pixel has two
+// samples, by how much the pixels differ from each other.
 Prepared preparePixel(ivec2 pixel) {
     int index = indexOf(pixel);
     vec2 moments = fetchMoments(index);
@@ -68,7 +70,8 @@ Prepared preparePixel(ivec2 pixel) {
         vec4 matterQ = fetchMatter(q);
         float l = luminance(vec3(meanQ.x, meanQ.y, meanQ.z));
         float d = luminance(vec3(matterQ.x, matterQ.y, matterQ.z)) * matterQ.w;
-        // The variance of samples; clamped, since a mean of squares and a square of means are rounded each on its own.
+        // The variance of samples; clamped, since a mean of squares and a square of means are rounded each on
+        // its own.
         float own = max(momentsQ.x - l * l, float(0.0)) / max(momentsQ.y - float(1.0), float(1.0));
         lightAt[tap] = l;
         massAt[tap] = d;
@@ -94,7 +97,8 @@ Prepared preparePixel(ivec2 pixel) {
     float pooled = moments.y > float(1.5) ? variances * perMass : between;
     float d = max(massOfLight(prepared.mass), float(LEAST_MASS));
     float known = max(moments.y - float(1.0), float(0.0));
-    float light2 = (float(SAMPLES_TRUSTED) * pooled + known * variance / (d * d)) / (float(SAMPLES_TRUSTED) + known);
+    float light2 =
+        (float(SAMPLES_TRUSTED) * pooled + known * variance / (d * d)) / (float(SAMPLES_TRUSTED) + known);
 
     // Whether a sample meets matter is a coin whose odds the guides know.
     float coverage = prepared.mass.w;

@@ -1,27 +1,30 @@
-// Before and after the filter: pixels that stand out alone. The brightest of few samples are many times as bright as all
-// around them: the filter would keep such a pixel apart for its light, and a white dot would stay. So before the filter it
-// gives light away, from four times its brightest neighbour on, and from seven times on all that is beyond that neighbour.
-// After the filter, in soft tissue, normals are so uncertain that they tell a pixel from all around it; it keeps the noise of
-// its few samples and is brighter, or darker, than each of its eight neighbours. As far as the noise that is left to it
-// explains that, it exchanges with them whatever normals and light say, in flows like those of the filter: light is kept
-// exactly, and the more samples, the less is exchanged.
+// Before and after the filter: pixels that stand out alone. The brightest of few samples are many times as
+// bright as all around them: the filter would keep such a pixel apart for its light, and a white dot would
+// stay. So before the filter it gives light away, from four times its brightest neighbour on, and from seven
+// times on all that is beyond that neighbour. After the filter, in soft tissue, normals are so uncertain that
+// they tell a pixel from all around it; it keeps the noise of its few samples and is brighter, or darker,
+// than each of its eight neighbours. As far as the noise that is left to it explains that, it exchanges with
+// them whatever normals and light say, in flows like those of the filter: light is kept exactly, and the more
+// samples, the less is exchanged.
 //
-// Depth and coverage still tell pixels apart. And after the filter those neighbours take part that differ from the limit
-// (the light of the nearest of them) hardly more than the pixel does itself: in a line one pixel wide the limit is that of
-// the line, and what stands out of the line by less than the line does of its sides goes along it.
+// Depth and coverage still tell pixels apart. And after the filter those neighbours take part that differ
+// from the limit (the light of the nearest of them) hardly more than the pixel does itself: in a line one
+// pixel wide the limit is that of the line, and what stands out of the line by less than the line does of its
+// sides goes along it.
 //
 // Alpha stays as it is: it is a coin whose odds the guides know, and where matter is opaque it has no noise.
 //
 // denoise.stride is 0 before the filter.
 //
-// Needs from its host, by index of a pixel: fetchColour and fetchNoise (of preparePixel or the last filterPixel),
-// fetchMoments, fetchMass, fetchSurface; and denoise_filter.glsl.
+// Needs from its host, by index of a pixel: fetchColour and fetchNoise (of preparePixel or the last
+// filterPixel), fetchMoments, fetchMass, fetchSurface; and denoise_filter.glsl.
 
-// How much of what stands out is taken for noise, in standard deviations of what is left. More takes more away, of
-// noisy lines too (docs/measurements/tracer.md).
+// How much of what stands out is taken for noise, in standard deviations of what is left. More takes more
+// away, of noisy lines too (docs/measurements/tracer.md).
 #define SPECK_DEVIATIONS 2.0
-// Before the filter: noise is known by few pixels, of which the bright one is the noisiest. From so many samples on, with
-// those of the view before, less than half of that is taken, or true detail, as of cut faces, would go too.
+// Before the filter: noise is known by few pixels, of which the bright one is the noisiest. From so many
+// samples on, with those of the view before, less than half of that is taken, or true detail, as of cut
+// faces, would go too.
 #define DOT_DEVIATIONS 8.0
 #define DOT_SAMPLES 8.0
 #define DOT_TIMES 4.0  // what is so many times as bright as its brightest neighbour is none
@@ -39,11 +42,12 @@ struct Speck {
 float takesPart(Speck speck, float light) {
     if (light < float(0.0)) return float(0.0);
     if (denoise.stride == 0) return float(1.0);
-    return clamp(float(2.0) - abs(light - speck.limit) / max(speck.over, float(1e-30)), float(0.0), float(1.0));
+    return clamp(float(2.0) - abs(light - speck.limit) / max(speck.over, float(1e-30)), float(0.0),
+                 float(1.0));
 }
 
-// Of one of 5 times 5 pixels, row by row, that is not at their border. `explained` is how far noise explains that it stands
-// out.
+// Of one of 5 times 5 pixels, row by row, that is not at their border. `explained` is how far noise explains
+// that it stands out.
 Speck speckAt(float lights[25], int place, float explained) {
     float light = lights[place];
     float low = float(1e30);
@@ -111,8 +115,9 @@ vec4 withoutSpeck(ivec2 pixel) {
         float stop = stopOfDepth(surface, noise, fetchSurface(q), noiseQ, sqrt(float(x * x + y * y))) +
                      float(COVERAGE_STOP) * thicker * thicker;
         // The same seen from either side; in sum 1 at most.
-        float weight = max(own.part * takesPart(own, lights[place]), other.part * takesPart(other, lights[12])) *
-                       exp(-min(stop, float(80.0))) * float(1.0 / 8.0);
+        float weight =
+            max(own.part * takesPart(own, lights[place]), other.part * takesPart(other, lights[12])) *
+            exp(-min(stop, float(80.0))) * float(1.0 / 8.0);
         weight = lights[place] >= float(0.0) ? weight : float(0.0);
         flow += (fetchColour(q) / max(massQ, vec4(LEAST_OF_CHANNEL)) - ratio) * min(mass, massQ) * weight;
     }

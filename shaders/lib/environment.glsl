@@ -1,7 +1,8 @@
 // Light from all directions: see src/pipeline/trace/environment.h for the frame and the layout.
 //
-// Needs from its host: params.environmentSize, fetchEnvironment(texel) = radiance and pdf per steradian, and fetchCumulative(i):
-// for each row where its share of the unit interval begins; after them, for each texel, where its share of its row begins.
+// Needs from its host: params.environmentSize, fetchEnvironment(texel) = radiance and pdf per steradian, and
+// fetchCumulative(i): for each row where its share of the unit interval begins; after them, for each texel,
+// where its share of its row begins.
 
 struct EnvironmentSample {
     vec3 direction;  // unit, in the environment's frame
@@ -9,7 +10,8 @@ struct EnvironmentSample {
     float pdfPerSr;  // 0 when there is no light at all
 };
 
-// The last of `count` shares, which begin from index `first` on, that begins at or below u; and how far into it u lies, 0 to 1.
+// The last of `count` shares, which begin from index `first` on, that begins at or below u; and how far into
+// it u lies, 0 to 1.
 int shareAt(int first, int count, float u, OUT(float) within) {
     int low = 0;
     int high = count;
@@ -27,20 +29,23 @@ int shareAt(int first, int count, float u, OUT(float) within) {
     return low;
 }
 
-// Importance sampling: draws a row by its power, a texel of it likewise, and a direction in it uniform in solid angle,
-// so that the pdf is the same all over the texel. What is near in the square is near in the sky, mostly: even points
-// give even light.
+// Importance sampling: draws a row by its power, a texel of it likewise, and a direction in it uniform in
+// solid angle, so that the pdf is the same all over the texel. What is near in the square is near in the sky,
+// mostly: even points give even light.
 EnvironmentSample sampleEnvironment(vec2 u) {
     float down;
     float along;
     int row = shareAt(0, params.environmentSize.y, u.x, down);
-    int column = shareAt(params.environmentSize.y + row * params.environmentSize.x, params.environmentSize.x, u.y, along);
+    int column = shareAt(params.environmentSize.y + row * params.environmentSize.x, params.environmentSize.x,
+                         u.y, along);
     vec4 light = fetchEnvironment(row * params.environmentSize.x + column);
     float angle = float(PI) / float(params.environmentSize.y);
     float cosine = mix(cos(float(row) * angle), cos(float(row + 1) * angle), down);
     float sine = sqrt(max(float(0.0), float(1.0) - cosine * cosine));
-    float azimuth = float(2.0 * PI) * ((float(column) + along) / float(params.environmentSize.x) - float(0.5));
-    return EnvironmentSample(vec3(-sine * sin(azimuth), cosine, sine * cos(azimuth)), vec3(light.x, light.y, light.z), light.w);
+    float azimuth =
+        float(2.0 * PI) * ((float(column) + along) / float(params.environmentSize.x) - float(0.5));
+    return EnvironmentSample(vec3(-sine * sin(azimuth), cosine, sine * cos(azimuth)),
+                             vec3(light.x, light.y, light.z), light.w);
 }
 
 int environmentTexel(vec3 direction) {

@@ -4,8 +4,8 @@
 
 #define FEATHER_RADIUS 2
 
-// A pixel keeps its weight where all around it is known as well as itself, and loses it where half is not: what is known
-// alone is no surface.
+// A pixel keeps its weight where all around it is known as well as itself, and loses it where half is not:
+// what is known alone is no surface.
 float feathered(ivec2 pixel) {
     float sum = float(0.0);
     for (int y = -FEATHER_RADIUS; y <= FEATHER_RADIUS; ++y) {

@@ -1,12 +1,13 @@
-// A picture that is stored larger where the eye looks. Both the picture as stored and the picture as seen lie in the plane
-// at distance 1 from the eye, x to the right, y up, within the same rectangle. Along every ray from the gaze, what is seen
-// at distance q is stored at distance r:
+// A picture that is stored larger where the eye looks. Both the picture as stored and the picture as seen lie
+// in the plane at distance 1 from the eye, x to the right, y up, within the same rectangle. Along every ray
+// from the gaze, what is seen at distance q is stored at distance r:
 //
 //   q = r / m                                     up to the radius of the fovea
 //   q = r / m + k (r - radius)^2                  beyond, k such that the border stays the border
 //
-// so that the scale changes without a step, and the inverse is a quadratic equation. It is the map of Kleinbeck et al. 2026
-// (1.7 of the reference), which is linear in scale and has a step in its derivative at the radius.
+// so that the scale changes without a step, and the inverse is a quadratic equation. It is the map of
+// Kleinbeck et al. 2026 (1.7 of the reference), which is linear in scale and has a step in its derivative at
+// the radius.
 
 struct Fovea {
     vec2 halfSize;        // of the rectangle
@@ -17,12 +18,14 @@ struct Fovea {
 
 // The distance from the gaze to the border along a unit direction.
 float borderDistance(Fovea fovea, vec2 direction) {
-    float x = abs(direction.x) > float(1e-20)
-                  ? ((direction.x > float(0.0) ? fovea.halfSize.x : -fovea.halfSize.x) - fovea.gaze.x) / direction.x
-                  : float(1e20);
-    float y = abs(direction.y) > float(1e-20)
-                  ? ((direction.y > float(0.0) ? fovea.halfSize.y : -fovea.halfSize.y) - fovea.gaze.y) / direction.y
-                  : float(1e20);
+    float x =
+        abs(direction.x) > float(1e-20)
+            ? ((direction.x > float(0.0) ? fovea.halfSize.x : -fovea.halfSize.x) - fovea.gaze.x) / direction.x
+            : float(1e20);
+    float y =
+        abs(direction.y) > float(1e-20)
+            ? ((direction.y > float(0.0) ? fovea.halfSize.y : -fovea.halfSize.y) - fovea.gaze.y) / direction.y
+            : float(1e20);
     return min(x, y);
 }
 

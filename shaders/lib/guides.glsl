@@ -1,11 +1,11 @@
-// What a pixel shows, found without chance: a march along its centre ray through the one walk. Depth, coverage, colour
-// of the first visible matter, surface normal, and where all that was in the view before. A random path would give noise
-// of centimetres in translucent matter.
+// What a pixel shows, found without chance: a march along its centre ray through the one walk. Depth,
+// coverage, colour of the first visible matter, surface normal, and where all that was in the view before. A
+// random path would give noise of centimetres in translucent matter.
 //
 // Needs what path.glsl needs.
 
-// Optical depths at which transmittance is 3/4, 1/2 and 1/4, and where a march ends: what is behind 255/256 of opacity
-// is not seen.
+// Optical depths at which transmittance is 3/4, 1/2 and 1/4, and where a march ends: what is behind 255/256
+// of opacity is not seen.
 #define DEPTH_3_4 0.28768207245178085
 #define DEPTH_1_2 0.69314718055994531
 #define DEPTH_1_4 1.3862943611198906
@@ -15,10 +15,14 @@ struct Guide {
     float depthMm;     // along the ray to transmittance 1/2; negative when it does not fall so far
     float confidence;  // of the depth, 0 to 1: see guideOf
     float coverage;    // 1 - transmittance of all there is; what is above 255/256 is not told apart
-    vec3 albedo;       // mean over the matter down to transmittance 1/2, by what each part adds to the opacity; 0 if none
-    vec3 normal;       // world, unit, towards the eye: of the surface of equal value at the depth; 0 where there is none
-    vec2 motion;       // pixels: where this was in the view before, minus where it is now; 0 when it was not in front
-    float beforeMm;    // its distance from the eye before; negative when there is nothing, or it was not in front
+    vec3 albedo;  // mean over the matter down to transmittance 1/2, by what each part adds to the opacity; 0
+                  // if none
+    vec3 normal;  // world, unit, towards the eye: of the surface of equal value at the depth; 0 where there
+                  // is none
+    vec2 motion;  // pixels: where this was in the view before, minus where it is now; 0 when it was not in
+                  // front
+    float
+        beforeMm;  // its distance from the eye before; negative when there is nothing, or it was not in front
 };
 
 // Another eye: where ours is relative to it in world mm, and the axes of its picture as in TraceParams.
@@ -31,14 +35,16 @@ struct Eye {
     float parallelMm;
 };
 
-// The inverse of eyeRay for any eye: where what lies at `v` from it (world mm) is in its picture, in pixels. False when it
-// is behind the eye; then `pixel` is 0.
+// The inverse of eyeRay for any eye: where what lies at `v` from it (world mm) is in its picture, in pixels.
+// False when it is behind the eye; then `pixel` is 0.
 bool pixelOfDirection(vec3 v, Eye eye, OUT(vec2) pixel) {
     pixel = vec2(0.0);
     float along = dot(v, eye.forward);
     if (!(along >= float(0.0))) return false;
-    if (eye.parallelMm > float(0.0)) along = eye.parallelMm;
-    else if (!(along * along > float(1e-8) * dot(v, v))) return false;
+    if (eye.parallelMm > float(0.0))
+        along = eye.parallelMm;
+    else if (!(along * along > float(1e-8) * dot(v, v)))
+        return false;
     float x = dot(v, eye.right) / (along * dot(eye.right, eye.right));
     float y = dot(v, eye.up) / (along * dot(eye.up, eye.up));
     if (eye.fovea.magnification > float(1.0)) {
@@ -67,14 +73,15 @@ struct March {
 #define MARCH_STEP(before, after, fromMm, perDepth)
 #endif
 
-// Visitor: marches in steps of a voxel, and where one of them alone takes away more than FINE of the light, quarters of
-// it; each of constant extinction.
+// Visitor: marches in steps of a voxel, and where one of them alone takes away more than FINE of the light,
+// quarters of it; each of constant extinction.
 #define FINE 0.1
-// The most rounds of a march, at which lavapipe ends every loop; a volume that can be seen takes some thousands. From
-// kilometres away float has no steps as small as these.
+// The most rounds of a march, at which lavapipe ends every loop; a volume that can be seen takes some
+// thousands. From kilometres away float has no steps as small as these.
 #define MOST_ROUNDS 65535
 March march(INOUT(BrickWalk) walk) {
-    March m = March(float(0.0), float(-1.0), float(-1.0), float(-1.0), float(0.0), float(0.0), float(0.0), vec3(0.0));
+    March m = March(float(0.0), float(-1.0), float(-1.0), float(-1.0), float(0.0), float(0.0), float(0.0),
+                    vec3(0.0));
     vec3 perMm = max(walk.direction, -walk.direction);
     float coarseMm = float(1.0) / (float(BRICK) * max(max(perMm.x, perMm.y), perMm.z));
     float fineMm = float(0.25) * coarseMm;
@@ -94,7 +101,8 @@ March march(INOUT(BrickWalk) walk) {
         runToMm = walk.segmentEndMm;
         fineToMm = anew ? fromMm + float(0.5) * coarseMm : fineToMm;
         stepMm = anew ? fineMm : stepMm;
-        while (fromMm + tinyMm < walk.segmentEndMm && m.opticalDepth < float(DEPTH_OPAQUE) && rounds < MOST_ROUNDS) {
+        while (fromMm + tinyMm < walk.segmentEndMm && m.opticalDepth < float(DEPTH_OPAQUE) &&
+               rounds < MOST_ROUNDS) {
             rounds += 1;
             float step = min(stepMm, walk.segmentEndMm - fromMm);
             float middleMm = fromMm + float(0.5) * step;
@@ -104,22 +112,29 @@ March march(INOUT(BrickWalk) walk) {
             Mixture matter = mixtureAt(at, entry, steep);
             float extinction = totalOf(matter);
             if (isMasked(at)) extinction = float(0.0);
-            if (useClip()) extinction = endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
+            if (useClip())
+                extinction =
+                    endOfCut(walk.cutFrom, walk.cutTo, middleMm) < float(0.0) ? extinction : float(0.0);
             float added = extinction * step;
             bool again = added > float(FINE) && step > fineMm;
-            // Where a coarse step meets much, half of the one before is looked at again, too: it may have begun there. Means over
-            // what is seen keep that half twice; it is little, for else that step had been a fine one.
+            // Where a coarse step meets much, half of the one before is looked at again, too: it may have
+            // begun there. Means over what is seen keep that half twice; it is little, for else that step had
+            // been a fine one.
             float before = again ? m.opticalDepth - float(0.5) * lastAdded : m.opticalDepth;
             float after = again ? before : before + added;
             float perDepth = float(1.0) / max(extinction, float(1e-20));
-            if (before < float(DEPTH_3_4) && after >= float(DEPTH_3_4)) m.nearMm = fromMm + (float(DEPTH_3_4) - before) * perDepth;
-            if (before < float(DEPTH_1_2) && after >= float(DEPTH_1_2)) m.halfMm = fromMm + (float(DEPTH_1_2) - before) * perDepth;
-            if (before < float(DEPTH_1_4) && after >= float(DEPTH_1_4)) m.farMm = fromMm + (float(DEPTH_1_4) - before) * perDepth;
+            if (before < float(DEPTH_3_4) && after >= float(DEPTH_3_4))
+                m.nearMm = fromMm + (float(DEPTH_3_4) - before) * perDepth;
+            if (before < float(DEPTH_1_2) && after >= float(DEPTH_1_2))
+                m.halfMm = fromMm + (float(DEPTH_1_2) - before) * perDepth;
+            if (before < float(DEPTH_1_4) && after >= float(DEPTH_1_4))
+                m.farMm = fromMm + (float(DEPTH_1_4) - before) * perDepth;
             MARCH_STEP(before, after, fromMm, perDepth);
             float seen = max(exp(-before) - exp(-min(after, float(DEPTH_1_2))), float(0.0));
             m.seen += seen;
             m.seenMm += seen * middleMm;
-            for (bool asks = useSteep() && seen > float(0.0) && !isSteepDenser(entry); asks; asks = false) steep = steepOfAll(at);
+            for (bool asks = useSteep() && seen > float(0.0) && !isSteepDenser(entry); asks; asks = false)
+                steep = steepOfAll(at);
             m.albedo += albedoAt(at, entry, steep, secondShareOf(matter)) * seen;
             m.endMm = after > before ? fromMm + step : m.endMm;
             m.opticalDepth = after;
@@ -152,8 +167,9 @@ vec3 surfaceNormal(vec3 at, vec3 worldDirection) {
     vec3 x = vec3(float(1.0), float(0.0), float(0.0));
     vec3 y = vec3(float(0.0), float(1.0), float(0.0));
     vec3 z = vec3(float(0.0), float(0.0), float(1.0));
-    vec3 gradient = vec3(expectedEntry(at + x) - expectedEntry(at - x), expectedEntry(at + y) - expectedEntry(at - y),
-                         expectedEntry(at + z) - expectedEntry(at - z));
+    vec3 gradient =
+        vec3(expectedEntry(at + x) - expectedEntry(at - x), expectedEntry(at + y) - expectedEntry(at - y),
+             expectedEntry(at + z) - expectedEntry(at - z));
     // A twentieth of a stored value over two voxels is rounding of large values, no surface.
     if (!(dot(gradient, gradient) > float(0.0025))) return vec3(0.0);
     // A gradient in voxels becomes one in mm by the transpose of the map from mm to voxels.
@@ -181,8 +197,8 @@ vec3 betweenRays(EyeRay to, EyeRay from, float distanceMm) {
 // The guide of a ray of the pixel whose middle is at `pixel`.
 //
 // Confidence tells how well one depth stands for what is seen: f / (f + s), where s is the length over which
-// transmittance falls from 3/4 to 1/4 and f the width of four pixels there. It fades to 0 as coverage falls from 3/4 to
-// 1/2, below which there is no depth.
+// transmittance falls from 3/4 to 1/4 and f the width of four pixels there. It fades to 0 as coverage falls
+// from 3/4 to 1/2, below which there is no depth.
 Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
     vec3 direction = eye.direction;
     vec3 directionVoxel = voxelsPerMm(direction);
@@ -204,35 +220,39 @@ Guide guideAlong(EyeRay eye, vec2 pixel, Eye before) {
         vec3 below = betweenRays(eyeRay(pixel + vec2(float(0.0), float(1.0))), middle, m.halfMm);
         float footprintMm = sqrt(max(dot(aside, aside), dot(below, below)));
         float spreadMm = (m.farMm >= float(0.0) ? m.farMm : m.endMm) - m.nearMm;
-        guide.confidence = float(4.0) * footprintMm / (float(4.0) * footprintMm + max(spreadMm, float(1e-20)));
+        guide.confidence =
+            float(4.0) * footprintMm / (float(4.0) * footprintMm + max(spreadMm, float(1e-20)));
         guide.confidence *= clamp(float(4.0) * guide.coverage - float(2.0), float(0.0), float(1.0));
         guide.normal = normalAt(eye.originVoxel + directionVoxel * m.halfMm, direction);
     }
     // What is too thin for a depth moves like the middle of what it adds.
-    vec3 fromBefore = before.oursMm + eye.asideMm + direction * (m.halfMm >= float(0.0) ? m.halfMm : m.seenMm / max(m.seen, float(1e-20)));
+    vec3 fromBefore = before.oursMm + eye.asideMm +
+                      direction * (m.halfMm >= float(0.0) ? m.halfMm : m.seenMm / max(m.seen, float(1e-20)));
     vec2 pixelBefore;
     guide.motion = vec2(0.0);
     guide.beforeMm = float(-1.0);
     if (m.seen > float(0.0) && pixelOfDirection(fromBefore, before, pixelBefore)) {
         guide.motion = pixelBefore - pixel;
-        guide.beforeMm = before.parallelMm > float(0.0) ? dot(fromBefore, before.forward) : sqrt(dot(fromBefore, fromBefore));
+        guide.beforeMm = before.parallelMm > float(0.0) ? dot(fromBefore, before.forward)
+                                                        : sqrt(dot(fromBefore, fromBefore));
     }
     return guide;
 }
 
-// Through a lens, so many rays of a pixel: few, as each of them is a march, and enough that a blurred edge is no row of edges
-// once the filter has looked at it.
+// Through a lens, so many rays of a pixel: few, as each of them is a march, and enough that a blurred edge is
+// no row of edges once the filter has looked at it.
 #define LENS_RAYS 16
 
-// Points of a disc of radius 1 at equal shares of its area, each the golden angle on from the last (Vogel 1979, "A better way to
-// construct the sunflower head").
+// Points of a disc of radius 1 at equal shares of its area, each the golden angle on from the last (Vogel
+// 1979, "A better way to construct the sunflower head").
 vec2 spiralPoint(int i) {
     float angle = float(2.39996322972865332) * float(i);
     return vec2(cos(angle), sin(angle)) * sqrt((float(i) + float(0.5)) * float(1.0 / LENS_RAYS));
 }
 
-// The guide of a point of the picture, in pixels: of the ray through it, or through a lens the mean of its rays, so that what the
-// filter is led by is as blurred as what it filters. The albedo is weighted by coverage, as light is.
+// The guide of a point of the picture, in pixels: of the ray through it, or through a lens the mean of its
+// rays, so that what the filter is led by is as blurred as what it filters. The albedo is weighted by
+// coverage, as light is.
 Guide guideOf(vec2 pixel, Eye before) {
     EyeRay eye = eyeRay(pixel);
     bool blurs = params.lensRadiusMm > float(0.0);

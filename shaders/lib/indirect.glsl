@@ -1,20 +1,22 @@
-// The cache of indirect light: what arrives at the first vertices of paths from other matter, averaged over all directions, by
-// place. It changes slowly from place to place, and is the larger part of what a path costs and of its noise. Cells are found
-// by a hash of their coordinates, and looked up at a place that chance moves by up to half a cell: linear interpolation on
-// average (Binder, Fricke and Keller 2019, "Massively Parallel Path Space Filtering").
+// The cache of indirect light: what arrives at the first vertices of paths from other matter, averaged over
+// all directions, by place. It changes slowly from place to place, and is the larger part of what a path
+// costs and of its noise. Cells are found by a hash of their coordinates, and looked up at a place that
+// chance moves by up to half a cell: linear interpolation on average (Binder, Fricke and Keller 2019,
+// "Massively Parallel Path Space Filtering").
 //
-// A cell also has a side: which axis the eye looks along, so that both faces of a wall thinner than a cell have light of
-// their own. Where the phase function is not isotropic the light counts for the side alone. And it has a kind of matter,
-// by albedo and extinction: a calcification smaller than a cell must not have the light of the dark matter around it.
+// A cell also has a side: which axis the eye looks along, so that both faces of a wall thinner than a cell
+// have light of their own. Where the phase function is not isotropic the light counts for the side alone. And
+// it has a kind of matter, by albedo and extinction: a calcification smaller than a cell must not have the
+// light of the dark matter around it.
 //
-// Needs: useIndirect(), a constant; fetchIndirectTags(bucket) and fetchIndirectCell(cell), see shared/indirect_light.h;
-// params.indirect*.
+// Needs: useIndirect(), a constant; fetchIndirectTags(bucket) and fetchIndirectCell(cell), see
+// shared/indirect_light.h; params.indirect*.
 
 // A path ends in a cell that knows n samples with the probability n / (n + this).
 #define INDIRECT_DOUBT 8.0
 #define INDIRECT_LEVELS 15  // the largest cell has 2^15 times the width of the smallest
-// A cell's light is a mean of what it knows and of what the cell that is 2^this times as wide knows, which counts for so many
-// samples.
+// A cell's light is a mean of what it knows and of what the cell that is 2^this times as wide knows, which
+// counts for so many samples.
 #define INDIRECT_WIDER 2
 #define INDIRECT_PRIOR 8.0
 #define INDIRECT_BRIGHTS 6.0  // kinds of matter between black and white
@@ -23,7 +25,8 @@
 // The width of cells at a place is 2^this times that of the smallest.
 int indirectLevel(vec3 at) {
     vec3 fromEye = (at - params.originVoxel) * params.indirectCellsPerVoxel;
-    float width = params.indirectWidth * (params.parallelMm > float(0.0) ? float(1.0) : sqrt(dot(fromEye, fromEye)));
+    float width =
+        params.indirectWidth * (params.parallelMm > float(0.0) ? float(1.0) : sqrt(dot(fromEye, fromEye)));
     int level = 0;
     for (float w = float(2.0); w <= width && level < INDIRECT_LEVELS; w *= float(2.0)) level += 1;
     return level;
@@ -40,7 +43,8 @@ int indirectSide(vec3 direction) {
 // Where matter lies among the kinds of it: by its albedo, and by its extinction per mm.
 vec2 indirectMatter(vec3 albedo, float extinction) {
     float bright = max(albedo.x, max(albedo.y, albedo.z));
-    return vec2(bright * float(INDIRECT_BRIGHTS), (log2(max(extinction, float(1e-6))) + float(10.0)) / float(INDIRECT_OCTAVES));
+    return vec2(bright * float(INDIRECT_BRIGHTS),
+                (log2(max(extinction, float(1e-6))) + float(10.0)) / float(INDIRECT_OCTAVES));
 }
 
 // Bucket and tag of the cell at a place in cells of a level, on a side, of matter of the nearest kind.
@@ -48,34 +52,39 @@ uvec2 indirectCell(vec3 place, int level, int side, vec2 matter) {
     vec3 low = floor(clamp(place, vec3(0.0), vec3(65534.0)));
     vec2 kind = floor(clamp(matter + vec2(0.5), vec2(0.0), vec2(15.0)));
     uint a = (uint(low.x) << 16u) | uint(low.y);
-    uint b = (uint(low.z) << 16u) | (uint(level) << 11u) | (uint(kind.x) << 7u) | (uint(kind.y) << 3u) | uint(side);
+    uint b = (uint(low.z) << 16u) | (uint(level) << 11u) | (uint(kind.x) << 7u) | (uint(kind.y) << 3u) |
+             uint(side);
     return uvec2(hashOf(a, b) & (kIndirectBuckets - 1u), hashOf(b ^ 0x5bd1e995u, a) | 1u);
 }
 
 // Mean light and number of samples of a cell; of none 0.
 vec4 indirectIn(uvec2 cell) {
     uvec4 tags = fetchIndirectTags(int(cell.x));
-    int way = tags.x == cell.y ? 0 : (tags.y == cell.y ? 1 : (tags.z == cell.y ? 2 : (tags.w == cell.y ? 3 : -1)));
+    int way =
+        tags.x == cell.y ? 0 : (tags.y == cell.y ? 1 : (tags.z == cell.y ? 2 : (tags.w == cell.y ? 3 : -1)));
     if (way < 0) return vec4(0.0);
     uvec4 sums = fetchIndirectCell(int(cell.x * kIndirectWays) + way);
     float scale = params.indirectUnit / max(float(sums.w), float(1.0));
     return vec4(float(sums.x) * scale, float(sums.y) * scale, float(sums.z) * scale, float(sums.w));
 }
 
-// The light at a place, in cells of a level; linear between cells on average. `own` is the one that the place is in.
+// The light at a place, in cells of a level; linear between cells on average. `own` is the one that the place
+// is in.
 vec4 indirectOfLevel(vec3 at, int level, int side, vec2 matter, INOUT(Rng) rng, OUT(uvec2) own) {
-    vec3 place = at * params.indirectCellsPerVoxel / float(1 << level) + vec3(1.0);  // moved by chance it is not below 0
+    vec3 place = at * params.indirectCellsPerVoxel / float(1 << level) +
+                 vec3(1.0);  // moved by chance it is not below 0
     own = indirectCell(place, level, side, matter);
     vec4 here = indirectIn(own);
     vec3 aside = random01Coarse3(rng) - vec3(0.5);
     vec2 other = vec2(random01Coarse3(rng)) - vec2(0.5);
     vec4 there = indirectIn(indirectCell(place + aside, level, side, matter + other));
-    // Cells that know little are seldom met, because they lie beyond the surface, or far behind it where it is darker.
+    // Cells that know little are seldom met, because they lie beyond the surface, or far behind it where it
+    // is darker.
     return random01(rng) * here.w < there.w ? there : here;
 }
 
-// The light at a vertex in such matter that was met in `direction`; w is how many samples of the vertex itself it is worth. `own` are the
-// cells that the vertex is in.
+// The light at a vertex in such matter that was met in `direction`; w is how many samples of the vertex
+// itself it is worth. `own` are the cells that the vertex is in.
 vec4 indirectAt(vec3 at, vec3 direction, vec2 matter, INOUT(Rng) rng, OUT(uvec4) own) {
     int level = indirectLevel(at);
     int side = indirectSide(direction);

@@ -1,10 +1,11 @@
-// Where the light of a pixel comes from, found without chance by the march of guides.glsl: the depths of eight layers along the
-// centre ray. Each layer takes an eighth of the light from behind.
+// Where the light of a pixel comes from, found without chance by the march of guides.glsl: the depths of
+// eight layers along the centre ray. Each layer takes an eighth of the light from behind.
 //
 // Needs guides.glsl, with MARCH_STEP defined as layerStep before it.
 #define LAYERS 8
 
-float layerMm[LAYERS];  // along the ray under way to the middle of each layer; negative when opacity does not come so far
+float layerMm[LAYERS];  // along the ray under way to the middle of each layer; negative when opacity does not
+                        // come so far
 
 void passLayer(int layer, float depth, float before, float after, float fromMm, float perDepth) {
     if (before < depth && after >= depth) layerMm[layer] = fromMm + (depth - before) * perDepth;
@@ -24,7 +25,8 @@ void layerStep(float before, float after, float fromMm, float perDepth) {
 
 struct LayeredRay {
     float coverage;  // as of a guide
-    float meanMm;    // of the matter down to transmittance 1/2: for what is too thin for a layer; negative: there is none
+    float meanMm;    // of the matter down to transmittance 1/2: for what is too thin for a layer; negative:
+                     // there is none
 };
 
 // Marches the ray through a point of the picture, in pixels; fills layerMm.

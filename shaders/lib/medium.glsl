@@ -1,10 +1,11 @@
-// The optical medium at a point. Positions are in voxel coordinates with integers at voxel faces: the volume fills
-// [0, size]; beyond the outermost centres the outer voxel goes on.
+// The optical medium at a point. Positions are in voxel coordinates with integers at voxel faces: the volume
+// fills [0, size]; beyond the outermost centres the outer voxel goes on.
 //
 // Needs from its host: params.volumeSize, fetchStored(voxel) in table entries, fetchCorners(low, high,
-// near, far): the same for the eight corners between two voxels that are at most 1 apart, blocksOfBrick(brick) and fetchFrom(blocks,
-// voxel) for those of one brick and of the brick before it along each axis, fetchExtinction(entry) per mm, and
-// constants: useTrilinear(), false for the stochastic filter alone, and useSmooth() and useSharp(), of which one at most is true.
+// near, far): the same for the eight corners between two voxels that are at most 1 apart,
+// blocksOfBrick(brick) and fetchFrom(blocks, voxel) for those of one brick and of the brick before it along
+// each axis, fetchExtinction(entry) per mm, and constants: useTrilinear(), false for the stochastic filter
+// alone, and useSmooth() and useSharp(), of which one at most is true.
 
 // The eight voxels around a point, and where between them it lies.
 struct Corners {
@@ -24,7 +25,8 @@ Corners cornersAround(vec3 p) {
 
 float interpolated(Corners c, vec3 fraction) {
     return mix(mix(mix(c.near.x, c.near.y, fraction.x), mix(c.near.z, c.near.w, fraction.x), fraction.y),
-               mix(mix(c.far.x, c.far.y, fraction.x), mix(c.far.z, c.far.w, fraction.x), fraction.y), fraction.z);
+               mix(mix(c.far.x, c.far.y, fraction.x), mix(c.far.z, c.far.w, fraction.x), fraction.y),
+               fraction.z);
 }
 float interpolated(Corners c) {
     return interpolated(c, c.fraction);
@@ -41,9 +43,9 @@ float stochasticEntry(vec3 p, INOUT(Rng) rng) {
     return fetchStored(clamp(voxel, ivec3(0), params.volumeSize - ivec3(1)));
 }
 
-// A place that chance moves by up to a voxel along each axis, by the sum of two even numbers: the average of a trilinear field over
-// such places is a cubic B-spline's (a hat over a hat). One fetch, for what light is linear in (stochastic texture filtering, Pharr
-// et al. 2024).
+// A place that chance moves by up to a voxel along each axis, by the sum of two even numbers: the average of
+// a trilinear field over such places is a cubic B-spline's (a hat over a hat). One fetch, for what light is
+// linear in (stochastic texture filtering, Pharr et al. 2024).
 vec3 movedByChance(vec3 p, INOUT(Rng) rng) {
     vec3 first = random01Coarse3(rng);
     return p + first + random01Coarse3(rng) - vec3(1.0);
@@ -53,28 +55,33 @@ bool useSpline() {
     return useSmooth() || useSharp();
 }
 
-// What four voxels weigh at a fraction of the way from the second to the third: in a cubic B-spline (Unser, "Splines: a perfect
-// fit", 1999), or in Mitchell and Netravali's (1988), which is a third of that and two thirds of Catmull and Rom's.
+// What four voxels weigh at a fraction of the way from the second to the third: in a cubic B-spline (Unser,
+// "Splines: a perfect fit", 1999), or in Mitchell and Netravali's (1988), which is a third of that and two
+// thirds of Catmull and Rom's.
 vec4 splineWeights(float t) {
     float u = float(1.0) - t;
-    vec4 soft = vec4(u * u * u, float(4.0) + t * t * (float(3.0) * t - float(6.0)), float(4.0) + u * u * (float(3.0) * u - float(6.0)),
-                     t * t * t) * float(1.0 / 6.0);
+    vec4 soft = vec4(u * u * u, float(4.0) + t * t * (float(3.0) * t - float(6.0)),
+                     float(4.0) + u * u * (float(3.0) * u - float(6.0)), t * t * t) *
+                float(1.0 / 6.0);
     if (useSmooth()) return soft;
     vec4 through = vec4(-t * u * u, float(2.0) + t * t * (float(3.0) * t - float(5.0)),
-                        float(2.0) + u * u * (float(3.0) * u - float(5.0)), -u * t * t) * float(0.5);
+                        float(2.0) + u * u * (float(3.0) * u - float(5.0)), -u * t * t) *
+                   float(0.5);
     return through + (soft - through) * float(1.0 / 3.0);
 }
 
-// What four values make in a spline, within their range: Mitchell's overshoots it, the B-spline only by rounding.
+// What four values make in a spline, within their range: Mitchell's overshoots it, the B-spline only by
+// rounding.
 float splined(vec4 values, vec4 weights) {
     return clamp(dot(values, weights), min(min(values.x, values.y), min(values.z, values.w)),
                  max(max(values.x, values.y), max(values.z, values.w)));
 }
 
-// The value at a point by a spline of the 4 x 4 x 4 voxels around: along x, then y, then z. It has no kinks at the planes of
-// voxels, which a steep curve would show as rings. No collision may draw one of these voxels instead: on average it would see what
-// the curve makes of their values, not of the spline's. It stays within the range of these voxels, so bounds of bricks are bounds
-// of it. Each axis is clamped by itself: so the value does not jump from one cell to the next.
+// The value at a point by a spline of the 4 x 4 x 4 voxels around: along x, then y, then z. It has no kinks
+// at the planes of voxels, which a steep curve would show as rings. No collision may draw one of these voxels
+// instead: on average it would see what the curve makes of their values, not of the spline's. It stays within
+// the range of these voxels, so bounds of bricks are bounds of it. Each axis is clamped by itself: so the
+// value does not jump from one cell to the next.
 float splineEntry(vec3 p) {
     ivec3 last = params.volumeSize - ivec3(1);
     vec3 q = p - vec3(0.5);
@@ -94,8 +101,10 @@ float splineEntry(vec3 p) {
         vec4 rows = vec4(0.0);
         for (int j = 0; j < 4; ++j) {
             int atY = clamp(cell.y - 1 + j, 0, last.y);
-            rows[j] = splined(vec4(fetchFrom(blocks, ivec3(x0, atY, atZ)), fetchFrom(blocks, ivec3(x1, atY, atZ)),
-                                   fetchFrom(blocks, ivec3(x2, atY, atZ)), fetchFrom(blocks, ivec3(x3, atY, atZ))), x);
+            rows[j] =
+                splined(vec4(fetchFrom(blocks, ivec3(x0, atY, atZ)), fetchFrom(blocks, ivec3(x1, atY, atZ)),
+                             fetchFrom(blocks, ivec3(x2, atY, atZ)), fetchFrom(blocks, ivec3(x3, atY, atZ))),
+                        x);
         }
         layers[k] = splined(rows, y);
     }
@@ -111,8 +120,8 @@ float entryAt(vec3 p, INOUT(Rng) rng) {
     return useTrilinear() ? expectedEntry(p) : stochasticEntry(p, rng);
 }
 
-// The tables hold one entry for each stored value, linear between: a curve is exact at every value a voxel can have, and
-// steps and bands narrower than one stored value are as wide as one.
+// The tables hold one entry for each stored value, linear between: a curve is exact at every value a voxel
+// can have, and steps and bands narrower than one stored value are as wide as one.
 float extinctionOfEntry(float entry) {
     if (!useTrilinear()) return fetchExtinction(int(entry));
     int low = int(entry);

@@ -1,14 +1,15 @@
-// All that is at a point: the volume, segments that have a colour of their own, and a second volume. Where two media fill the
-// same space their extinctions add, and what is scattered has the colour of each in proportion to its extinction. They share
-// the volume's phase function.
+// All that is at a point: the volume, segments that have a colour of their own, and a second volume. Where
+// two media fill the same space their extinctions add, and what is scattered has the colour of each in
+// proportion to its extinction. They share the volume's phase function.
 //
-// A segment colours the volume's matter and scales its extinction, never to more than it was: bounds hold as they are. Between
-// voxels its share is trilinear and not that of the nearest one, because the faces of segments are smooth then, as are those
-// of masks and of values; colours and factors of neighbours are mixed, never their numbers.
+// A segment colours the volume's matter and scales its extinction, never to more than it was: bounds hold as
+// they are. Between voxels its share is trilinear and not that of the nearest one, because the faces of
+// segments are smooth then, as are those of masks and of values; colours and factors of neighbours are mixed,
+// never their numbers.
 //
-// Needs, beside gradient.glsl: useTints() and useSecond(), constants; fetchTint(voxel), 0 where there is none, and
-// fetchTintColour(tint): albedo, and the factor of the extinction; fetchSecond(voxel) in entries of the second volume's own
-// table, fetchSecondMatter(entry): albedo, and extinction per mm; params.second*.
+// Needs, beside gradient.glsl: useTints() and useSecond(), constants; fetchTint(voxel), 0 where there is
+// none, and fetchTintColour(tint): albedo, and the factor of the extinction; fetchSecond(voxel) in entries of
+// the second volume's own table, fetchSecondMatter(entry): albedo, and extinction per mm; params.second*.
 
 struct Tint {
     vec3 colour;     // albedo, times strength
@@ -41,7 +42,8 @@ vec3 tinted(vec3 albedo, Tint tint) {
 
 // From voxel coordinates of the volume to those of the second one, both with integers at faces.
 vec3 inSecond(vec3 p) {
-    return params.secondOrigin + params.secondFromVoxelX * p.x + params.secondFromVoxelY * p.y + params.secondFromVoxelZ * p.z;
+    return params.secondOrigin + params.secondFromVoxelX * p.x + params.secondFromVoxelY * p.y +
+           params.secondFromVoxelZ * p.z;
 }
 
 bool isOutsideOfSecond(vec3 q) {
@@ -49,23 +51,23 @@ bool isOutsideOfSecond(vec3 q) {
     return !(min(room.x, min(room.y, room.z)) >= float(0.0));
 }
 
-// The value at a point of the second volume, in its own voxel coordinates, as a continuous position in its table; always
-// trilinear.
+// The value at a point of the second volume, in its own voxel coordinates, as a continuous position in its
+// table; always trilinear.
 float secondEntry(vec3 p) {
     vec3 q = clamp(p - vec3(0.5), vec3(0.0), vec3(params.secondSize - ivec3(1)));
     ivec3 low = ivec3(q);
     ivec3 high = min(low + ivec3(1), params.secondSize - ivec3(1));
     Corners c;
     c.fraction = q - vec3(low);
-    c.near = vec4(fetchSecond(low), fetchSecond(ivec3(high.x, low.y, low.z)), fetchSecond(ivec3(low.x, high.y, low.z)),
-                  fetchSecond(ivec3(high.x, high.y, low.z)));
+    c.near = vec4(fetchSecond(low), fetchSecond(ivec3(high.x, low.y, low.z)),
+                  fetchSecond(ivec3(low.x, high.y, low.z)), fetchSecond(ivec3(high.x, high.y, low.z)));
     c.far = vec4(fetchSecond(ivec3(low.x, low.y, high.z)), fetchSecond(ivec3(high.x, low.y, high.z)),
                  fetchSecond(ivec3(low.x, high.y, high.z)), fetchSecond(high));
     return interpolated(c);
 }
 
-// Albedo of the second volume at a point, and its extinction per mm. Both are linear between entries; beyond its faces there
-// is nothing.
+// Albedo of the second volume at a point, and its extinction per mm. Both are linear between entries; beyond
+// its faces there is nothing.
 vec4 secondMatter(vec3 p) {
     vec3 q = inSecond(p);
     if (isOutsideOfSecond(q)) return vec4(0.0);
@@ -75,8 +77,8 @@ vec4 secondMatter(vec3 p) {
     return matter + (fetchSecondMatter(low + 1) - matter) * (entry - float(low));
 }
 
-// How its value changes around a point: central differences over one of its voxels, in entries per mm along the axes of the
-// world; 0 where the values are all the same.
+// How its value changes around a point: central differences over one of its voxels, in entries per mm along
+// the axes of the world; 0 where the values are all the same.
 vec3 secondGradient(vec3 p) {
     vec3 q = inSecond(p);
     if (isOutsideOfSecond(q)) return vec3(0.0);
@@ -84,9 +86,11 @@ vec3 secondGradient(vec3 p) {
     vec3 y = vec3(float(0.0), float(1.0), float(0.0));
     vec3 z = vec3(float(0.0), float(0.0), float(1.0));
     vec3 perSecond = vec3(secondEntry(q + x) - secondEntry(q - x), secondEntry(q + y) - secondEntry(q - y),
-                          secondEntry(q + z) - secondEntry(q - z)) * float(0.5);
+                          secondEntry(q + z) - secondEntry(q - z)) *
+                     float(0.5);
     // By the transposes of both maps: from its voxels to those of the volume, and from these to mm.
-    return worldGradient(vec3(dot(params.secondFromVoxelX, perSecond), dot(params.secondFromVoxelY, perSecond),
+    return worldGradient(vec3(dot(params.secondFromVoxelX, perSecond),
+                              dot(params.secondFromVoxelY, perSecond),
                               dot(params.secondFromVoxelZ, perSecond)));
 }
 

@@ -1,12 +1,12 @@
-// Low-discrepancy points of the unit square (scrambled Sobol nets), for what a path chooses in two dimensions: where it
-// looks for light, and where it goes on.
+// Low-discrepancy points of the unit square (scrambled Sobol nets), for what a path chooses in two
+// dimensions: where it looks for light, and where it goes on.
 //
-// Of the first two dimensions of Sobol's sequence (1967), any 2^k points from a multiple of 2^k on lie one in each of the 2^k
-// rectangles of any one shape that halvings of the square make: a (0, k, 2)-net. A random permutation of every half, of every
-// half of it, and so on (Owen 1995) keeps that and makes each point uniform, so that every estimate stays unbiased; a hash
-// stands for it (Laine and Karras 2011, "Stratified sampling for stochastic transparency"; multipliers by Vegdahl). Shuffled
-// likewise in their order, points of one choice know nothing of those of another (Burley 2020, "Practical hash-based Owen
-// scrambling").
+// Of the first two dimensions of Sobol's sequence (1967), any 2^k points from a multiple of 2^k on lie one in
+// each of the 2^k rectangles of any one shape that halvings of the square make: a (0, k, 2)-net. A random
+// permutation of every half, of every half of it, and so on (Owen 1995) keeps that and makes each point
+// uniform, so that every estimate stays unbiased; a hash stands for it (Laine and Karras 2011, "Stratified
+// sampling for stochastic transparency"; multipliers by Vegdahl). Shuffled likewise in their order, points of
+// one choice know nothing of those of another (Burley 2020, "Practical hash-based Owen scrambling").
 //
 // Needs lib/rng.glsl, and kNetSamples of shared/trace_params.h.
 
@@ -15,7 +15,8 @@ struct Net {
     uint seed;   // of the sequence
 };
 
-// A permutation of 2^32 numbers in which each bit decides about those above it only: Owen's, from the lowest bit up.
+// A permutation of 2^32 numbers in which each bit decides about those above it only: Owen's, from the lowest
+// bit up.
 uint permutedUpwards(uint x, uint seed) {
     x ^= x * 0x3d20adeau;
     x += seed;
@@ -53,9 +54,9 @@ uint spread(uint x) {
     return (x | (x << 1u)) & 0x55555555u;
 }
 
-// kNetSamples samples of a pixel are a net, and so are those of four neighbours, of sixteen, and so on: what is too bright in one
-// is too dark in the one beside it (Ahmed and Wonka 2020, "Screen-space blue-noise diffusion of Monte Carlo sampling
-// error via hierarchical ordering of pixels").
+// kNetSamples samples of a pixel are a net, and so are those of four neighbours, of sixteen, and so on: what
+// is too bright in one is too dark in the one beside it (Ahmed and Wonka 2020, "Screen-space blue-noise
+// diffusion of Monte Carlo sampling error via hierarchical ordering of pixels").
 Net netOfPixel(uint pixelX, uint pixelY, uint sampleIndex, uint seed) {
     uint place = spread(pixelX) | (spread(pixelY) << 1u);
     return Net(place * kNetSamples + sampleIndex % kNetSamples, hashOf(sampleIndex / kNetSamples, seed));

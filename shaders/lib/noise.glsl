@@ -1,4 +1,5 @@
-// How noisy a picture is where it is looked at: the standard error of each pixel's mean, as the display shows it.
+// How noisy a picture is where it is looked at: the standard error of each pixel's mean, as the display shows
+// it.
 //
 // Needs picture.glsl, and from its host: fetchSums, fetchCount and fetchSquares, by index of a pixel.
 
@@ -13,8 +14,8 @@ struct PixelNoise {
     float samples;
 };
 
-// Coverage is noise too where something else will show through: `backdrop` is the luminance that is expected there. In
-// light paths coverage is 0 or 1 in each sample, and so its own square.
+// Coverage is noise too where something else will show through: `backdrop` is the luminance that is expected
+// there. In light paths coverage is 0 or 1 in each sample, and so its own square.
 PixelNoise pixelNoise(vec4 sum, uint count, float squares, float exposure, float backdrop) {
     PixelNoise noise;
     noise.samples = float(count);
@@ -25,7 +26,8 @@ PixelNoise pixelNoise(vec4 sum, uint count, float squares, float exposure, float
     float ofCoverage = coverage * (float(1.0) - coverage) * backdrop * backdrop;
     float variance = (ofLight + ofCoverage) * noise.samples / max(noise.samples - float(1.0), float(1.0));
     noise.variance = isFinite(vec4(variance)) ? min(variance, float(MOST_VARIANCE)) : float(MOST_VARIANCE);
-    noise.light = isFinite(vec4(light * exposure)) ? min(max(light * exposure, float(0.0)), float(1e6)) : float(1e6);
+    noise.light =
+        isFinite(vec4(light * exposure)) ? min(max(light * exposure, float(0.0)), float(1e6)) : float(1e6);
     return noise;
 }
 
@@ -34,15 +36,16 @@ float shownGrey(float light, bool keepsHue) {
     return encodeSrgb(keepsHue ? greyOfToneMapHue(light) : mapped.x);
 }
 
-// The standard error as shown. The slope of the tone curve says nothing of noise as large as the picture, so it is
-// half of what lies between one standard error less and one more.
+// The standard error as shown. The slope of the tone curve says nothing of noise as large as the picture, so
+// it is half of what lies between one standard error less and one more.
 float shownError(float light, float standardError, bool keepsHue) {
-    return float(0.5) * (shownGrey(light + standardError, keepsHue) - shownGrey(max(light - standardError, float(0.0)), keepsHue));
+    return float(0.5) * (shownGrey(light + standardError, keepsHue) -
+                         shownGrey(max(light - standardError, float(0.0)), keepsHue));
 }
 
-// Mean square of the error of the pixels of a block, and 1 where some sample met something. With few samples a pixel may
-// have none of the bright ones: it is taken to vary as those around it do. A pixel with fewer than two samples is not
-// known at all.
+// Mean square of the error of the pixels of a block, and 1 where some sample met something. With few samples
+// a pixel may have none of the bright ones: it is taken to vary as those around it do. A pixel with fewer
+// than two samples is not known at all.
 vec2 noiseOfBlock(ivec2 block, ivec2 imageSize, float exposure, float backdrop, bool keepsHue) {
     float pixels = float(0.0);
     float pooled = float(0.0);
@@ -56,7 +59,10 @@ vec2 noiseOfBlock(ivec2 block, ivec2 imageSize, float exposure, float backdrop, 
         PixelNoise noise = pixelNoise(sum, fetchCount(index), fetchSquares(index), exposure, backdrop);
         pixels += weight;
         pooled += weight * noise.variance;
-        seen = max(seen, sum.x != float(0.0) || sum.y != float(0.0) || sum.z != float(0.0) || sum.w != float(0.0) ? weight : float(0.0));
+        seen =
+            max(seen, sum.x != float(0.0) || sum.y != float(0.0) || sum.z != float(0.0) || sum.w != float(0.0)
+                          ? weight
+                          : float(0.0));
     }
     pooled /= max(pixels, float(1.0));
     float squares = float(0.0);
@@ -65,10 +71,14 @@ vec2 noiseOfBlock(ivec2 block, ivec2 imageSize, float exposure, float backdrop, 
         ivec2 inside = clamp(pixel, ivec2(0), imageSize - ivec2(1));
         float weight = pixel.x == inside.x && pixel.y == inside.y ? float(1.0) : float(0.0);
         int index = inside.y * imageSize.x + inside.x;
-        PixelNoise noise = pixelNoise(fetchSums(index), fetchCount(index), fetchSquares(index), exposure, backdrop);
+        PixelNoise noise =
+            pixelNoise(fetchSums(index), fetchCount(index), fetchSquares(index), exposure, backdrop);
         float more = max(noise.samples - float(1.0), float(0.0));
-        float variance = (float(SAMPLES_OF_ITS_OWN) * pooled + more * noise.variance) / (float(SAMPLES_OF_ITS_OWN) + more);
-        float error = noise.samples < float(1.5) ? float(1.0) : shownError(noise.light, sqrt(variance / noise.samples), keepsHue);
+        float variance =
+            (float(SAMPLES_OF_ITS_OWN) * pooled + more * noise.variance) / (float(SAMPLES_OF_ITS_OWN) + more);
+        float error = noise.samples < float(1.5)
+                          ? float(1.0)
+                          : shownError(noise.light, sqrt(variance / noise.samples), keepsHue);
         squares += weight * error * error;
     }
     return vec2(squares / max(pixels, float(1.0)), seen);

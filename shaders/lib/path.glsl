@@ -1,9 +1,10 @@
-// Light paths from the eye: free flights, and at every vertex next-event estimation to the environment. Background
-// is not part of the answer: a path that leaves the volume adds nothing, the light it could have met was added at its
-// vertices; but after a vertex with a surface it adds its share of that (lightAhead).
+// Light paths from the eye: free flights, and at every vertex next-event estimation to the environment.
+// Background is not part of the answer: a path that leaves the volume adds nothing, the light it could have
+// met was added at its vertices; but after a vertex with a surface it adds its share of that (lightAhead).
 //
-// Needs, beside mixture, walk, phase, environment, scattering and material: useSurfaces(), a constant; fetchAlbedo(entry),
-// params.voxelFromWorld*, params.worldFrom*, params.bounces, params.anisotropy, params.lightStrength.
+// Needs, beside mixture, walk, phase, environment, scattering and material: useSurfaces(), a constant;
+// fetchAlbedo(entry), params.voxelFromWorld*, params.worldFrom*, params.bounces, params.anisotropy,
+// params.lightStrength.
 
 vec3 voxelsPerMm(vec3 worldDirection) {
     return params.voxelFromWorldX * worldDirection.x + params.voxelFromWorldY * worldDirection.y +
@@ -25,48 +26,51 @@ vec3 environmentFromWorld(vec3 direction) {
                 dot(params.worldFromEnvironmentZ, direction));
 }
 
-// Russian roulette: below this a ray or path goes on only with a probability in proportion, and its weight is made
-// good.
+// Russian roulette: below this a ray or path goes on only with a probability in proportion, and its weight is
+// made good.
 #define ROULETTE_BELOW 0.1
 #define BLACK_FACE 1e-4  // grey that is displayed as black, and is no absence of a face
 
-// The bounds that a shadow ray begins with are looser by this. With the tightest one, ratio tracking ends at the first collision in
-// dense matter: it says all or nothing. With a looser one it says how much (docs/speed-and-accuracy.md, "What a sample is worth").
+// The bounds that a shadow ray begins with are looser by this. With the tightest one, ratio tracking ends at
+// the first collision in dense matter: it says all or nothing. With a looser one it says how much
+// (docs/speed-and-accuracy.md, "What a sample is worth").
 #define SHADOW_LOOSENESS 4.0
 
 // Matter at its bound may pass it by rounding.
 #define ROUNDED_BOUND 1.001
 
-// A path under way. It is a chain of rays: flights to the next collision, and after each a shadow ray to the light. Both
-// are followed by the same few lines, a stride at a time, so that the lanes of a GPU stay together while one flies, its
-// neighbour looks for light, and a third has started its next sample.
+// A path under way. It is a chain of rays: flights to the next collision, and after each a shadow ray to the
+// light. Both are followed by the same few lines, a stride at a time, so that the lanes of a GPU stay
+// together while one flies, its neighbour looks for light, and a third has started its next sample.
 struct Path {
-    BrickWalk walk;      // the ray under way
-    vec3 origin;         // where it started, voxel coordinates
-    vec3 direction;      // of the last flight, world, unit
-    vec3 throughput;     // of the path so far
-    vec3 pending;        // light the shadow ray would bring if nothing stood in its way
-    vec3 radiance;       // gathered so far, premultiplied: 0 where nothing was met
-    float coverage;      // 1 when the eye ray met matter
-    float transmittance; // of the shadow ray so far; a flight that is met ends at 0
-    float entry;         // what a flight has met
-    float steep;         // the part of it that is steep, where that matters to its extinction, see gradient.glsl
-    float secondShare;   // of the second volume in it, see mixture.glsl
+    BrickWalk walk;       // the ray under way
+    vec3 origin;          // where it started, voxel coordinates
+    vec3 direction;       // of the last flight, world, unit
+    vec3 throughput;      // of the path so far
+    vec3 pending;         // light the shadow ray would bring if nothing stood in its way
+    vec3 radiance;        // gathered so far, premultiplied: 0 where nothing was met
+    float coverage;       // 1 when the eye ray met matter
+    float transmittance;  // of the shadow ray so far; a flight that is met ends at 0
+    float entry;          // what a flight has met
+    float steep;  // the part of it that is steep, where that matters to its extinction, see gradient.glsl
+    float secondShare;  // of the second volume in it, see mixture.glsl
     int vertices;
-    int rounds;          // of all loops so far: a device may allow a kernel only so many
-    int aboveBound;      // collisions in matter that was denser than the bound of its brick: a fault, light passes there
-    bool shadow;         // the ray under way is a shadow ray
-    Net net;             // where its choices come from: 2k + 1 light of vertex k, 2k the way to it; 0 only where surface.glsl starts it
-    vec3 next;           // where surfaces are: the direction after the vertex under way, drawn there
-    float nextPdf;       // per steradian, with which it was; 0: light that it leads to was counted at the vertex
-    float face;          // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
-    // These serve the cache of indirect light. Once a path has gone on from its first vertex, radiance and throughput above are
-    // of indirect light alone.
-    uvec4 cells;         // of the first vertex, once the path has gone on from it; y 0: it has not
-    vec3 direct;         // light of the first vertex that is not indirect
-    float extinction;    // per mm, at the first vertex
-    vec3 albedo;         // what indirect light is multiplied by there
-    float chance;        // 0 to 1; the path goes on from there when it is low, as those of its neighbours do
+    int rounds;      // of all loops so far: a device may allow a kernel only so many
+    int aboveBound;  // collisions in matter that was denser than the bound of its brick: a fault, light
+                     // passes there
+    bool shadow;     // the ray under way is a shadow ray
+    Net net;         // where its choices come from: 2k + 1 light of vertex k, 2k the way to it; 0 only where
+                     // surface.glsl starts it
+    vec3 next;       // where surfaces are: the direction after the vertex under way, drawn there
+    float nextPdf;   // per steradian, with which it was; 0: light that it leads to was counted at the vertex
+    float face;  // what the eye ray meets when no matter stops it: the grey of a face of the clip; 0 if none
+    // These serve the cache of indirect light. Once a path has gone on from its first vertex, radiance and
+    // throughput above are of indirect light alone.
+    uvec4 cells;       // of the first vertex, once the path has gone on from it; y 0: it has not
+    vec3 direct;       // light of the first vertex that is not indirect
+    float extinction;  // per mm, at the first vertex
+    vec3 albedo;       // what indirect light is multiplied by there
+    float chance;      // 0 to 1; the path goes on from there when it is low, as those of its neighbours do
 };
 
 // A ray from the eye meets what the clip leaves.
@@ -74,26 +78,31 @@ BrickWalk startEyeWalk(vec3 originVoxel, vec3 directionVoxel) {
     return startWalk(originVoxel, directionVoxel, clipSpans(originVoxel, directionVoxel));
 }
 
-// A ray of light meets the clipped volume as the eye does, or all of it when what is removed still casts shadow.
+// A ray of light meets the clipped volume as the eye does, or all of it when what is removed still casts
+// shadow.
 BrickWalk startLightWalk(vec3 originVoxel, vec3 directionVoxel) {
     if (useClip() && params.clipShadows == 0) return startEyeWalk(originVoxel, directionVoxel);
     return startWalk(originVoxel, directionVoxel, nothingClipped());
 }
 
-// Ends the walk at the first face of the clip that shows something: the light of its grey, which the tone map will bring
-// back to what the window says. At or below the window's low end a face is clear, so that air hides nothing, or black when
-// greyFaces is 2.
+// Ends the walk at the first face of the clip that shows something: the light of its grey, which the tone map
+// will bring back to what the window says. At or below the window's low end a face is clear, so that air
+// hides nothing, or black when greyFaces is 2.
 float stopAtFace(INOUT(BrickWalk) walk, vec3 originVoxel, vec3 directionVoxel) {
     ClipSpans spans = clipSpans(originVoxel, directionVoxel);
     float face = max(walk.distanceMm, float(0.0));
-    float slack = float(1e-3) * voxelMm(directionVoxel) + float(1e-6) * face;  // a float of a far eye has no thousandth of a voxel
-    bool first = spans.from >= walk.distanceMm - slack;  // else the ray enters the volume through its own side
+    float slack = float(1e-3) * voxelMm(directionVoxel) +
+                  float(1e-6) * face;  // a float of a far eye has no thousandth of a voxel
+    bool first =
+        spans.from >= walk.distanceMm - slack;  // else the ray enters the volume through its own side
     float grey = float(0.0);
     for (int i = 0; i < 4 && grey <= float(0.0); ++i) {
         face = nextFace(spans, first && i == 0 ? face - slack : face);
         if (face >= walk.endMm) break;
         vec3 at = originVoxel + directionVoxel * face;
-        if (!isMasked(at)) grey = clamp((trilinearEntry(at) - params.greyLow) / (params.greyHigh - params.greyLow), float(0.0), float(1.0));
+        if (!isMasked(at))
+            grey = clamp((trilinearEntry(at) - params.greyLow) / (params.greyHigh - params.greyLow),
+                         float(0.0), float(1.0));
         if (!isMasked(at) && params.greyFaces == 2) grey = max(grey, float(BLACK_FACE));
     }
     if (grey <= float(0.0)) return float(0.0);
@@ -138,12 +147,13 @@ void beShadow(INOUT(Path) path) {
     path.walk.looseness = float(SHADOW_LOOSENESS);
 }
 
-// Tentative collisions that one call of follow() looks at: enough to hide what a decision costs the other lanes, few
-// enough not to wait long for them.
+// Tentative collisions that one call of follow() looks at: enough to hide what a decision costs the other
+// lanes, few enough not to wait long for them.
 #define STRIDE 16
 
-// Visitor: follows the ray under way for a stride. True when it has come to an end. A flight ends at its first real
-// collision (Woodcock tracking); a shadow ray gathers an unbiased estimate of its transmittance (ratio tracking, with roulette).
+// Visitor: follows the ray under way for a stride. True when it has come to an end. A flight ends at its
+// first real collision (Woodcock tracking); a shadow ray gathers an unbiased estimate of its transmittance
+// (ratio tracking, with roulette).
 bool follow(INOUT(Path) path, INOUT(Rng) rng) {
     path.rounds += 1;
     for (int i = 0; i < STRIDE; ++i) {
@@ -163,23 +173,26 @@ bool follow(INOUT(Path) path, INOUT(Rng) rng) {
         if (path.shadow) {
             path.transmittance *= float(1.0) - real;
             if (path.transmittance < float(ROULETTE_BELOW)) {
-                path.transmittance = chance * float(ROULETTE_BELOW) < path.transmittance ? float(ROULETTE_BELOW) : float(0.0);
+                path.transmittance =
+                    chance * float(ROULETTE_BELOW) < path.transmittance ? float(ROULETTE_BELOW) : float(0.0);
             }
         } else {
             path.transmittance = chance < real ? float(0.0) : float(1.0);
         }
         if (path.transmittance == float(0.0)) return true;
     }
-    path.walk.majorant /= path.walk.looseness;  // a ray that has not ended by now goes on with the tight bound
+    path.walk.majorant /=
+        path.walk.looseness;  // a ray that has not ended by now goes on with the tight bound
     path.walk.looseness = float(1.0);
     return false;
 }
 
-// At the first vertex, with its direct light: true when the path takes its indirect light from the cache, and is complete. One
-// that goes on has its weight made good where the cache is a control variate.
+// At the first vertex, with its direct light: true when the path takes its indirect light from the cache, and
+// is complete. One that goes on has its weight made good where the cache is a control variate.
 bool endsInCache(INOUT(Path) path, INOUT(Rng) rng) {
     uvec4 cells;
-    vec4 found = indirectAt(path.origin, path.direction, indirectMatter(path.throughput, path.extinction), rng, cells);
+    vec4 found =
+        indirectAt(path.origin, path.direction, indirectMatter(path.throughput, path.extinction), rng, cells);
     float goesOn = float(INDIRECT_DOUBT) / (float(INDIRECT_DOUBT) + found.w);
     if (params.indirectLeast > float(0.0)) goesOn = max(goesOn, params.indirectLeast);
     vec3 light = path.throughput * vec3(found);
@@ -204,31 +217,35 @@ vec3 lightOf(Path path) {
     return useIndirect() ? path.direct + path.albedo * path.radiance : path.radiance;
 }
 
-// Where a path that was sent on from a vertex with a surface has left the volume: the light there. It could have been found by
-// the vertex's look for light as well, and each way counts with its share of both chances (multiple importance sampling,
-// balance heuristic, Veach and Guibas 1995).
+// Where a path that was sent on from a vertex with a surface has left the volume: the light there. It could
+// have been found by the vertex's look for light as well, and each way counts with its share of both chances
+// (multiple importance sampling, balance heuristic, Veach and Guibas 1995).
 vec3 lightAhead(Path path) {
     vec4 light = fetchEnvironment(environmentTexel(environmentFromWorld(path.direction)));
     return path.throughput * vec3(light) * (params.lightStrength * path.nextPdf / (path.nextPdf + light.w));
 }
 
-// At a vertex where there may be a surface: what a look for light would bring, and where the path goes on. At the last one
-// it does not, and the look finds all of the light.
-void scatterAtVertex(INOUT(Path) path, EnvironmentSample light, vec3 towardsLight, vec3 albedo, INOUT(Rng) rng) {
+// At a vertex where there may be a surface: what a look for light would bring, and where the path goes on. At
+// the last one it does not, and the look finds all of the light.
+void scatterAtVertex(INOUT(Path) path, EnvironmentSample light, vec3 towardsLight, vec3 albedo,
+                     INOUT(Rng) rng) {
     Matter matter = matterAt(path.origin, path.direction, albedo, path.secondShare, rng);
     bool isOnlyLook = matter.surface <= float(0.0) || path.vertices + 1 >= params.bounces;
     Scattering there = scattering(matter, path.direction, towardsLight);
     float chances = light.pdfPerSr + (isOnlyLook ? float(0.0) : there.pdfPerSr);
-    path.pending = light.pdfPerSr > float(0.0) ? path.throughput * there.perSr * light.radiance * (params.lightStrength / chances) : vec3(0.0);
+    path.pending = light.pdfPerSr > float(0.0)
+                       ? path.throughput * there.perSr * light.radiance * (params.lightStrength / chances)
+                       : vec3(0.0);
     float choice = random01(rng);
-    path.next = scatteredDirection(matter, path.direction, netPoint(path.net, uint(2 * path.vertices + 2)), choice);
+    path.next =
+        scatteredDirection(matter, path.direction, netPoint(path.net, uint(2 * path.vertices + 2)), choice);
     Scattering onwards = scattering(matter, path.direction, path.next);
     path.throughput *= onwards.perSr / max(onwards.pdfPerSr, float(1e-20));
     path.nextPdf = isOnlyLook ? float(0.0) : onwards.pdfPerSr;
 }
 
-// What comes after a ray that has ended: after a flight a vertex, and a shadow ray from it; after a shadow ray its light,
-// and a new flight. False when the path is complete.
+// What comes after a ray that has ended: after a flight a vertex, and a shadow ray from it; after a shadow
+// ray its light, and a new flight. False when the path is complete.
 bool decide(INOUT(Path) path, INOUT(Rng) rng) {
     vec3 direction;
     if (path.shadow) {
@@ -237,7 +254,8 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         if (path.vertices >= params.bounces) return false;
         bool ends = false;
         // A loop, not an if: lavapipe skips it where no lane is there.
-        for (bool asks = useIndirect() && path.vertices == 1; asks; asks = false) ends = endsInCache(path, rng);
+        for (bool asks = useIndirect() && path.vertices == 1; asks; asks = false)
+            ends = endsInCache(path, rng);
         if (ends) return false;
         float strength = max(path.throughput.x, max(path.throughput.y, path.throughput.z));
         if (strength < float(ROULETTE_BELOW)) {
@@ -245,7 +263,8 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
             path.throughput *= float(ROULETTE_BELOW) / strength;
         }
         path.direction = useSurfaces() ? path.next
-                                       : samplePhase(path.direction, params.anisotropy, netPoint(path.net, uint(2 * path.vertices)));
+                                       : samplePhase(path.direction, params.anisotropy,
+                                                     netPoint(path.net, uint(2 * path.vertices)));
         direction = path.direction;
     } else {
         if (path.transmittance > float(0.0)) {  // out of the volume, or at a face
@@ -270,7 +289,9 @@ bool decide(INOUT(Path) path, INOUT(Rng) rng) {
         } else {
             path.throughput *= albedo;
             float phase = phaseHenyeyGreenstein(dot(path.direction, direction), params.anisotropy);
-            path.pending = light.pdfPerSr > float(0.0) ? path.throughput * light.radiance * (params.lightStrength * phase / light.pdfPerSr) : vec3(0.0);
+            path.pending = light.pdfPerSr > float(0.0) ? path.throughput * light.radiance *
+                                                             (params.lightStrength * phase / light.pdfPerSr)
+                                                       : vec3(0.0);
         }
     }
     bool wasShadow = path.shadow;
@@ -309,12 +330,14 @@ EyeRay eyeRay(vec2 pixel) {
     return EyeRay(params.originVoxel, vec3(0.0), normalize(params.forward + inPlane));
 }
 
-// The same ray through a point of a thin lens about the eye, `onDisc` of a disc of radius 1: both meet at the distance of the
-// focus.
+// The same ray through a point of a thin lens about the eye, `onDisc` of a disc of radius 1: both meet at the
+// distance of the focus.
 EyeRay throughLens(EyeRay ray, vec2 onDisc) {
     vec3 focusMm = ray.direction * (params.lensFocusMm / dot(ray.direction, params.forward));
-    vec3 onLensMm = (normalize(params.right) * onDisc.x + normalize(params.up) * onDisc.y) * params.lensRadiusMm;
-    return EyeRay(ray.originVoxel + voxelsPerMm(onLensMm), ray.asideMm + onLensMm, normalize(focusMm - onLensMm));
+    vec3 onLensMm =
+        (normalize(params.right) * onDisc.x + normalize(params.up) * onDisc.y) * params.lensRadiusMm;
+    return EyeRay(ray.originVoxel + voxelsPerMm(onLensMm), ray.asideMm + onLensMm,
+                  normalize(focusMm - onLensMm));
 }
 
 // A point of a disc of radius 1, from two numbers in [0, 1): uniform by area where they are.
@@ -334,8 +357,8 @@ float blockChance(ivec2 block, uint sampleIndex) {
 Path startSample(ivec2 pixel, uint sampleIndex, OUT(Rng) rng) {
     rng = makeRng(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
     Net net = netOfPixel(uint(pixel.x), uint(pixel.y), sampleIndex, params.seed);
-    // The place in the pixel is left to plain chance: with a net, edges would be so exact that the denoiser, which
-    // takes samples as independent, would blur them for noise that they do not have.
+    // The place in the pixel is left to plain chance: with a net, edges would be so exact that the denoiser,
+    // which takes samples as independent, would blur them for noise that they do not have.
     float x = float(pixel.x) + random01(rng);
     float y = float(pixel.y) + random01(rng);
     EyeRay ray = eyeRay(vec2(x, y));

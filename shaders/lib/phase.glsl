@@ -1,5 +1,5 @@
-// Henyey-Greenstein scattering (Henyey and Greenstein 1941). `cosine` is between the direction of travel before and
-// after; g > 0 scatters forward. Normalised over the sphere.
+// Henyey-Greenstein scattering (Henyey and Greenstein 1941). `cosine` is between the direction of travel
+// before and after; g > 0 scatters forward. Normalised over the sphere.
 
 float phaseHenyeyGreenstein(float cosine, float g) {
     // 1 + g^2 - 2 g cosine, and 1 - g^2, without cancellation.
@@ -9,7 +9,8 @@ float phaseHenyeyGreenstein(float cosine, float g) {
     return least * (float(1.0) + abs(g)) / (float(4.0 * PI) * d * sqrt(d));
 }
 
-// Two vectors that make an orthonormal frame with `n` (Duff et al. 2017, "Building an orthonormal basis, revisited").
+// Two vectors that make an orthonormal frame with `n` (Duff et al. 2017, "Building an orthonormal basis,
+// revisited").
 void orthonormalFrame(vec3 n, OUT(vec3) a, OUT(vec3) b) {
     float s = n.z < float(0.0) ? float(-1.0) : float(1.0);
     float p = float(-1.0) / (s + n.z);
@@ -27,7 +28,8 @@ vec3 samplePhase(vec3 forward, float g, vec2 u) {
     }
     cosine = clamp(cosine, float(-1.0), float(1.0));
     float sine = sqrt(max(float(0.0), float(1.0) - cosine * cosine));
-    float azimuth = float(2.0 * PI) * (u.y - float(0.5));  // Vulkan bounds the errors of sin and cos from -pi to pi only
+    float azimuth =
+        float(2.0 * PI) * (u.y - float(0.5));  // Vulkan bounds the errors of sin and cos from -pi to pi only
     vec3 a;
     vec3 b;
     orthonormalFrame(forward, a, b);

@@ -35,7 +35,8 @@ bool isFinite(vec4 v) {
            (floatBitsToUint(v.z) & special) != special && (floatBitsToUint(v.w) & special) != special;
 }
 
-// The Khronos PBR neutral tone map (2024): colours as they are up to 0.8, highlights compressed and slowly desaturated.
+// The Khronos PBR neutral tone map (2024): colours as they are up to 0.8, highlights compressed and slowly
+// desaturated.
 vec3 toneMapNeutral(vec3 colour) {
     float startCompression = float(0.8 - 0.04);
     float desaturation = float(0.15);
@@ -51,8 +52,9 @@ vec3 toneMapNeutral(vec3 colour) {
     return mix(colour, vec3(newPeak), g);
 }
 
-// OKLab (Ottosson 2020, "A perceptual color space for image processing") of linear sRGB: lightness, and two coordinates
-// whose angle is the hue. All three grow with the cube root of the light: twice the light keeps the hue.
+// OKLab (Ottosson 2020, "A perceptual color space for image processing") of linear sRGB: lightness, and two
+// coordinates whose angle is the hue. All three grow with the cube root of the light: twice the light keeps
+// the hue.
 vec3 oklabOf(vec3 c) {
     float third = float(1.0 / 3.0);
     float l = pow(dot(vec3(float(0.4122214708), float(0.5363325363), float(0.0514459929)), c), third);
@@ -73,18 +75,19 @@ vec3 linearOfOklab(vec3 c) {
                 dot(vec3(float(-0.0041960863), float(-0.7034186147), float(1.7076147010)), lms));
 }
 
-// Lightness is as it is up to here, and white from twice that of white on, which is eight times its light. Both were chosen by
-// measure (docs/measurements/tone-map.md).
+// Lightness is as it is up to here, and white from twice that of white on, which is eight times its light.
+// Both were chosen by measure (docs/measurements/tone-map.md).
 #define SHOULDER 0.7
 #define WHITE_AT 2.0
 
-// Between them Reinhard's extended curve (Reinhard et al. 2002, eq. 4) of what is above the shoulder: slope 1 there, and 1 at
-// WHITE_AT.
+// Between them Reinhard's extended curve (Reinhard et al. 2002, eq. 4) of what is above the shoulder: slope 1
+// there, and 1 at WHITE_AT.
 float shoulderOf(float lightness) {
     float room = float(1.0 - SHOULDER);
     float white = float((WHITE_AT - SHOULDER) / (1.0 - SHOULDER));
     float above = clamp((lightness - float(SHOULDER)) / room, float(0.0), white);
-    float shown = float(SHOULDER) + room * above * (float(1.0) + above / (white * white)) / (float(1.0) + above);
+    float shown =
+        float(SHOULDER) + room * above * (float(1.0) + above / (white * white)) / (float(1.0) + above);
     return lightness <= float(SHOULDER) ? lightness : shown;
 }
 
@@ -98,9 +101,10 @@ float beforeShoulder(float shown) {
     return shown <= float(SHOULDER) ? shown : float(SHOULDER) + room * above;
 }
 
-// The tone map that keeps hue and the order of lightness, both of OKLab. Lightness goes through the shoulder, chroma in
-// proportion: that is the same colour with less light. What has a channel above 1 then, gets so much less chroma, at the same
-// lightness and hue, that the display can show it. Halvings find it: the chroma's share is exact to 2^-16.
+// The tone map that keeps hue and the order of lightness, both of OKLab. Lightness goes through the shoulder,
+// chroma in proportion: that is the same colour with less light. What has a channel above 1 then, gets so
+// much less chroma, at the same lightness and hue, that the display can show it. Halvings find it: the
+// chroma's share is exact to 2^-16.
 vec3 toneMapHue(vec3 colour) {
     vec3 c = min(colour, vec3(float(1e6)));  // white, whichever colour it has
     vec3 lab = oklabOf(c);
@@ -142,11 +146,12 @@ float encodeSrgb(float linear) {
 }
 
 float decodeSrgb(float encoded) {
-    return encoded <= float(0.04045) ? encoded / float(12.92) : pow((encoded + float(0.055)) / float(1.055), float(2.4));
+    return encoded <= float(0.04045) ? encoded / float(12.92)
+                                     : pow((encoded + float(0.055)) / float(1.055), float(2.4));
 }
 
-// The linear grey that the tone map and encodeSrgb turn into `encoded`, 0 to 1: for what must be shown as it is. White is the
-// limit of toneMapNeutral; the brightest grey it gives here is 0.998.
+// The linear grey that the tone map and encodeSrgb turn into `encoded`, 0 to 1: for what must be shown as it
+// is. White is the limit of toneMapNeutral; the brightest grey it gives here is 0.998.
 float greyBeforeToneMap(float encoded, bool keepsHue) {
     float mapped = decodeSrgb(encoded);
     if (keepsHue) {
@@ -155,13 +160,14 @@ float greyBeforeToneMap(float encoded, bool keepsHue) {
         return lightness <= float(SHOULDER) ? mapped : before * before * before;
     }
     float startCompression = float(0.8 - 0.04);
-    if (mapped < startCompression) return mapped < float(0.04) ? sqrt(mapped / float(6.25)) : mapped + float(0.04);
+    if (mapped < startCompression)
+        return mapped < float(0.04) ? sqrt(mapped / float(6.25)) : mapped + float(0.04);
     float d = float(1.0) - startCompression;
     return d * d / max(float(1.0) - mapped, float(0.005)) - d + startCompression + float(0.04);
 }
 
-// What a pixel shows: linear premultiplied radiance, exposed and tone-mapped, over a background in linear light that is
-// displayed as it is; encoded.
+// What a pixel shows: linear premultiplied radiance, exposed and tone-mapped, over a background in linear
+// light that is displayed as it is; encoded.
 vec3 displayColour(vec4 premultiplied, vec3 background, float exposure, bool keepsHue) {
     vec3 light = vec3(premultiplied.x, premultiplied.y, premultiplied.z) * exposure;
     vec3 mapped = toneMapped(max(light, vec3(0.0)), keepsHue);

@@ -1,22 +1,25 @@
 // A picture that was traced from one eye, seen from another: inverse warping along epipolar lines.
 //
-// The depths of the picture are a height field. Each pixel's ray is followed from where it enters the ball around all that
-// can be seen to where it leaves it; its image in the picture before is a straight line. The first point behind the height
-// field is where the ray meets what was seen. Where the field steps back there, the ray has gone behind something: nothing
-// is known of what lies there, and the weight is 0. A ray that stays in front all along sees nothing, which is known too.
+// The depths of the picture are a height field. Each pixel's ray is followed from where it enters the ball
+// around all that can be seen to where it leaves it; its image in the picture before is a straight line. The
+// first point behind the height field is where the ray meets what was seen. Where the field steps back there,
+// the ray has gone behind something: nothing is known of what lies there, and the weight is 0. A ray that
+// stays in front all along sees nothing, which is known too.
 //
-// Needs from its host: `reproject` (ReprojectPush), fetchLight (premultiplied, linear) and fetchSurface (distance from the eye
-// before in mm, negative where there is none; its uncertainty in mm) and fetchTrust (trust.glsl), all by index of a pixel of
-// the picture before; and fetchExpected, by index of a pixel of the picture that is made: the depth in mm, along the middle of the view, at which
-// splats show something there, negative where they do not tell.
+// Needs from its host: `reproject` (ReprojectPush), fetchLight (premultiplied, linear) and fetchSurface
+// (distance from the eye before in mm, negative where there is none; its uncertainty in mm) and fetchTrust
+// (trust.glsl), all by index of a pixel of the picture before; and fetchExpected, by index of a pixel of the
+// picture that is made: the depth in mm, along the middle of the view, at which splats show something there,
+// negative where they do not tell.
 
 // Steps along an epipolar line, a pixel each where that is enough, and halvings of the last one.
 #define MOST_STEPS 24
 #define HALVINGS 4
-// A depth is met when the ray passes within so many footprints of a pixel: a surface of which the eye sees 1 in 4.
+// A depth is met when the ray passes within so many footprints of a pixel: a surface of which the eye sees 1
+// in 4.
 #define MET_FOOTPRINTS 4.0
-// The part of a distance by which splats may be wrong about it: a surface is sought there first. Where they mix what lies
-// behind one another, it may be anywhere on the ray.
+// The part of a distance by which splats may be wrong about it: a surface is sought there first. Where they
+// mix what lies behind one another, it may be anywhere on the ray.
 #define EXPECTED_WITHIN 0.06
 // Pixels by which a place may be wrong, for the uncertainty of its depth: from full weight to none.
 #define SURE_PX 0.75
@@ -64,9 +67,9 @@ float insideEdges(vec2 place) {
            fallingFrom(float(0.0), reproject.edgeFade, reproject.edgeFade - min(y, float(1.0) - y));
 }
 
-// What the four pixels around `place` show of what lies at `distanceMm` from the eye before; negative: of nothing. The part
-// of them that agrees is the weight. `placesPerMm`: how far along its line the place moves for each mm of depth; a depth that
-// is off by less than half a pixel of that agrees, however far that is.
+// What the four pixels around `place` show of what lies at `distanceMm` from the eye before; negative: of
+// nothing. The part of them that agrees is the weight. `placesPerMm`: how far along its line the place moves
+// for each mm of depth; a depth that is off by less than half a pixel of that agrees, however far that is.
 Reprojected gathered(vec2 place, float distanceMm, float footprintMm, float placesPerMm) {
     float toleranceMm = max(float(MET_FOOTPRINTS) * footprintMm, float(0.5) / max(placesPerMm, float(1e-20)));
     vec2 low = floor(place - vec2(0.5));
@@ -80,8 +83,9 @@ Reprojected gathered(vec2 place, float distanceMm, float footprintMm, float plac
         vec2 surface = vec2(fetchSurface(index));
         float share = ((i & 1) == 0 ? float(1.0) - f.x : f.x) * ((i >> 1) == 0 ? float(1.0) - f.y : f.y);
         float off = abs(surface.x - distanceMm) / toleranceMm;
-        float agrees = distanceMm < float(0.0) ? (surface.x < float(0.0) ? float(1.0) : float(0.0))
-                       : surface.x < float(0.0) ? float(0.0) : fallingFrom(float(1.0), float(2.0), off);
+        float agrees = distanceMm < float(0.0)  ? (surface.x < float(0.0) ? float(1.0) : float(0.0))
+                       : surface.x < float(0.0) ? float(0.0)
+                                                : fallingFrom(float(1.0), float(2.0), off);
         light += fetchLight(index) * (share * agrees);
         offPx += surface.y * placesPerMm * (share * agrees);
         trust += fetchTrust(index) * (share * agrees);
@@ -94,24 +98,25 @@ Reprojected gathered(vec2 place, float distanceMm, float footprintMm, float plac
     return result;
 }
 
-// The part of a pixel's ray on which something can be seen, from its nearest to its farthest point. A point at distance s
-// lies, from the eye before, in the direction ray + ours / s: its image moves evenly with the nearness 1 / s as long as the
-// eye has not moved far along the ray.
+// The part of a pixel's ray on which something can be seen, from its nearest to its farthest point. A point
+// at distance s lies, from the eye before, in the direction ray + ours / s: its image moves evenly with the
+// nearness 1 / s as long as the eye has not moved far along the ray.
 struct EpipolarLine {
-    vec3 ray;         // unit
-    float nearest;    // 1/mm: where it begins
-    float farthest;   // where it ends
-    float middleMm;   // where it passes the middle of what can be seen
-    vec2 last;        // image of its end
-    float lengthPx;   // of its image
-    bool isPart;      // of what the ray crosses: around where splats show something
+    vec3 ray;        // unit
+    float nearest;   // 1/mm: where it begins
+    float farthest;  // where it ends
+    float middleMm;  // where it passes the middle of what can be seen
+    vec2 last;       // image of its end
+    float lengthPx;  // of its image
+    bool isPart;     // of what the ray crosses: around where splats show something
 };
 
 vec3 towardsAt(EpipolarLine line, float nearness) {
     return line.ray + reproject.oursMm * nearness;
 }
 
-// All of it, or the part around where splats show something, where they do. False where the picture before has nothing of it.
+// All of it, or the part around where splats show something, where they do. False where the picture before
+// has nothing of it.
 bool findLine(ivec2 pixel, bool isAll, OUT(EpipolarLine) line) {
     vec2 p = vec2(float(2 * pixel.x + 1) / float(reproject.size.x) - float(1.0),
                   float(1.0) - float(2 * pixel.y + 1) / float(reproject.size.y));
@@ -123,7 +128,8 @@ bool findLine(ivec2 pixel, bool isAll, OUT(EpipolarLine) line) {
     float halfMm = sqrt(max(inside2, float(0.0)));
     float nearMm = max(line.middleMm - halfMm, float(1e-3) * reproject.radiusMm);
     float farMm = line.middleMm + halfMm;
-    float expectedMm = fetchExpected(pixel.y * reproject.size.x + pixel.x) / max(dot(line.ray, reproject.forward), float(1e-3));
+    float expectedMm = fetchExpected(pixel.y * reproject.size.x + pixel.x) /
+                       max(dot(line.ray, reproject.forward), float(1e-3));
     line.isPart = !isAll && expectedMm > float(0.0);
     if (line.isPart) {
         nearMm = max(nearMm, expectedMm * float(1.0 - EXPECTED_WITHIN));
@@ -148,8 +154,9 @@ bool isBehind(EpipolarLine line, float nearness) {
     return depthMm >= float(0.0) && sqrt(dot(towards, towards)) / nearness >= depthMm;
 }
 
-// The nearest point of the line behind the height field, as a nearness; negative when it stays in front. What is nearer to
-// the eye than where the line enters the picture is not known; it is taken for empty, as it mostly is.
+// The nearest point of the line behind the height field, as a nearness; negative when it stays in front. What
+// is nearer to the eye than where the line enters the picture is not known; it is taken for empty, as it
+// mostly is.
 float firstBehind(EpipolarLine line) {
     int steps = int(clamp(ceil(line.lengthPx), float(1.0), float(MOST_STEPS)));
     float perStep = (line.farthest - line.nearest) / float(steps);
@@ -184,7 +191,8 @@ Reprojected reprojectedAt(ivec2 pixel) {
         behind = firstBehind(line);
     }
     bool meets = behind > float(0.0);
-    // Where the eye has not moved the line is a point, and shows what the picture has there, at whatever depth.
+    // Where the eye has not moved the line is a point, and shows what the picture has there, at whatever
+    // depth.
     bool isPoint = !line.isPart && line.lengthPx < float(0.5);
     if (!meets && !isBefore(line.last)) return unknown;  // it may have met something outside of the picture
     float nearness = meets ? behind : min(float(1.0) / max(line.middleMm, float(1e-20)), line.nearest);
@@ -195,7 +203,8 @@ Reprojected reprojectedAt(ivec2 pixel) {
     float ownMm = vec2(fetchSurface(indexBefore(ivec2(floor(place))))).x;
     if (isPoint) meets = ownMm >= float(0.0);
     if (line.lengthPx < float(0.5) && ownMm >= float(0.0)) reachedMm = ownMm;
-    float pixelAngle = float(2.0) * sqrt(dot(reproject.beforeUp, reproject.beforeUp)) / float(reproject.beforeSize.y);
+    float pixelAngle =
+        float(2.0) * sqrt(dot(reproject.beforeUp, reproject.beforeUp)) / float(reproject.beforeSize.y);
     float placesPerMm = line.lengthPx / max(line.nearest - line.farthest, float(1e-30)) * nearness * nearness;
     Reprojected seen = gathered(place, meets ? reachedMm : float(-1.0), reachedMm * pixelAngle, placesPerMm);
     seen.weight *= insideEdges(place);

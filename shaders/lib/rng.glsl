@@ -1,8 +1,8 @@
-// Counter-based random numbers: a value depends only on (pixel, sample, seed, counter), so a picture is the same however
-// its tiles and samples are split over dispatches, devices and frames.
+// Counter-based random numbers: a value depends only on (pixel, sample, seed, counter), so a picture is the
+// same however its tiles and samples are split over dispatches, devices and frames.
 //
-// The mix is a keyed form of the two-multiplication 32-bit finalizers found by exhaustive search (Wellons 2018,
-// "Prospecting for hash functions"); the two key words come from pcg4d (Jarzynski and Olano 2020).
+// The mix is a keyed form of the two-multiplication 32-bit finalizers found by exhaustive search (Wellons
+// 2018, "Prospecting for hash functions"); the two key words come from pcg4d (Jarzynski and Olano 2020).
 
 struct Rng {
     uint key0;
@@ -56,8 +56,9 @@ float random01(INOUT(Rng) rng) {
     return float(randomBits(rng) >> 8u) * float(1.0 / 16777216.0);
 }
 
-// The depth to the next event of a Poisson process of rate 1, by inversion, of a random number. Near 0 by a series: Vulkan allows
-// log() an absolute error of 2^-21 there, and that is a percent of the depth of a brick of faint fog.
+// The depth to the next event of a Poisson process of rate 1, by inversion, of a random number. Near 0 by a
+// series: Vulkan allows log() an absolute error of 2^-21 there, and that is a percent of the depth of a brick
+// of faint fog.
 float exponentialDepth(float u) {
     float near = u * (float(1.0) + u * (float(0.5) + u * float(1.0 / 3.0)));
     return u < float(1e-3) ? near : -log(float(1.0) - u);

@@ -1,16 +1,17 @@
-// How matter scatters light at a vertex of a path: like a cloud, like a surface, or like both, each with its share (Kroes, Post
-// and Botha 2012, "Exposure Render: An Interactive Photo-Realistic Volume Rendering Framework"). A surface is a white body under
-// a thin rough coat: microfacets (GGX, Walter et al. 2007; their shadows by Smith, as Heitz 2014 has them) with Schlick's Fresnel
-// term, and below them Lambert's law for what the coat lets in and out again, so that both together keep all light of a white body
-// (Kelemen and Szirmay-Kalos 2001). It has two sides, and its normal points to where the path comes from.
+// How matter scatters light at a vertex of a path: like a cloud, like a surface, or like both, each with its
+// share (Kroes, Post and Botha 2012, "Exposure Render: An Interactive Photo-Realistic Volume Rendering
+// Framework"). A surface is a white body under a thin rough coat: microfacets (GGX, Walter et al. 2007; their
+// shadows by Smith, as Heitz 2014 has them) with Schlick's Fresnel term, and below them Lambert's law for
+// what the coat lets in and out again, so that both together keep all light of a white body (Kelemen and
+// Szirmay-Kalos 2001). It has two sides, and its normal points to where the path comes from.
 //
-// Needs, beside phase.glsl: params.anisotropy, params.surface*, and of src/pipeline/volume/coat.h params.coatAlbedo and
-// params.coatMean.
+// Needs, beside phase.glsl: params.anisotropy, params.surface*, and of src/pipeline/volume/coat.h
+// params.coatAlbedo and params.coatMean.
 
 struct Matter {
     vec3 albedo;
-    vec3 normal;     // world, unit, against the path; 0 where surface is
-    float surface;   // 0 to 1: what share of what is scattered is scattered by a surface
+    vec3 normal;    // world, unit, against the path; 0 where surface is
+    float surface;  // 0 to 1: what share of what is scattered is scattered by a surface
 };
 
 // Light that is scattered from a path into a direction.
@@ -41,7 +42,8 @@ float coatChance(float cosine) {
     return clamp(coatAlbedo(cosine), float(0.05), float(0.95));
 }
 
-// Smith's function of one direction: how many facets' areas stand in the way of what lies in the open, plus 1.
+// Smith's function of one direction: how many facets' areas stand in the way of what lies in the open,
+// plus 1.
 float smithLambda(float cosine) {
     float a2 = params.surfaceAlpha * params.surfaceAlpha;
     float tangent2 = float(1.0) / (cosine * cosine) - float(1.0);
@@ -69,8 +71,10 @@ Scattering scattering(Matter m, vec3 from, vec3 to) {
         float bodyPdf = max(after, float(0.0)) * float(1.0 / PI);
         vec3 bySurface = vec3(0.0);
         if (after > float(GRAZING)) {
-            float coat = facetReflectance(dot(facet, to)) * facets / (float(4.0) * before * (float(1.0) + hidden + smithLambda(after)));
-            float enters = (float(1.0) - coatAlbedo(before)) * (float(1.0) - coatAlbedo(after)) / max(float(1.0) - params.coatMean, float(1e-3));
+            float coat = facetReflectance(dot(facet, to)) * facets /
+                         (float(4.0) * before * (float(1.0) + hidden + smithLambda(after)));
+            float enters = (float(1.0) - coatAlbedo(before)) * (float(1.0) - coatAlbedo(after)) /
+                           max(float(1.0) - params.coatMean, float(1e-3));
             bySurface = m.albedo * (enters * bodyPdf) + vec3(coat);
         }
         s.perSr = mix(s.perSr, bySurface, m.surface);
@@ -79,11 +83,12 @@ Scattering scattering(Matter m, vec3 from, vec3 to) {
     return s;
 }
 
-// The normal of a facet, as often as it is seen along `from` (Dupuy and Benyoub 2023, "Sampling visible GGX normals with
-// spherical caps"), in the frame of the normal and two across it.
+// The normal of a facet, as often as it is seen along `from` (Dupuy and Benyoub 2023, "Sampling visible GGX
+// normals with spherical caps"), in the frame of the normal and two across it.
 vec3 facetSeen(vec3 normal, vec3 a, vec3 b, vec3 from, vec2 u) {
     float before = max(-dot(from, normal), float(GRAZING));
-    vec3 stretched = normalize(vec3(-dot(from, a) * params.surfaceAlpha, -dot(from, b) * params.surfaceAlpha, before));
+    vec3 stretched =
+        normalize(vec3(-dot(from, a) * params.surfaceAlpha, -dot(from, b) * params.surfaceAlpha, before));
     float azimuth = float(2.0 * PI) * (u.x - float(0.5));  // as in samplePhase
     float z = (float(1.0) - u.y) * (float(1.0) + stretched.z) - stretched.z;
     float sine = sqrt(clamp(float(1.0) - z * z, float(0.0), float(1.0)));
@@ -107,7 +112,8 @@ vec3 scatteredDirection(Matter m, vec3 from, vec2 u, float choice) {
         } else {
             float azimuth = float(2.0 * PI) * (u.x - float(0.5));  // as in samplePhase
             float radius = sqrt(u.y);
-            to = a * (radius * cos(azimuth)) + b * (radius * sin(azimuth)) + m.normal * sqrt(max(float(1.0) - u.y, float(0.0)));
+            to = a * (radius * cos(azimuth)) + b * (radius * sin(azimuth)) +
+                 m.normal * sqrt(max(float(1.0) - u.y, float(0.0)));
         }
         to = normalize(to);
     }

@@ -1,13 +1,15 @@
-// One splat in one pixel, front to back, premultiplied; and the derivative, front to back as well. All state is one or two
-// numbers by pixel, so that a thread may hold several pixels in registers. There are no branches: a splat that is not in a
-// pixel, or comes after the pixel is finished, has alpha 0 and changes nothing.
+// One splat in one pixel, front to back, premultiplied; and the derivative, front to back as well. All state
+// is one or two numbers by pixel, so that a thread may hold several pixels in registers. There are no
+// branches: a splat that is not in a pixel, or comes after the pixel is finished, has alpha 0 and changes
+// nothing.
 //
-// A pixel is finished once less than minTransmittance shines through. The splat that makes it so still counts in full, unlike
-// in 3DGS, which leaves it out: there two splats of alpha 0.99 stop at T = 0.01 or not by the last bit of a float, here what
-// such a bit decides is never more than minTransmittance.
+// A pixel is finished once less than minTransmittance shines through. The splat that makes it so still counts
+// in full, unlike in 3DGS, which leaves it out: there two splats of alpha 0.99 stop at T = 0.01 or not by the
+// last bit of a float, here what such a bit decides is never more than minTransmittance.
 //
-// At its border a splat fades out: alpha is at most fringe (alpha - minAlpha). With fringe 2 that changes what lies between
-// minAlpha and twice that, and nowhere is there a step. A very large fringe gives the step of 3DGS.
+// At its border a splat fades out: alpha is at most fringe (alpha - minAlpha). With fringe 2 that changes
+// what lies between minAlpha and twice that, and nowhere is there a step. A very large fringe gives the step
+// of 3DGS.
 //
 // Needs splat_types.glsl.
 
@@ -36,16 +38,16 @@ float alphaSlope(float raw, SplatView view) {
     return faded < raw && view.fringe < float(HARD_EDGE) ? view.fringe : float(1.0);
 }
 
-// The weight in the pixel of a splat that hides `alpha`, to be multiplied by its colour and its depth and added up. The
-// sum of weights is the coverage, 1 - transmittance.
+// The weight in the pixel of a splat that hides `alpha`, to be multiplied by its colour and its depth and
+// added up. The sum of weights is the coverage, 1 - transmittance.
 float takeWeight(INOUT(float) transmittance, float alpha, SplatView view) {
     float weight = transmittance < view.minTransmittance ? float(0.0) : alpha * transmittance;
     transmittance -= weight;
     return weight;
 }
 
-// The derivative of the loss by what a pixel shows. For a picture that is laid over a background b and then has the derivative
-// g, rgba is (g, -dot(b, g)) (and the derivative by b is (1 - coverage) g).
+// The derivative of the loss by what a pixel shows. For a picture that is laid over a background b and then
+// has the derivative g, rgba is (g, -dot(b, g)) (and the derivative by b is (1 - coverage) g).
 struct PixelGradient {
     vec4 rgba;  // a: by the coverage
     float depth;
@@ -56,13 +58,13 @@ float worthOf(vec3 colour, float depthMm, PixelGradient pixel) {
     return dot(vec4(colour, float(1.0)), pixel.rgba) + depthMm * pixel.depth;
 }
 
-// The backward pass of one splat in one pixel. Before the first splat, `transmittance` is 1 and `remaining` the worth
-// of the whole pixel: dot(rgba, g.rgba) + (sum of depths) g.depth. After each it is that of the splats behind. Calls
-// must be in the order of the forward pass. Adds to `sum`.
+// The backward pass of one splat in one pixel. Before the first splat, `transmittance` is 1 and `remaining`
+// the worth of the whole pixel: dot(rgba, g.rgba) + (sum of depths) g.depth. After each it is that of the
+// splats behind. Calls must be in the order of the forward pass. Adds to `sum`.
 //
 // d/d alpha = T worth - remaining / (1 - alpha), where 1 - alpha is not below 1 - maxAlpha.
-void addPixelGradient(ScreenSplat screen, vec3 colour, vec2 pixel, PixelGradient g, SplatView view, INOUT(float) transmittance,
-                      INOUT(float) remaining, INOUT(ScreenGradient) sum) {
+void addPixelGradient(ScreenSplat screen, vec3 colour, vec2 pixel, PixelGradient g, SplatView view,
+                      INOUT(float) transmittance, INOUT(float) remaining, INOUT(ScreenGradient) sum) {
     vec2 offset = pixel - screen.mean;
     float u = offset.x + screen.conic.y * offset.y;
     float power = float(0.5) * (screen.conic.x * u * u + screen.conic.z * offset.y * offset.y);
@@ -77,9 +79,11 @@ void addPixelGradient(ScreenSplat screen, vec3 colour, vec2 pixel, PixelGradient
     transmittance -= weight;
 
     float byPower = -byRaw * raw;
-    vec2 byOffset = vec2(screen.conic.x * u, screen.conic.x * u * screen.conic.y + screen.conic.z * offset.y) * byPower;
+    vec2 byOffset =
+        vec2(screen.conic.x * u, screen.conic.x * u * screen.conic.y + screen.conic.z * offset.y) * byPower;
     sum.mean -= byOffset;
-    sum.conic += vec3(float(0.5) * u * u, screen.conic.x * u * offset.y, float(0.5) * offset.y * offset.y) * byPower;
+    sum.conic +=
+        vec3(float(0.5) * u * u, screen.conic.x * u * offset.y, float(0.5) * offset.y * offset.y) * byPower;
     sum.opacity += byRaw * fall;
     sum.colour += vec3(g.rgba.x, g.rgba.y, g.rgba.z) * weight;
     sum.depthMm += g.depth * weight;

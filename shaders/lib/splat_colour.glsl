@@ -1,7 +1,8 @@
-// Colour by direction: real spherical harmonics, in the order and with the signs of 3DGS (Kerbl et al. 2023), those of quantum
-// mechanics with the Condon-Shortley phase. A colour is max(0, 0.5 + the sum over bands): add the bands that a model has and
-// give the sum to visibleColour. Who draws leaves a splat out whose sum is not finite. Directions are unit, from the eye to the
-// splat, in world axes; with parallel rays they are all those of the rays.
+// Colour by direction: real spherical harmonics, in the order and with the signs of 3DGS (Kerbl et al. 2023),
+// those of quantum mechanics with the Condon-Shortley phase. A colour is max(0, 0.5 + the sum over bands):
+// add the bands that a model has and give the sum to visibleColour. Who draws leaves a splat out whose sum is
+// not finite. Directions are unit, from the eye to the splat, in world axes; with parallel rays they are all
+// those of the rays.
 
 #define SH_0 0.28209479177387814
 #define SH_1 0.48860251190291992
@@ -27,8 +28,9 @@ vec3 colourOfBand2(vec3 d, vec3 s4, vec3 s5, vec3 s6, vec3 s7, vec3 s8) {
     float yy = d.y * d.y;
     float zz = d.z * d.z;
     float a = float(1.09254843059207907);
-    return s4 * (a * d.x * d.y) - s5 * (a * d.y * d.z) + s6 * (float(0.31539156525252001) * (float(2.0) * zz - xx - yy)) -
-           s7 * (a * d.x * d.z) + s8 * (float(0.54627421529603954) * (xx - yy));
+    return s4 * (a * d.x * d.y) - s5 * (a * d.y * d.z) +
+           s6 * (float(0.31539156525252001) * (float(2.0) * zz - xx - yy)) - s7 * (a * d.x * d.z) +
+           s8 * (float(0.54627421529603954) * (xx - yy));
 }
 
 vec3 colourOfBand3(vec3 d, vec3 s9, vec3 s10, vec3 s11, vec3 s12, vec3 s13, vec3 s14, vec3 s15) {
@@ -39,9 +41,11 @@ vec3 colourOfBand3(vec3 d, vec3 s9, vec3 s10, vec3 s11, vec3 s12, vec3 s13, vec3
     float a = float(0.59004358992664351);
     float b = float(0.45704579946446573);
     float ring = float(4.0) * zz - xx - yy;
-    return s10 * (float(2.89061144264055405) * d.x * d.y * d.z) - s9 * (a * d.y * (three * xx - yy)) - s11 * (b * d.y * ring) +
-           s12 * (float(0.37317633259011540) * d.z * (float(2.0) * zz - three * (xx + yy))) - s13 * (b * d.x * ring) +
-           s14 * (float(1.44530572132027702) * d.z * (xx - yy)) - s15 * (a * d.x * (xx - three * yy));
+    return s10 * (float(2.89061144264055405) * d.x * d.y * d.z) - s9 * (a * d.y * (three * xx - yy)) -
+           s11 * (b * d.y * ring) +
+           s12 * (float(0.37317633259011540) * d.z * (float(2.0) * zz - three * (xx + yy))) -
+           s13 * (b * d.x * ring) + s14 * (float(1.44530572132027702) * d.z * (xx - yy)) -
+           s15 * (a * d.x * (xx - three * yy));
 }
 
 // The derivative of colourOfBand0 by dc.

@@ -1,5 +1,5 @@
-// Everything the splats' kernels share, in order. The host declares before: SplatView (shaders/shared/splat_view.h), and the
-// words OUT, INOUT and PRECISE.
+// Everything the splats' kernels share, in order. The host declares before: SplatView
+// (shaders/shared/splat_view.h), and the words OUT, INOUT and PRECISE.
 #include "lib/picture.glsl"
 #include "lib/splat_types.glsl"
 #include "lib/splat_shape.glsl"

@@ -5,9 +5,10 @@
 // Beyond this the numbers say nothing, and squares of squares would overflow.
 #define MOST_COMPARED 1e6
 
-// The display transform has slope 0 at black (the toe of the tone map) and next to none above white, where the slope falls
-// with the square of the radiance: what is much too bright there would hardly be told so. So this part of what is compared
-// is ln(1 + radiance), whose slope is above 0 everywhere. Equal pictures stay equal.
+// The display transform has slope 0 at black (the toe of the tone map) and next to none above white, where
+// the slope falls with the square of the radiance: what is much too bright there would hardly be told so. So
+// this part of what is compared is ln(1 + radiance), whose slope is above 0 everywhere. Equal pictures stay
+// equal.
 #define PLAIN_SHARE 0.05
 
 struct ComparedPixel {
@@ -22,8 +23,9 @@ vec4 boundedPixel(vec4 value) {
 // The derivative of a largest or smallest channel: channels that are equally extreme share it, so that what
 // is grey stays grey.
 vec3 shareOf(vec3 value, float extreme) {
-    vec3 share = vec3(value.x == extreme ? float(1.0) : float(0.0), value.y == extreme ? float(1.0) : float(0.0),
-                      value.z == extreme ? float(1.0) : float(0.0));
+    vec3 share =
+        vec3(value.x == extreme ? float(1.0) : float(0.0), value.y == extreme ? float(1.0) : float(0.0),
+             value.z == extreme ? float(1.0) : float(0.0));
     return share / (share.x + share.y + share.z);
 }
 
@@ -37,7 +39,7 @@ struct TonePath {
     bool isCompressed;  // else the rest is not set
     float peak;
     vec3 peakShare;
-    float slope;        // its square is the derivative of newPeak by peak
+    float slope;  // its square is the derivative of newPeak by peak
     float newPeak;
     float ratio;
     float keep;
@@ -63,15 +65,15 @@ TonePath tonePathOf(vec3 colour) {
     return path;
 }
 
-// The gradient with respect to `colour` of what has the gradient `back` with respect to toneMapNeutral(colour). Step by step
-// that function's derivative.
+// The gradient with respect to `colour` of what has the gradient `back` with respect to
+// toneMapNeutral(colour). Step by step that function's derivative.
 vec3 toneMapNeutralBack(vec3 colour, vec3 back) {
     TonePath path = tonePathOf(colour);
     vec3 ofLifted = back;
     if (path.isCompressed) {
         vec3 ofScaled = back * path.keep;
-        float ofKeep = dot(back, path.lifted * path.ratio - vec3(path.newPeak)) * float(-TONE_DESATURATION) * path.keep *
-                       path.keep;  // by peak - newPeak
+        float ofKeep = dot(back, path.lifted * path.ratio - vec3(path.newPeak)) * float(-TONE_DESATURATION) *
+                       path.keep * path.keep;  // by peak - newPeak
         float ofRatio = dot(ofScaled, path.lifted) / path.peak;
         float ofNewPeak = (back.x + back.y + back.z) * (float(1.0) - path.keep) + ofRatio - ofKeep;
         float ofPeak = ofKeep - ofRatio * path.ratio + ofNewPeak * path.slope * path.slope;
@@ -85,13 +87,14 @@ float encodeSrgbSlope(float linear) {
     return c <= float(0.0031308) ? float(12.92) : float(1.055 / 2.4) * pow(c, float(1.0 / 2.4 - 1.0));
 }
 
-// A premultiplied pixel as it is compared: over the background, where it is to be looked at as the display shows it
-// (exposed, as displayColour: the background is not), and its coverage. Bounded.
+// A premultiplied pixel as it is compared: over the background, where it is to be looked at as the display
+// shows it (exposed, as displayColour: the background is not), and its coverage. Bounded.
 ComparedPixel comparedPixel(vec4 premultiplied, vec3 background, float exposure, bool display) {
     ComparedPixel pixel;
-    vec4 bounded = boundedPixel(vec4(premultiplied.x * exposure + background.x * (float(1.0) - premultiplied.w),
-                                     premultiplied.y * exposure + background.y * (float(1.0) - premultiplied.w),
-                                     premultiplied.z * exposure + background.z * (float(1.0) - premultiplied.w), premultiplied.w));
+    vec4 bounded = boundedPixel(
+        vec4(premultiplied.x * exposure + background.x * (float(1.0) - premultiplied.w),
+             premultiplied.y * exposure + background.y * (float(1.0) - premultiplied.w),
+             premultiplied.z * exposure + background.z * (float(1.0) - premultiplied.w), premultiplied.w));
     pixel.over = vec3(bounded.x, bounded.y, bounded.z);
     pixel.value = bounded;
     if (display) {
@@ -100,12 +103,14 @@ ComparedPixel comparedPixel(vec4 premultiplied, vec3 background, float exposure,
         float rest = float(1.0 - PLAIN_SHARE);
         pixel.value = vec4(rest * encodeSrgb(mapped.x) + float(PLAIN_SHARE) * log(float(1.0) + pixel.over.x),
                            rest * encodeSrgb(mapped.y) + float(PLAIN_SHARE) * log(float(1.0) + pixel.over.y),
-                           rest * encodeSrgb(mapped.z) + float(PLAIN_SHARE) * log(float(1.0) + pixel.over.z), bounded.w);
+                           rest * encodeSrgb(mapped.z) + float(PLAIN_SHARE) * log(float(1.0) + pixel.over.z),
+                           bounded.w);
     }
     return pixel;
 }
 
-// How toneMapNeutral(colour) changes with a small change of colour: the derivative of which toneMapNeutralBack is the transpose.
+// How toneMapNeutral(colour) changes with a small change of colour: the derivative of which
+// toneMapNeutralBack is the transpose.
 vec3 toneMapNeutralChange(vec3 colour, vec3 change) {
     TonePath path = tonePathOf(colour);
     vec3 ofLifted = change - vec3(path.offsetSlope * dot(path.lowShare, change));
@@ -124,18 +129,21 @@ vec3 comparedChange(vec3 over, vec3 change, bool display) {
     if (!display) return change;
     vec3 mapped = toneMapNeutral(over);
     vec3 slopes = vec3(encodeSrgbSlope(mapped.x), encodeSrgbSlope(mapped.y), encodeSrgbSlope(mapped.z));
-    return toneMapNeutralChange(over, change) * slopes * float(1.0 - PLAIN_SHARE) + change * float(PLAIN_SHARE) / (over + vec3(float(1.0)));
+    return toneMapNeutralChange(over, change) * slopes * float(1.0 - PLAIN_SHARE) +
+           change * float(PLAIN_SHARE) / (over + vec3(float(1.0)));
 }
 
-// The gradient with respect to the premultiplied pixel of what has the gradient `back` with respect to value. Where a bound
-// was met it is that of the unbounded value next to it: what is below black or beyond all bounds is drawn back.
+// The gradient with respect to the premultiplied pixel of what has the gradient `back` with respect to value.
+// Where a bound was met it is that of the unbounded value next to it: what is below black or beyond all
+// bounds is drawn back.
 vec4 comparedPixelBack(vec3 over, vec4 back, vec3 background, float exposure, bool display) {
     vec3 ofOver = vec3(back.x, back.y, back.z);
     if (display) {
         vec3 mapped = toneMapNeutral(over);
         float rest = float(1.0 - PLAIN_SHARE);
         vec3 slopes = vec3(encodeSrgbSlope(mapped.x), encodeSrgbSlope(mapped.y), encodeSrgbSlope(mapped.z));
-        ofOver = toneMapNeutralBack(over, ofOver * slopes * rest) + ofOver * float(PLAIN_SHARE) / (over + vec3(1.0));
+        ofOver = toneMapNeutralBack(over, ofOver * slopes * rest) +
+                 ofOver * float(PLAIN_SHARE) / (over + vec3(1.0));
     }
     return vec4(ofOver * exposure, back.w - dot(ofOver, background));
 }

@@ -1,24 +1,27 @@
-// From a Gaussian in space to one in the picture: EWA splatting (Zwicker et al. 2001). The perspective map is replaced by its
-// linear part at the centre, J, so that the covariance in the picture is J S J^T + s I, s the low-pass; opacity is lowered by
-// sqrt(det(J S J^T) / det(J S J^T + s I)), so that a splat smaller than a pixel keeps its sum over pixels (Mip-Splatting, Yu
-// et al. 2024).
+// From a Gaussian in space to one in the picture: EWA splatting (Zwicker et al. 2001). The perspective map is
+// replaced by its linear part at the centre, J, so that the covariance in the picture is J S J^T + s I, s the
+// low-pass; opacity is lowered by sqrt(det(J S J^T) / det(J S J^T + s I)), so that a splat smaller than a
+// pixel keeps its sum over pixels (Mip-Splatting, Yu et al. 2024).
 //
-// The low-pass is the widest, lowPassPx2, for what is thinner than a pixel: then sums over pixels hardly depend on where in a
-// pixel it lies. What is thicker needs less; the opacity that a surface seen at its edge would lose is what models of opaque
-// matter lack. With m the smaller variance of J S J^T it is s(m) = least + room max(1 - m / (2 room), 0)^2, where room =
-// lowPassPx2 - least: m + s(m) begins at lowPassPx2, never falls and has no kink. The least, 1/12 px^2, is the variance of a
-// pixel's area, which blurs a traced picture as well.
+// The low-pass is the widest, lowPassPx2, for what is thinner than a pixel: then sums over pixels hardly
+// depend on where in a pixel it lies. What is thicker needs less; the opacity that a surface seen at its edge
+// would lose is what models of opaque matter lack. With m the smaller variance of J S J^T it is s(m) = least
+// + room max(1 - m / (2 room), 0)^2, where room = lowPassPx2 - least: m + s(m) begins at lowPassPx2, never
+// falls and has no kink. The least, 1/12 px^2, is the variance of a pixel's area, which blurs a traced
+// picture as well.
 //
-// Where a centre lies far outside of the picture, J grows with the tangent of its angle, and the splat would be smeared over
-// all of the picture. So J is taken at the centre's direction clamped to the picture widened by 0.15 of its size on each side
-// (1.3 times the tangent of half the field of view, as 3DGS does). The mean is not clamped. This is continuous; beyond the
-// border the clamped coordinate has the derivative 0 by position (splat_projection_backward.glsl).
+// Where a centre lies far outside of the picture, J grows with the tangent of its angle, and the splat would
+// be smeared over all of the picture. So J is taken at the centre's direction clamped to the picture widened
+// by 0.15 of its size on each side (1.3 times the tangent of half the field of view, as 3DGS does). The mean
+// is not clamped. This is continuous; beyond the border the clamped coordinate has the derivative 0 by
+// position (splat_projection_backward.glsl).
 //
-// With parallel rays the map is linear as it is: J is the scale of the picture alone, the same everywhere, and the splat in the
-// picture is exact. `slope` is then x and y in mm, and nothing is clamped.
+// With parallel rays the map is linear as it is: J is the scale of the picture alone, the same everywhere,
+// and the splat in the picture is exact. `slope` is then x and y in mm, and nothing is clamped.
 //
-// Determinants are made of squares only. The area A = sqrt(det(J S J^T)) is the length of the cross product of J's rows,
-// scaled to the splat's axes, and that cross product has a closed form: so a disc seen edge-on and a needle lose no digits.
+// Determinants are made of squares only. The area A = sqrt(det(J S J^T)) is the length of the cross product
+// of J's rows, scaled to the splat's axes, and that cross product has a closed form: so a disc seen edge-on
+// and a needle lose no digits.
 //
 // Needs splat_types.glsl, splat_shape.glsl, picture.glsl.
 
@@ -29,24 +32,25 @@ struct SplatSight {
     vec2 slopeClamped;  // where J is taken
     vec3 rowX;          // J's rows in world axes: px per mm
     vec3 rowY;
-    vec3 normal;        // their cross product: px^2 per mm^2
+    vec3 normal;  // their cross product: px^2 per mm^2
     SplatAxes axes;
-    vec3 deviations;    // mm
-    vec3 spreadX;       // px of the splat's three deviations along x, and along y
+    vec3 deviations;  // mm
+    vec3 spreadX;     // px of the splat's three deviations along x, and along y
     vec3 spreadY;
-    vec3 areas;         // px^2 of pairs of deviations: (y, z), (z, x), (x, y)
-    float area;         // A, px^2
-    float major;        // px^2, the larger and the smaller variance before the low-pass
+    vec3 areas;   // px^2 of pairs of deviations: (y, z), (z, x), (x, y)
+    float area;   // A, px^2
+    float major;  // px^2, the larger and the smaller variance before the low-pass
     float minor;
-    float lowPass;      // px^2
-    float xx;           // px^2, the covariance with the low-pass
+    float lowPass;  // px^2
+    float xx;       // px^2, the covariance with the low-pass
     float xy;
     float yy;
-    float height;       // det / yy
+    float height;  // det / yy
 };
 
-// What a vector and its length are multiplied by before one is divided by the other, so that no division is by more than 2^126,
-// beyond which graphics cards may give 0 (Vulkan, "Precision of core SPIR-V Instructions").
+// What a vector and its length are multiplied by before one is divided by the other, so that no division is
+// by more than 2^126, beyond which graphics cards may give 0 (Vulkan, "Precision of core SPIR-V
+// Instructions").
 float scaleFor(float size) {
     return size > float(1e30) ? float(7.888609052210118e-31) : float(1.0);  // 2^-100
 }
@@ -102,8 +106,8 @@ SplatSight sightOf(Splat splat, SplatView view) {
         scale = overDepth(scale, z);
         sight.rowX = (view.right - view.forward * sight.slopeClamped.x) * scale.x;
         sight.rowY = (view.down - view.forward * sight.slopeClamped.y) * scale.y;
-        sight.normal =
-            (view.forward + view.right * sight.slopeClamped.x + view.down * sight.slopeClamped.y) * (scale.x * scale.y);
+        sight.normal = (view.forward + view.right * sight.slopeClamped.x + view.down * sight.slopeClamped.y) *
+                       (scale.x * scale.y);
     }
 
     sight.axes = axesOf(unitQuaternion(splat.rotation));
@@ -144,7 +148,8 @@ ScreenSplat noSplat() {
     return none;
 }
 
-// Opacity 0 for what has numbers that are not finite, lies before the near plane, is too faint, or reaches no centre of a pixel.
+// Opacity 0 for what has numbers that are not finite, lies before the near plane, is too faint, or reaches no
+// centre of a pixel.
 ScreenSplat projectSplat(Splat splat, SplatView view) {
     ScreenSplat screen = noSplat();
     if (!isFinite(vec4(splat.position, splat.opacityLogit)) || !isFinite(vec4(splat.logScale, float(0.0))) ||

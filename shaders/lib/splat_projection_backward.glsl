@@ -1,5 +1,5 @@
-// The backward pass of splat_projection.glsl: from the derivative of the loss by the projected splat to that by its
-// parameters. The extent has none.
+// The backward pass of splat_projection.glsl: from the derivative of the loss by the projected splat to that
+// by its parameters. The extent has none.
 //
 // Needs splat_projection.glsl.
 
@@ -21,12 +21,14 @@ SplatGradient noSplatGradient() {
 
 // By the position where rays are parallel: through the mean and through the depth.
 vec3 parallelPositionGradient(SplatView view, ScreenGradient g) {
-    return view.right * (g.mean.x * view.focalPx.x) + view.down * (g.mean.y * view.focalPx.y) + view.forward * g.depthMm;
+    return view.right * (g.mean.x * view.focalPx.x) + view.down * (g.mean.y * view.focalPx.y) +
+           view.forward * g.depthMm;
 }
 
-// By the position where rays meet in the eye: through J, whose rows and normal have the derivatives that are given, through the
-// mean, and through the depth.
-vec3 perspectivePositionGradient(SplatView view, SplatSight sight, ScreenGradient g, vec3 byRowX, vec3 byRowY, vec3 byNormal) {
+// By the position where rays meet in the eye: through J, whose rows and normal have the derivatives that are
+// given, through the mean, and through the depth.
+vec3 perspectivePositionGradient(SplatView view, SplatSight sight, ScreenGradient g, vec3 byRowX, vec3 byRowY,
+                                 vec3 byNormal) {
     float z = sight.inCamera.z;
     vec2 scale = overDepth(view.focalPx, z);
     float bySlopeX = scale.x * (scale.y * dot(view.right, byNormal) - dot(view.forward, byRowX));
@@ -35,14 +37,16 @@ vec3 perspectivePositionGradient(SplatView view, SplatSight sight, ScreenGradien
     if (sight.slope.y != sight.slopeClamped.y) bySlopeY = float(0.0);
     bySlopeX += g.mean.x * view.focalPx.x;
     bySlopeY += g.mean.y * view.focalPx.y;
-    float bySlopeAndRows = dot(sight.rowX, byRowX) + dot(sight.rowY, byRowY) + float(2.0) * dot(sight.normal, byNormal) +
-                           sight.slope.x * bySlopeX + sight.slope.y * bySlopeY;
+    float bySlopeAndRows = dot(sight.rowX, byRowX) + dot(sight.rowY, byRowY) +
+                           float(2.0) * dot(sight.normal, byNormal) + sight.slope.x * bySlopeX +
+                           sight.slope.y * bySlopeY;
     vec2 across = overDepth(vec2(bySlopeX, bySlopeY), z);
     float byZ = g.depthMm - overDepth(vec2(bySlopeAndRows, float(0.0)), z).x;
     return view.right * across.x + view.down * across.y + view.forward * byZ;
 }
 
-// `screen` is projectSplat(splat, view), and its opacity is above 0; the colour in `g` is not looked at: see splat_colour.glsl.
+// `screen` is projectSplat(splat, view), and its opacity is above 0; the colour in `g` is not looked at: see
+// splat_colour.glsl.
 SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen, ScreenGradient g) {
     float two = float(2.0);
     SplatSight sight = sightOf(splat, view);
@@ -54,8 +58,9 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     result.opacityLogit = g.opacity * compensation * opacitySlope(splat.opacityLogit);
     float byCompensation = view.compensated == 0 ? float(0.0) : g.opacity * opacityOf(splat.opacityLogit);
 
-    // Conic and compensation as functions of xx, xy, yy and the area A, with det = A^2 + s (xx + yy) + s^2 where the low-pass
-    // is not in xx and yy. conic = (yy / det, -xy / yy, 1 / yy), compensation = A / sqrt(det).
+    // Conic and compensation as functions of xx, xy, yy and the area A, with det = A^2 + s (xx + yy) + s^2
+    // where the low-pass is not in xx and yy. conic = (yy / det, -xy / yy, 1 / yy), compensation = A /
+    // sqrt(det).
     float perYy = screen.conic.z;
     float perDet = screen.conic.x * perYy;
     float perRootDet = sqrt(screen.conic.x) * sqrt(perYy);
@@ -65,8 +70,8 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
     float byYy = s * byDet + g.conic.x * perDet - (g.conic.y * screen.conic.y + g.conic.z * perYy) * perYy;
     float byXy = -g.conic.y * perYy;
 
-    // The low-pass is a function of the smaller variance, and that, A^2 over the larger, of A, xx, xy and yy. Of a circle the
-    // larger one has no derivative; half of the sum has one of its subgradients.
+    // The low-pass is a function of the smaller variance, and that, A^2 over the larger, of A, xx, xy and yy.
+    // Of a circle the larger one has no derivative; half of the sum has one of its subgradients.
     float byLowPass = byYy + byDet * (sight.xx + sight.yy - s);
     float byMinor = byLowPass * lowPassSlope(sight.minor, view);
     float perMajor = sight.major > float(0.0) ? float(1.0) / sight.major : float(0.0);
@@ -81,15 +86,17 @@ SplatGradient projectionGradient(Splat splat, SplatView view, ScreenSplat screen
 
     vec3 bySpreadX = sight.spreadX * (two * byXx) + sight.spreadY * byXy;
     vec3 bySpreadY = sight.spreadY * (two * byYy) + sight.spreadX * byXy;
-    // At area 0 (a splat without volume, seen along its plane) the length has no derivative; 0 is one of its subgradients.
+    // At area 0 (a splat without volume, seen along its plane) the length has no derivative; 0 is one of its
+    // subgradients.
     vec3 byAreas = sight.area > float(0.0) ? sight.areas * (byArea / sight.area) : vec3(float(0.0));
 
     // Scale: a spread is proportional to one of the three deviations, an area to two of them.
     vec3 ofAreas = byAreas * sight.areas;
     vec3 byLog = bySpreadX * sight.spreadX + bySpreadY * sight.spreadY +
                  vec3(ofAreas.y + ofAreas.z, ofAreas.z + ofAreas.x, ofAreas.x + ofAreas.y);
-    result.logScale = vec3(gateOfLogScale(splat.logScale.x, byLog.x), gateOfLogScale(splat.logScale.y, byLog.y),
-                           gateOfLogScale(splat.logScale.z, byLog.z));
+    result.logScale =
+        vec3(gateOfLogScale(splat.logScale.x, byLog.x), gateOfLogScale(splat.logScale.y, byLog.y),
+             gateOfLogScale(splat.logScale.z, byLog.z));
 
     // Rotation: the rows of J and their normal, taken along the splat's axes.
     vec3 d = sight.deviations;

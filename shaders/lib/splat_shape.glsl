@@ -68,10 +68,11 @@ vec4 quaternionGradient(vec4 q, SplatAxes g) {
     float y = unit.z;
     float z = unit.w;
     float two = float(2.0);
-    vec4 byUnit = vec4(z * (g.x.y - g.y.x) + y * (g.z.x - g.x.z) + x * (g.y.z - g.z.y),
-                       y * (g.x.y + g.y.x) + z * (g.x.z + g.z.x) + w * (g.y.z - g.z.y) - two * x * (g.y.y + g.z.z),
-                       x * (g.x.y + g.y.x) + z * (g.y.z + g.z.y) + w * (g.z.x - g.x.z) - two * y * (g.x.x + g.z.z),
-                       x * (g.x.z + g.z.x) + y * (g.y.z + g.z.y) + w * (g.x.y - g.y.x) - two * z * (g.x.x + g.y.y));
+    vec4 byUnit =
+        vec4(z * (g.x.y - g.y.x) + y * (g.z.x - g.x.z) + x * (g.y.z - g.z.y),
+             y * (g.x.y + g.y.x) + z * (g.x.z + g.z.x) + w * (g.y.z - g.z.y) - two * x * (g.y.y + g.z.z),
+             x * (g.x.y + g.y.x) + z * (g.y.z + g.z.y) + w * (g.z.x - g.x.z) - two * y * (g.x.x + g.z.z),
+             x * (g.x.z + g.z.x) + y * (g.y.z + g.z.y) + w * (g.x.y - g.y.x) - two * z * (g.x.x + g.y.y));
     byUnit = byUnit * two;
     return (byUnit - unit * dot(unit, byUnit)) / norm;
 }

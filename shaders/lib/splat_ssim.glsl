@@ -1,7 +1,8 @@
-// Structural similarity (Wang et al. 2004) of two pictures x and y by the sum u = x + y and difference v = x - y.
+// Structural similarity (Wang et al. 2004) of two pictures x and y by the sum u = x + y and difference v = x
+// - y.
 //
-// So written that equal pictures are equal to the last bit (v is 0), and that nothing is lost where both are bright and
-// alike: with S = mean u, D = mean v, U and V the variances of u and v in the window,
+// So written that equal pictures are equal to the last bit (v is 0), and that nothing is lost where both are
+// bright and alike: with S = mean u, D = mean v, U and V the variances of u and v in the window,
 //   SSIM = ((S^2 - D^2)/2 + C1) / ((S^2 + D^2)/2 + C1) * ((U - V)/2 + C2) / ((U + V)/2 + C2)
 
 #define SSIM_C1 0.0001  // (0.01 L)^2 with the range L = 1
@@ -19,8 +20,8 @@ float ssimTap(int distance) {
                     : float(0.0);
 }
 
-// The result of one window: 1 - SSIM, and what a pixel in it must know of its gradient, which with respect to that
-// pixel's x is tap * (plain + ofSum u + ofDifference v).
+// The result of one window: 1 - SSIM, and what a pixel in it must know of its gradient, which with respect to
+// that pixel's x is tap * (plain + ofSum u + ofDifference v).
 struct SsimWindow {
     vec4 dissimilarity;
     vec4 plain;
@@ -50,8 +51,8 @@ SsimWindow ssimWindow(vec4 u, vec4 v, vec4 uu, vec4 vv) {
     vec4 structures = (vec4(1.0) - unlikeStructure) * inverse1;
     vec4 byU = -structures * u * unlikeMean;
     vec4 byV = structures * v * ((s + c1 + c1) * inverse1);
-    // d(var) = d(mean of squares) - 2 mean d(mean), and the mean of squares has the derivative 2 u; the 2 and the half of
-    // the variance cancel.
+    // d(var) = d(mean of squares) - 2 mean d(mean), and the mean of squares has the derivative 2 u; the 2 and
+    // the half of the variance cancel.
     window.plain = byU + byV - window.ofSum * u - window.ofDifference * v;
     return window;
 }

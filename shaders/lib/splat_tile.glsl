@@ -1,11 +1,13 @@
-// Whether a splat shows anywhere in a rectangle of pixels. Exact but for rounding, which is on the side of yes.
+// Whether a splat shows anywhere in a rectangle of pixels. Exact but for rounding, which is on the side of
+// yes.
 //
-// Two kernels ask for the same tiles, one to count them and one to write them down, and must get the same answers: so nothing
-// here may be contracted or reordered in one of them only.
+// Two kernels ask for the same tiles, one to count them and one to write them down, and must get the same
+// answers: so nothing here may be contracted or reordered in one of them only.
 //
 // Needs splat_blend.glsl.
 
-// The least power that rounding can make of an offset: powerAt with its error, relative to the terms of u, taken off.
+// The least power that rounding can make of an offset: powerAt with its error, relative to the terms of u,
+// taken off.
 float leastPowerAt(vec3 conic, vec2 offset) {
     PRECISE float sheared = conic.y * offset.y;
     PRECISE float error = float(1e-6) * (abs(offset.x) + abs(sheared));
@@ -14,8 +16,8 @@ float leastPowerAt(vec3 conic, vec2 offset) {
     return power;
 }
 
-// The least power over the rectangle low to high, in offsets from the mean. The power is convex and least at 0, so over
-// a rectangle that does not hold 0 it is least on a side that faces 0; on a line it is a parabola.
+// The least power over the rectangle low to high, in offsets from the mean. The power is convex and least at
+// 0, so over a rectangle that does not hold 0 it is least on a side that faces 0; on a line it is a parabola.
 float leastPowerIn(vec3 conic, vec2 low, vec2 high) {
     vec2 nearest = clamp(vec2(float(0.0)), low, high);
     // On the side of constant x.

@@ -2,9 +2,9 @@
 
 // One Gaussian.
 struct Splat {
-    vec3 position;       // mm, relative to the model's origin
-    vec3 logScale;       // ln of the standard deviation in mm, along its own axes
-    vec4 rotation;       // quaternion in the order w, x, y, z, that is w in .x; of any length
+    vec3 position;  // mm, relative to the model's origin
+    vec3 logScale;  // ln of the standard deviation in mm, along its own axes
+    vec4 rotation;  // quaternion in the order w, x, y, z, that is w in .x; of any length
     float opacityLogit;
 };
 
@@ -12,14 +12,14 @@ struct Splat {
 //
 //   q = conic.x (x + conic.y y)^2 + conic.z y^2
 //
-// That is the inverse of the 2D covariance, factored: it cannot become indefinite by rounding, and a needle a thousand pixels
-// long keeps its width in float, where the three numbers of the inverse itself would cancel.
+// That is the inverse of the 2D covariance, factored: it cannot become indefinite by rounding, and a needle a
+// thousand pixels long keeps its width in float, where the three numbers of the inverse itself would cancel.
 struct ScreenSplat {
-    vec2 mean;       // px
-    vec3 conic;      // 1/px^2, 1, 1/px^2
-    float opacity;   // of the centre, with compensation; 0: nothing of it is in the picture
-    float depthMm;   // of the centre along the camera's z
-    vec2 extent;     // px to the left and right, and up and down, where it reaches minAlpha
+    vec2 mean;      // px
+    vec3 conic;     // 1/px^2, 1, 1/px^2
+    float opacity;  // of the centre, with compensation; 0: nothing of it is in the picture
+    float depthMm;  // of the centre along the camera's z
+    vec2 extent;    // px to the left and right, and up and down, where it reaches minAlpha
 };
 
 // The derivative of a loss by the numbers of a ScreenSplat, and by its colour.

@@ -2,7 +2,8 @@
 //
 // Needs, beside cell_walk.glsl and medium.glsl, nothing.
 
-// The 4 x 4 x 4 voxels around a cell, in the walk's coordinates: 16 rows along x, along y faster than along z.
+// The 4 x 4 x 4 voxels around a cell, in the walk's coordinates: 16 rows along x, along y faster than along
+// z.
 struct SplineCell {
     vec4 rows[16];
 };
@@ -34,10 +35,12 @@ SplineCell fetchSpline(CellWalk cells) {
 // The derivatives of what voxels weigh.
 vec4 splineSlopes(float t) {
     float u = float(1.0) - t;
-    vec4 soft = vec4(-u * u, t * (float(3.0) * t - float(4.0)), u * (float(4.0) - float(3.0) * u), t * t) * float(0.5);
+    vec4 soft = vec4(-u * u, t * (float(3.0) * t - float(4.0)), u * (float(4.0) - float(3.0) * u), t * t) *
+                float(0.5);
     if (useSmooth()) return soft;
-    vec4 through = vec4(u * (float(3.0) * t - float(1.0)), t * (float(9.0) * t - float(10.0)), u * (float(10.0) - float(9.0) * u),
-                        t * (float(3.0) * t - float(2.0))) * float(0.5);
+    vec4 through = vec4(u * (float(3.0) * t - float(1.0)), t * (float(9.0) * t - float(10.0)),
+                        u * (float(10.0) - float(9.0) * u), t * (float(3.0) * t - float(2.0))) *
+                   float(0.5);
     return through + (soft - through) * float(1.0 / 3.0);
 }
 
@@ -69,8 +72,8 @@ SplinePoint splineAt(SplineCell spline, vec3 fraction) {
     return point;
 }
 
-// Along the ray through a cell: the value as a polynomial that has the spline's values at both ends and in the middle, and
-// its slopes at both ends; the gradient as the parabola through the same three places.
+// Along the ray through a cell: the value as a polynomial that has the spline's values at both ends and in
+// the middle, and its slopes at both ends; the gradient as the parabola through the same three places.
 struct SplineCourse {
     Course value;
     float least;  // of the voxels: between its three places the polynomial is held to them
@@ -89,7 +92,8 @@ SplineCourse splineCourse(CellWalk cells) {
     SplinePoint c = splineAt(spline, exit);
     float begins = dot(a.slope, exit - entry);
     float ends = dot(c.slope, exit - entry);
-    // What is above the line that the value begins along: in the middle, at the end, and there per part of the way.
+    // What is above the line that the value begins along: in the middle, at the end, and there per part of
+    // the way.
     float middle = b.value - a.value - float(0.5) * begins;
     float end = c.value - a.value - begins;
     float steeper = ends - begins;
@@ -104,7 +108,8 @@ SplineCourse splineCourse(CellWalk cells) {
     course.least = min(min(least.x, least.y), min(least.z, least.w));
     course.most = max(max(most.x, most.y), max(most.z, most.w));
     course.value.start = a.value;
-    course.value.slopes = vec4(begins, float(3.0) * end - steeper + fourth, steeper - float(2.0) * (end + fourth), fourth);
+    course.value.slopes =
+        vec4(begins, float(3.0) * end - steeper + fourth, steeper - float(2.0) * (end + fourth), fourth);
     course.gradient = a.slope;
     course.gradientLinear = float(4.0) * b.slope - float(3.0) * a.slope - c.slope;
     course.gradientSquare = float(2.0) * (a.slope + c.slope) - float(4.0) * b.slope;
@@ -112,5 +117,6 @@ SplineCourse splineCourse(CellWalk cells) {
 }
 
 vec3 gradientOn(CellWalk cells, SplineCourse course, float part) {
-    return worldGradient((course.gradient + part * (course.gradientLinear + part * course.gradientSquare)) * cells.side);
+    return worldGradient((course.gradient + part * (course.gradientLinear + part * course.gradientSquare)) *
+                         cells.side);
 }

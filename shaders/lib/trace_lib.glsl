@@ -1,5 +1,5 @@
-// Everything the tracer's kernels share, in order. The host declares before: params (TraceParams), useTrilinear(), and
-// the fetch functions that the parts name.
+// Everything the tracer's kernels share, in order. The host declares before: params (TraceParams),
+// useTrilinear(), and the fetch functions that the parts name.
 #define PI 3.14159265358979323846
 #define BRICK 8
 

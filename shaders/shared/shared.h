@@ -1,4 +1,5 @@
-// What makes one header both C++ and GLSL. A shared header includes this first and puts its structs between the macros:
+// What makes one header both C++ and GLSL. A shared header includes this first and puts its structs between
+// the macros:
 //
 //   #ifndef MACULA_SHARED_TRACE_PARAMS_H
 //   #define MACULA_SHARED_TRACE_PARAMS_H
@@ -13,10 +14,10 @@
 //   MACULA_SHARED_END
 //   #endif
 //
-// In C++ that is macula::shared::TraceParams with tightly packed GLM types. In GLSL use it in blocks declared with the
-// layout `scalar` (`layout(push_constant, scalar) uniform Push { TraceParams params; };`): scalar layout packs as C++
-// does, vec3 included. List each struct in a test with expectLayoutMatches (tests/gpu/shared_layout.h). Not for shared
-// structs: bool (use uint), double, default values.
+// In C++ that is macula::shared::TraceParams with tightly packed GLM types. In GLSL use it in blocks declared
+// with the layout `scalar` (`layout(push_constant, scalar) uniform Push { TraceParams params; };`): scalar
+// layout packs as C++ does, vec3 included. List each struct in a test with expectLayoutMatches
+// (tests/gpu/shared_layout.h). Not for shared structs: bool (use uint), double, default values.
 #ifndef MACULA_SHARED_SHARED_H
 #define MACULA_SHARED_SHARED_H
 

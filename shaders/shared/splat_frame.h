@@ -19,16 +19,17 @@ MACULA_SHARED_CONST int kTileColumns = 8;  // pixels of a tile, from left to rig
 // extent.y.
 MACULA_SHARED_CONST int kScreenTexels = 3;
 
-// What a tile tells about a splat: mean, conic, opacity, colour as in ScreenGradient; the sum of its weights; the sum over
-// pixels of how strongly each pulls at the mean, so that pixels that pull against each other do not cancel.
+// What a tile tells about a splat: mean, conic, opacity, colour as in ScreenGradient; the sum of its weights;
+// the sum over pixels of how strongly each pulls at the mean, so that pixels that pull against each other do
+// not cancel.
 MACULA_SHARED_CONST int kPairValues = 11;
 
 // What is gathered of a splat over views, for deciding where more are needed and which are not.
 struct SplatStatistics {
-    float views;         // in which the splat showed
-    float weight;        // sum of its blending weights over pixels and views
-    float pull;          // sum over pixels of the absolute derivatives by its place in the picture, in pixels
-    float mostWeight;    // the largest sum of its blending weights in one view
+    float views;       // in which the splat showed
+    float weight;      // sum of its blending weights over pixels and views
+    float pull;        // sum over pixels of the absolute derivatives by its place in the picture, in pixels
+    float mostWeight;  // the largest sum of its blending weights in one view
 };
 
 MACULA_SHARED_END

@@ -1,7 +1,8 @@
-// One step of Adam for the splats that were seen. A thread for each splat. Of positions the moments are along the splat's axes,
-// and the rate is in its deviations there (optimizer_options.h).
+// One step of Adam for the splats that were seen. A thread for each splat. Of positions the moments are along
+// the splat's axes, and the rate is in its deviations there (optimizer_options.h).
 //
-// The loops skip what need not be done (an `if` would not, on lavapipe), and carry out of them only what texelFetch gave.
+// The loops skip what need not be done (an `if` would not, on lavapipe), and carry out of them only what
+// texelFetch gave.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -37,28 +38,31 @@ layout(binding = 8, scalar) buffer Skipped {
 
 // What Adam does to the number at `at` of the moments.
 float learnt(uint at, float gradient, float rate, vec2 correction) {
-    AdamStep next =
-        adamStep(gradient, firsts[at], seconds[at], correction, rate, params.beta1, params.beta2, params.epsilon);
+    AdamStep next = adamStep(gradient, firsts[at], seconds[at], correction, rate, params.beta1, params.beta2,
+                             params.epsilon);
     firsts[at] = next.first;
     seconds[at] = next.second;
     return next.change;
 }
 
-float gradientAt(uint at) { return texelFetch(gradients, int(at)).x; }
+float gradientAt(uint at) {
+    return texelFetch(gradients, int(at)).x;
+}
 
 void movePosition(uint splat, vec2 correction) {
     uint n = params.capacity;
     uint scale = uint(kSplatLogScale) * n + splat;
     uint turn = uint(kSplatRotation) * n + splat;
-    SplatAxes axes =
-        axesOf(unitQuaternion(vec4(parameters[turn], parameters[turn + n], parameters[turn + 2u * n], parameters[turn + 3u * n])));
+    SplatAxes axes = axesOf(unitQuaternion(
+        vec4(parameters[turn], parameters[turn + n], parameters[turn + 2u * n], parameters[turn + 3u * n])));
     vec3 rates = deviationsMm(vec3(parameters[scale], parameters[scale + n], parameters[scale + 2u * n])) *
                  params.rates[kSplatPosition];
 
     uint at = uint(kSplatPosition) * n + splat;
     vec3 gradient = alongAxes(axes, vec3(gradientAt(at), gradientAt(at + n), gradientAt(at + 2u * n)));
-    vec3 change = vec3(learnt(at, gradient.x, rates.x, correction), learnt(at + n, gradient.y, rates.y, correction),
-                       learnt(at + 2u * n, gradient.z, rates.z, correction));
+    vec3 change =
+        vec3(learnt(at, gradient.x, rates.x, correction), learnt(at + n, gradient.y, rates.y, correction),
+             learnt(at + 2u * n, gradient.z, rates.z, correction));
     vec3 moved = fromAxes(axes, change);
     parameters[at] += moved.x;
     parameters[at + n] += moved.y;
@@ -71,7 +75,8 @@ void main() {
     bool seen = visible[splat] != 0u;
     int last = seen ? params.components : 0;
     bool usable = seen;
-    for (int k = 0; k < last; ++k) usable = usable && isUsableGradient(gradientAt(uint(k) * params.capacity + splat));
+    for (int k = 0; k < last; ++k)
+        usable = usable && isUsableGradient(gradientAt(uint(k) * params.capacity + splat));
 
     for (int once = seen && !usable ? 1 : 0; once > 0; --once) atomicAdd(skipped, 1u);
     uint step = steps[splat] + 1u;

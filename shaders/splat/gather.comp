@@ -41,7 +41,8 @@ void main() {
     [[unroll]] for (int v = 0; v < kPairValues; ++v) sums[v] = 0.0;
     int end = int(range.x + range.y) * kSlots;
     for (int pair = int(range.x) * kSlots; pair < end; ++pair) {
-        [[unroll]] for (int v = 0; v < kPairValues; ++v) sums[v] += texelFetch(pairTexels, pair * kPairValues + v).x;
+        [[unroll]] for (int v = 0; v < kPairValues; ++v) sums[v] +=
+            texelFetch(pairTexels, pair * kPairValues + v).x;
     }
     bool shows = range.y > 0u && sums[9] > 0.0;
     ScreenGradient g = noGradient();

@@ -1,5 +1,5 @@
-// Last step of the loss: along rows too, then from what is compared back to the premultiplied pixel. A thread for each strip
-// of a row.
+// Last step of the loss: along rows too, then from what is compared back to the premultiplied pixel. A thread
+// for each strip of a row.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_strips.glsl"
@@ -25,22 +25,23 @@ void main() {
     if (first >= size.x || y >= size.y) return;
     vec4 a[kOutputs], b[kOutputs], c[kOutputs];
     [[unroll]] for (int n = 0; n < kOutputs; ++n) a[n] = b[n] = c[n] = vec4(0.0);
-    if (kSimilar) [[unroll]] for (int j = 0; j < kOutputs + 10; ++j) {
-        int x = first + j - 5;
-        float inside = x >= 0 && x < size.x ? 1.0 : 0.0;
-        int index = y * size.x + clamp(x, 0, size.x - 1);
-        vec4 ta = texelFetch(summed, 3 * index) * inside;
-        vec4 tb = texelFetch(summed, 3 * index + 1) * inside;
-        vec4 tc = texelFetch(summed, 3 * index + 2) * inside;
-        [[unroll]] for (int n = 0; n < kOutputs; ++n) {
-            float tap = ssimTap(j - n - 5);
-            if (tap > 0.0) {
-                a[n] += tap * ta;
-                b[n] += tap * tb;
-                c[n] += tap * tc;
+    if (kSimilar) [[unroll]]
+        for (int j = 0; j < kOutputs + 10; ++j) {
+            int x = first + j - 5;
+            float inside = x >= 0 && x < size.x ? 1.0 : 0.0;
+            int index = y * size.x + clamp(x, 0, size.x - 1);
+            vec4 ta = texelFetch(summed, 3 * index) * inside;
+            vec4 tb = texelFetch(summed, 3 * index + 1) * inside;
+            vec4 tc = texelFetch(summed, 3 * index + 2) * inside;
+            [[unroll]] for (int n = 0; n < kOutputs; ++n) {
+                float tap = ssimTap(j - n - 5);
+                if (tap > 0.0) {
+                    a[n] += tap * ta;
+                    b[n] += tap * tb;
+                    c[n] += tap * tc;
+                }
             }
         }
-    }
     vec4 part = vec4(0.0);
     [[unroll]] for (int n = 0; n < kOutputs; ++n) {
         if (first + n < size.x) {
@@ -48,7 +49,8 @@ void main() {
             vec4 render = texelFetch(rendered, index);
             vec4 difference = texelFetch(pairs, 2 * index + 1);
             bool known = texelFetch(windows, index).x > 0.0 && isFinite(render);
-            vec4 ofSimilarity = kSimilar ? a[n] + b[n] * texelFetch(pairs, 2 * index) + c[n] * difference : vec4(0.0);
+            vec4 ofSimilarity =
+                kSimilar ? a[n] + b[n] * texelFetch(pairs, 2 * index) + c[n] * difference : vec4(0.0);
             vec4 gradient = gradientOf(render, difference, ofSimilarity, kDisplay);
             gradients[index] = known ? gradient : vec4(0.0);
             part += lossPartOf(render, difference);

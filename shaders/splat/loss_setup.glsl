@@ -28,7 +28,8 @@ LossPair pairOf(vec4 render, vec4 truth, bool known, bool display) {
     vec4 x = ours.value;
     vec4 y = theirs.value;
     vec4 difference = x - y;
-    if (params.squareScale > 0.0) difference.xyz = comparedChange(ours.over, ours.over - theirs.over, display);
+    if (params.squareScale > 0.0)
+        difference.xyz = comparedChange(ours.over, ours.over - theirs.over, display);
     if (params.coverageOnly != 0u) {
         y.xyz = x.xyz;
         difference.xyz = vec3(0.0);
@@ -36,14 +37,17 @@ LossPair pairOf(vec4 render, vec4 truth, bool known, bool display) {
     return LossPair(x + y, difference);
 }
 
-// The gradient by a finite premultiplied pixel of a known one; `ofSimilarity` is that of 1 - SSIM by the pixel as compared.
+// The gradient by a finite premultiplied pixel of a known one; `ofSimilarity` is that of 1 - SSIM by the
+// pixel as compared.
 vec4 gradientOf(vec4 render, vec4 difference, vec4 ofSimilarity, bool display) {
-    vec4 back = params.l1Scale * sign(difference) + 2.0 * params.squareScale * difference + params.dssimScale * ofSimilarity;
+    vec4 back = params.l1Scale * sign(difference) + 2.0 * params.squareScale * difference +
+                params.dssimScale * ofSimilarity;
     vec3 over = comparedPixel(render, params.background, params.exposure, display).over;
     return comparedPixelBack(over, back, params.background, params.exposure, display);
 }
 
 // What a pixel adds to the sums of the loss: |difference|, its square; 1 where the render is not finite; 0.
 vec4 lossPartOf(vec4 render, vec4 difference) {
-    return vec4(dot(abs(difference), vec4(1.0)), dot(difference, difference), isFinite(render) ? 0.0 : 1.0, 0.0);
+    return vec4(dot(abs(difference), vec4(1.0)), dot(difference, difference), isFinite(render) ? 0.0 : 1.0,
+                0.0);
 }

@@ -1,8 +1,8 @@
-// SSIM by strips, for devices of type CPU: a thread sums over the windows of kOutputs pixels at once, along columns and then
-// along rows.
+// SSIM by strips, for devices of type CPU: a thread sums over the windows of kOutputs pixels at once, along
+// columns and then along rows.
 //
-// What the steps pass on lies together for each pixel: in pictures of their own, a power of two apart, all would want the same lines
-// of the cache (at 512 x 512 on lavapipe that took half as long again).
+// What the steps pass on lies together for each pixel: in pictures of their own, a power of two apart, all
+// would want the same lines of the cache (at 512 x 512 on lavapipe that took half as long again).
 #include "splat/loss_setup.glsl"
 
 // Pixels of a strip: what it reads is more by 10, so that neighbours are read by few threads.

@@ -1,10 +1,11 @@
-// SSIM by tiles, for graphics cards: a group reads the kTile^2 pixels of its threads and those around them once, and sums over
-// windows in its own memory, along columns and then along rows, in the order of the strips (loss_strips.glsl): gradients
-// differ by rounding, the loss also by the order of its parts.
+// SSIM by tiles, for graphics cards: a group reads the kTile^2 pixels of its threads and those around them
+// once, and sums over windows in its own memory, along columns and then along rows, in the order of the
+// strips (loss_strips.glsl): gradients differ by rounding, the loss also by the order of its parts.
 //
 // The wide tile has the pixels of the threads and kReach more on each side, row by row.
 //
-// Needs: vec4 windowed(at, which), the value to sum of place `at` in the wide tile; `which` is that of windowSum.
+// Needs: vec4 windowed(at, which), the value to sum of place `at` in the wide tile; `which` is that of
+// windowSum.
 #include "splat/loss_setup.glsl"
 
 const int kTile = 16;
@@ -38,12 +39,14 @@ int indexOf(ivec2 pixel) {
     return pixel.y * params.imageSize.x + pixel.x;
 }
 
-// The sum over the window of the thread's pixel. All threads of the group call it together, once what windowed() reads is there.
+// The sum over the window of the thread's pixel. All threads of the group call it together, once what
+// windowed() reads is there.
 vec4 windowSum(int which) {
     barrier();  // the last sums have been read, and what windowed() reads is written
     for (int at = thread(); at < kTile * kWide; at += kThreads) {
         vec4 sum = vec4(0.0);
-        [[unroll]] for (int i = 0; i <= 2 * kReach; ++i) sum += ssimTap(i - kReach) * windowed(at + i * kWide, which);
+        [[unroll]] for (int i = 0; i <= 2 * kReach; ++i) sum +=
+            ssimTap(i - kReach) * windowed(at + i * kWide, which);
         columnSums[at] = sum;
     }
     barrier();

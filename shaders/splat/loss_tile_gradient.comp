@@ -1,5 +1,5 @@
-// Second step of the loss by tiles: the derivatives of the SSIM windows, summed, and from what is compared back to the
-// premultiplied pixel. It stands for loss_back_columns and loss_gradient.
+// Second step of the loss by tiles: the derivatives of the SSIM windows, summed, and from what is compared
+// back to the premultiplied pixel. It stands for loss_back_columns and loss_gradient.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_tile.glsl"

@@ -1,5 +1,6 @@
-// First step of the loss by tiles: both pictures as they are compared, and what each window of SSIM says of its pixels'
-// gradients. It stands for loss_compare, loss_columns and loss_rows, and keeps their sums out of the device's memory.
+// First step of the loss by tiles: both pictures as they are compared, and what each window of SSIM says of
+// its pixels' gradients. It stands for loss_compare, loss_columns and loss_rows, and keeps their sums out of
+// the device's memory.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "splat/loss_tile.glsl"
@@ -8,7 +9,8 @@ layout(constant_id = 1) const bool kDisplay = false;
 
 layout(binding = 1) uniform samplerBuffer rendered;
 layout(binding = 2) uniform samplerBuffer targets;
-layout(binding = 3) uniform samplerBuffer windows;  // 1 / the taps on known pixels; 0 where the pixel is unknown
+layout(binding = 3) uniform
+    samplerBuffer windows;  // 1 / the taps on known pixels; 0 where the pixel is unknown
 layout(binding = 4, scalar) writeonly buffer Pairs {
     vec4 pairs[];  // sum, difference
 };

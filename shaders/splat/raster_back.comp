@@ -1,5 +1,6 @@
-// The derivative of a loss by the splats in the picture: for each pair of a tile and a splat in it the sum over the tile's
-// pixels, in a place of its own. Nothing is added to by two, so that the sums are the same each time.
+// The derivative of a loss by the splats in the picture: for each pair of a tile and a splat in it the sum
+// over the tile's pixels, in a place of its own. Nothing is added to by two, so that the sums are the same
+// each time.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_basic : require
@@ -26,11 +27,11 @@ float sumsOfEight(float v[8]) {
     bool high2 = (lane & 2u) != 0u;
     bool high1 = (lane & 1u) != 0u;
     float four[4];
-    [[unroll]] for (int i = 0; i < 4; ++i)
-        four[i] = (high4 ? v[i + 4] : v[i]) + subgroupShuffleXor(high4 ? v[i] : v[i + 4], 4u);
+    [[unroll]] for (int i = 0; i < 4; ++i) four[i] =
+        (high4 ? v[i + 4] : v[i]) + subgroupShuffleXor(high4 ? v[i] : v[i + 4], 4u);
     float two[2];
-    [[unroll]] for (int i = 0; i < 2; ++i)
-        two[i] = (high2 ? four[i + 2] : four[i]) + subgroupShuffleXor(high2 ? four[i] : four[i + 2], 2u);
+    [[unroll]] for (int i = 0; i < 2; ++i) two[i] =
+        (high2 ? four[i + 2] : four[i]) + subgroupShuffleXor(high2 ? four[i] : four[i + 2], 2u);
     float sum = (high1 ? two[1] : two[0]) + subgroupShuffleXor(high1 ? two[0] : two[1], 1u);
     if (kLanes > 8) sum += subgroupShuffleXor(sum, 8u);
     if (kLanes > 16) sum += subgroupShuffleXor(sum, 16u);
@@ -74,7 +75,8 @@ void main() {
     }
     uvec2 range = entriesOfTile();
     uint at = range.x;
-    // Once all pixels are below minTransmittance nothing counts. All lanes of a subgroup go on together: they share sums.
+    // Once all pixels are below minTransmittance nothing counts. All lanes of a subgroup go on together: they
+    // share sums.
     for (float most = 1.0; at < range.y && subgroupAny(most >= view.minTransmittance); ++at) {
         uvec2 entry = texelFetch(entryTexels, int(at)).xy;
         Shown shown = fetchShown(int(entry.x));
@@ -91,16 +93,18 @@ void main() {
             pull += abs(sum.mean.x - before.x) + abs(sum.mean.y - before.y);
             most = max(most, transmittance[row]);
         }
-        float values[8] = float[8](sum.mean.x, sum.mean.y, sum.conic.x, sum.conic.y, sum.conic.z, sum.opacity, sum.colour.x,
-                                   sum.colour.y);
+        float values[8] = float[8](sum.mean.x, sum.mean.y, sum.conic.x, sum.conic.y, sum.conic.z, sum.opacity,
+                                   sum.colour.x, sum.colour.y);
         float eight = sumsOfEight(values);
         vec3 three = sumsOfThree(vec3(sum.colour.z, weight, pull));
         uint place = placeOf(entry.y);
         if (gl_SubgroupInvocationID < 8u) pairs[place + gl_SubgroupInvocationID] = eight;
-        if (gl_SubgroupInvocationID < 3u) pairs[place + 8u + gl_SubgroupInvocationID] = three[gl_SubgroupInvocationID];
+        if (gl_SubgroupInvocationID < 3u)
+            pairs[place + 8u + gl_SubgroupInvocationID] = three[gl_SubgroupInvocationID];
     }
     for (; at < range.y; ++at) {
         uint place = placeOf(texelFetch(entryTexels, int(at)).y);
-        for (uint v = gl_SubgroupInvocationID; v < uint(kPairValues); v += uint(kLanes)) pairs[place + v] = 0.0;
+        for (uint v = gl_SubgroupInvocationID; v < uint(kPairValues); v += uint(kLanes))
+            pairs[place + v] = 0.0;
     }
 }

@@ -1,5 +1,5 @@
-// Moves the items of a block to where their digit belongs. First they are sorted within the block, by half a digit after the
-// other, so that equal digits lie together and keep their order.
+// Moves the items of a block to where their digit belongs. First they are sorted within the block, by half a
+// digit after the other, so that equal digits lie together and keep their order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -9,10 +9,12 @@
 layout(binding = 1, scalar) readonly buffer Items {
     uvec2 items[];  // key, value
 };
-layout(constant_id = 0) const bool kScanned = true;  // sort_scan was here; else each block sums what it needs: of few blocks that is less than a dispatch
+layout(constant_id = 0) const bool kScanned = true;  // sort_scan was here; else each block sums what it
+                                                     // needs: of few blocks that is less than a dispatch
 
 layout(binding = 2, scalar) readonly buffer Counts {
-    uint counts[];  // by digit, then by block: of the same digit in the blocks before, or if not kScanned in the block
+    uint counts[];  // by digit, then by block: of the same digit in the blocks before, or if not kScanned in
+                    // the block
 };
 layout(binding = 3, scalar) readonly buffer Totals {
     uint totals[];  // by digit, if kScanned

@@ -15,7 +15,8 @@ void main() {
     uint splat;
     TileWalk walk = walkOfThread(splat);
     uint count = 0u;
-    for (ivec2 tile = walk.first; tile.y < walk.end.y; tile = nextTile(walk, tile)) count += showsInTile(walk, tile) ? 1u : 0u;
+    for (ivec2 tile = walk.first; tile.y < walk.end.y; tile = nextTile(walk, tile))
+        count += showsInTile(walk, tile) ? 1u : 0u;
     if (rankOfThread() < frame.count) tileCounts[gl_GlobalInvocationID.x] = count;
     uint before = sumBefore(count);
     if (gl_LocalInvocationID.x == kListThreads - 1u) groupCounts[gl_WorkGroupID.x] = before + count;

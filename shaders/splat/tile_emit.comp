@@ -36,9 +36,9 @@ void main() {
         bool shows = fits && walk.screen.opacity > 0.0;
         pairRanges[splat] = shows ? uvec2(start, scanned[thread + kTileParts - 1u] - before) : uvec2(0u);
     }
-    // Writes as many pairs as were counted, whatever this kernel finds: others' places are not written, and no own is
-    // left as it was. Should it find fewer, because it was compiled to round otherwise, some tile has the splat once
-    // more.
+    // Writes as many pairs as were counted, whatever this kernel finds: others' places are not written, and
+    // no own is left as it was. Should it find fewer, because it was compiled to round otherwise, some tile
+    // has the splat once more.
     uint end = fits ? start + count : start;
     uint tileCount = uint(frame.tiles.x * frame.tiles.y);
     ivec2 tile = walk.first;

@@ -17,7 +17,8 @@ layout(binding = 3, scalar) writeonly buffer Ranges {
     uvec2 ranges[];  // first entry, and one after the last
 };
 
-// The first pair of that tile or a later one. All threads take as many rounds, so that nobody leaves the loop early.
+// The first pair of that tile or a later one. All threads take as many rounds, so that nobody leaves the loop
+// early.
 uint firstOf(uint tile, uint count) {
     uint low = 0u;
     uint high = count;

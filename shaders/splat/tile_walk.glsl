@@ -1,4 +1,5 @@
-// The tiles of a splat, row by row. kTileParts threads share them, each some rows, because a splat may fill the picture.
+// The tiles of a splat, row by row. kTileParts threads share them, each some rows, because a splat may fill
+// the picture.
 #include "splat/frame.glsl"
 #include "splat/screen.glsl"
 #include "splat/block_scan.glsl"
@@ -13,8 +14,8 @@ struct TileWalk {
     ScreenSplat screen;
     ivec2 first;  // tiles: first <= tile < end
     ivec2 end;
-    bool one;     // there is one, and it is known to show something
-    float most;   // power above which nothing shows
+    bool one;    // there is one, and it is known to show something
+    float most;  // power above which nothing shows
 };
 
 // The place in the order of depth that the thread works on.

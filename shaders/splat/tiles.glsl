@@ -1,6 +1,7 @@
-// Which splats a tile shows, front to back, and the pixels of a thread: kRows of one column, one below the other. On a CPU a
-// thread has all rows of its column, so that eight lanes are the eight columns of a tile and what a splat costs is shared by
-// all of its rows; on a graphics card a few, so that there are enough threads.
+// Which splats a tile shows, front to back, and the pixels of a thread: kRows of one column, one below the
+// other. On a CPU a thread has all rows of its column, so that eight lanes are the eight columns of a tile
+// and what a splat costs is shared by all of its rows; on a graphics card a few, so that there are enough
+// threads.
 layout(constant_id = 1) const int kRows = 8;
 layout(local_size_x_id = 2) in;  // kTileColumns beside each other, then those of the rows below
 

@@ -1,4 +1,5 @@
-// Adds to the picture what path_side.comp has traced: pixel by pixel, in the order of the samples, as path_samples.glsl does.
+// Adds to the picture what path_side.comp has traced: pixel by pixel, in the order of the samples, as
+// path_samples.glsl does.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,4 +1,5 @@
-// Candidates for surface points: where rays from all sides meet visible matter, and how much of it each stands for.
+// Candidates for surface points: where rays from all sides meet visible matter, and how much of it each
+// stands for.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

@@ -1,4 +1,5 @@
-// Adds samples to the pixels of some blocks of the picture, by ray casting: the counterpart of path.comp without chance.
+// Adds samples to the pixels of some blocks of the picture, by ray casting: the counterpart of path.comp
+// without chance.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

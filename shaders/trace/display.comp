@@ -1,5 +1,5 @@
-// From sums to what is shown: mean, background, exposure, tone map, display encoding. The last thing that happens to a
-// pixel.
+// From sums to what is shown: mean, background, exposure, tone map, display encoding. The last thing that
+// happens to a pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -46,5 +46,6 @@ void main() {
         }
     }
     vec4 mean = sum / total;
-    imageStore(picture, pixel, vec4(displayColour(mean, push.background, push.exposure, push.keepsHue == 1), 1.0));
+    imageStore(picture, pixel,
+               vec4(displayColour(mean, push.background, push.exposure, push.keepsHue == 1), 1.0));
 }

@@ -24,7 +24,8 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, push.firstRow);
     if (any(greaterThanEqual(pixel, params.imageSize))) return;
     Fovea fovea = Fovea(push.planeHalfSize, push.gaze, push.foveaRadius, push.foveaMagnification);
-    Guide guide = guideOf(vec2(pixel) + vec2(0.5), Eye(push.oursMm, push.right, push.up, push.forward, fovea, push.parallelMm));
+    Guide guide = guideOf(vec2(pixel) + vec2(0.5),
+                          Eye(push.oursMm, push.right, push.up, push.forward, fovea, push.parallelMm));
     int index = pixel.y * params.imageSize.x + pixel.x;
     surfaces[index] = vec4(guide.normal, guide.depthMm);
     matters[index] = vec4(guide.albedo, guide.coverage);

@@ -1,5 +1,6 @@
-// What shaders/lib needs from its host, on the GPU: tables in texel buffers, which are by far the fastest read-only
-// arrays on CPU devices and as good as any on others. The C++ counterpart is src/pipeline/trace/reference_host.inl.
+// What shaders/lib needs from its host, on the GPU: tables in texel buffers, which are by far the fastest
+// read-only arrays on CPU devices and as good as any on others. The C++ counterpart is
+// src/pipeline/trace/reference_host.inl.
 #define OUT(type) out type
 #define INOUT(type) inout type
 #define PRECISE precise
@@ -29,24 +30,30 @@ layout(constant_id = 7) const bool kGreyFaces = false;
 const bool kGreyFaces = false;  // not asked for
 #endif
 
-// Not a uniform block: lavapipe (Mesa 22.3) compiles a uniform that decides a branch into the shader, and so would compile
-// anew, for a tenth of a second, whenever the camera moves.
+// Not a uniform block: lavapipe (Mesa 22.3) compiles a uniform that decides a branch into the shader, and so
+// would compile anew, for a tenth of a second, whenever the camera moves.
 layout(binding = 0, scalar) readonly buffer Params {
     TraceParams params;
 };
-layout(binding = 1) uniform usamplerBuffer poolTexels;        // the pool: voxels of blocks, as table entries
-layout(binding = 2) uniform samplerBuffer extinctionTexels;   // per mm, by entry; then the gradient opacity; then steep matter's
-layout(binding = 3) uniform samplerBuffer albedoTexels;       // by entry; w: extinction per mm; then of steep matter
+layout(binding = 1) uniform usamplerBuffer poolTexels;  // the pool: voxels of blocks, as table entries
+layout(binding = 2) uniform samplerBuffer
+    extinctionTexels;  // per mm, by entry; then the gradient opacity; then steep matter's
+layout(binding = 3) uniform samplerBuffer
+    albedoTexels;  // by entry; w: extinction per mm; then of steep matter
 layout(binding = 4) uniform samplerBuffer boundTexels;        // by brick
 layout(binding = 5) uniform samplerBuffer environmentTexels;  // radiance and pdf per steradian, by texel
 layout(binding = 6) uniform samplerBuffer cumulativeTexels;   // see environment.glsl
-layout(binding = 7) uniform usamplerBuffer blockTexels;       // by brick, words of four blocks: level and place in the pool
-layout(binding = 8) uniform usamplerBuffer maskTexels;        // a bit for each voxel: whether the mask shows it
-layout(binding = 9) uniform usamplerBuffer secondPoolTexels;    // of a second volume, as the two of the first one
+layout(binding = 7) uniform usamplerBuffer
+    blockTexels;  // by brick, words of four blocks: level and place in the pool
+layout(binding = 8) uniform usamplerBuffer maskTexels;  // a bit for each voxel: whether the mask shows it
+layout(binding = 9) uniform usamplerBuffer
+    secondPoolTexels;  // of a second volume, as the two of the first one
 layout(binding = 10) uniform usamplerBuffer secondBlockTexels;
-layout(binding = 11) uniform samplerBuffer additionTexels;      // its albedo and extinction by entry; then colours of segments
-layout(binding = 12) uniform usamplerBuffer tintTexels;         // four voxels of segments in a word: which colour, 0: none
-layout(binding = 13) uniform usamplerBuffer poolTexels1;        // more of the pool, where one view does not hold it
+layout(binding = 11) uniform samplerBuffer
+    additionTexels;  // its albedo and extinction by entry; then colours of segments
+layout(binding = 12) uniform usamplerBuffer
+    tintTexels;  // four voxels of segments in a word: which colour, 0: none
+layout(binding = 13) uniform usamplerBuffer poolTexels1;  // more of the pool, where one view does not hold it
 layout(binding = 14) uniform usamplerBuffer poolTexels2;
 layout(binding = 15) uniform usamplerBuffer poolTexels3;
 
@@ -62,13 +69,14 @@ uint poolValue(int index) {
     return value;
 }
 
-// Voxels are kept in blocks of 8 x 8 x 8. A word says at which level one is kept, 0 to 3 halvings of its edge (bits 30 and
-// 31), and where in the pool, in units of 8 values; or, at level 3, its one value. What no visible brick touches has such a
-// value too: one of its own, so that even where rounding carries a point across a face there is nothing to be met
-// (src/pipeline/volume/voxel_blocks.h).
+// Voxels are kept in blocks of 8 x 8 x 8. A word says at which level one is kept, 0 to 3 halvings of its edge
+// (bits 30 and 31), and where in the pool, in units of 8 values; or, at level 3, its one value. What no
+// visible brick touches has such a value too: one of its own, so that even where rounding carries a point
+// across a face there is nothing to be met (src/pipeline/volume/voxel_blocks.h).
 const uint kOneValue = 3u;  // the level
 
-// Tells where in the pool the value of a voxel lies. A block of one value has none there, and gets a place that can be read.
+// Tells where in the pool the value of a voxel lies. A block of one value has none there, and gets a place
+// that can be read.
 int placeIn(uint word, ivec3 within) {
     int level = int(word >> 30);
     int inside = (within.z << 6) | (within.y << 3) | within.x;
@@ -105,7 +113,8 @@ void fetchCorners(ivec3 low, ivec3 high, out vec4 near, out vec4 far) {
     ivec2 brick = (low.xy + ivec2(1)) >> 3;
     uvec4 nearWords = texelFetch(blockTexels, tableIndex(brick, low.z >> 3));
     uvec4 farWords = texelFetch(blockTexels, tableIndex(brick, high.z >> 3));
-    // A low corner may lie in the block before. A high one never does: where the volume ends, both words are the same.
+    // A low corner may lie in the block before. A high one never does: where the volume ends, both words are
+    // the same.
     ivec3 inLow = low & ivec3(7);
     ivec3 inHigh = high & ivec3(7);
     if (inLow.x < 7) {
@@ -237,7 +246,7 @@ bool hasGreyFaces() {
 
 #ifdef INDIRECT_BINDING  // the first of three: of kernels that trace paths
 layout(constant_id = 13) const bool kIndirect = false;
-layout(binding = INDIRECT_BINDING) uniform usamplerBuffer indirectTags;  // of four cells, by bucket
+layout(binding = INDIRECT_BINDING) uniform usamplerBuffer indirectTags;       // of four cells, by bucket
 layout(binding = INDIRECT_BINDING + 1) uniform usamplerBuffer indirectCells;  // sums of light, and samples
 layout(binding = INDIRECT_BINDING + 2, scalar) writeonly buffer IndirectRecords {
     IndirectRecord indirectRecords[];
@@ -269,7 +278,8 @@ uvec4 fetchIndirectCell(int cell) {
 // Keeps what the last path of a pixel that went on from its first vertex has found; of some pixels.
 void tellIndirect(ivec2 pixel, IndirectRecord record) {
     ivec2 at = pixel + ivec2(params.seed % 61u, params.seed % 59u);
-    if (record.cells.y == 0u || at.x % params.indirectStride != 0 || at.y % params.indirectStride != 0) return;
+    if (record.cells.y == 0u || at.x % params.indirectStride != 0 || at.y % params.indirectStride != 0)
+        return;
     ivec2 place = pixel / params.indirectStride;
     int columns = (params.imageSize.x + params.indirectStride - 1) / params.indirectStride;
     indirectRecords[place.y * columns + place.x] = record;

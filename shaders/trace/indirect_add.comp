@@ -1,5 +1,6 @@
-// Adds what paths have found to the cache of indirect light, and takes it off the list. A cell gets a place when something is
-// first added to it; where its bucket has none left, what was found is dropped, and counted.
+// Adds what paths have found to the cache of indirect light, and takes it off the list. A cell gets a place
+// when something is first added to it; where its bucket has none left, what was found is dropped, and
+// counted.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 

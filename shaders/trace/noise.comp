@@ -41,7 +41,7 @@ void main() {
     uint block = push.firstBlock + gl_GlobalInvocationID.x;
     ivec2 blocks = (push.imageSize + ivec2(kBlockEdge - 1)) / kBlockEdge;
     if (block >= uint(blocks.x * blocks.y)) return;
-    vec2 noise = noiseOfBlock(ivec2(int(block) % blocks.x, int(block) / blocks.x), push.imageSize, push.exposure, push.backdrop,
-                              push.keepsHue == 1);
+    vec2 noise = noiseOfBlock(ivec2(int(block) % blocks.x, int(block) / blocks.x), push.imageSize,
+                              push.exposure, push.backdrop, push.keepsHue == 1);
     noises[block] = BlockNoise(noise.x, noise.y > 0.0 ? 1u : 0u);
 }

@@ -1,5 +1,5 @@
-// Adds the same samples to a picture as path.comp, and tells where each has met matter, and what light left there towards the
-// eye. Of parallel views nobody asks for them: src/pipeline/hybrid/light/lit_view.cpp.
+// Adds the same samples to a picture as path.comp, and tells where each has met matter, and what light left
+// there towards the eye. Of parallel views nobody asks for them: src/pipeline/hybrid/light/lit_view.cpp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_control_flow_attributes : require
@@ -9,13 +9,14 @@
 #include "shared/primary_vertex.h"
 
 layout(binding = 25, scalar) writeonly buffer Primaries {
-    PrimaryVertex primaries[];  // of kPrimarySamples samples, picture after picture; what is not written was cleared before
+    PrimaryVertex primaries[];  // of kPrimarySamples samples, picture after picture; what is not written was
+                                // cleared before
 };
 
 vec3 metMm;  // where the sample under way met matter, from the eye
 
-// The primary vertices of complete samples. They are written when all samples are complete: with a store inside the loop
-// lavapipe takes two fifths longer.
+// The primary vertices of complete samples. They are written when all samples are complete: with a store
+// inside the loop lavapipe takes two fifths longer.
 PrimaryVertex found[kPrimarySamples];
 uint isFound = 0u;  // a bit for each
 

@@ -1,14 +1,15 @@
 // Adds samples to the pixels of some blocks of the picture.
 //
 // Needs trace/host.glsl, and from its host: EXTEND_SAMPLE(path, rng), which is extendPath or ends sooner,
-// TELL_SAMPLE(path, sampleIndex) for what becomes of each that is complete and finite, and TELL_PIXEL(pixelIndex) when all are.
+// TELL_SAMPLE(path, sampleIndex) for what becomes of each that is complete and finite, and
+// TELL_PIXEL(pixelIndex) when all are.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "trace/film.glsl"
 
-// lavapipe (Mesa 22.3) ends every loop after 65535 rounds of all loops together, and says nothing. It counts for the eight
-// lanes of a group as one, which run up to 3.4 times the rounds of each (measured on the phantom): the host sets a limit well
-// below a quarter there, and takes smaller portions when it is met.
+// lavapipe (Mesa 22.3) ends every loop after 65535 rounds of all loops together, and says nothing. It counts
+// for the eight lanes of a group as one, which run up to 3.4 times the rounds of each (measured on the
+// phantom): the host sets a limit well below a quarter there, and takes smaller portions when it is met.
 layout(constant_id = 1) const int kMaxRounds = 16000;
 
 void main() {

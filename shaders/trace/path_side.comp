@@ -1,9 +1,9 @@
-// Traces the samples of the pixels of some blocks, and keeps what each of them brings: add_samples.comp adds it to the picture.
-// The samples are those of path.comp. src/pipeline/trace/side_by_side.h says what for.
+// Traces the samples of the pixels of some blocks, and keeps what each of them brings: add_samples.comp adds
+// it to the picture. The samples are those of path.comp. src/pipeline/trace/side_by_side.h says what for.
 //
-// A thread takes one sample after another, of whichever pixel comes next, until none is left: it is never idle while others
-// follow long paths (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on GPUs": persistent threads). Which
-// thread traces a sample does not change it.
+// A thread takes one sample after another, of whichever pixel comes next, until none is left: it is never
+// idle while others follow long paths (Aila and Laine 2009, "Understanding the Efficiency of Ray Traversal on
+// GPUs": persistent threads). Which thread traces a sample does not change it.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 
@@ -13,8 +13,8 @@
 layout(local_size_x = 64) in;
 
 layout(constant_id = 1) const int kMaxRounds = 16000;  // as in path_samples.glsl
-// Each thread takes no more than its share. Where groups run one after another the first would take all, and lavapipe would end
-// its loop.
+// Each thread takes no more than its share. Where groups run one after another the first would take all, and
+// lavapipe would end its loop.
 layout(constant_id = 14) const bool kShares = false;
 
 #define FAULTS_BINDING 18
@@ -23,10 +23,12 @@ layout(binding = 16, scalar) readonly buffer Plan {
     PlannedBlock planned[];
 };
 layout(binding = 17, scalar) writeonly buffer Traced {
-    vec4 traced[];  // radiance and coverage, 64 pixels of each block for one sample, then for the next; coverage -1: abandoned
+    vec4 traced[];  // radiance and coverage, 64 pixels of each block for one sample, then for the next;
+                    // coverage -1: abandoned
 };
 layout(binding = 22, scalar) buffer Taken {
-    uint taken;  // samples, of the first of each pixel, then of the second, and so on; some are of no pixel or beyond its plan
+    uint taken;  // samples, of the first of each pixel, then of the second, and so on; some are of no pixel
+                 // or beyond its plan
 };
 layout(push_constant, scalar) uniform Push {
     SidePush push;

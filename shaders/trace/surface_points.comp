@@ -65,8 +65,8 @@ void main() {
     }
     found.lost = float(kSurfacePaths - finite);
 
-    // Taps lie evenly in the ball: shells of equal volume, by the R2 sequence (Roberts 2018). Behind a face all is as
-    // dense as the face.
+    // Taps lie evenly in the ball: shells of equal volume, by the R2 sequence (Roberts 2018). Behind a face
+    // all is as dense as the face.
     const int all = kTaps * int(kSurfaceLanes);
     found.taps = float(kTaps);
     found.mass = 0.0;
@@ -76,7 +76,8 @@ void main() {
     for (int i = 0; i < kTaps; ++i) {
         int tap = i * int(kSurfaceLanes) + int(lane);
         float shell = fract((float(tap) + 0.5) * 0.754877666);
-        vec3 offset = directionOnSphere(1.0 - (2.0 * float(tap) + 1.0) / float(all), float(tap) * 0.569840291);
+        vec3 offset =
+            directionOnSphere(1.0 - (2.0 * float(tap) + 1.0) / float(all), float(tap) * 0.569840291);
         offset *= radius * pow(shell, 1.0 / 3.0);
         vec3 at = point.xyz + voxelsPerMm(offset);
         float entry = trilinearEntry(at);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/check.h"
+#include "base/is_finite.h"
 
 namespace macula {
 
@@ -57,17 +58,13 @@ double tangentOfHalf(double verticalFovDeg) {
     return std::tan(glm::radians(verticalFovDeg) / 2.0);
 }
 
-bool finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 }  // namespace
 
 Result<CameraBasis> basis(const Camera& camera) {
     const auto fail = [](const char* message) {
         return Error{ErrorCode::usage, message, {}, "Correct the camera."};
     };
-    if (!finite(camera.positionMm) || !finite(camera.targetMm) || !finite(camera.up)) {
+    if (!isFinite(camera.positionMm) || !isFinite(camera.targetMm) || !isFinite(camera.up)) {
         return fail("The camera has a number that is not finite.");
     }
     if (!(camera.verticalFovDeg >= kMinFovDeg && camera.verticalFovDeg <= kMaxFovDeg)) {

@@ -255,7 +255,7 @@ macula_model modelOf(const macula_live& live) {
     return told;
 }
 
-Result<live::TrainingRequest> wishOf(const macula_training* training) {
+Result<live::TrainingRequest> requestOf(const macula_training* training) {
     MACULA_TRY(const macula_training given, taken(training));
     if (!std::isfinite(given.seconds) || given.seconds < 0.0)
         return badArgument("The time for training is not usable.", "Give seconds, or 0 for no end.");
@@ -330,7 +330,7 @@ macula_status macula_live_train(macula_live* live, const macula_training* traini
                                 const macula_progress* progress, macula_model* model) {
     return with(live, [&](macula_live& of) -> Result<void> {
         if (model != nullptr && !isSized(model)) return wrongSize(model);
-        MACULA_TRY(const live::TrainingRequest request, wishOf(training));
+        MACULA_TRY(const live::TrainingRequest request, requestOf(training));
         return withProgress(progress, [&](Progress& to) -> Result<void> {
             MACULA_TRY_VOID(of.loop->train(request, to));
             if (model != nullptr) give(modelOf(of), model);

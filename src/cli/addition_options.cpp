@@ -3,7 +3,7 @@
 #include <CLI/Option.hpp>
 #include <CLI/Validators.hpp>
 
-#include "cli/name_option.h"
+#include "cli/shared/name_option.h"
 
 namespace macula::cli {
 

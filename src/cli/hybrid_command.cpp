@@ -6,12 +6,12 @@
 #include "base/progress_bar.h"
 #include "cli/addition_options.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
-#include "cli/name_option.h"
-#include "cli/number_range.h"
-#include "cli/report.h"
+#include "cli/shared/interrupt.h"
+#include "cli/shared/name_option.h"
+#include "cli/shared/number_range.h"
+#include "cli/shared/report.h"
+#include "cli/shared/study_options.h"
 #include "cli/store_options.h"
-#include "cli/study_options.h"
 #include "pictures/recorded_study.h"
 
 namespace macula::cli {

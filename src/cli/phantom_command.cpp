@@ -6,7 +6,7 @@
 #include "base/phantom.h"
 #include "base/progress_bar.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
+#include "cli/shared/interrupt.h"
 #include "dicom/write/series_writer.h"
 
 namespace macula::cli {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "base/progress_bar.h"
-#include "cli/interrupt.h"
-#include "cli/name_option.h"
-#include "cli/report.h"
-#include "cli/study_options.h"
+#include "cli/shared/interrupt.h"
+#include "cli/shared/name_option.h"
+#include "cli/shared/report.h"
+#include "cli/shared/study_options.h"
 #include "formats/volume_file.h"
 #include "pictures/fitted_view.h"
 #include "pictures/output_files.h"

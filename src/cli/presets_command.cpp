@@ -9,9 +9,9 @@
 
 #include "base/atomic_file.h"
 #include "cli/command.h"
-#include "cli/json_text.h"
-#include "cli/output_options.h"
-#include "cli/report.h"
+#include "cli/shared/json_text.h"
+#include "cli/shared/output_options.h"
+#include "cli/shared/report.h"
 #include "pictures/output_files.h"
 #include "pipeline/volume/transfer_function_json.h"
 #include "presets/preset_file.h"

@@ -10,7 +10,7 @@
 
 #include "base/parsing.h"
 #include "base/progress_bar.h"
-#include "cli/interrupt.h"
+#include "cli/shared/interrupt.h"
 
 namespace macula::cli {
 

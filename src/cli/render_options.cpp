@@ -6,10 +6,10 @@
 #include <map>
 
 #include "cli/addition_options.h"
-#include "cli/name_option.h"
-#include "cli/number_range.h"
-#include "cli/output_options.h"
-#include "cli/study_options.h"
+#include "cli/shared/name_option.h"
+#include "cli/shared/number_range.h"
+#include "cli/shared/output_options.h"
+#include "cli/shared/study_options.h"
 #include "pipeline/trace/settings.h"
 #include "scene/state/parameters.h"
 

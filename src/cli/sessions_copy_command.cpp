@@ -7,9 +7,9 @@
 
 #include "base/progress_bar.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
-#include "cli/report.h"
 #include "cli/sessions_options.h"
+#include "cli/shared/interrupt.h"
+#include "cli/shared/report.h"
 #include "live/store/store_copies.h"
 
 namespace macula::cli {

@@ -2,7 +2,7 @@
 
 #include <CLI/Option.hpp>
 
-#include "cli/report.h"
+#include "cli/shared/report.h"
 
 namespace macula::cli {
 

@@ -7,8 +7,8 @@
 
 #include "cli/command.h"
 #include "cli/question.h"
-#include "cli/report.h"
 #include "cli/sessions_options.h"
+#include "cli/shared/report.h"
 #include "live/store/purge_plan.h"
 
 namespace macula::cli {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "cli/command.h"
-#include "cli/output_options.h"
-#include "cli/report.h"
+#include "cli/shared/output_options.h"
+#include "cli/shared/report.h"
 #include "live/model/model_output.h"
 #include "pictures/output_files.h"
 #include "pipeline/splat/files/model_file.h"

@@ -10,11 +10,11 @@
 
 #include "base/progress_bar.h"
 #include "cli/command.h"
-#include "cli/interrupt.h"
-#include "cli/name_option.h"
-#include "cli/number_range.h"
-#include "cli/output_options.h"
-#include "cli/report.h"
+#include "cli/shared/interrupt.h"
+#include "cli/shared/name_option.h"
+#include "cli/shared/number_range.h"
+#include "cli/shared/output_options.h"
+#include "cli/shared/report.h"
 #include "live/device/open_device.h"
 #include "pictures/model_picture.h"
 #include "pictures/output_files.h"
@@ -25,7 +25,6 @@
 #include "scene/choice/typed_values.h"
 
 namespace macula::cli {
-
 namespace {
 
 namespace fs = std::filesystem;

@@ -9,9 +9,9 @@
 #include <memory>
 
 #include "base/progress_bar.h"
-#include "cli/interrupt.h"
-#include "cli/report.h"
-#include "cli/study_options.h"
+#include "cli/shared/interrupt.h"
+#include "cli/shared/report.h"
+#include "cli/shared/study_options.h"
 #include "xr/study_in_headset.h"
 
 namespace macula::cli {
@@ -86,7 +86,7 @@ void addXr(CLI::App& app, Action& action) {
 
 #else
 
-#include "cli/no_headset.h"
+#include "cli/shared/no_headset.h"
 
 namespace macula::cli {
 

@@ -69,9 +69,9 @@ Result<Baseline> Baseline::read(const std::filesystem::path& path, std::string_v
     Json report = Json::parse(text, nullptr, false);
     if (isUsable(report, benchmark)) return Baseline(path, std::move(report));
     return Error{
-        ErrorCode::inputNotUsable, fmt::format("The baseline is no output of macula bench {}.", benchmark),
+        ErrorCode::inputNotUsable, fmt::format("The baseline is no output of macula-bench {}.", benchmark),
         path.string(),
-        fmt::format("Make one with: macula bench {}{} > baseline.json", benchmark, argumentsOf(benchmark))};
+        fmt::format("Make one with: macula-bench {}{} > baseline.json", benchmark, argumentsOf(benchmark))};
 }
 
 Result<void> Baseline::checkSame(const Json& report) const {

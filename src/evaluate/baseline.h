@@ -13,7 +13,7 @@ namespace macula::evaluate {
 
 class Baseline {
   public:
-    // Of `macula bench NAME`: "trace", "load" or "train". inputNotUsable when the file is no output of that.
+    // Of `macula-bench NAME`: "trace", "load" or "train". inputNotUsable when the file is no output of that.
     static Result<Baseline> read(const std::filesystem::path& path, std::string_view benchmark);
 
     // Ratios are only comparable between runs that did the same: fails with inputNotUsable where `report` has

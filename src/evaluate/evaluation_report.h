@@ -1,4 +1,4 @@
-// What macula evaluate tells: a table for a person, JSON for what comes after.
+// What macula-bench evaluate tells: a table for a person, JSON for what comes after.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// The table of macula evaluate.
+// The table of macula-bench evaluate.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -75,7 +75,7 @@ Result<live::RecordingOptions> optionsOf(const RecordingRequest& request,
 }
 
 // All but the study, which is read last.
-struct Wished {
+struct RequestedStudy {
     scene::StudyState state;
     ResolvedAdditions additions;
     scene::Catalogue catalogue;
@@ -90,12 +90,12 @@ void tell(const std::vector<std::string>& notes, const std::vector<std::string>&
     }
 }
 
-Result<live::FrameInput> sceneOf(const RecordingRequest& request, Wished wished, const Hears& note,
+Result<live::FrameInput> sceneOf(const RecordingRequest& request, RequestedStudy requested, const Hears& note,
                                  const Hears& warn, Progress& progress) {
-    scene::StudyState& state = wished.state;
+    scene::StudyState& state = requested.state;
     const study::StudyPlace place{request.path, request.series, request.state.presentation, request.how};
     MACULA_TRY(study::ReadStudy read,
-               study::readStudy(place, wished.additions.needsSegmentations(), progress));
+               study::readStudy(place, requested.additions.needsSegmentations(), progress));
     study::LoadedStudy& study = read.input;
     study::bringTo16Bits(study);
     MACULA_TRY_VOID(completeState(state, request.state, study));
@@ -103,12 +103,12 @@ Result<live::FrameInput> sceneOf(const RecordingRequest& request, Wished wished,
     tell(study.notes, study.warnings, note, warn);
     std::ranges::for_each(shown.notes, note);
     MACULA_TRY(DrawnAdditions made,
-               makeAdditions(wished.additions, read, state.settings.look, shown.clip, progress));
+               makeAdditions(requested.additions, read, state.settings.look, shown.clip, progress));
     tell(made.notes, made.warnings, note, warn);
     live::FrameInput scene;
     scene.volume = study.volume;
     scene.drawing = scene::drawingOf(
-        state, wished.catalogue, scene::SeriesWindows(), study.volume,
+        state, requested.catalogue, scene::SeriesWindows(), study.volume,
         shown.clip.isNothing() ? nullptr : std::make_shared<const Clip>(std::move(shown.clip)));
     if (!made.additions.isNothing())
         scene::setAdditions(scene.drawing, std::make_shared<const Additions>(std::move(made.additions)));
@@ -163,16 +163,16 @@ bool isBeforeModel(const live::FrameShown& frame) {
 
 Result<live::LiveRecording> recordStudy(const RecordingRequest& request, const Hears& note, const Hears& warn,
                                         Progress& progress) {
-    Wished wished;
-    MACULA_TRY(wished.state, stateOf(request.state));
-    MACULA_TRY(wished.additions, resolveAdditions(request.additions, request.path, wished.state));
-    MACULA_TRY(live::RecordingOptions options, optionsOf(request, wished.state.camera));
-    MACULA_TRY(wished.catalogue, scene::builtInCatalogue());
+    RequestedStudy requested;
+    MACULA_TRY(requested.state, stateOf(request.state));
+    MACULA_TRY(requested.additions, resolveAdditions(request.additions, request.path, requested.state));
+    MACULA_TRY(live::RecordingOptions options, optionsOf(request, requested.state.camera));
+    MACULA_TRY(requested.catalogue, scene::builtInCatalogue());
     if (!request.lights.empty()) {
-        MACULA_TRY(wished.state.lights, scene::findLights(wished.catalogue, request.lights));
+        MACULA_TRY(requested.state.lights, scene::findLights(requested.catalogue, request.lights));
     }
     MACULA_TRY_VOID(checkFolder(request));
-    MACULA_TRY(live::FrameInput scene, sceneOf(request, std::move(wished), note, warn, progress));
+    MACULA_TRY(live::FrameInput scene, sceneOf(request, std::move(requested), note, warn, progress));
     MACULA_TRY_VOID(makeFolder(request.folder));
     const scene::Drawing drawing = scene.drawing;
     if (request.sessions)

@@ -219,20 +219,20 @@ bool isMadeFor(const TransferFunction& preset, const Volume& volume) {
 }  // namespace
 
 std::string defaultTransfer(const Volume& volume) {
-    std::vector<std::string> wished;
-    if (auto ofPart = transferOfPart(volume)) wished.push_back(*std::move(ofPart));
-    wished.push_back(usualTransfer(volume));
+    std::vector<std::string> wanted;
+    if (auto ofPart = transferOfPart(volume)) wanted.push_back(*std::move(ofPart));
+    wanted.push_back(usualTransfer(volume));
     const auto presets = builtInPresets();
-    if (!presets) return wished.front();
+    if (!presets) return wanted.front();
     const SeenValues values(volume);
-    for (const std::string& name : wished) {
+    for (const std::string& name : wanted) {
         const auto named = std::ranges::find(*presets, name, &TransferFunction::name);
         if (named == presets->end() || values.areSeenWith(*named)) return name;
     }
     const auto next = std::ranges::find_if(*presets, [&](const TransferFunction& preset) {
         return isMadeFor(preset, volume) && validate(preset).ok() && values.areSeenWith(preset);
     });
-    return next == presets->end() ? wished.back() : next->name;
+    return next == presets->end() ? wanted.back() : next->name;
 }
 
 }  // namespace macula::presets

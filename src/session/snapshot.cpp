@@ -1,4 +1,5 @@
-// Export and import of a Store.
+#include "session/snapshot.h"
+
 #include <SQLiteCpp/Column.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,8 +9,8 @@
 
 #include "base/draft.h"
 #include "session/age_clock.h"
+#include "session/audit_trail.h"
 #include "session/migrations.h"
-#include "session/store.h"
 #include "session/store_state.h"
 #include "session/trouble.h"
 
@@ -191,28 +192,27 @@ Result<void> importModel(StoreState& state, const ModelInfo& info, const BlobFil
 
 }  // namespace
 
-Result<SnapshotReport> Store::exportTo(const fs::path& newFolder, Progress& progress) {
-    MACULA_TRY(const fs::path target, placeOfExport(*state_, newFolder));
+Result<SnapshotReport> StoreSnapshots::exportTo(const fs::path& newFolder, Progress& progress) {
+    MACULA_TRY(const fs::path target, placeOfExport(state_, newFolder));
     MACULA_TRY(const Draft draft, Draft::beside(target, Draft::Kind::folder));
-    MACULA_TRY(const SnapshotReport report, fillSnapshot(*state_, draft.path(), progress));
+    MACULA_TRY(const SnapshotReport report, fillSnapshot(state_, draft.path(), progress));
     // The audit trail comes first: better an export on it that failed than one that is missing there.
-    MACULA_TRY_VOID(addAudit(AuditAction::exported, AuditKind::store, {}, 1));
+    MACULA_TRY_VOID(AuditTrail(state_).add(AuditAction::exported, AuditKind::store, {}, 1));
     if (rename(draft.path().c_str(), target.c_str()) != 0) return errorOf(troubleOfErrno(errno), target);
     static_cast<void>(syncToDisk(target.parent_path()));  // it is there, whether or not a power cut takes it
     return report;
 }
 
-Result<SnapshotReport> Store::importFrom(const fs::path& folder, Progress& progress) {
-    StoreState& state = *state_;
+Result<SnapshotReport> StoreSnapshots::importFrom(const fs::path& folder, Progress& progress) {
     std::error_code error;
     const fs::path source = fs::canonical(folder, error);
     if (error) return errorOf(Trouble::snapshotInvalid, folder);
-    MACULA_TRY(const Draft draft, Draft::beside(state.folder / kDatabaseName, Draft::Kind::folder));
+    MACULA_TRY(const Draft draft, Draft::beside(state_.folder / kDatabaseName, Draft::Kind::folder));
     if (chmod(draft.path().c_str(), 0700) != 0 && errno != EPERM)
         return errorOf(troubleOfErrno(errno), draft.path());
     MACULA_TRY(const auto other, openForImport(source / kDatabaseName, draft.path() / kDatabaseName));
     SnapshotReport report;
-    MACULA_TRY_VOID(importRows(state, *other, report));
+    MACULA_TRY_VOID(importRows(state_, *other, report));
     MACULA_TRY(const std::vector<ModelInfo> models,
                guarded(*other, [&]() -> Result<std::vector<ModelInfo>> { return modelsOf(*other, report); }));
     const fs::path blobFolder = source / kModelsName;
@@ -225,7 +225,7 @@ Result<SnapshotReport> Store::importFrom(const fs::path& folder, Progress& progr
     for (const ModelInfo& info : models) {
         if (progress.cancelled()) return kCancelled;
         progress.advance();
-        MACULA_TRY_VOID(importModel(state, info, blobs, report));
+        MACULA_TRY_VOID(importModel(state_, info, blobs, report));
     }
     return report;
 }

@@ -63,7 +63,7 @@ class OpenMark {
     ~OpenMark();
 
   private:
-    friend class Store;
+    friend class StoreModels;
     struct Held;
     explicit OpenMark(std::unique_ptr<Held> held);
     std::unique_ptr<Held> held_;

@@ -1,10 +1,11 @@
-// Verification and garbage of a Store.
+#include "session/store_care.h"
+
 #include <SQLiteCpp/Column.h>
 
 #include <set>
 
 #include "base/draft.h"
-#include "session/store.h"
+#include "session/store_models.h"
 #include "session/store_state.h"
 #include "session/trouble.h"
 
@@ -78,20 +79,19 @@ std::size_t foldersIn(const fs::path& folder) {
     return count;
 }
 
-Result<VerifyReport> Store::verify(Progress& progress) {
-    StoreState& state = *state_;
+Result<VerifyReport> StoreCare::verify(Progress& progress) {
     VerifyReport report;
     progress.beginStage("Checking the database", 1);
-    MACULA_TRY_VOID(verifyDatabase(state, report));
+    MACULA_TRY_VOID(verifyDatabase(state_, report));
     progress.advance();
-    MACULA_TRY(const Listing<ModelInfo> models, listModels());
+    MACULA_TRY(const Listing<ModelInfo> models, StoreModels(state_).list({}));
     progress.beginStage("Checking stored models", models.entries.size());
     for (const ModelInfo& info : models.entries) {
         if (progress.cancelled()) return Error{ErrorCode::cancelled, "The check was stopped.", {}, {}};
         progress.advance();
         if (!info.aside.empty()) continue;
         ++report.blobs;
-        const auto model = readModel(info);
+        const auto model = StoreModels(state_).read(info);
         const auto trouble = model ? std::nullopt : troubleOf(model.error());
         if (trouble == Trouble::modelDamaged) {
             ++report.damagedBlobs;
@@ -100,26 +100,25 @@ Result<VerifyReport> Store::verify(Progress& progress) {
             return model.error();
         }
     }
-    MACULA_TRY(const auto orphans, orphansOf(state));
+    MACULA_TRY(const auto orphans, orphansOf(state_));
     report.orphans = orphans.size();
-    report.damagedFolders = foldersIn(state.folder / kDamagedName);
+    report.damagedFolders = foldersIn(state_.folder / kDamagedName);
     return report;
 }
 
-Result<GcReport> Store::collectGarbage() {
-    StoreState& state = *state_;
-    removeAbandonedDrafts(state.folder);
-    removeAbandonedDrafts(state.blobs.folder());
-    MACULA_TRY(const auto orphans, orphansOf(state));
+Result<GcReport> StoreCare::collectGarbage() {
+    removeAbandonedDrafts(state_.folder);
+    removeAbandonedDrafts(state_.blobs.folder());
+    MACULA_TRY(const auto orphans, orphansOf(state_));
     GcReport report;
     std::vector<std::string> digests;
     for (const BlobFiles::Entry& orphan : orphans) {
         digests.push_back(orphan.digest);
         report.bytes += orphan.bytes;
     }
-    if (isPurgeBegun(state)) MACULA_TRY_VOID(finishPurge(state));
+    if (isPurgeBegun(state_)) MACULA_TRY_VOID(finishPurge(state_));
     MACULA_TRY(const bool areRemoved,
-               removeBlobs(state, digests, BlobFiles::Removal::plain, state.options.patience));
+               removeBlobs(state_, digests, BlobFiles::Removal::plain, state_.options.patience));
     if (!areRemoved) return GcReport{};
     report.blobs = digests.size();
     return report;

@@ -1,11 +1,11 @@
-// Documents and the audit trail of a Store.
+#include "session/store_documents.h"
+
 #include <SQLiteCpp/Column.h>
 
 #include <algorithm>
 #include <array>
 
 #include "session/json_members.h"
-#include "session/store.h"
 #include "session/store_state.h"
 #include "session/trouble.h"
 
@@ -16,10 +16,6 @@ namespace {
 constexpr std::size_t kMostNameBytes = 200;
 constexpr std::array<std::string_view, 8> kKindNames{"preset",  "favourite", "clip",        "view",
                                                      "session", "layout",    "measurement", "calibration"};
-constexpr std::array<std::string_view, 6> kActionNames{"opened",   "exported", "deleted",
-                                                       "imported", "expired",  "held"};
-constexpr std::array<std::string_view, 7> kAuditKindNames{"study",    "series",  "volume", "model",
-                                                          "document", "picture", "store"};
 
 bool isOfStudyOrMachine(const std::string& study) {
     return study.empty() || isDigest(study);
@@ -59,16 +55,6 @@ DocumentEntry entryOf(const DocumentId& id, const Row& row) {
 std::string_view nameOf(DocumentKind kind) {
     return kKindNames.at(static_cast<std::size_t>(kind));
 }
-std::string_view nameOf(AuditAction action) {
-    return kActionNames.at(static_cast<std::size_t>(action));
-}
-std::string_view nameOf(ClockDoubt doubt) {
-    constexpr std::array<std::string_view, 3> kNames{"none", "behind", "ahead"};
-    return kNames.at(static_cast<std::size_t>(doubt));
-}
-std::string_view nameOf(AuditKind kind) {
-    return kAuditKindNames.at(static_cast<std::size_t>(kind));
-}
 
 bool isOfVolume(const DocumentId& id) {
     const bool isOfAStudy = id.kind == DocumentKind::studyState || id.kind == DocumentKind::view ||
@@ -78,36 +64,24 @@ bool isOfVolume(const DocumentId& id) {
            id.name[kDigestLength] == ' ' && isDigest(std::string_view(id.name).substr(0, kDigestLength));
 }
 
-void addAuditRow(StoreState& state, AuditAction action, AuditKind kind, const std::string& subject,
-                 std::int64_t amount) {
-    putRow(*state.connection, kAudit,
-           {{nextId(*state.connection, kAudit), state.nowMs(), std::string(nameOf(action)),
-             std::string(nameOf(kind)), subject, amount}});
-}
-
-Result<void> Store::putDocument(const DocumentId& id, std::int64_t version, std::string_view json,
-                                std::span<const std::string_view> known) {
-    return changeDocument(
-        id, version, [json](const std::optional<std::string>&) { return std::string(json); }, known);
-}
-
-Result<void> Store::changeDocument(const DocumentId& id, std::int64_t version, const DocumentEdit& edit,
-                                   std::span<const std::string_view> known) {
+Result<void> StoreDocuments::change(const DocumentId& id, std::int64_t version,
+                                    const Store::DocumentEdit& edit,
+                                    std::span<const std::string_view> known) {
     MACULA_CHECK(isOfStudyOrMachine(id.study));
-    Connection& connection = *state_->connection;
+    Connection& connection = *state_.connection;
     if (id.name.empty() || id.name.size() > kMostNameBytes)
-        return errorOf(Trouble::documentInvalid, state_->folder);
+        return errorOf(Trouble::documentInvalid, state_.folder);
     return inTransaction(connection, [&]() -> Result<void> {
-        const std::int64_t now = state_->nowMs();
+        const std::int64_t now = state_.nowMs();
         const Found before = findDocument(connection, id);
         std::optional<std::string> stored;
         if (before.row) stored = before.row->text(column::documentJson);
         std::string text = edit(stored);
-        if (!isDocument(text)) return errorOf(Trouble::documentInvalid, state_->folder);
+        if (!isDocument(text)) return errorOf(Trouble::documentInvalid, state_.folder);
         if (!id.study.empty()) rememberStudy(connection, id.study, now);
         if (before.damagedId) setRowAside(connection, kDocuments, *before.damagedId);
         if (stored) text = withUnknownMembers(text, *stored, known);
-        if (text.size() > kMostJsonBytes) return errorOf(Trouble::documentInvalid, state_->folder);
+        if (text.size() > kMostJsonBytes) return errorOf(Trouble::documentInvalid, state_.folder);
         putRow(connection, kDocuments,
                {{before.row ? before.row->number(column::documentId) : nextId(connection, kDocuments),
                  std::string(nameOf(id.kind)), id.study.empty() ? Value() : Value(id.study), id.name, version,
@@ -117,9 +91,9 @@ Result<void> Store::changeDocument(const DocumentId& id, std::int64_t version, c
     });
 }
 
-Result<std::optional<Document>> Store::getDocument(const DocumentId& id) {
+Result<std::optional<Document>> StoreDocuments::get(const DocumentId& id) {
     MACULA_CHECK(isOfStudyOrMachine(id.study));
-    Connection& connection = *state_->connection;
+    Connection& connection = *state_.connection;
     MACULA_TRY(const Found found,
                guarded(connection, [&]() -> Result<Found> { return findDocument(connection, id); }));
     if (found.row)
@@ -130,12 +104,12 @@ Result<std::optional<Document>> Store::getDocument(const DocumentId& id) {
             setRowAside(connection, kDocuments, *again.damagedId);
         return {};
     }));
-    return errorOf(Trouble::documentDamaged, state_->folder);
+    return errorOf(Trouble::documentDamaged, state_.folder);
 }
 
-Result<Listing<DocumentEntry>> Store::listDocuments(DocumentKind kind, const std::string& study) {
+Result<Listing<DocumentEntry>> StoreDocuments::list(DocumentKind kind, const std::string& study) {
     MACULA_CHECK(isOfStudyOrMachine(study));
-    Connection& connection = *state_->connection;
+    Connection& connection = *state_.connection;
     return guarded(connection, [&]() -> Result<Listing<DocumentEntry>> {
         Listing<DocumentEntry> listing;
         SQLite::Statement statement = select(
@@ -156,47 +130,16 @@ Result<Listing<DocumentEntry>> Store::listDocuments(DocumentKind kind, const std
     });
 }
 
-Result<bool> Store::removeDocument(const DocumentId& id) {
+Result<bool> StoreDocuments::remove(const DocumentId& id) {
     MACULA_CHECK(isOfStudyOrMachine(id.study));
-    Connection& connection = *state_->connection;
+    Connection& connection = *state_.connection;
     return inTransaction(connection, [&]() -> Result<bool> {
         const Found found = findDocument(connection, id);
         if (!found.row && !found.damagedId) return false;
         const std::int64_t row = found.row ? found.row->number(column::documentId) : *found.damagedId;
         execute(connection, "DELETE FROM documents WHERE id = " + std::to_string(row));
-        addAuditRow(*state_, AuditAction::deleted, AuditKind::document, id.study, 1);
+        addAuditRow(state_, AuditAction::deleted, AuditKind::document, id.study, 1);
         return true;
-    });
-}
-
-Result<void> Store::addAudit(AuditAction action, AuditKind kind, const std::string& subject,
-                             std::int64_t amount) {
-    MACULA_CHECK(subject.empty() || isDigest(subject));
-    return inTransaction(*state_->connection, [&]() -> Result<void> {
-        addAuditRow(*state_, action, kind, subject, amount);
-        return {};
-    });
-}
-
-Result<Listing<AuditEntry>> Store::listAudit(std::size_t most) {
-    Connection& connection = *state_->connection;
-    return guarded(connection, [&]() -> Result<Listing<AuditEntry>> {
-        Listing<AuditEntry> listing;
-        const std::size_t limit = std::min<std::size_t>(most, 1'000'000'000);
-        SQLite::Statement statement =
-            select(connection, kAudit, "ORDER BY t.id DESC LIMIT " + std::to_string(limit));
-        while (statement.executeStep()) {
-            const auto row = readRow(statement, kAudit);
-            if (!row) {
-                ++listing.damaged;
-                continue;
-            }
-            listing.entries.push_back({row->number(column::auditId), row->number(column::auditAt),
-                                       row->text(column::auditAction), row->text(column::auditKind),
-                                       row->text(column::auditSubject), row->number(column::auditAmount)});
-        }
-        std::ranges::reverse(listing.entries);
-        return listing;
     });
 }
 

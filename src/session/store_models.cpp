@@ -1,4 +1,5 @@
-// The models of a Store.
+#include "session/store_models.h"
+
 #include <SQLiteCpp/Column.h>
 
 #include <sys/stat.h>
@@ -8,7 +9,6 @@
 #include <chrono>
 
 #include "session/age_clock.h"
-#include "session/store.h"
 #include "session/store_state.h"
 #include "session/trouble.h"
 
@@ -126,26 +126,25 @@ Result<void> setModelAside(StoreState& state, std::int64_t id, const std::string
     });
 }
 
-Result<SaveReport> Store::saveModel(const ModelKey& key, std::span<const std::byte> blob) {
+Result<SaveReport> StoreModels::save(const ModelKey& key, std::span<const std::byte> blob) {
     MACULA_CHECK(key.isValid());
-    StoreState& state = *state_;
-    if (blob.size() > state.options.modelCapBytes)
-        return errorOf(Trouble::modelTooLarge, state.blobs.folder());
-    MACULA_TRY(const BlobFiles::Prepared prepared, state.blobs.prepare(blob));
+    if (blob.size() > state_.options.modelCapBytes)
+        return errorOf(Trouble::modelTooLarge, state_.blobs.folder());
+    MACULA_TRY(const BlobFiles::Prepared prepared, state_.blobs.prepare(blob));
     SaveReport report;
     std::vector<std::string> unused;
     const auto saved = inTransaction(
-        *state.connection, [&] { return saveRow(state, key, prepared, blob.size(), report, unused); });
+        *state_.connection, [&] { return saveRow(state_, key, prepared, blob.size(), report, unused); });
     if (saved) std::erase(unused, prepared.digest);
     // A blob that cannot be removed now is garbage, and collected as such.
-    static_cast<void>(removeBlobs(state, unused, BlobFiles::Removal::plain, {}));
+    static_cast<void>(removeBlobs(state_, unused, BlobFiles::Removal::plain, {}));
     if (!saved) return saved.error();
     return report;
 }
 
-Result<std::optional<ModelInfo>> Store::findModel(const ModelKey& key) {
+Result<std::optional<ModelInfo>> StoreModels::find(const ModelKey& key) {
     MACULA_CHECK(key.isValid());
-    Connection& connection = *state_->connection;
+    Connection& connection = *state_.connection;
     MACULA_TRY(const Found found,
                guarded(connection, [&]() -> Result<Found> { return findByKey(connection, key.digest()); }));
     if (!found.damagedId) return found.info;
@@ -154,12 +153,12 @@ Result<std::optional<ModelInfo>> Store::findModel(const ModelKey& key) {
             setRowAside(connection, kModels, *again.damagedId);
         return {};
     }));
-    return modelDamaged(*state_);
+    return modelDamaged(state_);
 }
 
-Result<std::vector<ModelCandidate>> Store::nearestModels(const ModelKey& key, std::size_t most) {
+Result<std::vector<ModelCandidate>> StoreModels::nearest(const ModelKey& key, std::size_t most) {
     MACULA_CHECK(key.isValid());
-    Connection& connection = *state_->connection;
+    Connection& connection = *state_.connection;
     return guarded(connection, [&]() -> Result<std::vector<ModelCandidate>> {
         std::vector<ModelCandidate> candidates;
         SQLite::Statement statement =
@@ -179,46 +178,45 @@ Result<std::vector<ModelCandidate>> Store::nearestModels(const ModelKey& key, st
     });
 }
 
-Result<LoadedModel> Store::readModel(const ModelInfo& info) {
-    StoreState& state = *state_;
+Result<LoadedModel> StoreModels::read(const ModelInfo& info) {
     std::optional<ModelInfo> found;
     ReadBlob blob;
     {
         // Nobody removes the blob between row and file.
         MACULA_TRY(const HeldLock reading,
-                   HeldLock::take(state.locks, LockFile::kBlobs, Hold::shared, state.options.patience));
-        MACULA_TRY(found, guarded(*state.connection, [&]() -> Result<std::optional<ModelInfo>> {
+                   HeldLock::take(state_.locks, LockFile::kBlobs, Hold::shared, state_.options.patience));
+        MACULA_TRY(found, guarded(*state_.connection, [&]() -> Result<std::optional<ModelInfo>> {
                        SQLite::Statement statement =
-                           select(*state.connection, kModels,
+                           select(*state_.connection, kModels,
                                   "WHERE t.id = " + std::to_string(info.id) + " AND t.aside IS NULL");
                        if (!statement.executeStep()) return std::optional<ModelInfo>();
                        const auto row = readRow(statement, kModels);
                        return row ? modelOf(*row) : std::nullopt;
                    }));
         if (!found || found->key.digest() != info.key.digest())
-            return errorOf(Trouble::modelGone, state.blobs.folder());
-        MACULA_TRY(blob, state.blobs.read(found->checksum, found->bytes));
+            return errorOf(Trouble::modelGone, state_.blobs.folder());
+        MACULA_TRY(blob, state_.blobs.read(found->checksum, found->bytes));
     }
     if (!blob.fault) return LoadedModel{std::move(*found), std::move(blob.bytes)};
-    MACULA_TRY_VOID(session::setModelAside(state, found->id, found->checksum, nameOf(*blob.fault)));
-    return modelDamaged(state);
+    MACULA_TRY_VOID(setModelAside(state_, found->id, found->checksum, nameOf(*blob.fault)));
+    return modelDamaged(state_);
 }
 
-Result<std::filesystem::path> Store::modelFile(const ModelInfo& info) const {
-    std::filesystem::path file = state_->blobs.fileOf(info.checksum);
+Result<std::filesystem::path> StoreModels::fileOf(const ModelInfo& info) const {
+    std::filesystem::path file = state_.blobs.fileOf(info.checksum);
     struct stat status {};
     if (lstat(file.c_str(), &status) == 0) return file;
-    return errorOf(errno == ENOENT ? Trouble::modelGone : troubleOfErrno(errno), state_->blobs.folder());
+    return errorOf(errno == ENOENT ? Trouble::modelGone : troubleOfErrno(errno), state_.blobs.folder());
 }
 
-Result<void> Store::setModelAside(const ModelInfo& info, std::string_view why) {
+Result<void> StoreModels::setAside(const ModelInfo& info, std::string_view why) {
     MACULA_CHECK(isAsideWord(why));
-    return session::setModelAside(*state_, info.id, info.checksum, why);
+    return setModelAside(state_, info.id, info.checksum, why);
 }
 
-Result<Listing<ModelInfo>> Store::listModels(const std::string& volume) {
+Result<Listing<ModelInfo>> StoreModels::list(const std::string& volume) {
     MACULA_CHECK(volume.empty() || isDigest(volume));
-    Connection& connection = *state_->connection;
+    Connection& connection = *state_.connection;
     return guarded(connection, [&]() -> Result<Listing<ModelInfo>> {
         Listing<ModelInfo> listing;
         SQLite::Statement statement =
@@ -238,23 +236,23 @@ Result<Listing<ModelInfo>> Store::listModels(const std::string& volume) {
     });
 }
 
-Result<void> Store::touchModel(const ModelKey& key) {
+Result<void> StoreModels::touch(const ModelKey& key) {
     MACULA_CHECK(key.isValid());
-    Connection& connection = *state_->connection;
+    Connection& connection = *state_.connection;
     return inTransaction(connection, [&]() -> Result<void> {
         Found found = findByKey(connection, key.digest());
         if (!found.info) return {};
-        found.info->usedMs = nextUse(*state_);
+        found.info->usedMs = nextUse(state_);
         putRow(connection, kModels, rowOf(*found.info));
         return {};
     });
 }
 
-Result<EvictionReport> Store::evictModels(std::uint64_t capBytes) {
-    MACULA_TRY(Evicted evicted, inTransaction(*state_->connection, [&]() -> Result<Evicted> {
-                   return evictRows(*state_, capBytes, 0);
+Result<EvictionReport> StoreModels::evict(std::uint64_t capBytes) {
+    MACULA_TRY(Evicted evicted, inTransaction(*state_.connection, [&]() -> Result<Evicted> {
+                   return evictRows(state_, capBytes, 0);
                }));
-    static_cast<void>(removeBlobs(*state_, evicted.blobs, BlobFiles::Removal::plain, {}));
+    static_cast<void>(removeBlobs(state_, evicted.blobs, BlobFiles::Removal::plain, {}));
     return evicted.report;
 }
 
@@ -269,13 +267,13 @@ OpenMark::~OpenMark() {
     if (held_) held_->locks->removeMark(held_->byte);
 }
 
-Result<OpenMark> Store::markOpen(const ModelKey& key) {
+Result<OpenMark> StoreModels::markOpen(const ModelKey& key) {
     MACULA_CHECK(key.isValid());
     const off_t byte = LockFile::byteOf(key.digest());
-    MACULA_TRY_VOID(state_->locks->addMark(byte));
-    OpenMark mark(std::unique_ptr<OpenMark::Held>(new OpenMark::Held{state_->locks, byte}));
+    MACULA_TRY_VOID(state_.locks->addMark(byte));
+    OpenMark mark(std::unique_ptr<OpenMark::Held>(new OpenMark::Held{state_.locks, byte}));
     // Who evicts at this moment may have looked for marks before this one came: an empty transaction waits.
-    MACULA_TRY_VOID(inTransaction(*state_->connection, [] { return Result<void>(); }));
+    MACULA_TRY_VOID(inTransaction(*state_.connection, [] { return Result<void>(); }));
     return Result<OpenMark>(std::move(mark));
 }
 

@@ -1,4 +1,5 @@
-// What a Store deletes for good.
+#include "session/store_purge.h"
+
 #include <SQLiteCpp/Column.h>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -12,7 +13,6 @@
 #include "base/draft.h"
 #include "session/age_clock.h"
 #include "session/model_key.h"
-#include "session/store.h"
 #include "session/store_state.h"
 #include "session/trouble.h"
 
@@ -239,37 +239,38 @@ Result<void> finishPurge(StoreState& state) {
     return eraseFile(purgeFile(state));
 }
 
-Result<PurgeReport> Store::purgeStudy(const std::string& study, DamagedFiles damaged) {
+Result<PurgeReport> StorePurge::study(const std::string& study, DamagedFiles damaged) {
     MACULA_CHECK(isDigest(study));
     return purge(
-        *state_, [&] { return Targets{.studies = {study}}; }, damaged, AuditAction::deleted);
+        state_, [&] { return Targets{.studies = {study}}; }, damaged, AuditAction::deleted);
 }
 
-Result<PurgeReport> Store::purgeVolume(const std::string& volume, DamagedFiles damaged) {
+Result<PurgeReport> StorePurge::volume(const std::string& volume, DamagedFiles damaged) {
     MACULA_CHECK(isDigest(volume));
     return purge(
-        *state_, [&] { return Targets{.volumes = {volume}}; }, damaged, AuditAction::deleted);
+        state_, [&] { return Targets{.volumes = {volume}}; }, damaged, AuditAction::deleted);
 }
 
-Result<PurgeReport> Store::purgeUnused(std::chrono::days retention, DamagedFiles damaged, Clock clock) {
+Result<PurgeReport> StorePurge::unused(std::chrono::days retention, DamagedFiles damaged,
+                                       Store::Clock clock) {
     MACULA_CHECK(retention.count() >= 0);
     const auto byTheClock = [&] {
-        setOpeningsToTheClock(*state_);
-        return unusedSince(*state_, state_->nowMs() - std::chrono::milliseconds(retention).count());
+        setOpeningsToTheClock(state_);
+        return unusedSince(state_, state_.nowMs() - std::chrono::milliseconds(retention).count());
     };
     return purge(
-        *state_, [&] { return clock == Clock::trusted ? byTheClock() : unusedFor(*state_, retention); },
+        state_, [&] { return clock == Store::Clock::trusted ? byTheClock() : unusedFor(state_, retention); },
         damaged, AuditAction::expired);
 }
 
-Result<ClockDoubt> Store::clockDoubt(std::chrono::days retention) {
-    return inReading(*state_->connection,
-                     [&]() -> Result<ClockDoubt> { return ageClock(*state_, retention).doubt; });
+Result<ClockDoubt> StorePurge::clockDoubt(std::chrono::days retention) {
+    return inReading(*state_.connection,
+                     [&]() -> Result<ClockDoubt> { return ageClock(state_, retention).doubt; });
 }
 
-Result<PurgeReport> Store::purgeAll(DamagedFiles damaged) {
+Result<PurgeReport> StorePurge::all(DamagedFiles damaged) {
     return purge(
-        *state_, [&] { return unusedSince(*state_, std::numeric_limits<std::int64_t>::max()); }, damaged,
+        state_, [&] { return unusedSince(state_, std::numeric_limits<std::int64_t>::max()); }, damaged,
         AuditAction::deleted);
 }
 

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/is_finite.h"
+
 namespace macula::slices {
 
 namespace {
@@ -14,10 +16,6 @@ constexpr double kFarthestMm = 1e9;     // farther away a double does not tell v
 constexpr double kHalfWayUp = 2e-6;     // in voxels; more than what is rounded off, and nothing to a person
 constexpr double kMereTouch = 1e-6;     // in voxels
 constexpr double kOnTheEllipse = 1e-9;  // of a radius
-
-bool isFinite(const glm::dvec3& vector) {
-    return std::isfinite(vector.x) && std::isfinite(vector.y) && std::isfinite(vector.z);
-}
 
 double lengthOf(const glm::dvec3& vector) {
     return std::hypot(vector.x, vector.y, vector.z);  // without overflow

@@ -6,16 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "base/is_finite.h"
+
 namespace macula::slices {
 
 namespace {
 
 // Of two that are equally near, rounding must not decide.
 constexpr double kClearly = 1e-9;
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 bool isUnitVector(const glm::dvec3& v, double tolerance) {
     return std::abs(glm::length(v) - 1.0) < tolerance;

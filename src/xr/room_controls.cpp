@@ -4,32 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <optional>
 #include <utility>
 
-#include "scene/transfer/edited_transfer.h"
-#include "scene/transfer/own_copy.h"
 #include "xr/placement.h"
+#include "xr/preset_steps.h"
 
 namespace macula::xr {
 
 namespace {
 
 constexpr double kNoticeSeconds = 4.0;
-constexpr double kWantedEveryS = 0.25;
-constexpr double kDragGoesOnS = 1.0;
-constexpr glm::ivec2 kNoticePx{640, 40};
-constexpr glm::dvec2 kNoticeM{0.64, 0.04};
-constexpr glm::dvec3 kNoticeFromHeadM{0.0, -0.22, -0.9};
-constexpr double kPointerM = 0.012;
-constexpr double kShiftShare = 0.02;  // of what lies between the first and the last point of the opacity
-
-constexpr PanelColour kClear{0, 0, 0, 0};
-constexpr PanelColour kNoticeBack{24, 28, 34, 200};
-constexpr PanelColour kWhite{235, 238, 242, 255};
-constexpr PanelColour kPointer{255, 190, 60, 255};
-constexpr PanelColour kOutline{255, 120, 60, 230};
-constexpr PanelColour kCutAway{255, 120, 60, 40};
 
 constexpr Pulse kFeelsGrasp{.hand = 0, .strength = 0.4f, .ms = 20.0};
 constexpr Pulse kFeelsCut{.hand = 0, .strength = 0.6f, .ms = 30.0};
@@ -40,38 +25,10 @@ Pulse in(std::size_t hand, Pulse pulse) {
     return pulse;
 }
 
-PanelPicture tile() {
-    PanelPicture picture(glm::ivec2(128), kCutAway);
-    picture.frame({0, 0}, glm::ivec2(128), 3, kOutline);
-    return picture;
-}
-
-PanelPicture ring() {
-    PanelPicture picture(glm::ivec2(128), kClear);
-    picture.ring(glm::dvec2(64.0), 0.0, 63.0, kCutAway);
-    picture.ring(glm::dvec2(64.0), 60.0, 63.5, kOutline);
-    return picture;
-}
-
-PanelPicture pointer() {
-    PanelPicture picture(glm::ivec2(32), kClear);
-    picture.ring(glm::dvec2(16.0), 0.0, 15.0, kPointer);
-    return picture;
-}
-
 }  // namespace
 
 RoomControls::RoomControls(RoomHost host, RoomState first)
-    : host_(std::move(host)),
-      history_(std::move(first)),
-      pictures_{Drawn{PanelPicture(WristPanel::kSizePx, kClear)}, Drawn{PanelPicture(kNoticePx, kClear)},
-                Drawn{pointer()}, Drawn{tile()}, Drawn{ring()}} {}
-
-void RoomControls::draw(RoomPicture which, PanelPicture picture) {
-    Drawn& drawn = pictures_.at(std::size_t(which));
-    drawn.picture = std::move(picture);
-    ++drawn.number;
-}
+    : host_(std::move(host)), choice_(std::move(first)) {}
 
 void RoomControls::tell(const std::string& sentence) {
     notice_ = sentence;
@@ -83,52 +40,18 @@ void RoomControls::tell(const std::string& sentence) {
 void RoomControls::interrupt() {
     grasp_.takeAnew();
     for (HeldTool& tool : tools_) tool.waitForRelease();
-    pointedAt_.reset();
+    pointer_.interrupt();
 }
 
 ClipTool RoomControls::toolOf(std::size_t hand) const {
-    if (hand == panelHand_) return held_;
+    if (hand == panelHand()) return held_;
     return hasKnife_ ? ClipTool::knife : ClipTool::none;
 }
 
 Result<bool> RoomControls::change(RoomState next, const Show& show) {
-    if (next == state()) return true;
-    MACULA_TRY(const bool isShown, show(next, Lasts::forGood));
-    if (!isShown) {
-        tell(words().nothingLeft);
-        return false;
-    }
-    history_.push(std::move(next));
-    wasWanted_ = false;
-    if (host_.changed) host_.changed(state());
-    return true;
-}
-
-Result<void> RoomControls::undo(const Show& show) {
-    if (!history_.canUndo()) return {};
-    MACULA_TRY(const bool isShown, show(history_.before(), Lasts::forGood));
-    if (!isShown) return {};
-    history_.undo();
-    wasWanted_ = false;
-    if (host_.changed) host_.changed(state());
-    return {};
-}
-
-Result<void> RoomControls::takeWanted(const Show& show) {
-    // A hand in the window that drags is followed in steps, which are one to be undone.
-    if (!host_.wanted || std::abs(seconds_ - wantedAt_) < kWantedEveryS) return {};
-    std::optional<RoomState> wanted = host_.wanted();
-    if (!wanted) return {};
-    const bool goesOn = wasWanted_ && std::abs(seconds_ - wantedAt_) < kDragGoesOnS;
-    wantedAt_ = seconds_;
-    wanted->quality = state().quality;  // of the headset alone
-    if (!wanted->transferFunction || *wanted == state()) return {};
-    MACULA_TRY(const bool isShown, show(*wanted, Lasts::forGood));
-    if (!isShown) return {};
-    if (goesOn && history_.canUndo()) history_.undo();
-    history_.push(*std::move(wanted));
-    wasWanted_ = true;
-    return {};
+    MACULA_TRY(const bool isShown, choice_.change(std::move(next), host_, show));
+    if (!isShown) tell(words().nothingLeft);
+    return isShown;
 }
 
 std::string RoomControls::sizeText(double scale) const {
@@ -146,9 +69,9 @@ Result<RoomFollowed> RoomControls::follow(const glm::dmat4& stageFromWorld, cons
     RoomFollowed followed;
     followed.stageFromWorld = stageFromWorld;
     followed.light = fade_.follow(frame.seconds, frame.isTracked);
-    MACULA_TRY_VOID(takeWanted(show));
+    MACULA_TRY_VOID(choice_.takeWanted(host_, seconds_, show));
     MACULA_TRY_VOID(usePanel(frame, show, followed));
-    const TwoHands hands = handsBesidePanel(frame.hands);
+    const TwoHands hands = pointer_.handsBeside(frame.hands);
     if (const double toTheRightDeg = turns_.follow(hands); toTheRightDeg != 0.0) {
         followed.stageFromWorld = turnedAround(followed.stageFromWorld, frame.head, toTheRightDeg);
         grasp_.takeAnew();
@@ -162,37 +85,12 @@ Result<RoomFollowed> RoomControls::follow(const glm::dmat4& stageFromWorld, cons
 }
 
 Result<void> RoomControls::usePanel(const RoomFrame& frame, const Show& show, RoomFollowed& followed) {
-    const std::size_t pointing = 1 - panelHand_;
-    const Hand& hand = frame.hands[pointing];
-    const Hand& wrist = frame.hands[panelHand_];
-    panel_.reset();
-    if (wrist.grip) {
-        const Pose at = WristPanel::poseAt(*wrist.grip);
-        if (WristPanel::isTurnedTo(at, frame.head.positionM)) panel_ = at;
-    }
-    // Who holds the anatomy, or cuts, does not press by the way.
+    const std::size_t pointing = pointer_.pointingHand();
     const bool isBusy = grasp_.holds(pointing) || tools_.at(pointing).isHeld();
-    hit_ = panel_ && hand.aim && !isBusy ? WristPanel::hit(*panel_, *hand.aim) : std::nullopt;
-    const std::optional<PanelButton> before =
-        std::exchange(pointedAt_, hit_ ? WristPanel::buttonAt(*hit_) : std::optional<PanelButton>());
-    if (pointedAt_ && !WristPanel::isOffered(*pointedAt_, texts_)) pointedAt_.reset();
-    const bool wasPressed = std::exchange(isPressed_, holdsOn(hand.press, isPressed_));
-    if (isPressed_ && !wasPressed && hit_) isOfPanel_ = true;
-    if (!isPressed_ || wasPressed || !pointedAt_) return {};
-    // The ray was on the button before it was pressed: nothing happens by a sweep.
-    if (before != pointedAt_) return {};
+    const auto pressed = pointer_.follow(frame.hands, frame.head.positionM, isBusy, texts_);
+    if (!pressed) return {};
     followed.pulses.push_back(in(pointing, kFeelsPress));
-    return press(*pointedAt_, frame, show, followed);
-}
-
-// What is pressed on the panel neither cuts nor grabs, until it is let go, wherever the ray is then.
-TwoHands RoomControls::handsBesidePanel(const TwoHands& hands) {
-    TwoHands left = hands;
-    Hand& pointing = left[1 - panelHand_];
-    const bool isDown = isPressed_ || holdsOn(pointing.trigger, true) || holdsOn(pointing.squeeze, true);
-    if (!isDown) isOfPanel_ = false;
-    if (isOfPanel_ || hit_) pointing.trigger = pointing.squeeze = 0.0f;
-    return left;
+    return press(*pressed, frame, show, followed);
 }
 
 Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, const Show& show,
@@ -204,13 +102,13 @@ Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, con
     RoomState next = state();
     switch (button) {
         case PanelButton::presetBefore:
-            return choose(withPreset(-1));
+            return choose(withPreset(state(), host_, -1));
         case PanelButton::presetNext:
-            return choose(withPreset(1));
+            return choose(withPreset(state(), host_, 1));
         case PanelButton::shiftLower:
-            return choose(withShift(-1));
+            return choose(withShift(state(), host_, -1));
         case PanelButton::shiftHigher:
-            return choose(withShift(1));
+            return choose(withShift(state(), host_, 1));
         case PanelButton::knife:
             hasKnife_ = !hasKnife_;
             return {};
@@ -227,7 +125,7 @@ Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, con
             return choose(std::move(next));
         }
         case PanelButton::undo:
-            return undo(show);
+            return choice_.undo(host_, show);
         case PanelButton::picture:
             followed.wantsPicture = true;
             return {};
@@ -248,64 +146,12 @@ Result<void> RoomControls::press(PanelButton button, const RoomFrame& frame, con
             tell(host_.isCalibrated ? words().isBeforeYou : words().notCalibrated);
             return {};
         case PanelButton::otherWrist:
-            panelHand_ = 1 - panelHand_;
+            pointer_.moveToOtherWrist();
             // It was pressed by the hand that has the panel now, and cuts nothing with it.
             for (HeldTool& tool : tools_) tool.waitForRelease();
-            hit_.reset();
-            pointedAt_.reset();
             return {};
     }
     return {};
-}
-
-std::optional<std::size_t> RoomControls::presetIndex() const {
-    const TransferFunction& now = *state().transferFunction;
-    const std::string copied = scene::copiedFrom(now);
-    const std::string& name = copied.empty() ? now.name : copied;
-    for (std::size_t i = 0; i < host_.presets.size(); ++i)
-        if (host_.presets[i]->name == name) return i;
-    return std::nullopt;
-}
-
-RoomState RoomControls::withPreset(int steps) const {
-    RoomState next = state();
-    const int count = int(host_.presets.size());
-    if (count == 0) return next;
-    const auto index = presetIndex();
-    // One that is not in the list stands before the first.
-    const int at = index ? int(*index) + steps : (steps > 0 ? 0 : count - 1);
-    next.transferFunction = host_.presets[std::size_t((at % count + count) % count)];
-    return next;
-}
-
-RoomState RoomControls::withShift(int steps) const {
-    RoomState next = state();
-    const TransferFunction& now = *next.transferFunction;
-    if (now.opacity.empty()) return next;
-    const double across = now.opacity.back().value - now.opacity.front().value;
-    if (!(across > 0.0)) return next;
-    TransferFunction moved = scene::shifted(now, steps * kShiftShare * across);
-    if (scene::copiedFrom(moved).empty()) {
-        std::set<std::string> taken;
-        for (const auto& preset : host_.presets) taken.insert(preset->name);
-        moved = scene::ownCopy(moved, taken);
-    }
-    next.transferFunction = std::make_shared<const TransferFunction>(std::move(moved));
-    return next;
-}
-
-std::string RoomControls::shiftText() const {
-    const TransferFunction& now = *state().transferFunction;
-    const auto index = presetIndex();
-    if (!index || now.opacity.empty() || host_.presets[*index]->opacity.empty()) return words().shift;
-    const double across = now.opacity.back().value - now.opacity.front().value;
-    double by = now.opacity.front().value - host_.presets[*index]->opacity.front().value;
-    if (std::abs(by) < 1e-9 * across) by = 0.0;  // rounding, of steps to and fro
-    // Three digits, but no power of ten: "+1040", and not "+1.04e+03".
-    const std::string number =
-        std::abs(by) < 999.5 ? fmt::format("{:+.3g}", by + 0.0) : fmt::format("{:+.0f}", by);
-    return fmt::format("{} {}{}", words().shift, words().ofNumber(number),
-                       now.unit == Unit::hounsfield ? " HU" : "");
 }
 
 void RoomControls::grasp(const RoomFrame& frame, const TwoHands& hands, RoomFollowed& followed) {
@@ -336,10 +182,9 @@ Result<void> RoomControls::useTool(std::size_t hand, const RoomFrame& frame, con
         case HeldTool::Event::letGo:
             MACULA_TRY_VOID(cut(hand, *seen.grip, Lasts::forGood, show, followed.stageFromWorld));
             break;
-        case HeldTool::Event::abandoned: {
-            MACULA_TRY([[maybe_unused]] const bool isShown, show(state(), Lasts::forGood));
+        case HeldTool::Event::abandoned:
+            MACULA_TRY_VOID(choice_.comeBack(show));
             break;
-        }
     }
     if (!tools_.at(hand).isHeld()) return {};
     for (const OutlinePart& part : outlineOf(tool, *seen.grip, frame.head.positionM, followed.stageFromWorld))
@@ -351,25 +196,20 @@ Result<void> RoomControls::useTool(std::size_t hand, const RoomFrame& frame, con
 Result<void> RoomControls::cut(std::size_t hand, const Pose& at, Lasts lasts, const Show& show,
                                const glm::dmat4& stageFromWorld) {
     const auto clip = withTool(state().clip.get(), toolOf(hand), at, stageFromWorld);
-    // What was gone for a look comes back where nothing stays gone.
-    const auto comeBack = [&]() -> Result<void> {
-        MACULA_TRY([[maybe_unused]] const bool isShown, show(state(), Lasts::forGood));
-        return {};
-    };
     if (!clip) {
         if (lasts == Lasts::forALook) return {};
         if (toolOf(hand) == ClipTool::knife) tell(words().noMoreCuts);
-        return comeBack();
+        return choice_.comeBack(show);
     }
     RoomState next = state();
     next.clip = std::make_shared<const Clip>(*clip);
-    if (next == state()) return comeBack();
+    if (next == state()) return choice_.comeBack(show);
     if (lasts == Lasts::forALook) {
         MACULA_TRY([[maybe_unused]] const bool isShown, show(next, lasts));
         return {};
     }
     MACULA_TRY(const bool isCut, change(std::move(next), show));
-    return isCut ? Result<void>() : comeBack();
+    return isCut ? Result<void>() : choice_.comeBack(show);
 }
 
 void RoomControls::showPanel(RoomFollowed& followed) {
@@ -377,24 +217,19 @@ void RoomControls::showPanel(RoomFollowed& followed) {
     if (!(seconds_ < noticeUntil_)) texts.news.clear();
     const TransferFunction& preset = *state().transferFunction;
     texts.preset = preset.title.empty() ? preset.name : words().ofTitle(preset.title);
-    texts.shift = shiftText();
+    texts.shift = shiftText(state(), host_);
     texts.knife = hasKnife_ ? words().knifeOn : words().knifeOff;
     texts.held = filled(words().hold, words().of(held_));
     texts.quality = filled(words().quality, words().of(state().quality));
     texts.size = sizeText(scaleOf(followed.stageFromWorld));
-    texts.canUndo = history_.canUndo();
+    texts.canUndo = choice_.canUndo();
     texts.canTakePictures = !host_.pictures.empty();
     texts_ = std::move(texts);
-    if (!panel_) return;
-    if (!(texts_ == drawnTexts_) || drawnPointedAt_ != pointedAt_) {
-        draw(RoomPicture::panel, WristPanel::draw(texts_, words(), pointedAt_));
-        drawnTexts_ = texts_;
-        drawnPointedAt_ = pointedAt_;
-    }
-    followed.floating.push_back({RoomPicture::panel, *panel_, WristPanel::kSizeM});
-    if (hit_)
-        followed.floating.push_back(
-            {RoomPicture::pointer, WristPanel::poseOf(*panel_, *hit_), glm::dvec2(kPointerM)});
+    const std::optional<Pose>& panel = pointer_.panel();
+    if (!panel) return;
+    pictures_.drawPanel(texts_, words(), pointedAt());
+    followed.floating.push_back({RoomPicture::panel, *panel, WristPanel::kSizeM});
+    if (pointer_.hit()) followed.floating.push_back(FloatingPictures::pointerOn(*panel, *pointer_.hit()));
 }
 
 void RoomControls::showNotice(const RoomFrame& frame, RoomFollowed& followed) {
@@ -403,14 +238,8 @@ void RoomControls::showNotice(const RoomFrame& frame, RoomFollowed& followed) {
         noticeUntil_ = frame.seconds + 1.0;
     }
     if (notice_.empty() || !(frame.seconds < noticeUntil_)) return;
-    if (notice_ != drawnNotice_) {
-        PanelPicture picture(kNoticePx, kNoticeBack);
-        picture.writeInto(notice_, {8, 0}, {kNoticePx.x - 16, kNoticePx.y}, 2, kWhite);
-        draw(RoomPicture::notice, std::move(picture));
-        drawnNotice_ = notice_;
-    }
-    const glm::dvec3 at = frame.head.positionM + frame.head.orientation * kNoticeFromHeadM;
-    followed.floating.push_back({RoomPicture::notice, {at, frame.head.orientation}, kNoticeM});
+    pictures_.drawNotice(notice_);
+    followed.floating.push_back(FloatingPictures::noticeBefore(frame.head));
 }
 
 }  // namespace macula::xr

@@ -3,7 +3,8 @@
 #pragma once
 
 #include <array>
-#include <functional>
+#include <cstddef>
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
@@ -13,22 +14,15 @@
 #include "base/result.h"
 #include "xr/clip_tools.h"
 #include "xr/comfort.h"
+#include "xr/floating_pictures.h"
 #include "xr/grasp.h"
 #include "xr/panel_picture.h"
+#include "xr/panel_pointer.h"
+#include "xr/room_choice.h"
 #include "xr/room_host.h"
 #include "xr/wrist_panel.h"
 
 namespace macula::xr {
-
-enum class RoomPicture { panel, notice, pointer, tile, ring };
-inline constexpr std::size_t kRoomPictures = 5;
-
-// A flat picture in the stage: x to the right, y up, seen from its +z.
-struct Floating {
-    RoomPicture picture = RoomPicture::panel;
-    Pose pose;
-    glm::dvec2 sizeM{0.0};
-};
 
 // Felt in a hand.
 struct Pulse {
@@ -53,13 +47,9 @@ struct RoomFollowed {
     bool wantsPicture = false;
 };
 
-enum class Lasts { forGood, forALook };
-
 class RoomControls {
   public:
-    // Shows another state. False, and all is as it was, when nothing of it could be seen; an error ends the
-    // session.
-    using Show = std::function<Result<bool>(const RoomState&, Lasts)>;
+    using Show = ShowRoom;
 
     RoomControls(RoomHost host, RoomState first);
 
@@ -76,73 +66,50 @@ class RoomControls {
         interrupt();
     }
 
-    const RoomState& state() const { return history_.now(); }
+    const RoomState& state() const { return choice_.now(); }
     const RoomHost& host() const { return host_; }
     // Stands before the eyes for some seconds, and goes to the host. `sentence` names no patient, and is in
     // the words of the host.
     void tell(const std::string& sentence);
 
     // A picture that floats. Its number changes when it does.
-    const PanelPicture& picture(RoomPicture which) const { return pictures_.at(std::size_t(which)).picture; }
-    std::uint64_t pictureNumber(RoomPicture which) const { return pictures_.at(std::size_t(which)).number; }
+    const PanelPicture& picture(RoomPicture which) const { return pictures_.picture(which); }
+    std::uint64_t pictureNumber(RoomPicture which) const { return pictures_.number(which); }
 
     ClipTool toolOf(std::size_t hand) const;
-    std::size_t panelHand() const { return panelHand_; }
-    std::optional<Pose> panel() const { return panel_; }
-    std::optional<PanelButton> pointedAt() const { return pointedAt_; }
+    std::size_t panelHand() const { return pointer_.panelHand(); }
+    std::optional<Pose> panel() const { return pointer_.panel(); }
+    std::optional<PanelButton> pointedAt() const { return pointer_.pointedAt(); }
     const PanelTexts& texts() const { return texts_; }
 
   private:
-    struct Drawn {
-        PanelPicture picture;
-        std::uint64_t number = 1;
-    };
-
-    Result<void> takeWanted(const Show& show);
     Result<void> usePanel(const RoomFrame& frame, const Show& show, RoomFollowed& followed);
     Result<void> press(PanelButton button, const RoomFrame& frame, const Show& show, RoomFollowed& followed);
-    TwoHands handsBesidePanel(const TwoHands& hands);
     void grasp(const RoomFrame& frame, const TwoHands& hands, RoomFollowed& followed);
     Result<void> useTool(std::size_t hand, const RoomFrame& frame, const Hand& seen, const Show& show,
                          RoomFollowed& followed);
     Result<void> cut(std::size_t hand, const Pose& at, Lasts lasts, const Show& show,
                      const glm::dmat4& stageFromWorld);
     Result<bool> change(RoomState next, const Show& show);
-    Result<void> undo(const Show& show);
-    RoomState withPreset(int steps) const;
-    RoomState withShift(int steps) const;
-    std::optional<std::size_t> presetIndex() const;
-    std::string shiftText() const;
     std::string sizeText(double scale) const;
     const RoomWords& words() const { return host_.words; }
     void showPanel(RoomFollowed& followed);
     void showNotice(const RoomFrame& frame, RoomFollowed& followed);
-    void draw(RoomPicture which, PanelPicture picture);
 
     RoomHost host_;
-    RoomHistory history_;
+    RoomChoice choice_;
     Grasp grasp_;
     std::array<HeldTool, 2> tools_;
     SnapTurns turns_;
     Fade fade_;
+    PanelPointer pointer_;
+    FloatingPictures pictures_;
     bool hasKnife_ = true;
     ClipTool held_ = ClipTool::none;  // in the hand with the panel
-    std::size_t panelHand_ = 0;
-    std::optional<Pose> panel_;      // where it was in this frame
-    std::optional<glm::dvec2> hit_;  // of the ray, in its pixels
-    std::optional<PanelButton> pointedAt_;
-    bool isPressed_ = false;
-    bool isOfPanel_ = false;  // what the pointing hand holds down was pressed on the panel
-    PanelTexts texts_;        // as they are now
-    PanelTexts drawnTexts_;   // and as they stand on the panel
-    std::optional<PanelButton> drawnPointedAt_;
-    std::array<Drawn, kRoomPictures> pictures_;
+    PanelTexts texts_;                // as they are now
     std::string notice_;
-    std::string drawnNotice_;
     double noticeUntil_ = 0.0;
     double seconds_ = 0.0;
-    double wantedAt_ = -1e9;  // when something that was chosen elsewhere came last
-    bool wasWanted_ = false;  // the last step was that
 };
 
 }  // namespace macula::xr

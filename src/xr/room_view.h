@@ -85,7 +85,7 @@ class RoomView {
     }
     // Nothing is learnt or traced yet of what is shown: it is dark.
     bool isDark() const { return !drawsModel() && !hybrid_.hasFovea(); }
-    // About as long as is wished, at least a dispatch of some 12 ms or a step of learning.
+    // About as long as is wanted, at least a dispatch of some 12 ms or a step of learning.
     Result<void> work(Work work, const EyePictures& eyes, const WorkRequest& request);
 
     // Shows another state. What is for a look is traced alone, and nothing is learnt of it; `scene` stays as

@@ -143,6 +143,15 @@ Opens opens(std::string_view head) {
     return hasResultBehind ? Opens::function : Opens::value;  // "a_" of `Name() : a_{1} {`
 }
 
+// "Image" of "class Image final : public Picture"; nothing of a namespace.
+std::string classNameIn(std::string_view head) {
+    const auto words = wordsOf(withoutTemplate(declarationOf(head)));
+    if (words.size() < 2 || (words.front() != "class" && words.front() != "struct")) return {};
+    std::size_t at = 1;
+    if (words[at] == "alignas") at += 2;
+    return at < words.size() ? words[at] : std::string();
+}
+
 class Scanner {
   public:
     explicit Scanner(std::string_view source) : code_(codeAlone(source)) {}
@@ -164,6 +173,8 @@ class Scanner {
         return std::move(functions_);
     }
 
+    const std::vector<Class>& classes() const { return classes_; }
+
   private:
     void beginHead() { head_ = at_ + 1; }
 
@@ -174,6 +185,7 @@ class Scanner {
         if (!isInFunction() && depthOfValues_ == 0 && parentheses_ == 0) kind = opens(head());
         if (kind == Opens::function) beginFunction();
         if (kind == Opens::value) ++depthOfValues_;
+        scopes_.push_back({kind == Opens::scope ? classNameIn(head()) : std::string(), line_});
         open_.push_back(kind);
         if (kind != Opens::value) beginHead();
     }
@@ -185,6 +197,9 @@ class Scanner {
         }
         const Opens kind = open_.back();
         open_.pop_back();
+        if (const Class& scope = scopes_.back(); !scope.name.empty())
+            classes_.push_back({scope.name, line_ - scope.lines + 1});
+        scopes_.pop_back();
         if (kind == Opens::value) --depthOfValues_;
         if (kind == Opens::function) functions_.back().lines = line_ - functions_.back().line + 1;
         // An initializer list and a default value go on behind their braces: `a_{1}, b_{2} {`.
@@ -207,13 +222,22 @@ class Scanner {
     int depthOfValues_ = 0;
     bool balanced_ = true;
     std::vector<Opens> open_;
+    std::vector<Class> scopes_;  // of each of these; the name only of a class, with the line of its brace
     std::vector<Function> functions_;
+    std::vector<Class> classes_;
 };
 
 }  // namespace
 
 std::vector<Function> functionsOf(std::string_view source, bool& isBalanced) {
     return Scanner(source).run(isBalanced);
+}
+
+std::vector<Class> classesOf(std::string_view source) {
+    Scanner scanner(source);
+    bool isBalanced = false;
+    scanner.run(isBalanced);
+    return scanner.classes();
 }
 
 }  // namespace macula::test

@@ -1,5 +1,5 @@
-// Finds the functions of a source in C++ or GLSL, and how long each is. It matches braces, and knows no more
-// of the language than that needs.
+// Finds the functions and classes of a source in C++ or GLSL, and how long each is. It matches braces, and
+// knows no more of the language than that needs.
 #pragma once
 
 #include <string>
@@ -18,5 +18,13 @@ struct Function {
 // level of a namespace or class; neither is what a preprocessor's directive defines. `isBalanced` becomes
 // false where braces do not match, so that nothing can be said.
 std::vector<Function> functionsOf(std::string_view source, bool& isBalanced);
+
+// The classes and structs that are defined at the level of a namespace or class, in order of their closing
+// braces. Lines are those from the opening to the closing brace.
+struct Class {
+    std::string name;
+    int lines = 0;
+};
+std::vector<Class> classesOf(std::string_view source);
 
 }  // namespace macula::test

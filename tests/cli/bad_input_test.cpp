@@ -49,6 +49,31 @@ TEST_F(BadInput, Usage) {
     EXPECT_TRUE(version.out.starts_with("macula ")) << version.out;
 }
 
+TEST_F(BadInput, VerbsThatAnotherProgramHas) {
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{"bench"},
+                                               {"bench", "trace", "--size", "16"},
+                                               {"bench", "train", "--help"},
+                                               {"evaluate"},
+                                               {"evaluate", "init", "--json", at("a.json")}}) {
+        const Ran ran = runMacula(arguments);
+        EXPECT_EQ(ran.exitCode, 2) << ran.err;
+        EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+        EXPECT_NE(ran.err.find("There is no verb " + arguments[0] + ". Call macula-bench"), std::string::npos)
+            << ran.err;
+    }
+    for (const std::vector<std::string>& arguments :
+         std::vector<std::vector<std::string>>{{}, {"render"}, {"cast", "--nonsense"}}) {
+        const Ran ran = runBench(arguments);
+        EXPECT_EQ(ran.exitCode, 2) << ran.err;
+        EXPECT_TRUE(ran.err.starts_with("macula-bench: ")) << ran.err;
+        EXPECT_EQ(ran.errorLines(), 1u) << ran.err;
+        EXPECT_NE(ran.err.find("See macula-bench "), std::string::npos) << ran.err;
+    }
+    EXPECT_NE(runMacula({"--help"}).out.find("macula-bench"), std::string::npos);
+    EXPECT_TRUE(runBench({"--version"}).out.starts_with("macula-bench "));
+}
+
 TEST_F(BadInput, Options) {
     expectRefused(2, "--size", with("--size", "640"));
     expectRefused(2, "--size", with("--size", "0x100"));

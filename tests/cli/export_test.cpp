@@ -150,34 +150,5 @@ TEST_F(Export, Segmentation) {
     EXPECT_EQ(runMacula({"export", at("study"), "-o", at("b.nii")}).exitCode, 3);  // no images
 }
 
-TEST_F(Export, BenchLoadMeasuresAgainstItkAndDcmtk) {
-    ASSERT_EQ(runMacula({"phantom", at("study")}).exitCode, 0);
-    const Ran ran = runMacula({"bench", "load", at("study"), "--json", "--repetitions", "1"});
-    ASSERT_EQ(ran.exitCode, 0) << ran.err;
-    const Json json = Json::parse(ran.out);
-    EXPECT_EQ(json["benchmark"], "load");
-    EXPECT_EQ(json["headers"]["files"], 160);
-    EXPECT_EQ(json["voxels"], 256 * 224 * 160);
-    EXPECT_EQ(json["loading"]["voxelsWhereItkDiffers"], 0);
-    for (const char* name : {"headersOverDcmtk", "itkOverOurs", "dcmtkOverOurs"})
-        EXPECT_GT(json["results"][name].get<double>(), 0.0) << name;
-    for (const char* name : {"ours", "itk", "dcmtk"}) {
-        EXPECT_GT(json["loading"][name]["seconds"].get<double>(), 0.0);
-        // Its own voxels, at the least.
-        EXPECT_GT(json["loading"][name]["peakBytes"].get<double>(), 2.0 * 256 * 224 * 160) << name;
-    }
-    write("before.json", ran.out);
-    const Ran again =
-        runMacula({"bench", "load", at("study"), "--baseline", at("before.json"), "--repetitions", "1"});
-    ASSERT_EQ(again.exitCode, 0) << again.err;
-    EXPECT_GT(Json::parse(again.out)["results"]["itkOverOursOverBaseline"].get<double>(), 0.0);
-    const Ran text = runMacula({"bench", "load", at("study"), "--repetitions", "1"});
-    EXPECT_NE(text.out.find("ITK: "), std::string::npos) << text.out;
-    write("other.json", "{}");
-    EXPECT_EQ(runMacula({"bench", "load", at("study"), "--baseline", at("other.json"), "--repetitions", "1"})
-                  .exitCode,
-              3);
-}
-
 }  // namespace
 }  // namespace macula::cli

@@ -170,7 +170,7 @@ TEST_F(FullDisk, ThePhantomIsWrittenWholeOrNotAtAll) {
     EXPECT_TRUE(contents().empty());
 }
 
-TEST_F(FullDisk, StoredSessionsAreExportedWholeOrNotAtAll) {
+TEST_F(FullDisk, StoredStudiesAreExportedWholeOrNotAtAll) {
     if (!mountDisk("300k")) GTEST_SKIP() << "no right to mount";
     const session::StoreOptions options{.folder = at("in/store")};
     ASSERT_TRUE(session::test::isOk(
@@ -183,7 +183,7 @@ TEST_F(FullDisk, StoredSessionsAreExportedWholeOrNotAtAll) {
     EXPECT_TRUE(fs::is_empty(at("disk")));
 }
 
-TEST_F(FullDisk, StoredSessionsOfAReadOnlyDiskAreToldToBe) {
+TEST_F(FullDisk, StoredStudiesOfAReadOnlyDiskAreToldToBe) {
     if (!mountDisk("1m")) GTEST_SKIP() << "no right to mount";
     const session::StoreOptions options{.folder = at("disk/store")};
     ASSERT_TRUE(session::test::isOk(session::Store::open(options)));

@@ -12,13 +12,17 @@ namespace {
 constexpr std::string_view kOtherUnits = "The preset is made for other units than those of the series.";
 constexpr std::string_view kStretched = "The preset was stretched to this volume";
 
+// Without the name of the program that tells them.
 std::vector<std::string> notesOf(const Ran& ran) {
     EXPECT_EQ(ran.exitCode, 0) << ran.err;
     std::vector<std::string> notes;
     std::istringstream lines(ran.err);
     for (std::string line; std::getline(lines, line);) {
-        if (line.starts_with("macula: note: ") || line.starts_with("macula: warning: "))
-            notes.push_back(line);
+        for (const std::string_view program : {"macula: ", "macula-bench: "}) {
+            if (!line.starts_with(program)) continue;
+            const std::string told = line.substr(program.size());
+            if (told.starts_with("note: ") || told.starts_with("warning: ")) notes.push_back(told);
+        }
     }
     return notes;
 }
@@ -54,19 +58,18 @@ TEST_F(Notes, OfBenchAreThoseOfRender) {
         const std::vector<std::string> notes = ofRender(preset);
         EXPECT_TRUE(tells(notes, preset.empty() ? kStretched : kOtherUnits));
         // Look before you rely on it; and what would be better.
-        EXPECT_EQ(
-            tells(notes, "macula: warning: " + std::string(kOtherUnits) + " Presets for it: cinematic-mr, "),
-            !preset.empty());
+        EXPECT_EQ(tells(notes, "warning: " + std::string(kOtherUnits) + " Presets for it: cinematic-mr, "),
+                  !preset.empty());
         for (const std::vector<std::string>& bench :
-             {std::vector<std::string>{"bench", "foveal", unitless(), "--converged-spp", "0"},
-              std::vector<std::string>{"bench", "trace", unitless(), "--spp", "1", "--lights", "even"}}) {
+             {std::vector<std::string>{"foveal", unitless(), "--converged-spp", "0"},
+              std::vector<std::string>{"trace", unitless(), "--spp", "1", "--lights", "even"}}) {
             std::vector<std::string> words = bench;
             words.insert(words.end(), common.begin(), common.end());
             words.insert(words.end(), preset.begin(), preset.end());
-            const Ran ran = runMacula(words);
-            EXPECT_EQ(notesOf(ran), notes) << bench[1];
+            const Ran ran = runBench(words);
+            EXPECT_EQ(notesOf(ran), notes) << bench[0];
             const auto report = nlohmann::json::parse(ran.out);
-            EXPECT_EQ(report["lights"], bench[1] == "trace" ? "even" : "studio");
+            EXPECT_EQ(report["lights"], bench[0] == "trace" ? "even" : "studio");
             EXPECT_EQ(report["preset"], preset.empty() ? "cinematic-mr" : "ct-bone");
         }
     }

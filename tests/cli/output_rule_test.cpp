@@ -19,9 +19,10 @@ constexpr const char* kCamera =
 class OutputRule : public CommandTest {
   protected:
     // Expects exit code 2, one sentence with `words`, and every file as it was.
-    void expectKept(const std::vector<std::string>& arguments, const std::string& words) {
+    void expectKept(const std::vector<std::string>& arguments, const std::string& words,
+                    TestedProgram program = TestedProgram::macula) {
         const auto before = contents();
-        const Ran ran = runMacula(arguments);
+        const Ran ran = run(program, arguments);
         const std::string call = fmt::format("{}", fmt::join(arguments, " "));
         EXPECT_EQ(ran.exitCode, 2) << call << "\n" << ran.err;
         EXPECT_EQ(ran.errorLines(), 1u) << call << "\n" << ran.err;
@@ -29,10 +30,11 @@ class OutputRule : public CommandTest {
         EXPECT_EQ(contents(), before) << call;
     }
     // With --overwrite all the more.
-    void expectNeverReplaced(std::vector<std::string> arguments, const std::string& words) {
-        expectKept(arguments, words);
+    void expectNeverReplaced(std::vector<std::string> arguments, const std::string& words,
+                             TestedProgram program = TestedProgram::macula) {
+        expectKept(arguments, words, program);
         arguments.emplace_back("--overwrite");
-        expectKept(arguments, words);
+        expectKept(arguments, words, program);
     }
     std::map<std::string, std::string> contents() const {
         std::map<std::string, std::string> all;
@@ -62,10 +64,10 @@ TEST_F(OutputRule, AFileThatExistsNeedsOverwrite) {
     expectKept({"presets", "export", "ct-bone", "-o", at("a.json")}, words);
     expectKept({"train", "phantom:", "-o", at("a.ply")}, words);
     expectKept({"train", "phantom:", "-o", at("b.ply"), "--json", at("a.json")}, words);
-    expectKept({"evaluate", "init", "phantom:", "--json", at("a.json")}, words);
-    expectKept({"evaluate", "init", "phantom:", "--pictures", at(".")}, words);
-    expectKept({"bench", "trace-tradeoff", "--plot", at("a.svg")}, words);
-    expectKept({"evaluate", "tradeoff", "--plot", at("a.svg")}, words);
+    expectKept({"evaluate", "init", "phantom:", "--json", at("a.json")}, words, TestedProgram::bench);
+    expectKept({"evaluate", "init", "phantom:", "--pictures", at(".")}, words, TestedProgram::bench);
+    expectKept({"trace-tradeoff", "--plot", at("a.svg")}, words, TestedProgram::bench);
+    expectKept({"evaluate", "tradeoff", "--plot", at("a.svg")}, words, TestedProgram::bench);
 
     EXPECT_EQ(runMacula(render({"-o", at("a.png"), "--json", at("a.json"), "--overwrite"})).exitCode, 0);
     EXPECT_TRUE(readAll(at("a.png")).starts_with("\x89PNG"));
@@ -87,10 +89,10 @@ TEST_F(OutputRule, AFileOfTheFolderThatIsReadIsNeverReplaced) {
     expectNeverReplaced(render({study, "-o", at("b.png"), "--json", at("link/IM00001.dcm")}), words);
     fs::create_symlink(slice, at("b.json"));
     expectNeverReplaced(render({study, "-o", at("b.png"), "--json", at("b.json")}), words);
-    expectNeverReplaced({"bench", "trace-tradeoff", study, "--plot", slice}, words);
-    expectNeverReplaced({"evaluate", "tradeoff", study, "--plot", slice}, words);
+    expectNeverReplaced({"trace-tradeoff", study, "--plot", slice}, words, TestedProgram::bench);
+    expectNeverReplaced({"evaluate", "tradeoff", study, "--plot", slice}, words, TestedProgram::bench);
     expectNeverReplaced({"train", study, "-o", at("b.ply"), "--json", slice}, words);
-    expectNeverReplaced({"evaluate", "init", study, "--json", slice}, words);
+    expectNeverReplaced({"evaluate", "init", study, "--json", slice}, words, TestedProgram::bench);
     // A slice alone, and what lies beside it.
     expectNeverReplaced(render({slice, "-o", at("b.png"), "--json", slice}), "one of those that are read");
 }
@@ -114,12 +116,12 @@ TEST_F(OutputRule, NoInputIsReplaced) {
     expectNeverReplaced({"export", header, "-o", at("a.nhdr")}, words);
     expectNeverReplaced({"presets", "import", at("preset.json"), "-o", at("preset.json")}, words);
     expectNeverReplaced({"presets", "export", at("preset.json"), "-o", at("preset.json")}, words);
-    expectNeverReplaced({"bench", "trace-tradeoff", volume, "--plot", volume}, words);
-    expectNeverReplaced({"evaluate", "tradeoff", volume, "--plot", volume}, words);
+    expectNeverReplaced({"trace-tradeoff", volume, "--plot", volume}, words, TestedProgram::bench);
+    expectNeverReplaced({"evaluate", "tradeoff", volume, "--plot", volume}, words, TestedProgram::bench);
     expectNeverReplaced({"evaluate", "tradeoff", "--preset", at("preset.json"), "--plot", at("preset.json")},
-                        words);
+                        words, TestedProgram::bench);
     expectNeverReplaced({"train", volume, "-o", at("b.ply"), "--json", volume}, words);
-    expectNeverReplaced({"evaluate", "init", volume, "--json", volume}, words);
+    expectNeverReplaced({"evaluate", "init", volume, "--json", volume}, words, TestedProgram::bench);
 }
 
 TEST_F(OutputRule, TwoOutputsAreTwoFiles) {

@@ -25,9 +25,11 @@ std::size_t Ran::errorLines() const {
     std::istringstream lines(err);
     std::size_t count = 0;
     for (std::string line; std::getline(lines, line);) {
-        const bool isError = line.starts_with("macula: ") && !line.starts_with("macula: note: ") &&
-                             !line.starts_with("macula: warning: ");
-        count += isError ? 1 : 0;
+        for (const std::string program : {"macula: ", "macula-bench: "}) {
+            const bool isError = line.starts_with(program) && !line.starts_with(program + "note: ") &&
+                                 !line.starts_with(program + "warning: ");
+            count += isError ? 1 : 0;
+        }
     }
     return count;
 }
@@ -50,9 +52,14 @@ int opened(const fs::path& path) {
     return open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
 }
 
-pid_t begin(const std::vector<std::string>& arguments, const std::vector<std::string>& environment, int out,
-            int err, const std::function<void()>& prepare = {}) {
-    std::vector<std::string> words{MACULA_BINARY};
+const char* fileOf(TestedProgram program) {
+    return program == TestedProgram::macula ? MACULA_BINARY : MACULA_BENCH_BINARY;
+}
+
+pid_t begin(TestedProgram program, const std::vector<std::string>& arguments,
+            const std::vector<std::string>& environment, int out, int err,
+            const std::function<void()>& prepare = {}) {
+    std::vector<std::string> words{fileOf(program)};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
@@ -67,7 +74,7 @@ pid_t begin(const std::vector<std::string>& arguments, const std::vector<std::st
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
     if (prepare) prepare();
-    execv(MACULA_BINARY, argv.data());
+    execv(fileOf(program), argv.data());
     _exit(127);
 }
 
@@ -81,12 +88,13 @@ int exitCodeOf(pid_t child) {
 
 namespace {
 
-Ran runToTheEnd(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
-                const std::function<void()>& prepare, const std::function<void(pid_t)>& meanwhile) {
+Ran runToTheEnd(TestedProgram program, const std::vector<std::string>& arguments,
+                const std::vector<std::string>& environment, const std::function<void()>& prepare,
+                const std::function<void(pid_t)>& meanwhile) {
     const Files files = filesOfRun();
     const int out = opened(files.out);
     const int err = opened(files.err);
-    const pid_t child = begin(arguments, environment, out, err, prepare);
+    const pid_t child = begin(program, arguments, environment, out, err, prepare);
     close(out);
     close(err);
     if (meanwhile) meanwhile(child);
@@ -100,12 +108,20 @@ Ran runToTheEnd(const std::vector<std::string>& arguments, const std::vector<std
 
 Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment,
               const std::function<void()>& prepare) {
-    return runToTheEnd(arguments, environment, prepare, {});
+    return runToTheEnd(TestedProgram::macula, arguments, environment, prepare, {});
 }
 
-Ran runMaculaSignalled(const std::vector<std::string>& arguments, int signal,
-                       std::chrono::microseconds after) {
-    return runToTheEnd(arguments, {}, {}, [&](pid_t child) {
+Ran runBench(const std::vector<std::string>& arguments, const std::vector<std::string>& environment) {
+    return runToTheEnd(TestedProgram::bench, arguments, environment, {}, {});
+}
+
+Ran run(TestedProgram program, const std::vector<std::string>& arguments) {
+    return runToTheEnd(program, arguments, {}, {}, {});
+}
+
+Ran runSignalled(TestedProgram program, const std::vector<std::string>& arguments, int signal,
+                 std::chrono::microseconds after) {
+    return runToTheEnd(program, arguments, {}, {}, [&](pid_t child) {
         std::this_thread::sleep_for(after);
         kill(child, signal);  // not waited for yet: the number is still its own
     });
@@ -121,7 +137,7 @@ Ran runMaculaInterrupted(const std::vector<std::string>& arguments,
     }
     const int out = opened(files.out);
     const int err = open(ptsname(screen), O_RDWR | O_NOCTTY | O_CLOEXEC);
-    const pid_t child = begin(arguments, {}, out, err);
+    const pid_t child = begin(TestedProgram::macula, arguments, {}, out, err);
     close(out);
     close(err);
     Ran ran;

@@ -1,4 +1,4 @@
-// Runs the built `macula` as a person would, and a folder to do it in.
+// Runs the built `macula` and `macula-bench` as a person would, and a folder to do it in.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,25 +11,29 @@
 
 namespace macula::cli {
 
+enum class TestedProgram { macula, bench };
+
 struct Ran {
     int exitCode = -1;
     std::string out;
     std::string err;
 
-    std::size_t errorLines()
-        const;  // lines on stderr that begin with "macula: ", notes and warnings left out
+    // Lines on stderr that begin with "macula: " or "macula-bench: ", notes and warnings left out.
+    std::size_t errorLines() const;
 };
 
 // `arguments` are passed as they are, without a shell; `environment` entries are NAME=VALUE. `prepare` runs
 // in the new process, before the program begins: it may close streams or set limits.
 Ran runMacula(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {},
               const std::function<void()>& prepare = {});
+Ran runBench(const std::vector<std::string>& arguments, const std::vector<std::string>& environment = {});
+Ran run(TestedProgram program, const std::vector<std::string>& arguments);
 
 // The same, with a signal that long after the start. One that ends before ends by itself.
-Ran runMaculaSignalled(const std::vector<std::string>& arguments, int signal,
-                       std::chrono::microseconds after);
+Ran runSignalled(TestedProgram program, const std::vector<std::string>& arguments, int signal,
+                 std::chrono::microseconds after);
 
-// The same in a terminal, so that it shows its progress, and presses Ctrl-C once, as soon as what it has
+// `macula` in a terminal, so that it shows its progress, and presses Ctrl-C once, as soon as what it has
 // written to stderr is what `when` waits for. One that never comes so far ends by itself.
 Ran runMaculaInterrupted(const std::vector<std::string>& arguments,
                          const std::function<bool(const std::string& err)>& when);

@@ -52,7 +52,8 @@ class Signals : public CommandTest {
     // signal makes.
     void expectAllOrNothing(const std::vector<std::string>& arguments, const std::vector<std::string>& files,
                             std::function<bool(const Contents&)> isWhole = {},
-                            int moments = kMomentsOfQuickRuns) {
+                            int moments = kMomentsOfQuickRuns,
+                            TestedProgram program = TestedProgram::macula) {
         if (isThorough()) moments = kMoments;
         const auto reset = [&] {
             fs::remove_all(at("out"));
@@ -62,7 +63,7 @@ class Signals : public CommandTest {
         reset();
         const Contents before = contents();
         const auto start = Clock::now();
-        const Ran whole = runMacula(arguments);
+        const Ran whole = run(program, arguments);
         const auto took = Clock::now() - start;
         ASSERT_EQ(whole.exitCode, 0) << whole.err;
         const Contents after = contents();
@@ -77,7 +78,7 @@ class Signals : public CommandTest {
                 reset();
                 const auto when =
                     std::chrono::duration_cast<microseconds>(took * (2 * moment + 1) / (2 * moments));
-                const Ran ran = runMaculaSignalled(arguments, signal, when);
+                const Ran ran = runSignalled(program, arguments, signal, when);
                 const std::string what =
                     fmt::format("{} {}, signal {} after {} us, exit code {}: {}", arguments[0], arguments[1],
                                 signal, when.count(), ran.exitCode, ran.err);
@@ -205,19 +206,19 @@ TEST_F(Signals, Evaluate) {
             const auto& text = left.at("a.json");
             return left.size() == 1 && (text == kGood || nlohmann::json::accept(text));
         },
-        kMomentsOfSlowOnes);
+        kMomentsOfSlowOnes, TestedProgram::bench);
 }
 
-TEST_F(Signals, BenchTradeoff) {
+TEST_F(Signals, TraceTradeoff) {
     expectAllOrNothing(
-        {"bench", "trace-tradeoff", writeBall(), "--size", "8", "--converged-spp", "64", "--plot",
-         at("out/a.svg"), "--overwrite"},
+        {"trace-tradeoff", writeBall(), "--size", "8", "--converged-spp", "64", "--plot", at("out/a.svg"),
+         "--overwrite"},
         {"a.svg"},
         [&](const Contents& left) {
             const auto& text = left.at("a.svg");
             return left.size() == 1 && (text == kGood || text.ends_with("</svg>\n"));
         },
-        kMomentsOfSlowOnes);
+        kMomentsOfSlowOnes, TestedProgram::bench);
 }
 
 TEST_F(Signals, AConvergingPictureIsKeptOnlyWhenAskedFor) {

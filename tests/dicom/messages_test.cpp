@@ -52,7 +52,7 @@ TEST(Messages, argumentsAreTypedAndInTheSentence) {
 // Every message can come: a key that nothing gives out would promise what is not there.
 TEST(Messages, eachIsGivenOutSomewhere) {
     const std::filesystem::path folder = macula::test::projectFolder() / "src/dicom";
-    const std::string header = read(folder / "stack/messages.h");
+    const std::string header = read(folder / "messages/messages.h");
     std::string sources = read(folder / "rules/split.json");
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
         const auto file = entry.path().filename();

@@ -76,7 +76,7 @@ TEST_F(BaselineTest, OfSomethingElseIsRefused) {
         const auto refused = read(text, "train");
         ASSERT_FALSE(refused) << text;
         EXPECT_EQ(refused.error().code, ErrorCode::inputNotUsable) << text;
-        EXPECT_EQ(refused.error().message, "The baseline is no output of macula bench train.") << text;
+        EXPECT_EQ(refused.error().message, "The baseline is no output of macula-bench train.") << text;
     }
     EXPECT_EQ(Baseline::read("/nowhere", "trace").error().code, ErrorCode::inputNotUsable);
 }

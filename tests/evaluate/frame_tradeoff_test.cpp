@@ -1,5 +1,5 @@
-// The parts of macula evaluate tradeoff that need no device: what is varied, what a frame costs, and what is
-// told of it.
+// The parts of macula-bench evaluate tradeoff that need no device: what is varied, what a frame costs, and
+// what is told of it.
 #include "evaluate/frame_tradeoff.h"
 
 #include <gtest/gtest.h>

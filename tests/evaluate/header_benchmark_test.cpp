@@ -10,7 +10,7 @@ namespace {
 
 using namespace dicom::test;
 
-// What it measures, and of how many files; how fast is for `macula bench load` to say.
+// What it measures, and of how many files; how fast is for `macula-bench load` to say.
 TEST(HeaderBenchmark, countsTheHeadersOfAllFiles) {
     const TemporaryFolder folder;
     write(smallVolume(), folder.path());

@@ -1,5 +1,5 @@
-// The parts of macula evaluate live-picture that need no device: what is made of a recording and of a series
-// of pictures, and what is told of them.
+// The parts of macula-bench evaluate live-picture that need no device: what is made of a recording and of a
+// series of pictures, and what is told of them.
 #include "evaluate/live_picture.h"
 
 #include <gtest/gtest.h>

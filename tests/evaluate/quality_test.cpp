@@ -1,4 +1,5 @@
-// The parts of macula evaluate quality that need no device: time, pictures, scores, and what is told of them.
+// The parts of macula-bench evaluate quality that need no device: time, pictures, scores, and what is told of
+// them.
 #include "evaluate/quality.h"
 
 #include <gtest/gtest.h>

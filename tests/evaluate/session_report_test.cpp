@@ -1,4 +1,4 @@
-// The parts of macula bench session that need no device.
+// The parts of macula-bench session that need no device.
 #include "evaluate/session_report.h"
 
 #include <gtest/gtest.h>

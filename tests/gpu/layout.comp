@@ -4,10 +4,25 @@
 // Copies a struct field by field, so that a wrong offset shows in the values as well.
 layout(local_size_x = 1) in;
 
-layout(binding = 0, scalar) readonly buffer Source { TestScene scene; } source;
-layout(binding = 1, scalar) writeonly buffer Target { TestScene scene; } target;
-layout(binding = 2, std140) uniform Misfit { vec3 a; float b; float list[2]; vec2 c; } misfit;
-layout(push_constant, scalar) uniform Push { TestLight light; } push;
+layout(binding = 0, scalar) readonly buffer Source {
+    TestScene scene;
+}
+source;
+layout(binding = 1, scalar) writeonly buffer Target {
+    TestScene scene;
+}
+target;
+layout(binding = 2, std140) uniform Misfit {
+    vec3 a;
+    float b;
+    float list[2];
+    vec2 c;
+}
+misfit;
+layout(push_constant, scalar) uniform Push {
+    TestLight light;
+}
+push;
 
 void main() {
     target.scene.worldFromView = source.scene.worldFromView;

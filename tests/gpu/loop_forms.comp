@@ -1,16 +1,27 @@
 #version 460
-// Search loops in the forms that Mesa 22.3.6 compiles rightly, to be used in all our kernels. See lavapipe_test.cpp.
+// Search loops in the forms that Mesa 22.3.6 compiles rightly, to be used in all our kernels. See
+// lavapipe_test.cpp.
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const uint kForm = 0u;
 
-layout(binding = 0, std430) readonly buffer Values { float at[]; } values;
-layout(binding = 1, std430) readonly buffer Starts { uint at[]; } starts;
-layout(binding = 2, std430) writeonly buffer Found { float at[]; } found;
+layout(binding = 0, std430) readonly buffer Values {
+    float at[];
+}
+values;
+layout(binding = 1, std430) readonly buffer Starts {
+    uint at[];
+}
+starts;
+layout(binding = 2, std430) writeonly buffer Found {
+    float at[];
+}
+found;
 layout(push_constant) uniform Push {
     uint count;
     uint searches;
     float threshold;
-} push;
+}
+push;
 
 void main() {
     uint i = gl_GlobalInvocationID.x;

@@ -1,12 +1,16 @@
 #version 460
 // How many rounds do loops really run? One loop of `once`, then `outer` x `inner`.
 layout(local_size_x = 8) in;
-layout(binding = 0, std430) writeonly buffer Out { uint rounds[]; } result;
+layout(binding = 0, std430) writeonly buffer Out {
+    uint rounds[];
+}
+result;
 layout(push_constant) uniform Push {
     uint once;
     uint outer;
     uint inner;
-} push;
+}
+push;
 
 void main() {
     uint a = 0u;

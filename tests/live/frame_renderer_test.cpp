@@ -53,7 +53,7 @@ class DarkPlace final : public ScreenPlace {
 // Has nothing, and remembers what it was given.
 class EmptyKeeper final : public SceneKeeper {
   public:
-    void look(const std::string& name, std::shared_ptr<const Volume>, const scene::Drawing&) override {
+    void willShow(const std::string& name, std::shared_ptr<const Volume>, const scene::Drawing&) override {
         lookedFor_.push_back(name);
     }
     hybrid::StoredModel find(const std::string&) override {

@@ -29,7 +29,7 @@ std::vector<std::uint16_t> voxels() {
     return all;
 }
 
-std::shared_ptr<const Volume> scene::volumeOf(const VolumeOptions& o, std::vector<std::uint16_t> all) {
+std::shared_ptr<const Volume> volumeOf(const VolumeOptions& o, std::vector<std::uint16_t> all) {
     return std::make_shared<const Volume>(std::move(Volume::create(o, std::move(all))).value());
 }
 
@@ -44,8 +44,8 @@ session::ModelKey keyOf(const Volume& volume, const scene::Drawing& of) {
     return modelKeyOf(fingerprint(volume), volume, of, parts);
 }
 
-TEST(SceneKey, IsOfWhatThingsAreAndNotOfTheirNames) {
-    const auto volume = scene::volumeOf(options(), voxels());
+TEST(ModelKeyOfDrawing, IsOfWhatThingsAreAndNotOfTheirNames) {
+    const auto volume = volumeOf(options(), voxels());
     const session::ModelKey key = keyOf(*volume, drawing());
     EXPECT_TRUE(key.isValid());
     VolumeOptions renamed = options();
@@ -58,14 +58,14 @@ TEST(SceneKey, IsOfWhatThingsAreAndNotOfTheirNames) {
     same.settings.denoising = trace::Denoising::on;
     same.settings.exposure = 2.0;
     same.settings.toneMap = trace::ToneMap::hue;
-    EXPECT_EQ(keyOf(*scene::volumeOf(renamed, voxels()), same).digest(), key.digest());
+    EXPECT_EQ(keyOf(*volumeOf(renamed, voxels()), same).digest(), key.digest());
 }
 
-TEST(SceneKey, OtherVoxelsOrGeometryUnderTheSameUidsAreAnotherVolume) {
-    const auto volume = scene::volumeOf(options(), voxels());
+TEST(ModelKeyOfDrawing, OtherVoxelsOrGeometryUnderTheSameUidsAreAnotherVolume) {
+    const auto volume = volumeOf(options(), voxels());
     const session::ModelKey key = keyOf(*volume, drawing());
     const auto expectOther = [&](const VolumeOptions& o, std::vector<std::uint16_t> all, const char* what) {
-        const auto other = scene::volumeOf(o, std::move(all));
+        const auto other = volumeOf(o, std::move(all));
         const session::ModelKey otherKey = keyOf(*other, drawing());
         EXPECT_NE(otherKey.digest(), key.digest()) << what;
         EXPECT_EQ(kinshipOf(key, otherKey), Kinship::none) << what;
@@ -87,8 +87,8 @@ TEST(SceneKey, OtherVoxelsOrGeometryUnderTheSameUidsAreAnotherVolume) {
     expectOther(mirrored, voxels(), "mirrored");
 }
 
-TEST(SceneKey, AnotherLookIsAnotherModelAndOnlyLightsAreKin) {
-    const auto volume = scene::volumeOf(options(), voxels());
+TEST(ModelKeyOfDrawing, AnotherLookIsAnotherModelAndOnlyLightsAreKin) {
+    const auto volume = volumeOf(options(), voxels());
     const session::ModelKey key = keyOf(*volume, drawing());
     EXPECT_EQ(kinshipOf(key, key), Kinship::none) << "it is itself";
     const auto kinshipWith = [&](const scene::Drawing& of) {
@@ -102,7 +102,7 @@ TEST(SceneKey, AnotherLookIsAnotherModelAndOnlyLightsAreKin) {
     other.transferFunction = std::make_shared<const TransferFunction>(function);
     EXPECT_EQ(kinshipWith(other), Kinship::none);
     other = drawing();
-    other.clip = std::make_shared<const Clip>(scene::clipFor(*scene::chooseClip("left-half"), *volume));
+    other.clip = std::make_shared<const Clip>(clipFor(*scene::chooseClip("left-half"), *volume));
     EXPECT_EQ(kinshipWith(other), Kinship::none);
     // A second volume, where it lies, and its curve.
     Additions added;
@@ -159,8 +159,8 @@ TEST(SceneKey, AnotherLookIsAnotherModelAndOnlyLightsAreKin) {
 }
 
 // Pictures of another tracer are other ones: what was learnt from them may be begun with, and no more.
-TEST(SceneKey, AModelOfAnotherTracerIsKinAndNotTheSame) {
-    const auto volume = scene::volumeOf(options(), voxels());
+TEST(ModelKeyOfDrawing, AModelOfAnotherTracerIsKinAndNotTheSame) {
+    const auto volume = volumeOf(options(), voxels());
     const session::ModelKey key = keyOf(*volume, drawing());
     session::ModelKey older = key;
     const auto tracer = std::ranges::find(older.parts, "tracer", &session::KeyPart::name);

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 using Answer = hybrid::StoredModel::Answer;
 using namespace std::chrono_literals;
 
-class ModelKeeperTest : public testing::Test {
+class StudyKeeperTest : public testing::Test {
   protected:
     void SetUp() override {
         std::string name = (fs::temp_directory_path() / "macula-keeper-XXXXXX").string();
@@ -64,7 +64,7 @@ class ModelKeeperTest : public testing::Test {
     }
     void store(const std::string& name, const scene::Drawing& drawing, std::uint64_t steps) {
         const auto first = keeper();
-        first->look(name, volume_, drawing);
+        first->willShow(name, volume_, drawing);
         first->keep(model(name, steps));
     }
     std::vector<fs::path> blobs() const {
@@ -83,14 +83,14 @@ class ModelKeeperTest : public testing::Test {
                             .lights = std::make_shared<const trace::LightRig>()};
 };
 
-TEST_F(ModelKeeperTest, GivesBackInAnotherRunWhatWasKept) {
+TEST_F(StudyKeeperTest, GivesBackInAnotherRunWhatWasKept) {
     store("study 1 scene 0", drawing_, 123);
     const auto second = keeper();
     // Another name and other objects: what they are counts.
     scene::Drawing same = drawing_;
     same.transferFunction = std::make_shared<const TransferFunction>(*drawing_.transferFunction);
     volume_ = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 16}}));
-    second->look("study 7 scene 3", volume_, same);
+    second->willShow("study 7 scene 3", volume_, same);
     const hybrid::StoredModel stored = found(*second, "study 7 scene 3");
     ASSERT_EQ(stored.answer, Answer::whole);
     EXPECT_EQ(stored.gain, 1.25);
@@ -101,25 +101,25 @@ TEST_F(ModelKeeperTest, GivesBackInAnotherRunWhatWasKept) {
     EXPECT_TRUE(told_.empty()) << told_.front();
 }
 
-TEST_F(ModelKeeperTest, TheNewestOfManyIsKept) {
+TEST_F(StudyKeeperTest, TheNewestOfManyIsKept) {
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
         for (std::uint64_t steps = 1; steps <= 40; ++steps) first->keep(model("a", steps));
     }
     EXPECT_EQ(blobs().size(), 1u);
     const auto second = keeper();
-    second->look("b", volume_, drawing_);
+    second->willShow("b", volume_, drawing_);
     const hybrid::StoredModel stored = found(*second, "b");
     ASSERT_EQ(stored.answer, Answer::whole);
     EXPECT_EQ(stored.state->training.steps, 40u);
 }
 
 // What was learnt is not lost with the thread that should have written it.
-TEST_F(ModelKeeperTest, IsKeptWhereThereIsNoOtherThread) {
+TEST_F(StudyKeeperTest, IsKeptWhereThereIsNoOtherThread) {
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
         first->waitUntilIdle();
         const macula::test::NoThreads none;
         first->keep(model("a", 123));
@@ -127,12 +127,12 @@ TEST_F(ModelKeeperTest, IsKeptWhereThereIsNoOtherThread) {
     }
     EXPECT_TRUE(told_.empty()) << told_.front();
     const auto second = keeper();
-    second->look("b", volume_, drawing_);
+    second->willShow("b", volume_, drawing_);
     EXPECT_EQ(found(*second, "b").steps, 123u);
 }
 
 // Each step of a slider is another scene: what a second volume is does not have to be found for each.
-TEST_F(ModelKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
+TEST_F(StudyKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
     const auto first = keeper();
     Additions added;
     added.second.emplace();
@@ -147,7 +147,7 @@ TEST_F(ModelKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
         added.tints->colours.front().opacity = 0.1f * float(step);
         scene::Drawing next = drawing_;
         next.additions = std::make_shared<const Additions>(added);
-        first->look(std::to_string(step), volume_, next);
+        first->willShow(std::to_string(step), volume_, next);
         first->waitUntilIdle();
     }
     EXPECT_EQ(first->digests().made(), 3u) << "both volumes and the segments";
@@ -155,18 +155,18 @@ TEST_F(ModelKeeperTest, WhatIsShownBesideTheVolumeIsReadOnce) {
 }
 
 // As of a run that began anew, because the disk was slow.
-TEST_F(ModelKeeperTest, AModelThatHasLearntLessReplacesNone) {
+TEST_F(StudyKeeperTest, AModelThatHasLearntLessReplacesNone) {
     store("a", drawing_, 50);
     store("a", drawing_, 5);
     const auto second = keeper();
-    second->look("b", volume_, drawing_);
+    second->willShow("b", volume_, drawing_);
     const hybrid::StoredModel stored = found(*second, "b");
     ASSERT_EQ(stored.answer, Answer::whole);
     EXPECT_EQ(stored.steps, 50u);
     EXPECT_TRUE(told_.empty());
 }
 
-TEST_F(ModelKeeperTest, NothingIsFoundForAnotherVolume) {
+TEST_F(StudyKeeperTest, NothingIsFoundForAnotherVolume) {
     store("a", drawing_, 5);
     std::vector<std::uint16_t> voxels(volume_->voxels().begin(), volume_->voxels().end());
     ++voxels[voxels.size() / 2];
@@ -181,18 +181,18 @@ TEST_F(ModelKeeperTest, NothingIsFoundForAnotherVolume) {
     --voxels[voxels.size() / 2];
     const auto equal = std::make_shared<const Volume>(std::move(Volume::create(options, voxels)).value());
     const auto second = keeper();
-    second->look("changed", changed, drawing_);
+    second->willShow("changed", changed, drawing_);
     EXPECT_EQ(found(*second, "changed").answer, Answer::none);
-    second->look("equal", equal, drawing_);
+    second->willShow("equal", equal, drawing_);
     EXPECT_EQ(found(*second, "equal").answer, Answer::whole);
 }
 
-TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
+TEST_F(StudyKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
     store("a", drawing_, 5);
     const auto second = keeper();
     scene::Drawing lit = drawing_;
     lit.settings.lightRotationDeg = 90.0;
-    second->look("lit", volume_, lit);
+    second->willShow("lit", volume_, lit);
     const hybrid::StoredModel warm = found(*second, "lit");
     EXPECT_EQ(warm.answer, Answer::warm);
     ASSERT_NE(warm.splats, nullptr);
@@ -201,25 +201,25 @@ TEST_F(ModelKeeperTest, OtherLightsBeginWithItAndOtherPresetsDoNot) {
     scene::Drawing other = drawing_;
     other.transferFunction =
         std::make_shared<const TransferFunction>(scene::choosePreset("cinematic-chest")->function);
-    second->look("other", volume_, other);
+    second->willShow("other", volume_, other);
     EXPECT_EQ(found(*second, "other").answer, Answer::none);
 }
 
 // As of a device that was lost, when what is on the host is older than what was handed over before.
-TEST_F(ModelKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
+TEST_F(StudyKeeperTest, NorDoesItTakeThePlaceOfOneThatWaitsToBeSaved) {
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
         for (int i = 0; i < 20; ++i) first->keep(model("a", 50));
         first->keep(model("a", 5));
     }
     const auto second = keeper();
-    second->look("b", volume_, drawing_);
+    second->willShow("b", volume_, drawing_);
     EXPECT_EQ(found(*second, "b").steps, 50u);
 }
 
 // Its colours are of other pictures than those that are traced now.
-TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
+TEST_F(StudyKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
     PartDigests parts;
     session::ModelKey key = modelKeyOf(fingerprint(*volume_), *volume_, drawing_, parts);
     const auto tracer = std::ranges::find(key.parts, "tracer", &session::KeyPart::name);
@@ -236,7 +236,7 @@ TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
     }
     {
         const auto second = keeper();
-        second->look("a", volume_, drawing_);
+        second->willShow("a", volume_, drawing_);
         const hybrid::StoredModel stale = found(*second, "a");
         EXPECT_EQ(stale.answer, Answer::stale);
         EXPECT_EQ(stale.state, nullptr);
@@ -245,7 +245,7 @@ TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
         second->keep(model("a", 5));  // it has learnt less, of the right pictures
     }
     const auto third = keeper();
-    third->look("b", volume_, drawing_);
+    third->willShow("b", volume_, drawing_);
     const hybrid::StoredModel whole = found(*third, "b");
     EXPECT_EQ(whole.answer, Answer::whole);
     EXPECT_EQ(whole.steps, 5u);
@@ -253,7 +253,7 @@ TEST_F(ModelKeeperTest, AModelOfAnotherTracerIsBegunWithAndNotGoneOnWith) {
 }
 
 // Any bit of a stored model that was changed: it is set aside, said so, and the study begins anew.
-TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
+TEST_F(StudyKeeperTest, ADamagedModelIsNeverGivenBack) {
     store("a", drawing_, 5);
     const auto files = blobs();
     ASSERT_EQ(files.size(), 1u);
@@ -268,22 +268,22 @@ TEST_F(ModelKeeperTest, ADamagedModelIsNeverGivenBack) {
         std::ofstream(blobs().front(), std::ios::binary) << other;
         told_.clear();
         const auto second = keeper();
-        second->look("b", volume_, drawing_);
+        second->willShow("b", volume_, drawing_);
         EXPECT_EQ(found(*second, "b").answer, Answer::damaged) << at;
         ASSERT_FALSE(told_.empty()) << at;
         // And it can be kept again.
         second->keep(model("b", 6));
         second->waitUntilIdle();
-        second->look("b", volume_, drawing_);
+        second->willShow("b", volume_, drawing_);
         EXPECT_EQ(found(*second, "b").answer, Answer::whole) << at;
     }
 }
 
-TEST_F(ModelKeeperTest, WithoutAStoreNothingIsFoundAndItIsSaidOnce) {
+TEST_F(StudyKeeperTest, WithoutAStoreNothingIsFoundAndItIsSaidOnce) {
     std::ofstream(folder_ / "sessions") << "a file where the folder should be";
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
         first->keep(model("a", 5));
         first->keepState(volume_, "{}");
         EXPECT_EQ(first->stateOf(volume_, 5s), std::nullopt);
@@ -292,62 +292,62 @@ TEST_F(ModelKeeperTest, WithoutAStoreNothingIsFoundAndItIsSaidOnce) {
     EXPECT_EQ(told_.size(), 1u);
 }
 
-TEST_F(ModelKeeperTest, WithoutAStoreNothingIsHeldOnTo) {
+TEST_F(StudyKeeperTest, WithoutAStoreNothingIsHeldOnTo) {
     std::ofstream(folder_ / "sessions") << "a file where the folder should be";
     const auto only = keeper();
     const auto state = model("a", 5);
-    only->look("a", volume_, drawing_);
+    only->willShow("a", volume_, drawing_);
     only->keep(state);
     only->waitUntilIdle();
     EXPECT_EQ(state.use_count(), 1);
     EXPECT_EQ(volume_.use_count(), 1);
-    only->look("b", volume_, drawing_);
+    only->willShow("b", volume_, drawing_);
     only->keep(model("b", 5));
     EXPECT_EQ(volume_.use_count(), 1);
 }
 
 // A hand drags a curve, and then another study is opened.
-TEST_F(ModelKeeperTest, NoVolumeIsHeldOnToThatIsNotOpen) {
+TEST_F(StudyKeeperTest, NoVolumeIsHeldOnToThatIsNotOpen) {
     const auto only = keeper();
     for (int i = 0; i < 20; ++i) {
         scene::Drawing drawing = drawing_;
         drawing.settings.lightRotationDeg = i;
-        only->look("a" + std::to_string(i), volume_, drawing);
+        only->willShow("a" + std::to_string(i), volume_, drawing);
     }
-    only->look("other", std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}})), drawing_);
+    only->willShow("other", std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}})), drawing_);
     only->waitUntilIdle();
     EXPECT_EQ(volume_.use_count(), 1);
 }
 
-TEST_F(ModelKeeperTest, WhatWasFoundIsForgottenOnceAnotherSceneIsShown) {
+TEST_F(StudyKeeperTest, WhatWasFoundIsForgottenOnceAnotherSceneIsShown) {
     store("a", drawing_, 5);
     const auto second = keeper();
-    second->look("a", volume_, drawing_);
+    second->willShow("a", volume_, drawing_);
     second->waitUntilIdle();
     scene::Drawing lit = drawing_;
     lit.settings.lightRotationDeg = 90.0;
-    second->look("lit", volume_, lit);
+    second->willShow("lit", volume_, lit);
     EXPECT_EQ(found(*second, "a").answer, Answer::none);
-    second->look("a", volume_, drawing_);
+    second->willShow("a", volume_, drawing_);
     EXPECT_EQ(found(*second, "a").answer, Answer::whole);
 }
 
 // The last of one study is handed over in the moment in which the next one is shown.
-TEST_F(ModelKeeperTest, WhatIsHandedOverIsKeptThoughAnotherStudyIsShown) {
+TEST_F(StudyKeeperTest, WhatIsHandedOverIsKeptThoughAnotherStudyIsShown) {
     const auto other = std::make_shared<const Volume>(phantom::make({.size = {24, 20, 17}}));
     {
         const auto first = keeper();
-        first->look("a", volume_, drawing_);
-        first->look("b", volume_, drawing_);
+        first->willShow("a", volume_, drawing_);
+        first->willShow("b", volume_, drawing_);
         first->keep(model("a", 5));
-        first->look("other", other, drawing_);
+        first->willShow("other", other, drawing_);
     }
     const auto second = keeper();
-    second->look("again", volume_, drawing_);
+    second->willShow("again", volume_, drawing_);
     EXPECT_EQ(found(*second, "again").answer, Answer::whole);
 }
 
-TEST_F(ModelKeeperTest, WhatIsOpenedIsRecordedThoughNothingOfItIsKept) {
+TEST_F(StudyKeeperTest, WhatIsOpenedIsRecordedThoughNothingOfItIsKept) {
     EXPECT_EQ(keeper()->stateOf(volume_, 60s), std::nullopt);
     auto store = session::Store::open({.folder = folder_ / "sessions"});
     ASSERT_TRUE(store.ok());
@@ -357,7 +357,7 @@ TEST_F(ModelKeeperTest, WhatIsOpenedIsRecordedThoughNothingOfItIsKept) {
     EXPECT_EQ(audit->entries.front().action, session::nameOf(session::AuditAction::opened));
 }
 
-TEST_F(ModelKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
+TEST_F(StudyKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
     constexpr std::int64_t kDayMs = 86'400'000;
     std::int64_t nowMs = 1'700'000'000'000;
     const session::StoreOptions options{.folder = folder_ / "sessions", .nowMs = [&nowMs] { return nowMs; }};
@@ -395,7 +395,7 @@ TEST_F(ModelKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
     EXPECT_EQ(audit->entries.front().subject, session::studyIdentity("old"));
 }
 
-TEST_F(ModelKeeperTest, AClockThatJumpedDeletesNothingAndIsTold) {
+TEST_F(StudyKeeperTest, AClockThatJumpedDeletesNothingAndIsTold) {
     constexpr std::int64_t kDayMs = 86'400'000;
     std::int64_t nowMs = 1'700'000'000'000;
     const session::StoreOptions options{.folder = folder_ / "sessions", .nowMs = [&nowMs] { return nowMs; }};
@@ -417,7 +417,7 @@ TEST_F(ModelKeeperTest, AClockThatJumpedDeletesNothingAndIsTold) {
     EXPECT_EQ(report->volumes, 1u) << "it was there to the end";
 }
 
-TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
+TEST_F(StudyKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
     {
         const auto first = keeper();
         EXPECT_EQ(first->stateOf(volume_, 5s), std::nullopt);
@@ -436,7 +436,7 @@ TEST_F(ModelKeeperTest, TheStateOfAStudyComesBackForItsVolumeAlone) {
 }
 
 // Each keeper is a window of its own: neither knows of the other.
-TEST_F(ModelKeeperTest, OfTwoWindowsOnOneStudyNothingThatWasMeasuredIsLost) {
+TEST_F(StudyKeeperTest, OfTwoWindowsOnOneStudyNothingThatWasMeasuredIsLost) {
     const auto measured = [](double lengthMm) {
         return slices::Measurement{
             .label = {},
@@ -469,7 +469,7 @@ TEST_F(ModelKeeperTest, OfTwoWindowsOnOneStudyNothingThatWasMeasuredIsLost) {
 }
 
 // Else what is in the window and not in the store would look as if another window had removed it.
-TEST_F(ModelKeeperTest, WhatCouldNotBeKeptIsKeptWithTheNextState) {
+TEST_F(StudyKeeperTest, WhatCouldNotBeKeptIsKeptWithTheNextState) {
     const auto base = std::make_shared<std::string>(toJson(scene::StudyState{}));
     const std::string opened = *base;
     const auto only = keeper();
@@ -484,7 +484,7 @@ TEST_F(ModelKeeperTest, WhatCouldNotBeKeptIsKeptWithTheNextState) {
 }
 
 // Of a newer version, say: it stays, under another name, and spoils nothing of what is kept instead.
-TEST_F(ModelKeeperTest, AStateThatCannotBeReadIsSetAsideBeforeAnotherIsKept) {
+TEST_F(StudyKeeperTest, AStateThatCannotBeReadIsSetAsideBeforeAnotherIsKept) {
     const std::string newer = R"({"version":2,"camera":{"lens":"a new one"}})";
     const std::string broken = R"({"version":1,"camera":{"positionMm":[1e7,0,0]}})";
     {
@@ -519,18 +519,18 @@ TEST_F(ModelKeeperTest, AStateThatCannotBeReadIsSetAsideBeforeAnotherIsKept) {
     EXPECT_TRUE(stays.contains(nlohmann::json::parse(broken).dump()));
 }
 
-TEST_F(ModelKeeperTest, KnowsWhatOfAFolderWasSeenBefore) {
+TEST_F(StudyKeeperTest, KnowsWhatOfAFolderWasSeenBefore) {
     dicom::Scan scan;
     const auto series = [](const std::string& uid, std::size_t volumes) {
-        dicom::Series made = test::seriesOf(1, "Thorax", {});
-        for (std::size_t n = 0; n < volumes; ++n) made.stacks.push_back(test::volumeOf(2));
+        dicom::Series made = study::test::seriesOf(1, "Thorax", {});
+        for (std::size_t n = 0; n < volumes; ++n) made.stacks.push_back(study::test::volumeOf(2));
         made.studyInstanceUid = uid.empty() ? "" : "1.2.3";
         made.seriesInstanceUid = uid;
         return made;
     };
-    scan.studies.push_back(
-        test::studyOf(0, "DOE^JANE", "20200102", "Chest",
-                      {series("1.2.3.1", 1), series("1.2.3.2", 1), series("1.2.3.3", 2), series("", 1)}));
+    scan.studies.push_back(study::test::studyOf(
+        0, "DOE^JANE", "20200102", "Chest",
+        {series("1.2.3.1", 1), series("1.2.3.2", 1), series("1.2.3.3", 2), series("", 1)}));
     const auto folder = std::make_shared<const study::FoundVolumes>(std::move(scan));
     const auto open = [this](const char* uid, const char* digest) {
         auto store = session::Store::open({.folder = folder_ / "sessions"});

@@ -34,11 +34,13 @@ struct Help {
 };
 
 // Of "  --look cinematic|clear|dvr" and of what follows "Subcommands:".
+// `verb` begins with the program.
 Help readHelp(const Words& verb) {
-    Words call = verb;
+    Words call(verb.begin() + 1, verb.end());
     call.emplace_back("--help");
     Help help;
-    std::istringstream lines(cli::runMacula(call).out);
+    const auto program = verb.front() == "macula" ? cli::TestedProgram::macula : cli::TestedProgram::bench;
+    std::istringstream lines(cli::run(program, call).out);
     bool areVerbs = false;
     for (std::string line; std::getline(lines, line);) {
         if (!line.starts_with(" ")) areVerbs = line.starts_with("Subcommands:");
@@ -118,8 +120,9 @@ std::vector<std::string> maculaWords(std::string_view line) {
     std::string bare(line.substr(0, line.find(" #")));
     std::erase_if(bare, [](char c) { return c == '[' || c == ']'; });
     Words words = wordsIn(bare);
-    const auto isProgram = [](const std::string& word) {
-        return word == "macula" || word.ends_with("/macula");
+    const auto nameOf = [](const std::string& word) { return word.substr(word.rfind('/') + 1); };
+    const auto isProgram = [&](const std::string& word) {
+        return nameOf(word) == "macula" || nameOf(word) == "macula-bench";
     };
     const auto isBefore = [](const std::string& word) {
         return word == "xvfb-run" || word.find('=') < word.size();
@@ -127,7 +130,8 @@ std::vector<std::string> maculaWords(std::string_view line) {
     auto program = words.begin();
     while (program != words.end() && isBefore(*program)) ++program;
     if (program == words.end() || !isProgram(*program)) return {};
-    return {program + 1, words.end()};
+    *program = nameOf(*program);
+    return {program, words.end()};
 }
 
 const std::set<std::string>& verbsBehind(const std::vector<std::string>& verb) {
@@ -135,15 +139,16 @@ const std::set<std::string>& verbsBehind(const std::vector<std::string>& verb) {
 }
 
 std::string whyRefused(const std::vector<std::string>& words, bool isWhole) {
-    Words verb;
-    std::size_t at = 0;
+    if (words.empty()) return "it calls no program of ours";
+    Words verb{words.front()};
+    std::size_t at = 1;
     for (; at < words.size() && helpOf(verb).verbs.contains(words[at]); ++at) verb.push_back(words[at]);
     const Help& help = helpOf(verb);
-    const bool mayBeAlone = verb == Words{"presets"} || !isWhole;
+    const bool mayBeAlone = verb == Words{"macula", "presets"} || !isWhole;
     if (!help.verbs.empty() && at < words.size() && !words[at].starts_with("-") && !isPlaceholder(words[at]))
         return "there is no verb " + words[at];
     if (!help.verbs.empty() && at == words.size() && !mayBeAlone) return "a verb is missing";
-    if (verb == Words{"presets", "show"} || verb == Words{"presets", "export"}) {
+    if (verb == Words{"macula", "presets", "show"} || verb == Words{"macula", "presets", "export"}) {
         if (at < words.size())
             if (const std::string why = whyUnknown("--preset", words[at]); !why.empty()) return why;
     }

@@ -55,20 +55,22 @@ TEST(Pages, ABrokenReferenceIsFound) {
         broken("`src/base/volume.h` `src/cli/NAME_command.cpp` `shaders/lib/splat_*.glsl` `a/b`").size(), 0u);
     EXPECT_EQ(broken("`src/base/no_such_file.h`").size(), 1u);
     EXPECT_EQ(broken("- a list\n    `src/base/no_such_file.h`, which goes on").size(), 1u);
-    EXPECT_EQ(readPage("as `macula\n  bench speed` is").codeSpans.at(0).text, "macula bench speed");
+    EXPECT_EQ(readPage("as `macula-bench\n  speed` is").codeSpans.at(0).text, "macula-bench speed");
 }
 
 TEST(Pages, ACommandThatMaculaRefusesIsFound) {
-    for (const char* good : {"macula info FOLDER [--json] [--patient]   # of whom",
-                             "build/dev/bin/macula render FOLDER -o a.png --preset CT-Bone --look mip",
-                             "macula render FOLDER -o a.png --preset 101 --lights studio --clip left-half",
-                             "macula render -o a.png --preset mine.json --size 1024x768 --look NAME",
-                             "MACULA_DEVICE=1 xvfb-run macula bench cast …", "macula presets",
-                             "macula presets show CT-Bone", "macula evaluate init [PATH...] --preset NAME"})
+    for (const char* good :
+         {"macula info FOLDER [--json] [--patient]   # of whom",
+          "build/dev/bin/macula render FOLDER -o a.png --preset CT-Bone --look mip",
+          "macula render FOLDER -o a.png --preset 101 --lights studio --clip left-half",
+          "macula render -o a.png --preset mine.json --size 1024x768 --look NAME",
+          "MACULA_DEVICE=1 xvfb-run macula-bench cast …", "macula presets", "macula presets show CT-Bone",
+          "build/dev/bin/macula-bench evaluate init [PATH...] --preset NAME"})
         EXPECT_EQ(refused(good), "") << good;
     EXPECT_EQ(refused("macula draw FOLDER"), "there is no verb draw");
-    EXPECT_EQ(refused("macula bench speed"), "there is no verb speed");
-    EXPECT_EQ(refused("macula bench"), "a verb is missing");
+    EXPECT_EQ(refused("macula-bench speed"), "there is no verb speed");
+    EXPECT_EQ(refused("macula-bench evaluate"), "a verb is missing");
+    EXPECT_EQ(refused("macula bench trace"), "there is no verb bench");
     EXPECT_EQ(refused("macula render -o a.png --sharp"), "there is no option --sharp");
     EXPECT_EQ(refused("macula info FOLDER --spp 3"), "there is no option --spp");
     EXPECT_EQ(refused("macula render -o a.png --look xray"), "xray is no --look");
@@ -115,11 +117,11 @@ TEST(Pages, ReferencesLeadSomewhere) {
 TEST(Pages, EveryVerbIsOnItsPage) {
     std::vector<std::string> lines;
     for (const PageText& code : readFile("docs/command.md").codeLines) lines.push_back(code.text + " ");
-    for (const std::string group : {"", "bench", "evaluate", "sessions"}) {
-        const auto& verbs = verbsBehind(group.empty() ? std::vector<std::string>{} : std::vector{group});
+    for (const char* group : {"macula", "macula sessions", "macula-bench", "macula-bench evaluate"}) {
+        const auto& verbs = verbsBehind(maculaWords(group));
         EXPECT_FALSE(verbs.empty()) << group;
         for (const std::string& verb : verbs) {
-            const std::string call = "macula " + (group.empty() ? "" : group + " ") + verb + " ";
+            const std::string call = std::string(group) + " " + verb + " ";
             EXPECT_TRUE(std::ranges::any_of(lines, [&](const auto& line) { return line.starts_with(call); }))
                 << call;
         }

@@ -182,9 +182,9 @@ TEST_F(EffectsOnDevice, LooksWithoutThemAreAsTheyWere) {
         const DrawnPicture plain = draw(asked);
         asked.effects.lensMm = 60.0;
         if (look == trace::Look::mip) asked.effects.fogMm = 50.0;
-        const DrawnPicture wished = draw(asked);
-        EXPECT_EQ(wished.rgba, plain.rgba) << nameOf(look);
-        const auto told = recordOf(asked, wished);
+        const DrawnPicture wanted = draw(asked);
+        EXPECT_EQ(wanted.rgba, plain.rgba) << nameOf(look);
+        const auto told = recordOf(asked, wanted);
         EXPECT_EQ(told["lensMm"], 0.0);
         EXPECT_TRUE(told["focusMm"].is_null());
         EXPECT_EQ(told["fogMm"], 0.0);

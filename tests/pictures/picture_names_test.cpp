@@ -10,31 +10,31 @@
 namespace macula::pictures {
 namespace {
 
-using study::Names = std::vector<std::string>;
+using Names = std::vector<std::string>;
 
-study::Names namesOf(const study::Names& requests) {
+Names namesOf(const Names& requests) {
     return pictureNames(requests);
 }
 
-TEST(PictureNames, areWhatIsLeftOfWishes) {
+TEST(PictureNames, areWhatIsLeftOfRequests) {
     EXPECT_EQ(namesOf({"left/0001.JPG", "/home/doe/0002.png", "view.2", "", "../..", ".hidden", "a b:c"}),
-              (study::Names{"left_0001", "0002", "view.2", "camera_0003", "camera_0004", "hidden", "a_b_c"}));
+              (Names{"left_0001", "0002", "view.2", "camera_0003", "camera_0004", "hidden", "a_b_c"}));
 }
 
 TEST(PictureNames, differAlsoWithoutTheCaseOfLetters) {
-    EXPECT_EQ(namesOf({"a", "A", "a", "a_2"}), (study::Names{"a", "A_2", "a_3", "a_2_2"}));
+    EXPECT_EQ(namesOf({"a", "A", "a", "a_2"}), (Names{"a", "A_2", "a_3", "a_2_2"}));
 }
 
 // Whatever a file names its cameras.
 TEST(PictureNames, areSafeInAnyFolder) {
     std::mt19937 random(1);
-    study::Names requests;
+    Names requests;
     for (int i = 0; i < 300; ++i) {
         std::string request(random() % 400, ' ');
         std::ranges::generate(request, [&] { return "/\\.:a\xc3\xa4 \n"[random() % 9]; });
         requests.push_back(request);
     }
-    const study::Names names = namesOf(requests);
+    const Names names = namesOf(requests);
     ASSERT_EQ(names.size(), requests.size());
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), names.size());
     for (const std::string& name : names) {

@@ -15,8 +15,8 @@
 namespace macula::pictures {
 namespace {
 
-std::shared_ptr<const Volume> scene::volumeOf(const glm::ivec3& size, const glm::dvec3& spacingMm,
-                                              const std::function<std::uint16_t(int, int, int)>& stored) {
+std::shared_ptr<const Volume> volumeOf(const glm::ivec3& size, const glm::dvec3& spacingMm,
+                                       const std::function<std::uint16_t(int, int, int)>& stored) {
     std::vector<std::uint16_t> voxels;
     for (int k = 0; k < size.z; ++k)
         for (int j = 0; j < size.y; ++j)
@@ -63,7 +63,7 @@ long brightness(const PresetThumbnail& picture) {
 
 TEST(PresetThumbnail, ThePatientsLeftIsAtTheRightAndSuperiorIsUp) {
     // A block at the patient's left (+x) and superior (+z).
-    const auto volume = scene::volumeOf({32, 32, 32}, glm::dvec3(2.0), [](int i, int j, int k) {
+    const auto volume = volumeOf({32, 32, 32}, glm::dvec3(2.0), [](int i, int j, int k) {
         return std::uint16_t(i > 20 && j > 8 && j < 24 && k > 20 ? 2000 : 0);
     });
     const auto made = presetThumbnail(*coarseOf(volume), dense(500.0, {1.0, 1.0, 1.0}));
@@ -78,7 +78,7 @@ TEST(PresetThumbnail, ThePatientsLeftIsAtTheRightAndSuperiorIsUp) {
 
 // From the front a slab of an eighth of its width would be a band of an eighth of the rows.
 TEST(PresetThumbnail, AShortScanIsNoBand) {
-    const auto slab = scene::volumeOf({32, 32, 4}, glm::dvec3(2.0), [](int, int, int) { return 2000; });
+    const auto slab = volumeOf({32, 32, 4}, glm::dvec3(2.0), [](int, int, int) { return 2000; });
     const auto made = presetThumbnail(*coarseOf(slab), dense(500.0, {1.0, 1.0, 1.0}));
     ASSERT_TRUE(made.ok()) << made.error().message;
     int rows = 0;
@@ -92,7 +92,7 @@ TEST(PresetThumbnail, AShortScanIsNoBand) {
 }
 
 TEST(PresetThumbnail, ColourIsThatOfThePresetAndOpaque) {
-    const auto volume = scene::volumeOf({24, 24, 24}, glm::dvec3(5.0), [](int, int, int) { return 2000; });
+    const auto volume = volumeOf({24, 24, 24}, glm::dvec3(5.0), [](int, int, int) { return 2000; });
     const auto made = presetThumbnail(*coarseOf(volume), dense(500.0, {0.8, 0.4, 0.2}));
     ASSERT_TRUE(made.ok());
     const std::size_t middle = std::size_t(4 * (made->sizePx / 2 * made->sizePx + made->sizePx / 2));
@@ -115,20 +115,20 @@ TEST(PresetThumbnail, SteepMatterHasItsOwnColour) {
         const std::size_t middle = std::size_t(4 * (made->sizePx / 2 * made->sizePx + made->sizePx / 2));
         return glm::ivec3(made->rgba[middle], made->rgba[middle + 1], made->rgba[middle + 2]);
     };
-    const auto block = scene::volumeOf({32, 32, 32}, glm::dvec3(2.0), [](int i, int j, int k) {
+    const auto block = volumeOf({32, 32, 32}, glm::dvec3(2.0), [](int i, int j, int k) {
         const bool isInside = std::min({i, j, k}) > 8 && std::max({i, j, k}) < 24;
         return std::uint16_t(isInside ? 3000 : 0);
     });
     const glm::ivec3 edge = middleOf(block);
     EXPECT_GT(edge.z, 200);
     EXPECT_LT(edge.x, 100);
-    const auto even = scene::volumeOf({24, 24, 24}, glm::dvec3(5.0), [](int, int, int) { return 2000; });
+    const auto even = volumeOf({24, 24, 24}, glm::dvec3(5.0), [](int, int, int) { return 2000; });
     EXPECT_EQ(middleOf(even), glm::ivec3(255, 0, 0));
 }
 
 TEST(PresetThumbnail, AbsorbsAsItsLayerSays) {
     // Half of the light goes through 1 mm, and the slab is 1 mm thick along the view and much larger across.
-    const auto volume = scene::volumeOf({200, 1, 200}, glm::dvec3(1.0), [](int, int, int) { return 2000; });
+    const auto volume = volumeOf({200, 1, 200}, glm::dvec3(1.0), [](int, int, int) { return 2000; });
     TransferFunction half = dense(500.0, {1.0, 1.0, 1.0});
     half.opacity = {{.value = 0.0, .opacity = 0.5}};
     const auto made = presetThumbnail(*coarseOf(volume), half);
@@ -139,7 +139,7 @@ TEST(PresetThumbnail, AbsorbsAsItsLayerSays) {
 }
 
 TEST(PresetThumbnail, ShadingDarkensWhatIsSeenAtAnAngle) {
-    const auto ball = scene::volumeOf({48, 48, 48}, glm::dvec3(4.0), [](int i, int j, int k) {
+    const auto ball = volumeOf({48, 48, 48}, glm::dvec3(4.0), [](int i, int j, int k) {
         return std::uint16_t(glm::distance(glm::dvec3(i, j, k), glm::dvec3(23.5)) < 20.0 ? 2000 : 0);
     });
     TransferFunction plain = dense(500.0, {1.0, 1.0, 1.0});
@@ -155,7 +155,7 @@ TEST(PresetThumbnail, ShadingDarkensWhatIsSeenAtAnAngle) {
 }
 
 TEST(PresetThumbnail, AClipHidesItsPart) {
-    const auto volume = scene::volumeOf({32, 32, 32}, glm::dvec3(2.0), [](int, int, int) { return 2000; });
+    const auto volume = volumeOf({32, 32, 32}, glm::dvec3(2.0), [](int, int, int) { return 2000; });
     const auto coarse = coarseOf(volume);
     Clip left;  // keeps the patient's left
     left.planes = {{.normal = {1.0, 0.0, 0.0}, .offsetMm = 31.0}};
@@ -205,22 +205,22 @@ TEST(PresetThumbnail, EveryBuiltInPresetDrawsAndTheyDiffer) {
 }
 
 TEST(PresetThumbnail, TheCoarseVolumeHasTheShapeAndMeanOfTheFineOne) {
-    const auto volume = scene::volumeOf({192, 96, 7}, {1.0, 1.0, 20.0},
-                                        [](int i, int, int) { return std::uint16_t(i < 96 ? 1000 : 3000); });
+    const auto volume = volumeOf({192, 96, 7}, {1.0, 1.0, 20.0},
+                                 [](int i, int, int) { return std::uint16_t(i < 96 ? 1000 : 3000); });
     const auto coarse = coarseOf(volume);
     EXPECT_LE(std::max({coarse->size().x, coarse->size().y, coarse->size().z}), kLongestCoarseSide);
     EXPECT_EQ(coarse->size().z, 7) << "there are no more cells than voxels";
     const auto at = [&](const glm::dvec3& mm) {
         return coarse->valueAt(transformPoint(coarse->cellFromWorld(), mm));
     };
-    EXPECT_NEAR(scene::at({40.0, 50.0, 60.0}), 0.0, 1e-3);
-    EXPECT_NEAR(scene::at({160.0, 50.0, 60.0}), 2000.0, 1e-3);
-    EXPECT_NEAR(scene::at({95.5, 50.0, 60.0}), 1000.0, 1e-3) << "the border stays where it is";
-    EXPECT_NEAR(scene::at({1e6, 50.0, 60.0}), 2000.0, 1e-3);
+    EXPECT_NEAR(at({40.0, 50.0, 60.0}), 0.0, 1e-3);
+    EXPECT_NEAR(at({160.0, 50.0, 60.0}), 2000.0, 1e-3);
+    EXPECT_NEAR(at({95.5, 50.0, 60.0}), 1000.0, 1e-3) << "the border stays where it is";
+    EXPECT_NEAR(at({1e6, 50.0, 60.0}), 2000.0, 1e-3);
 }
 
 TEST(PresetThumbnail, OneVoxelAndNoVoxelAtAll) {
-    const auto one = scene::volumeOf(glm::ivec3(1), glm::dvec3(3.0), [](int, int, int) { return 2000; });
+    const auto one = volumeOf(glm::ivec3(1), glm::dvec3(3.0), [](int, int, int) { return 2000; });
     const auto made = presetThumbnail(*coarseOf(one), dense(500.0, {1.0, 1.0, 1.0}));
     ASSERT_TRUE(made.ok());
     EXPECT_GT(brightness(*made), 0);
@@ -246,7 +246,7 @@ TEST(PresetThumbnail, NotANumberIsPaddingAndStaysClear) {
 }
 
 TEST(PresetThumbnail, WhatCannotBeDrawnIsAnErrorAndCancellingStops) {
-    const auto volume = scene::volumeOf(glm::ivec3(8), glm::dvec3(1.0), [](int, int, int) { return 2000; });
+    const auto volume = volumeOf(glm::ivec3(8), glm::dvec3(1.0), [](int, int, int) { return 2000; });
     const auto coarse = coarseOf(volume);
     TransferFunction empty;
     EXPECT_EQ(presetThumbnail(*coarse, empty).error().code, ErrorCode::inputNotUsable);

@@ -19,7 +19,7 @@
 namespace macula::pictures {
 namespace {
 
-const scene::Catalogue& scene::catalogue() {
+const scene::Catalogue& catalogue() {
     static const scene::Catalogue all = *scene::builtInCatalogue();
     return all;
 }
@@ -39,9 +39,9 @@ class ARequest : public ::testing::Test {
     // A view in a projection, of the phantom, and the request to see it.
     StateRequest saved() {
         view_.seriesDigest = "phantom";
-        view_.preset = scene::catalogue().presets.at(0);
-        view_.clip = *scene::catalogue().clips.at(0);
-        view_.lights = scene::catalogue().lights.at(1);
+        view_.preset = catalogue().presets.at(0);
+        view_.clip = *catalogue().clips.at(0);
+        view_.lights = catalogue().lights.at(1);
         view_.leavesTableOut = true;
         view_.settings.look = trace::Look::mip;
         view_.settings.exposure = 2.0;
@@ -115,7 +115,7 @@ TEST_F(ARequest, ofNoTableLeavesASureOneOut) {
 
 // Of the preset of the view as of one that is given, or that nobody chose.
 TEST_F(ARequest, ofItsMatterChangesWhicheverPreset) {
-    view_.preset = *scene::findPreset(scene::catalogue(), "cinematic-bone");
+    view_.preset = *scene::findPreset(catalogue(), "cinematic-bone");
     StateRequest ofView = saved();
     StateRequest ofName{.preset = "ct-bone"};
     StateRequest ofNobody;
@@ -206,7 +206,7 @@ TEST_F(ARequest, withoutAPresetIsDrawnWithThatOfTheSeries) {
     study::LoadedStudy input = study();
     const auto preset = completeState(state, {}, input);
     ASSERT_TRUE(preset) << preset.error().message;
-    EXPECT_EQ(preset->publicName, scene::presetFor(scene::catalogue(), *input.volume)->name);
+    EXPECT_EQ(preset->publicName, scene::presetFor(catalogue(), *input.volume)->name);
     ASSERT_TRUE(state.preset);
     EXPECT_EQ(state.preset->name, preset->publicName);
 }
@@ -253,7 +253,7 @@ TEST_F(ARequest, namesTheFileThatCannotBeRead) {
 
 // Also when it has been written and read: the name of what is somebody's own may say whose it is.
 TEST(PublicName, ofWhatIsBuiltInIsItsNameAndOfAllElseCustom) {
-    for (const auto& preset : scene::catalogue().presets) {
+    for (const auto& preset : catalogue().presets) {
         const auto read = scene::studyStateFromJson(toJson(scene::StudyState{.preset = preset}), "view.json");
         ASSERT_TRUE(read) << preset->name;
         EXPECT_EQ(scene::publicPresetName(*read->preset), preset->name);
@@ -261,13 +261,13 @@ TEST(PublicName, ofWhatIsBuiltInIsItsNameAndOfAllElseCustom) {
         own.density *= 2.0;
         EXPECT_EQ(scene::publicPresetName(own), "custom");
     }
-    for (const auto& rig : scene::catalogue().lights) {
+    for (const auto& rig : catalogue().lights) {
         EXPECT_EQ(scene::publicLightsName(*rig), rig->name);
         trace::LightRig own = *rig;
         own.ambientZenith += 1.0;
         EXPECT_EQ(scene::publicLightsName(own), "custom");
     }
-    for (const auto& clip : scene::catalogue().clips) {
+    for (const auto& clip : catalogue().clips) {
         const auto read = scene::studyStateFromJson(toJson(scene::StudyState{.clip = *clip}), "view.json");
         ASSERT_TRUE(read) << clip->name;
         EXPECT_EQ(scene::publicClipName(*read->clip), clip->name);

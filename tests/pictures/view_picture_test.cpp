@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 class ViewPictureTest : public gpu::GpuTest {
   protected:
-    ViewPicture wished(const std::string& name) const {
+    ViewPicture wanted(const std::string& name) const {
         const scene::Catalogue catalogue = *scene::builtInCatalogue();
         ViewPicture picture{.volume = std::make_shared<const Volume>(
                                 phantom::make({.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}})),
@@ -47,7 +47,7 @@ TEST_F(ViewPictureTest, EachKindOfFileIsWritten) {
     for (const auto& [name, begins, at] : {std::tuple("a.png", std::string("\x89PNG"), 0),
                                            std::tuple("a.exr", std::string("\x76\x2f\x31\x01"), 0),
                                            std::tuple("a.DCM", std::string("DICM"), 128)}) {
-        const auto done = writeIt(wished(name));
+        const auto done = writeIt(wanted(name));
         ASSERT_TRUE(done.ok()) << name << ": " << (done ? "" : done.error().message);
         const std::string bytes = *readText(folder_.path() / name);
         EXPECT_EQ(bytes.substr(std::size_t(at), begins.size()), begins) << name;
@@ -56,7 +56,7 @@ TEST_F(ViewPictureTest, EachKindOfFileIsWritten) {
 
 // Who finds the image in an archive reads that a part of it is blurred or faded on purpose.
 TEST_F(ViewPictureTest, AnImageTellsOfItsLensAndFog) {
-    ViewPicture picture = wished("a.dcm");
+    ViewPicture picture = wanted("a.dcm");
     ASSERT_TRUE(writeIt(picture).ok());
     EXPECT_EQ(readText(picture.output)->find("lens"), std::string::npos);
     picture.effects = {.lensMm = 20.0, .focusMm = 512.0, .fogMm = 75.0};
@@ -65,7 +65,7 @@ TEST_F(ViewPictureTest, AnImageTellsOfItsLensAndFog) {
     EXPECT_NE(bytes.find("blurred by a lens of 20 mm but at 512 mm, faded by fog of 75 mm"),
               std::string::npos);
 
-    picture = wished("none.png");
+    picture = wanted("none.png");
     picture.effects.fogMm = -1.0;
     const auto refused = writeIt(picture);
     ASSERT_FALSE(refused.ok());
@@ -75,9 +75,9 @@ TEST_F(ViewPictureTest, AnImageTellsOfItsLensAndFog) {
 
 // Over what is displayed, also in DICOM; and no one asks where there is light alone.
 TEST_F(ViewPictureTest, OverlaysLieOverPicturesAndNotOverLight) {
-    ASSERT_TRUE(writeIt(wished("clean.png")).ok());
+    ASSERT_TRUE(writeIt(wanted("clean.png")).ok());
     for (const char* name : {"a.png", "a.dcm", "a.exr"}) {
-        ViewPicture picture = wished(name);
+        ViewPicture picture = wanted(name);
         int asked = 0;
         picture.stampsFor = [&](const Camera& camera) {
             ++asked;
@@ -107,11 +107,11 @@ TEST_F(ViewPictureTest, WhatCannotBeWrittenIsSaidBeforeAnythingIsDrawn) {
         EXPECT_EQ(done.error().code, ErrorCode::usage);
         EXPECT_FALSE(fs::exists(picture.output));
     };
-    refused(wished("a.jpg"));
-    ViewPicture none = wished("a.png");
+    refused(wanted("a.jpg"));
+    ViewPicture none = wanted("a.png");
     none.sizePx = {0, 10};
     refused(none);
-    ViewPicture huge = wished("a.png");
+    ViewPicture huge = wanted("a.png");
     huge.sizePx = {1 << 20, 10};
     refused(huge);
 }
@@ -120,14 +120,14 @@ TEST_F(ViewPictureTest, WhatWasCancelledBeginsNothing) {
     const CancelToken token;
     Progress progress({}, token);
     token.cancel();
-    const auto drawn = drawViewPictures({wished("a.png")}, "no such device", progress);
+    const auto drawn = drawViewPictures({wanted("a.png")}, "no such device", progress);
     ASSERT_FALSE(drawn.ok());
     EXPECT_EQ(drawn.error().code, ErrorCode::cancelled) << drawn.error().message;
 }
 
 TEST_F(ViewPictureTest, TwoPresetsAreDrawnBesideEachOtherWithoutAnyFile) {
     const scene::Catalogue catalogue = *scene::builtInCatalogue();
-    ViewPicture first = wished("a.png");
+    ViewPicture first = wanted("a.png");
     first.drawing.settings.look = trace::Look::dvr;
     ViewPicture second = first;
     second.drawing.transferFunction = *scene::findPreset(catalogue, "ct-lung");
@@ -148,7 +148,7 @@ TEST_F(ViewPictureTest, TwoPresetsAreDrawnBesideEachOtherWithoutAnyFile) {
 TEST_F(ViewPictureTest, WhoStopsItGetsNoFile) {
     Progress progress;
     progress.token().cancel();
-    const auto done = writeViewPicture(wished("a.png"), {}, progress);
+    const auto done = writeViewPicture(wanted("a.png"), {}, progress);
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().code, ErrorCode::cancelled);
     EXPECT_FALSE(fs::exists(folder_.path() / "a.png"));

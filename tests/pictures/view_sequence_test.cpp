@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 class ViewSequenceTest : public gpu::GpuTest {
   protected:
-    ViewSequence wished(int frames) const {
+    ViewSequence wanted(int frames) const {
         const scene::Catalogue catalogue = *scene::builtInCatalogue();
         ViewSequence sequence;
         ViewPicture& picture = sequence.picture;
@@ -50,7 +50,7 @@ class ViewSequenceTest : public gpu::GpuTest {
 };
 
 TEST_F(ViewSequenceTest, EachPictureIsFromItsPlace) {
-    ViewSequence sequence = wished(4);
+    ViewSequence sequence = wanted(4);
     std::vector<Camera> seen;
     sequence.stampsFor = [&](const Camera& from) {
         seen.push_back(from);
@@ -75,7 +75,7 @@ TEST_F(ViewSequenceTest, EachPictureIsFromItsPlace) {
 }
 
 TEST_F(ViewSequenceTest, WhoStopsItGetsNone) {
-    ViewSequence sequence = wished(3);
+    ViewSequence sequence = wanted(3);
     Progress progress;
     sequence.stampsFor = [&](const Camera&) {
         progress.token().cancel();  // after the first picture was drawn
@@ -88,7 +88,7 @@ TEST_F(ViewSequenceTest, WhoStopsItGetsNone) {
 }
 
 TEST_F(ViewSequenceTest, WhatIsThereStays) {
-    ViewSequence sequence = wished(1);
+    ViewSequence sequence = wanted(1);
     fs::create_directories(sequence.folder);
     std::ofstream(sequence.folder / "frame-0007.png") << "another";
     EXPECT_EQ(writeIt(sequence).error().code, ErrorCode::usage);
@@ -101,11 +101,11 @@ TEST_F(ViewSequenceTest, WhatIsThereStays) {
 
 TEST_F(ViewSequenceTest, WhatCannotBeDrawnIsSaidFirst) {
     for (const int frames : {0, -1, kMostFrames + 1})
-        EXPECT_EQ(writeIt(wished(frames)).error().code, ErrorCode::usage);
-    ViewSequence sequence = wished(1);
+        EXPECT_EQ(writeIt(wanted(frames)).error().code, ErrorCode::usage);
+    ViewSequence sequence = wanted(1);
     sequence.path.stops.clear();
     EXPECT_EQ(writeIt(sequence).error().code, ErrorCode::usage);
-    sequence = wished(1);
+    sequence = wanted(1);
     sequence.picture.sizePx = {0, 4};
     EXPECT_EQ(writeIt(sequence).error().code, ErrorCode::usage);
     EXPECT_FALSE(fs::exists(sequence.folder));

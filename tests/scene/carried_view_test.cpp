@@ -20,14 +20,15 @@ class CarriedView : public testing::Test {
   protected:
     CarriedView() {
         dicom::Scan scan;
-        std::vector<dicom::Stack> phases{test::volumeOf(2, "MR"), test::volumeOf(2, "MR")};
+        std::vector<dicom::Stack> phases{study::test::volumeOf(2, "MR"), study::test::volumeOf(2, "MR")};
         for (int n = 0; n < 2; ++n) {
             phases[std::size_t(n)].phase = n;
             phases[std::size_t(n)].phases = 2;
         }
-        scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Breast",
-                                             {test::seriesOf(2, "DCE", std::move(phases), "MR"),
-                                              test::seriesOf(3, "T2", {test::volumeOf(2, "MR")}, "MR")}));
+        scan.studies.push_back(
+            study::test::studyOf(0, "DOE^JANE", "20240301", "Breast",
+                                 {study::test::seriesOf(2, "DCE", std::move(phases), "MR"),
+                                  study::test::seriesOf(3, "T2", {study::test::volumeOf(2, "MR")}, "MR")}));
         found_ = std::make_shared<const study::FoundVolumes>(std::move(scan));
     }
     study::OpenedStudy opened(std::size_t index, std::uint16_t highest,

@@ -23,7 +23,7 @@ TEST(OwnWindows, AreTextAndBack) {
     const auto back = ownWindowsFromJson(toJson(all));
     ASSERT_TRUE(back.ok()) << back.error().message;
     EXPECT_EQ(*back, all);
-    EXPECT_TRUE(ownWindowsFromJson(toJson({}))->empty());
+    EXPECT_TRUE(ownWindowsFromJson(toJson(std::vector<OwnWindow>()))->empty());
 }
 
 TEST(OwnWindows, WhatCouldNotBeReadIsNotWritten) {

@@ -143,7 +143,7 @@ TEST_F(APresentation, ofSomeFramesOfAFileNamesThem) {
     }
 }
 
-TEST_F(APresentation, isAWishLikeAView) {
+TEST_F(APresentation, isARequestLikeAView) {
     dicom::test::write(*straight_, folder_ / "study");
     const auto scan = dicom::test::scan(folder_ / "study");
     ASSERT_TRUE(scan);

@@ -35,7 +35,9 @@ TEST(SeriesWindows, AreThoseOfTheSeriesAndForMipOneThatIsNotMostlyWhite) {
 
 TEST(DraggedWindow, ThereAndBackIsTheSameWindowAndNoneIsEverEmpty) {
     const Volume volume = volumeWith({});
-    const auto dragged = [&](const DisplayWindow& from, glm::dvec2 by) { return dragged(from, by, volume); };
+    const auto dragged = [&](const DisplayWindow& from, glm::dvec2 by) {
+        return scene::dragged(from, by, volume);
+    };
     const DisplayWindow first{.center = 40.0, .width = 400.0, .explanation = {}, .function = {}};
     EXPECT_DOUBLE_EQ(dragged(first, {0.0, -0.1}).center, 0.0);  // up: brighter
     EXPECT_DOUBLE_EQ(dragged(first, {0.0, -0.1}).width, 400.0);

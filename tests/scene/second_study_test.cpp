@@ -100,18 +100,18 @@ TEST(SecondStudy, PlaceholdersAreOfNobody) {
 }
 
 TEST(SecondStudy, OneThingThatDiffersIsAnotherPatient) {
-    using study::Names = std::vector<std::string>;
+    using Names = std::vector<std::string>;
     const auto differs = [](auto change) {
         const study::Identity other = janeBut(change);
         EXPECT_EQ(study::samePatient(jane(), other), study::SamePatient::no);
         EXPECT_EQ(study::samePatient(other, jane()), study::SamePatient::no);
         return study::whatDiffers(jane(), other);
     };
-    EXPECT_EQ(differs([](auto& i) { i.patientId = "18"; }), study::Names{"ID"});
-    EXPECT_EQ(differs([](auto& i) { i.patientName = "ROE^JANE"; }), study::Names{"name"});
-    EXPECT_EQ(differs([](auto& i) { i.birthDate = "19700103"; }), study::Names{"date of birth"});
-    EXPECT_EQ(differs([](auto& i) { i.sex = "M"; }), study::Names{"sex"});
-    EXPECT_EQ(differs([](auto& i) { i.patientId = "18", i.sex = "O"; }), (study::Names{"ID", "sex"}));
+    EXPECT_EQ(differs([](auto& i) { i.patientId = "18"; }), Names{"ID"});
+    EXPECT_EQ(differs([](auto& i) { i.patientName = "ROE^JANE"; }), Names{"name"});
+    EXPECT_EQ(differs([](auto& i) { i.birthDate = "19700103"; }), Names{"date of birth"});
+    EXPECT_EQ(differs([](auto& i) { i.sex = "M"; }), Names{"sex"});
+    EXPECT_EQ(differs([](auto& i) { i.patientId = "18", i.sex = "O"; }), (Names{"ID", "sex"}));
 }
 
 TEST(SecondStudy, IsPriorOrLaterByTheDateOfTheStudy) {
@@ -128,7 +128,7 @@ TEST(SecondStudy, ItsTagHoldsNoWordThatAPersonTyped) {
     EXPECT_EQ(plainTag(studyOf(janeBut([](auto& i) { i.studyDate = "for Miller"; }))), "CT, no study date");
     EXPECT_EQ(plainTag(studyOf({.series = "Phantom of Miller", .isOfNobody = true})), "phantom");
     study::OpenedStudy found = studyOf(jane());
-    found.found = test::twoPatients();
+    found.found = study::test::twoPatients();
     found.volumeIndex = found.found->volumes().size() - 1;
     const int number = found.found->volumes().back().series->number.value();
     EXPECT_EQ(plainTag(found), "CT, 2024-03-01, series " + std::to_string(number));
@@ -158,12 +158,12 @@ TEST(SecondStudy, IsLinkedByItsFrameOfReferenceOrByHand) {
 }
 
 TEST(SecondStudy, IsFoundByItsDigestWhereThatIsOfOneVolume) {
-    dicom::Series one = test::seriesOf(1, "a", {test::volumeOf(3)});
+    dicom::Series one = study::test::seriesOf(1, "a", {study::test::volumeOf(3)});
     one.seriesInstanceUid = "1.1";
-    dicom::Series two = test::seriesOf(2, "b", {test::volumeOf(3), test::volumeOf(4)});
+    dicom::Series two = study::test::seriesOf(2, "b", {study::test::volumeOf(3), study::test::volumeOf(4)});
     two.seriesInstanceUid = "1.2";
     dicom::Scan scan;
-    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {one, two}));
+    scan.studies.push_back(study::test::studyOf(0, "DOE^JANE", "20240301", "Chest", {one, two}));
     const study::FoundVolumes found(std::move(scan));
     SecondVolumeState state;
     state.seriesDigest = sha256Hex("1.1");
@@ -181,7 +181,7 @@ TEST(SecondStudy, IsFoundByItsDigestWhereThatIsOfOneVolume) {
 
 dicom::Stack phaseAt(const std::string& time, const std::string& frameOfReference = "1.9",
                      const glm::dvec3& row = {1, 0, 0}) {
-    dicom::Stack stack = test::volumeOf(3);
+    dicom::Stack stack = study::test::volumeOf(3);
     int slice = 0;
     for (dicom::Frame& frame : stack.frames) {
         frame.frameOfReferenceUid = frameOfReference;
@@ -192,12 +192,12 @@ dicom::Stack phaseAt(const std::string& time, const std::string& frameOfReferenc
 }
 
 std::shared_ptr<const study::FoundVolumes> foundWith(std::vector<dicom::Stack> stacks) {
-    dicom::Series other = test::seriesOf(1, "a", {test::volumeOf(3)});
+    dicom::Series other = study::test::seriesOf(1, "a", {study::test::volumeOf(3)});
     other.seriesInstanceUid = "1.1";
-    dicom::Series series = test::seriesOf(2, "b", std::move(stacks));
+    dicom::Series series = study::test::seriesOf(2, "b", std::move(stacks));
     series.seriesInstanceUid = "1.2";
     dicom::Scan scan;
-    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {other, series}));
+    scan.studies.push_back(study::test::studyOf(0, "DOE^JANE", "20240301", "Chest", {other, series}));
     return std::make_shared<const study::FoundVolumes>(std::move(scan));
 }
 
@@ -244,8 +244,8 @@ TEST(VolumeKey, IsOfFrameOrientationAndTime) {
     EXPECT_EQ(twins->key(1), usual);
     EXPECT_EQ(twins->key(2), usual + "-2");
     // Images that say nothing, and a stack without any.
-    EXPECT_FALSE(key(test::volumeOf(3)).empty());
-    dicom::Stack none = test::volumeOf(3);
+    EXPECT_FALSE(key(study::test::volumeOf(3)).empty());
+    dicom::Stack none = study::test::volumeOf(3);
     none.frames.clear();
     EXPECT_FALSE(key(none).empty());
 }
@@ -280,10 +280,11 @@ TEST(SecondStudy, ALookIsKeptWhereThePlaceIsNot) {
 
 // Two phases of a heart are one series, and are told apart.
 TEST(SecondStudy, VolumesOfOneSeriesAreToldApart) {
-    dicom::Series series = test::seriesOf(2, "b", {test::volumeOf(3), test::volumeOf(4)});
+    dicom::Series series =
+        study::test::seriesOf(2, "b", {study::test::volumeOf(3), study::test::volumeOf(4)});
     series.seriesInstanceUid = "1.2";
     dicom::Scan scan;
-    scan.studies.push_back(test::studyOf(0, "DOE^JANE", "20240301", "Chest", {series}));
+    scan.studies.push_back(study::test::studyOf(0, "DOE^JANE", "20240301", "Chest", {series}));
     study::OpenedStudy first = studyOf(jane());
     first.seriesDigest = sha256Hex("1.2");
     first.found = std::make_shared<const study::FoundVolumes>(std::move(scan));
@@ -293,17 +294,17 @@ TEST(SecondStudy, VolumesOfOneSeriesAreToldApart) {
     EXPECT_EQ(plainTag(second), "CT, 2024-03-01, series 2, volume 2 of 2");
     SecondVolumeState link = firstLink(first, second, "pair");
     EXPECT_EQ(link.volume, 1U);
-    EXPECT_TRUE(isOf(link, second, "pair"));
-    EXPECT_FALSE(isOf(link, second, "other")) << "of these UIDs, and of other voxels or positions";
-    EXPECT_FALSE(isOf(link, second, {}));
-    EXPECT_FALSE(isOf(link, first, "pair")) << "the registration is of the other";
+    EXPECT_TRUE(isPlacedFor(link, second, "pair"));
+    EXPECT_FALSE(isPlacedFor(link, second, "other")) << "of these UIDs, and of other voxels or positions";
+    EXPECT_FALSE(isPlacedFor(link, second, {}));
+    EXPECT_FALSE(isPlacedFor(link, first, "pair")) << "the registration is of the other";
     EXPECT_FALSE(link.volumeKey.empty());
     link.volumeKey.clear();  // of a view of before
-    EXPECT_TRUE(isOf(link, second, "pair"));
-    EXPECT_FALSE(isOf(link, first, "pair"));
+    EXPECT_TRUE(isPlacedFor(link, second, "pair"));
+    EXPECT_FALSE(isPlacedFor(link, first, "pair"));
     link.volume.reset();  // of one still older
-    EXPECT_FALSE(isOf(link, second, "pair"));
-    EXPECT_TRUE(isOf(firstLink(first, studyOf(jane()), "pair"), studyOf(jane()), "pair"));
+    EXPECT_FALSE(isPlacedFor(link, second, "pair"));
+    EXPECT_TRUE(isPlacedFor(firstLink(first, studyOf(jane()), "pair"), studyOf(jane()), "pair"));
     EXPECT_FALSE(firstLink(first, studyOf(jane()), "pair").volume);
 }
 

@@ -4,6 +4,7 @@
 #define INOUT(type) inout type
 #define PRECISE precise
 #include "shared/splat_view.h"
+
 #include "lib/splat_lib.glsl"
 #include "splat_outcome.glsl"
 

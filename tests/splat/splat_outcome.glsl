@@ -1,4 +1,5 @@
-// All functions of shaders/lib/splat_*.glsl on one splat, for a device (splat_outcome.comp) and for C++ (splat_maths_device_test.cpp).
+// All functions of shaders/lib/splat_*.glsl on one splat, for a device (splat_outcome.comp) and for C++
+// (splat_maths_device_test.cpp).
 
 struct Outcome {
     ScreenSplat screen;
@@ -22,8 +23,8 @@ Outcome outcomeOf(Splat splat, SplatView view) {
     vec3 s2 = vec3(-0.2, 0.1, 0.3);
     vec3 s3 = vec3(0.2, -0.3, 0.1);
     vec3 d = directionTo(splat.position, view);
-    vec3 sum = colourOfBand0(vec3(0.7, 0.1, -0.5)) + colourOfBand1(d, s1, s2, s3) + colourOfBand2(d, s1, s2, s3, s1, s2) +
-               colourOfBand3(d, s1, s2, s3, s1, s2, s3, s1);
+    vec3 sum = colourOfBand0(vec3(0.7, 0.1, -0.5)) + colourOfBand1(d, s1, s2, s3) +
+               colourOfBand2(d, s1, s2, s3, s1, s2) + colourOfBand3(d, s1, s2, s3, s1, s2, s3, s1);
     o.colour = visibleColour(sum);
 
     // A block at a quarter of the extent.
@@ -31,7 +32,8 @@ Outcome outcomeOf(Splat splat, SplatView view) {
     ivec2 block = o.first + (o.end - o.first) / 4;
     o.shows = showsIn(o.screen, block, block + ivec2(8), view) ? 1 : 0;
 
-    // Nine points within two deviations, spread unevenly so that derivatives do not cancel; before something worth 0.3.
+    // Nine points within two deviations, spread unevenly so that derivatives do not cancel; before something
+    // worth 0.3.
     PixelGradient g;
     g.rgba = vec4(0.5, -0.2, 0.8, 0.4);
     g.depth = float(0.001);

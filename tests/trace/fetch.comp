@@ -19,8 +19,9 @@ void main() {
     vec4 near;
     vec4 far;
     fetchCorners(low, high, near, far);
-    vec4 nearAlone = vec4(fetchStored(low), fetchStored(ivec3(high.x, low.y, low.z)),
-                          fetchStored(ivec3(low.x, high.y, low.z)), fetchStored(ivec3(high.x, high.y, low.z)));
+    vec4 nearAlone =
+        vec4(fetchStored(low), fetchStored(ivec3(high.x, low.y, low.z)),
+             fetchStored(ivec3(low.x, high.y, low.z)), fetchStored(ivec3(high.x, high.y, low.z)));
     vec4 farAlone = vec4(fetchStored(ivec3(low.x, low.y, high.z)), fetchStored(ivec3(high.x, low.y, high.z)),
                          fetchStored(ivec3(low.x, high.y, high.z)), fetchStored(high));
     vec4 wrong = vec4(notEqual(near, nearAlone)) + vec4(notEqual(far, farAlone));

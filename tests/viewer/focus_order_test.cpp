@@ -1,5 +1,5 @@
 // Where the keyboard focus goes from a control that is greyed, and from one that is no widget to Qt.
-#include "viewer/panes/focus_order.h"
+#include "viewer/keys/focus_order.h"
 
 #include <QComboBox>
 #include <QLineEdit>

@@ -1,5 +1,5 @@
 // What the window says of the study that is open, and of nobody else.
-#include "viewer/window/study_texts.h"
+#include "viewer/status/study_texts.h"
 
 #include <gtest/gtest.h>
 

@@ -173,11 +173,11 @@ class GermanTest : public test::OffscreenTest {
 };
 
 TEST_F(GermanTest, TextsOfTheWindowAreInTheProgram) {
-    EXPECT_EQ(QCoreApplication::translate("macula::viewer::MainWindow", "&Open Folder…"),
+    EXPECT_EQ(QCoreApplication::translate("macula::viewer::OpeningController", "&Open Folder…"),
               QStringLiteral("&Ordner öffnen…"));
     EXPECT_EQ(QLocale().decimalPoint(), QStringLiteral(","));
     useLanguage(Language::english);
-    EXPECT_EQ(QCoreApplication::translate("macula::viewer::MainWindow", "&Open Folder…"),
+    EXPECT_EQ(QCoreApplication::translate("macula::viewer::OpeningController", "&Open Folder…"),
               QStringLiteral("&Open Folder…"));
     EXPECT_EQ(inWindowsLanguage(std::string("There is only one slice.")),
               QStringLiteral("There is only one slice."));

@@ -1,4 +1,4 @@
-// macula xr, as a person runs it.
+// macula xr and macula-bench xr, as a person runs them.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -12,6 +12,7 @@ namespace macula::xr {
 namespace {
 
 using cli::Ran;
+using cli::runBench;
 using cli::runMacula;
 
 const std::string kScripted = "XR_RUNTIME_JSON=" MACULA_XR_MANIFEST;
@@ -102,9 +103,9 @@ TEST_F(XrCommand, TheRoomThatCannotBeShownIsTold) {
 
 TEST_F(XrCommand, BenchTellsWhetherFramesAreInTime) {
     const std::string paced = "MACULA_XR_SCRIPT=paced,no-pictures,rate=30";
-    const Ran ran = runMacula(
-        {"bench", "xr", writeBall(), "--frames", "30", "--warm-up", "10", "--size", "96x64", "--json"},
-        {kScripted, paced});
+    const Ran ran =
+        runBench({"xr", writeBall(), "--frames", "30", "--warm-up", "10", "--size", "96x64", "--json"},
+                 {kScripted, paced});
     ASSERT_EQ(ran.exitCode, 0) << ran.err;
     const auto json = nlohmann::json::parse(ran.out);
     EXPECT_EQ(json["benchmark"], "xr");
@@ -124,7 +125,7 @@ TEST_F(XrCommand, BenchTellsWhetherFramesAreInTime) {
     EXPECT_EQ(results["sessions"], 1);
     EXPECT_LE(results["governor"]["levelAtEnd"].get<int>(), results["governor"]["levelAtMost"].get<int>());
 
-    const Ran lines = runMacula({"bench", "xr", writeBall(), "--frames", "5", "--warm-up", "0"}, {kScripted});
+    const Ran lines = runBench({"xr", writeBall(), "--frames", "5", "--warm-up", "0"}, {kScripted});
     EXPECT_EQ(lines.exitCode, 0) << lines.err;
     for (const char* words :
          {"In time:", "of 5 frames", "Governor:", "0 frames were begun and not submitted"})
@@ -132,9 +133,9 @@ TEST_F(XrCommand, BenchTellsWhetherFramesAreInTime) {
 }
 
 TEST_F(XrCommand, BenchRefusesWhatIsNoSizeAndTellsThatThereIsNoHeadset) {
-    EXPECT_EQ(runMacula({"bench", "xr", writeBall(), "--size", "big"}, {kScripted}).exitCode, 2);
-    EXPECT_EQ(runMacula({"bench", "xr", writeBall(), "--frames", "0"}, {kScripted}).exitCode, 2);
-    expectMissing(runMacula({"bench", "xr", writeBall()}, {kScripted, "MACULA_XR_SCRIPT=no-headset"}),
+    EXPECT_EQ(runBench({"xr", writeBall(), "--size", "big"}, {kScripted}).exitCode, 2);
+    EXPECT_EQ(runBench({"xr", writeBall(), "--frames", "0"}, {kScripted}).exitCode, 2);
+    expectMissing(runBench({"xr", writeBall()}, {kScripted, "MACULA_XR_SCRIPT=no-headset"}),
                   "No headset is connected");
 }
 

@@ -47,10 +47,10 @@ class HeadsetWindowTest : public test::OffscreenTest {
         OffscreenTest::TearDown();
     }
 
-    HeadsetRequest request() const {
+    HeadsetShowRequest request() const {
         scene::StudyState state;
         state.preset = scene::presetFor(catalogue_, *volume_);
-        HeadsetRequest made;
+        HeadsetShowRequest made;
         made.volume = volume_;
         made.drawing = scene::drawingOf(state, catalogue_, scene::SeriesWindows(), volume_, nullptr);
         made.presets = {state.preset, scene::findPreset(catalogue_, "ct-bone").ok()
@@ -90,7 +90,7 @@ TEST_F(HeadsetWindowTest, IsMirroredChosenFromEndedAndBegunAgain) {
     xr_script::Script script;
     script.hand = hand;
     xr_script::follow(script);
-    const HeadsetRequest asked = request();
+    const HeadsetShowRequest asked = request();
     show_->start(asked);
     EXPECT_TRUE(show_->isRunning());
     ASSERT_TRUE(waitUntil([this] { return mirrored_ >= 1 || ended_ > 0; }));

@@ -55,4 +55,9 @@ struct FrameInput {
     bool requestsTraining = false;
 };
 
+// Whether the input has all that a picture needs.
+inline bool isComplete(const FrameInput& input) {
+    return input.volume && input.drawing.transferFunction && input.drawing.lights;
+}
+
 }  // namespace macula::live

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/atomic_file.h"
-#include "live/model/model_key.h"
 #include "live/model/model_output.h"
+#include "live/model/training_identity.h"
 #include "pipeline/hybrid/model/peripheral_file.h"
 #include "pipeline/splat/model/constant_colour.h"
 #include "pipeline/trace/environment.h"

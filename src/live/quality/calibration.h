@@ -1,6 +1,6 @@
 // Measures how fast this machine is, to compare it with the one that measured the quality front
 // (quality_front.h): the time of one fixed trace of the phantom with `cinematic-bone`, 128 x 128 pixels, one
-// sample, 16 bounces, trilinear, as `macula bench trace-tradeoff` traces it.
+// sample, 16 bounces, trilinear, as `macula-bench trace-tradeoff` traces it.
 #pragma once
 
 #include <filesystem>

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLongestMs = 1e6;
 constexpr double kLeastBetweenFramesMs = 1.0;
-constexpr double kEnoughTime = 1e12;  // for any fovea as it is wished, by budget over time per sample
+constexpr double kEnoughTime = 1e12;  // for any fovea as it is wanted, by budget over time per sample
 
 double whole(const JsonNode& node, double low, double high) {
     const double number = node.number({low, high});

@@ -1,5 +1,5 @@
 // The slow reference: the same GLSL maths (shaders/lib) compiled as scalar C++, in float and in double. Tests
-// compare the device with it, and `macula bench trace` times the device against it.
+// compare the device with it, and `macula-bench trace` times the device against it.
 #pragma once
 
 #include <array>

@@ -6,13 +6,11 @@
 #include <array>
 #include <cmath>
 
+#include "base/is_finite.h"
+
 namespace macula {
 
 namespace {
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 bool isUnitVector(const glm::dvec3& v) {
     return isFinite(v) && std::abs(glm::length(v) - 1.0) < 1e-6;

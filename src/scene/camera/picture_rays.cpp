@@ -2,15 +2,13 @@
 
 #include <cmath>
 
+#include "base/is_finite.h"
+
 namespace macula::scene {
 
 namespace {
 
 constexpr double kParallel = 1e-4;  // the sine, or cosine, of an angle below which nothing can be aimed at
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 }  // namespace
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/is_finite.h"
+
 namespace macula::scene {
 
 namespace {
@@ -10,10 +12,6 @@ using Polygon = std::vector<glm::dvec3>;
 
 constexpr double kSamePoint = 1e-9;  // in diagonals of the box
 constexpr double kNoArea = 1e-12;    // in their squares
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 // One step of Sutherland and Hodgman: what lies on the box's side of one face.
 Polygon within(const Polygon& polygon, const Box& box, Face face) {

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/is_finite.h"
+
 namespace macula::scene {
 
 namespace {
@@ -30,10 +32,6 @@ Error notANumber() {
 
 Error nothingLeft() {
     return error("Nothing of the volume would be left.", "Choose another place, or begin without a clip.");
-}
-
-bool isFinite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 bool isWithin(const Box& box, const glm::dvec3& point) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/check.h"
+#include "base/is_finite.h"
 
 namespace macula::scene {
 
@@ -11,10 +12,6 @@ namespace {
 
 constexpr double kLeastExtent = 1e-6;  // half heights: an outline that is thinner is a line
 constexpr std::size_t kRows = 256;
-
-bool isFinite(const glm::dvec2& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y);
-}
 
 Error notUsable(const char* what) {
     return {ErrorCode::usage, what, {}, "Draw around what is to be removed, in one go."};
@@ -67,7 +64,8 @@ Result<void> validate(const ScissorCut& cut) {
     MACULA_TRY_VOID(basis(cut.camera));
     if (cut.outline.size() < 3) return notUsable("The outline has fewer than three points.");
     if (cut.outline.size() > kMostOutlinePoints) return notUsable("The outline has too many points.");
-    if (!std::ranges::all_of(cut.outline, isFinite)) return notUsable("A point of the outline is no number.");
+    if (!std::ranges::all_of(cut.outline, [](const glm::dvec2& p) { return isFinite(p); }))
+        return notUsable("A point of the outline is no number.");
     glm::dvec2 low = cut.outline.front();
     glm::dvec2 high = low;
     for (const glm::dvec2& p : cut.outline) {

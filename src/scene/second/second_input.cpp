@@ -40,11 +40,11 @@ void placeByPositions(const study::LoadedStudy& study, const study::LoadedStudy&
     }
 }
 
-Result<void> place(const SecondVolumeRequest& request, const study::LoadedStudy& studyInput,
-                   const study::LoadedStudy& secondInput, bool isPlaced, SecondVolumeState& state,
+Result<void> place(const SecondVolumeRequest& request, const study::LoadedStudy& ofStudy,
+                   const study::LoadedStudy& ofSecond, bool isPlaced, SecondVolumeState& state,
                    DrawableSecond& drawn, Progress& progress) {
-    const Volume& study = *studyInput.volume;
-    const Volume& second = *secondInput.volume;
+    const Volume& study = *ofStudy.volume;
+    const Volume& second = *ofSecond.volume;
     if (request.link == SecondPlacement::search) {
         MACULA_TRY(const registration::RigidRegistration found,
                    registration::registerRigid(study, second, progress));
@@ -64,7 +64,7 @@ Result<void> place(const SecondVolumeRequest& request, const study::LoadedStudy&
                  "The registration of the second volume is doubtful: look at both on slices before you rely "
                  "on the picture.");
     } else if (!isPlaced) {
-        placeByPositions(studyInput, secondInput, state, drawn);
+        placeByPositions(ofStudy, ofSecond, state, drawn);
     }
     if (registration::boxOverlap(study, second, state.secondFromStudy) > 0.0) return {};
     return Error{ErrorCode::inputNotUsable,

@@ -1,6 +1,7 @@
 #include "viewer/driven/changes_script.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QCoreApplication>
 #include <QJsonDocument>
 #include <QJsonObject>

@@ -40,7 +40,7 @@ void OpeningTimes::note(double& ms) const {
 }
 
 QJsonObject OpeningTimes::toJson() const {
-    const std::string times = toJson(spent_).dump();
+    const std::string times = live::toJson(spent_).dump();
     return {{"windowMs", std::round(windowMs_)},
             {"studyReadMs", std::round(studyReadMs_)},
             {"sliceMs", std::round(sliceMs_)},

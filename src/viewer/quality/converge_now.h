@@ -8,17 +8,9 @@
 
 #include "live/frame/frame_input.h"
 #include "live/frame/render_events.h"
+#include "viewer/viewport/rest_goal.h"
 
 namespace macula::viewer {
-
-// What counts as converged, and whether training of the model waits for it.
-struct RestGoal {
-    std::uint32_t sampleLimit = 512;
-    double noiseTarget = live::kUnseenNoise;
-    bool convergesNow = false;
-
-    bool operator==(const RestGoal&) const = default;
-};
 
 // Runs from start() until the picture is final, cancel(), or another picture is wanted. Draws nothing: the
 // viewport's owner connects it. Lives on the UI thread.

@@ -50,17 +50,17 @@ SliceSampler::SliceSampler(std::function<void(SlicePicture)> made)
 
 SliceSampler::~SliceSampler() {
     ends_ = true;
-    wishes_.close();
+    requests_.close();
 }
 
 void SliceSampler::publish(SliceRequest request) {
     study_ = request.study;
-    wishes_.publish(std::move(request));
+    requests_.publish(std::move(request));
 }
 
 void SliceSampler::run() {
     giveWay(GiveWay::toTheHand);
-    while (std::optional<SliceRequest> request = wishes_.take()) {
+    while (std::optional<SliceRequest> request = requests_.take()) {
         if (ends_) return;
         if (!request->volume) {
             last_.reset();

@@ -112,7 +112,7 @@ class SliceSampler {
     };
 
     std::function<void(SlicePicture)> made_;
-    live::Latest<SliceRequest> wishes_;
+    live::Latest<SliceRequest> requests_;
     std::atomic<std::uint64_t> study_{0};
     std::atomic<bool> ends_{false};
     std::optional<Sampled> last_;      // used by the thread, as those below

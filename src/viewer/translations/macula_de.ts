@@ -998,6 +998,13 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::BrowserController</name>
+    <message>
+        <source>&amp;Find a Study…</source>
+        <translation>Studie &amp;suchen…</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::ClipEditing</name>
     <message>
         <source>Depth of the cut</source>
@@ -1220,6 +1227,49 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::ClipsController</name>
+    <message>
+        <source>Cutting</source>
+        <translation>Wird geschnitten</translation>
+    </message>
+    <message>
+        <source>&amp;Clip</source>
+        <translation>Besch&amp;nitt</translation>
+    </message>
+    <message>
+        <source>&amp;Handles in the Pictures</source>
+        <translation>&amp;Griffe in den Bildern</translation>
+    </message>
+    <message>
+        <source>Drag faces, planes and balls of the clip where they are seen</source>
+        <translation>Flächen, Ebenen und Kugeln des Beschnitts ziehen, wo sie zu sehen sind</translation>
+    </message>
+    <message>
+        <source>&amp;Scissors</source>
+        <translation>&amp;Schere</translation>
+    </message>
+    <message>
+        <source>Draw around something in the 3D picture: it is removed. With Shift, all else is</source>
+        <translation>Im 3D-Bild etwas umfahren: es wird entfernt. Mit Umschalt alles andere</translation>
+    </message>
+    <message>
+        <source>Cut from the &amp;Eye</source>
+        <translation>Schnitt vom &amp;Auge aus</translation>
+    </message>
+    <message>
+        <source>Remove all that lies before a plane across the line of sight</source>
+        <translation>Alles entfernen, was vor einer Ebene quer zur Blickrichtung liegt</translation>
+    </message>
+    <message>
+        <source>&amp;No Clip</source>
+        <translation>&amp;Kein Beschnitt</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Beschnitt</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::ConvergeNow</name>
     <message>
         <source>%L1 %</source>
@@ -1402,6 +1452,29 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::HeadsetController</name>
+    <message>
+        <source>Looking for the headset</source>
+        <translation>Das Headset wird gesucht</translation>
+    </message>
+    <message>
+        <source>Show in &amp;Headset</source>
+        <translation>Im &amp;Headset zeigen</translation>
+    </message>
+    <message>
+        <source>This study in a headset (OpenXR), to be held, turned and cut by hand</source>
+        <translation>Diese Studie in einem Headset (OpenXR), mit der Hand zu halten, zu drehen und zu schneiden</translation>
+    </message>
+    <message>
+        <source>There is nothing to show in a headset yet.</source>
+        <translation>Es gibt noch nichts, was im Headset gezeigt werden kann.</translation>
+    </message>
+    <message>
+        <source>In the headset</source>
+        <translation>Im Headset</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::HeadsetMirror</name>
     <message>
         <source>Patient and study</source>
@@ -1512,6 +1585,29 @@
     <message>
         <source>Label</source>
         <translation>Beschriftung</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::LightsController</name>
+    <message>
+        <source>Lights</source>
+        <translation>Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>  Lights </source>
+        <translation>  Beleuchtung </translation>
+    </message>
+    <message>
+        <source>Where the light comes from</source>
+        <translation>Woher das Licht kommt</translation>
+    </message>
+    <message>
+        <source>Only Cinematic and Clear have lights</source>
+        <translation>Nur Cinematic und Klar haben eine Beleuchtung</translation>
     </message>
 </context>
 <context>
@@ -1772,234 +1868,14 @@
     </message>
 </context>
 <context>
-    <name>macula::viewer::MainWindow</name>
-    <message>
-        <source>Opening</source>
-        <translation>Wird geöffnet</translation>
-    </message>
-    <message>
-        <source>Looking for the table</source>
-        <translation>Der Tisch wird gesucht</translation>
-    </message>
-    <message>
-        <source>Cross-hair</source>
-        <translation>Fadenkreuz</translation>
-    </message>
-    <message>
-        <source>Where the light comes from</source>
-        <translation>Woher das Licht kommt</translation>
-    </message>
-    <message>
-        <source>Only Cinematic and Clear have lights</source>
-        <translation>Nur Cinematic und Klar haben eine Beleuchtung</translation>
-    </message>
-    <message>
-        <source>In this look a preset that is chosen gives the window only</source>
-        <translation>In dieser Darstellung gibt eine gewählte Voreinstellung nur die Fensterung vor</translation>
-    </message>
-    <message>
-        <source>What is seen, and in which colours</source>
-        <translation>Was zu sehen ist und in welchen Farben</translation>
-    </message>
-    <message>
-        <source>Open a folder of DICOM files</source>
-        <translation>Ordner mit DICOM-Dateien öffnen</translation>
-    </message>
-    <message>
-        <source>Open an image or a volume</source>
-        <translation>Bild oder Volumen öffnen</translation>
-    </message>
-    <message>
-        <source>Only one folder or file can be opened at a time.</source>
-        <translation>Es kann nur ein Ordner oder eine Datei auf einmal geöffnet werden.</translation>
-    </message>
-    <message>
-        <source>Drop one of them, or the folder that holds them all.</source>
-        <translation>Legen Sie einen davon ab, oder den Ordner, in dem alle sind.</translation>
-    </message>
-    <message>
-        <source> What is on screen is still of the study that was open before.</source>
-        <translation> Auf dem Bildschirm ist noch die Studie, die vorher offen war.</translation>
-    </message>
-    <message>
-        <source>Preset</source>
-        <translation>Voreinstellung</translation>
-    </message>
-    <message>
-        <source>The preset %1 is not made for this kind of volume; %2 is used instead.</source>
-        <translation>Die Voreinstellung %1 ist nicht für solche Volumen gemacht; stattdessen wird %2 verwendet.</translation>
-    </message>
-    <message>
-        <source>This study is shown as it was left. The View menu shows it as when first opened.</source>
-        <translation>Diese Studie wird gezeigt, wie sie verlassen wurde. Das Menü Ansicht zeigt sie wie beim ersten Öffnen.</translation>
-    </message>
-    <message>
-        <source>No study is open</source>
-        <translation>Keine Studie ist offen</translation>
-    </message>
-    <message>
-        <source>Starting the graphics device again…</source>
-        <translation>Das Grafikgerät wird neu gestartet…</translation>
-    </message>
-    <message>
-        <source>The graphics device stopped responding and is started again; the picture is made anew. If this comes back, update the graphics driver.</source>
-        <translation>Das Grafikgerät hat nicht mehr geantwortet und wird neu gestartet; das Bild wird neu erstellt. Wenn das wieder vorkommt, aktualisieren Sie den Grafiktreiber.</translation>
-    </message>
-    <message>
-        <source>No picture</source>
-        <translation>Kein Bild</translation>
-    </message>
-    <message>
-        <source>, less than the full resolution</source>
-        <translation>, weniger als die volle Auflösung</translation>
-    </message>
-    <message>
-        <source>The graphics device stopped responding and was started again. If this comes back, update the graphics driver.</source>
-        <translation>Das Grafikgerät hat nicht mehr geantwortet und wurde neu gestartet. Wenn das wieder vorkommt, aktualisieren Sie den Grafiktreiber.</translation>
-    </message>
-    <message>
-        <source>, %1/s</source>
-        <translation>, %1/s</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>&amp;Keys and Mouse</source>
-        <translation>&amp;Tasten und Maus</translation>
-    </message>
-    <message>
-        <source>&amp;About Macula</source>
-        <translation>&amp;Über Macula</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Open Folder…</source>
-        <translation>&amp;Ordner öffnen…</translation>
-    </message>
-    <message>
-        <source>Open the best volume in a folder of DICOM files</source>
-        <translation>Das beste Volumen eines Ordners mit DICOM-Dateien öffnen</translation>
-    </message>
-    <message>
-        <source>Open &amp;File…</source>
-        <translation>&amp;Datei öffnen…</translation>
-    </message>
-    <message>
-        <source>Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file</source>
-        <translation>Die Serie eines Bildes, ein DICOMDIR oder eine NIfTI-, NRRD- oder MetaImage-Datei öffnen</translation>
-    </message>
-    <message>
-        <source>Open &amp;Phantom</source>
-        <translation>&amp;Phantom öffnen</translation>
-    </message>
-    <message>
-        <source>Open the built-in phantom study</source>
-        <translation>Die eingebaute Phantomstudie öffnen</translation>
-    </message>
-    <message>
-        <source>Open &amp;View…</source>
-        <translation>&amp;Ansicht öffnen…</translation>
-    </message>
-    <message>
-        <source>Show this study as it was when a view was saved</source>
-        <translation>Diese Studie so zeigen, wie sie beim Speichern einer Ansicht war</translation>
-    </message>
-    <message>
-        <source>&amp;Save View…</source>
-        <translation>Ansicht &amp;speichern…</translation>
-    </message>
-    <message>
-        <source>All that was chosen, and the camera, for another time</source>
-        <translation>Alles, was gewählt wurde, und die Kamera, für ein andermal</translation>
-    </message>
-    <message>
-        <source>Save &amp;Picture…</source>
-        <translation>&amp;Bild speichern…</translation>
-    </message>
-    <message>
-        <source>Draw what is seen in 3D at any size and quality, without names</source>
-        <translation>Zeichnet, was in 3D zu sehen ist, in jeder Größe und Qualität, ohne Namen</translation>
-    </message>
-    <message>
-        <source>Save &amp;Measurements…</source>
-        <translation>&amp;Messungen speichern…</translation>
-    </message>
-    <message>
-        <source>As a table (CSV) or JSON, in mm, degrees and the unit of the study</source>
-        <translation>Als Tabelle (CSV) oder JSON, in mm, Grad und der Einheit der Studie</translation>
-    </message>
-    <message>
-        <source>Save P&amp;reset…</source>
-        <translation>&amp;Voreinstellung speichern…</translation>
-    </message>
-    <message>
-        <source>The transfer function, for other studies and programs</source>
-        <translation>Die Übertragungsfunktion, für andere Studien und Programme</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>Be&amp;enden</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Find a Study…</source>
-        <translation>Studie &amp;suchen…</translation>
-    </message>
-    <message>
-        <source>Remove All &amp;Measurements</source>
-        <translation>Alle &amp;Messungen entfernen</translation>
-    </message>
-    <message>
-        <source>Remove measurements</source>
-        <translation>Messungen entfernen</translation>
-    </message>
-    <message>
-        <source>&amp;Settings…</source>
-        <translation>&amp;Einstellungen…</translation>
-    </message>
-    <message>
-        <source>Language, look, keys, and what is kept</source>
-        <translation>Sprache, Aussehen, Tasten und was aufbewahrt wird</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>Fit what is visible</source>
-        <translation>Sichtbares einpassen</translation>
-    </message>
-    <message>
-        <source>Show as when first opened</source>
-        <translation>Wie beim ersten Öffnen zeigen</translation>
-    </message>
-    <message>
-        <source>Preset, lights, clip, look and camera that a study has which nobody has seen yet</source>
-        <translation>Voreinstellung, Beleuchtung, Beschnitt, Darstellung und Kamera einer Studie, die noch niemand gesehen hat</translation>
-    </message>
-    <message>
-        <source>Panes</source>
-        <translation>Bildfelder</translation>
-    </message>
-    <message>
-        <source>Patient and study over the picture</source>
-        <translation>Patient und Studie über dem Bild</translation>
-    </message>
-    <message>
-        <source>Trace where the pointer is, while moving</source>
-        <translation>Bei Bewegung dort verfolgen, wo der Zeiger ist</translation>
-    </message>
+    <name>macula::viewer::LookController</name>
     <message>
         <source>&amp;Look</source>
         <translation>Dar&amp;stellung</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Darstellung</translation>
     </message>
     <message>
         <source>&amp;Shade Ray Cast</source>
@@ -2010,575 +1886,8 @@
         <translation>Volumen-Rendering vom Auge aus beleuchten, so viel die Voreinstellung vorgibt</translation>
     </message>
     <message>
-        <source>Keep &amp;Hues of Highlights</source>
-        <translation>Farbtöne &amp;heller Stellen erhalten</translation>
-    </message>
-    <message>
-        <source>What is too bright for the screen bleaches in its own hue; without it, contrast is higher. Not of projections</source>
-        <translation>Was zu hell für den Bildschirm ist, verblasst in seinem eigenen Farbton; ohne dies ist der Kontrast höher. Nicht bei Projektionen</translation>
-    </message>
-    <message>
-        <source>Hues of highlights</source>
-        <translation>Farbtöne heller Stellen</translation>
-    </message>
-    <message>
-        <source>Reset &amp;Window</source>
-        <translation>&amp;Fensterung zurücksetzen</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Fensterung</translation>
-    </message>
-    <message>
-        <source>Of the values: that of the series</source>
-        <translation>Der Werte: die der Serie</translation>
-    </message>
-    <message>
-        <source>Look</source>
-        <translation>Darstellung</translation>
-    </message>
-    <message>
         <source>Shading</source>
         <translation>Schattierung</translation>
-    </message>
-    <message>
-        <source>&amp;Clip</source>
-        <translation>Besch&amp;nitt</translation>
-    </message>
-    <message>
-        <source>&amp;No Clip</source>
-        <translation>&amp;Kein Beschnitt</translation>
-    </message>
-    <message>
-        <source>Clip</source>
-        <translation>Beschnitt</translation>
-    </message>
-    <message>
-        <source>Lights</source>
-        <translation>Beleuchtung</translation>
-    </message>
-    <message>
-        <source> Preset </source>
-        <translation> Voreinstellung </translation>
-    </message>
-    <message>
-        <source>  Lights </source>
-        <translation>  Beleuchtung </translation>
-    </message>
-    <message>
-        <source>Series</source>
-        <translation>Serie</translation>
-    </message>
-    <message>
-        <source>How true the picture is</source>
-        <translation>Wie getreu das Bild ist</translation>
-    </message>
-    <message>
-        <source>Pixels, pictures per second</source>
-        <translation>Pixel, Bilder je Sekunde</translation>
-    </message>
-    <message>
-        <source>Voxels and their size</source>
-        <translation>Voxel und ihre Größe</translation>
-    </message>
-    <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>Drawing the picture</source>
-        <translation>Das Bild wird gezeichnet</translation>
-    </message>
-    <message>
-        <source>The picture is written to %1.</source>
-        <translation>Das Bild ist in %1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>There is no picture to save yet.</source>
-        <translation>Es gibt noch kein Bild zu speichern.</translation>
-    </message>
-    <message>
-        <source>Open a study first.</source>
-        <translation>Öffnen Sie zuerst eine Studie.</translation>
-    </message>
-    <message>
-        <source>Save the picture</source>
-        <translation>Bild speichern</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png);;Linear light and depth (*.exr);;DICOM Secondary Capture (*.dcm)</source>
-        <translation>Bilder (*.png);;Lineares Licht und Tiefe (*.exr);;DICOM Secondary Capture (*.dcm)</translation>
-    </message>
-    <message>
-        <source>There is no preset to save yet.</source>
-        <translation>Es gibt noch keine Voreinstellung zu speichern.</translation>
-    </message>
-    <message>
-        <source>Save the preset</source>
-        <translation>Voreinstellung speichern</translation>
-    </message>
-    <message>
-        <source>Presets (*.json)</source>
-        <translation>Voreinstellungen (*.json)</translation>
-    </message>
-    <message>
-        <source>The preset is written to %1. Open it with --preset %1.</source>
-        <translation>Die Voreinstellung ist in %1 gespeichert. Öffnen Sie sie mit --preset %1.</translation>
-    </message>
-    <message>
-        <source>There are no measurements to save.</source>
-        <translation>Es gibt keine Messungen zu speichern.</translation>
-    </message>
-    <message>
-        <source>Measure something on a slice first.</source>
-        <translation>Messen Sie zuerst etwas auf einer Schicht.</translation>
-    </message>
-    <message>
-        <source>Save the measurements</source>
-        <translation>Messungen speichern</translation>
-    </message>
-    <message>
-        <source>Table (*.csv);;JSON (*.json)</source>
-        <translation>Tabelle (*.csv);;JSON (*.json)</translation>
-    </message>
-    <message>
-        <source>The measurements are written to %1.</source>
-        <translation>Die Messungen sind in %1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>Studies</source>
-        <translation>Studien</translation>
-    </message>
-    <message>
-        <source>Transfer Function</source>
-        <translation>Übertragungsfunktion</translation>
-    </message>
-    <message>
-        <source>How this study was left cannot be read; it is shown as when opened first.</source>
-        <translation>Wie diese Studie verlassen wurde, kann nicht gelesen werden; sie wird wie beim ersten Öffnen gezeigt.</translation>
-    </message>
-    <message>
-        <source>Show afresh</source>
-        <translation>Neu zeigen</translation>
-    </message>
-    <message>
-        <source>The settings are saved. Language and sessions follow them from the next start.</source>
-        <translation>Die Einstellungen sind gespeichert. Sprache und Sitzungen folgen ihnen ab dem nächsten Start.</translation>
-    </message>
-    <message>
-        <source>Open a view</source>
-        <translation>Ansicht öffnen</translation>
-    </message>
-    <message>
-        <source>Views (*.json)</source>
-        <translation>Ansichten (*.json)</translation>
-    </message>
-    <message>
-        <source>There is no view to save yet.</source>
-        <translation>Es gibt noch keine Ansicht zu speichern.</translation>
-    </message>
-    <message>
-        <source>Save the view</source>
-        <translation>Ansicht speichern</translation>
-    </message>
-    <message>
-        <source>Second volume: %1</source>
-        <translation>Zweites Volumen: %1</translation>
-    </message>
-    <message>
-        <source>Where the second volume lay when this study was left is not taken over: the images had other values or positions then, or an older Macula kept it. It is placed anew.</source>
-        <translation>Wo das zweite Volumen lag, als diese Studie verlassen wurde, wird nicht übernommen: Die Bilder hatten damals andere Werte oder Positionen, oder ein älteres Macula hat es aufgehoben. Es wird neu eingepasst.</translation>
-    </message>
-    <message>
-        <source>The second volume shows another part of the body: nothing of it lies in the study.</source>
-        <translation>Das zweite Volumen zeigt einen anderen Teil des Körpers: nichts davon liegt in der Studie.</translation>
-    </message>
-    <message>
-        <source>Open &amp;Beside…</source>
-        <translation>Da&amp;neben öffnen…</translation>
-    </message>
-    <message>
-        <source>A prior, a PET or an MR beside this study: what is selected in the list of studies, else of a folder</source>
-        <translation>Eine Voraufnahme, ein PET oder ein MR neben dieser Studie: was in der Liste der Studien gewählt ist, sonst aus einem Ordner</translation>
-    </message>
-    <message>
-        <source>Open File Besi&amp;de…</source>
-        <translation>Datei daneben ö&amp;ffnen…</translation>
-    </message>
-    <message>
-        <source>The series of an image, or a NIfTI, NRRD or MetaImage file, beside this study</source>
-        <translation>Die Serie eines Bildes oder eine NIfTI-, NRRD- oder MetaImage-Datei neben dieser Studie</translation>
-    </message>
-    <message>
-        <source>&amp;Close Second Volume</source>
-        <translation>Zweites Volumen s&amp;chließen</translation>
-    </message>
-    <message>
-        <source>The study stays open</source>
-        <translation>Die Studie bleibt offen</translation>
-    </message>
-    <message>
-        <source>Second Volume in the Place of the Study</source>
-        <translation>Zweites Volumen an Stelle der Studie</translation>
-    </message>
-    <message>
-        <source>The same planes of the second volume, and back</source>
-        <translation>Dieselben Ebenen des zweiten Volumens, und zurück</translation>
-    </message>
-    <message>
-        <source>Open a second volume beside the study</source>
-        <translation>Zweites Volumen neben der Studie öffnen</translation>
-    </message>
-    <message>
-        <source>Cutting</source>
-        <translation>Wird geschnitten</translation>
-    </message>
-    <message>
-        <source>&amp;Handles in the Pictures</source>
-        <translation>&amp;Griffe in den Bildern</translation>
-    </message>
-    <message>
-        <source>Drag faces, planes and balls of the clip where they are seen</source>
-        <translation>Flächen, Ebenen und Kugeln des Beschnitts ziehen, wo sie zu sehen sind</translation>
-    </message>
-    <message>
-        <source>&amp;Scissors</source>
-        <translation>&amp;Schere</translation>
-    </message>
-    <message>
-        <source>Draw around something in the 3D picture: it is removed. With Shift, all else is</source>
-        <translation>Im 3D-Bild etwas umfahren: es wird entfernt. Mit Umschalt alles andere</translation>
-    </message>
-    <message>
-        <source>Cut from the &amp;Eye</source>
-        <translation>Schnitt vom &amp;Auge aus</translation>
-    </message>
-    <message>
-        <source>Remove all that lies before a plane across the line of sight</source>
-        <translation>Alles entfernen, was vor einer Ebene quer zur Blickrichtung liegt</translation>
-    </message>
-    <message>
-        <source>glTF, for other programs (*.glb)</source>
-        <translation>glTF, für andere Programme (*.glb)</translation>
-    </message>
-    <message>
-        <source>PLY, for other programs (*.ply)</source>
-        <translation>PLY, für andere Programme (*.ply)</translation>
-    </message>
-    <message>
-        <source>PLY, exact, in linear light (*.ply)</source>
-        <translation>PLY, genau, in linearem Licht (*.ply)</translation>
-    </message>
-    <message>
-        <source>SPZ, small, for other programs (*.spz)</source>
-        <translation>SPZ, klein, für andere Programme (*.spz)</translation>
-    </message>
-    <message>
-        <source>Training that can go on, with its pictures (*.macula)</source>
-        <translation>Training, das weitergehen kann, mit seinen Bildern (*.macula)</translation>
-    </message>
-    <message>
-        <source>Movie</source>
-        <translation>Film</translation>
-    </message>
-    <message>
-        <source>Drawing the movie</source>
-        <translation>Der Film wird gezeichnet</translation>
-    </message>
-    <message>
-        <source>Writing the model</source>
-        <translation>Das Modell wird gespeichert</translation>
-    </message>
-    <message>
-        <source>Save Mo&amp;vie…</source>
-        <translation>F&amp;ilm speichern…</translation>
-    </message>
-    <message>
-        <source>A turntable or a way of the camera as pictures, and as a video</source>
-        <translation>Eine Umrundung oder Kamerafahrt als Bilder und als Video</translation>
-    </message>
-    <message>
-        <source>Save Mo&amp;del…</source>
-        <translation>Mode&amp;ll speichern…</translation>
-    </message>
-    <message>
-        <source>There is nothing to draw yet.</source>
-        <translation>Es gibt noch nichts zu zeichnen.</translation>
-    </message>
-    <message>
-        <source>Choose a folder for the pictures</source>
-        <translation>Ordner für die Bilder wählen</translation>
-    </message>
-    <message>
-        <source>Open a way of the camera</source>
-        <translation>Kamerafahrt öffnen</translation>
-    </message>
-    <message>
-        <source>Ways (*.json)</source>
-        <translation>Kamerafahrten (*.json)</translation>
-    </message>
-    <message>
-        <source>Save the way of the camera</source>
-        <translation>Kamerafahrt speichern</translation>
-    </message>
-    <message>
-        <source>The way is written to %1. macula hybrid draws it with --path %1.</source>
-        <translation>Die Kamerafahrt ist in %1 gespeichert. macula hybrid zeichnet sie mit --path %1.</translation>
-    </message>
-    <message>
-        <source>There is no model to save yet.</source>
-        <translation>Es gibt noch kein Modell zu speichern.</translation>
-    </message>
-    <message>
-        <source>Save the model</source>
-        <translation>Modell speichern</translation>
-    </message>
-    <message>
-        <source>Presets</source>
-        <translation>Voreinstellungen</translation>
-    </message>
-    <message>
-        <source>Segmentations</source>
-        <translation>Segmentierungen</translation>
-    </message>
-    <message>
-        <source>Open Presen&amp;tation State…</source>
-        <translation>Presen&amp;tation State öffnen…</translation>
-    </message>
-    <message>
-        <source>Show this series as a DICOM presentation state says</source>
-        <translation>Diese Serie zeigen, wie ein DICOM Presentation State es angibt</translation>
-    </message>
-    <message>
-        <source>Save Presentation State…</source>
-        <translation>Presentation State speichern…</translation>
-    </message>
-    <message>
-        <source>The 3D view as a DICOM object, for the archive and other programs</source>
-        <translation>Die 3D-Ansicht als DICOM-Objekt, für das Archiv und andere Programme</translation>
-    </message>
-    <message>
-        <source>The presentation state is written to %1.</source>
-        <translation>Der Presentation State ist in %1 gespeichert.</translation>
-    </message>
-    <message>
-        <source>No study is open.</source>
-        <translation>Keine Studie ist offen.</translation>
-    </message>
-    <message>
-        <source>Open the series of the presentation state first.</source>
-        <translation>Öffnen Sie zuerst die Serie des Presentation State.</translation>
-    </message>
-    <message>
-        <source>Open a presentation state</source>
-        <translation>Presentation State öffnen</translation>
-    </message>
-    <message>
-        <source>DICOM files (*.dcm);;All files (*)</source>
-        <translation>DICOM-Dateien (*.dcm);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>A presentation state refers to DICOM images, and none are open.</source>
-        <translation>Ein Presentation State bezieht sich auf DICOM-Bilder, und keine sind offen.</translation>
-    </message>
-    <message>
-        <source>Open a folder with DICOM files, or save the view.</source>
-        <translation>Öffnen Sie einen Ordner mit DICOM-Dateien, oder speichern Sie die Ansicht.</translation>
-    </message>
-    <message>
-        <source>Save the presentation state</source>
-        <translation>Presentation State speichern</translation>
-    </message>
-    <message>
-        <source>DICOM files (*.dcm)</source>
-        <translation>DICOM-Dateien (*.dcm)</translation>
-    </message>
-    <message>
-        <source>Kept as presets of your own: %1.</source>
-        <translation>Als eigene Voreinstellungen behalten: %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Preset</source>
-        <translation>&amp;Voreinstellung</translation>
-    </message>
-    <message>
-        <source>For &amp;Other Images</source>
-        <translation>Für &amp;andere Bilder</translation>
-    </message>
-    <message>
-        <source>Keep the &amp;Curve…</source>
-        <translation>&amp;Kurve behalten…</translation>
-    </message>
-    <message>
-        <source>The transfer function that is shown, as a preset of your own</source>
-        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung</translation>
-    </message>
-    <message>
-        <source>Keep All That Is &amp;Seen…</source>
-        <translation>Alles &amp;Gezeigte behalten…</translation>
-    </message>
-    <message>
-        <source>Curve, look, lights, window, clip and camera, as a preset of your own</source>
-        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung</translation>
-    </message>
-    <message>
-        <source>&amp;Import…</source>
-        <translation>&amp;Importieren…</translation>
-    </message>
-    <message>
-        <source>Of Macula, 3D Slicer, ParaView, VolView, MITK, Horos or OsiriX</source>
-        <translation>Von Macula, 3D Slicer, ParaView, VolView, MITK, Horos oder OsiriX</translation>
-    </message>
-    <message>
-        <source>Import presets</source>
-        <translation>Voreinstellungen importieren</translation>
-    </message>
-    <message>
-        <source>Presets (*.json *.vp *.xml *.mrml *.plist);;All files (*)</source>
-        <translation>Voreinstellungen (*.json *.vp *.xml *.mrml *.plist);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Export the preset</source>
-        <translation>Voreinstellung exportieren</translation>
-    </message>
-    <message>
-        <source>Converging</source>
-        <translation>Wird fertig gezeichnet</translation>
-    </message>
-    <message>
-        <source>Frames in Motion: Faster</source>
-        <translation>Bilder in Bewegung: schneller</translation>
-    </message>
-    <message>
-        <source>Less is traced while a hand moves</source>
-        <translation>Während der Bewegung wird weniger verfolgt</translation>
-    </message>
-    <message>
-        <source>Frames in Motion: More Accurate</source>
-        <translation>Bilder in Bewegung: genauer</translation>
-    </message>
-    <message>
-        <source>More is traced while a hand moves</source>
-        <translation>Während der Bewegung wird mehr verfolgt</translation>
-    </message>
-    <message>
-        <source>Converge &amp;Now</source>
-        <translation>&amp;Jetzt fertig zeichnen</translation>
-    </message>
-    <message>
-        <source>Trace the picture at rest until it is final, with half of the usual noise</source>
-        <translation>Das ruhende Bild verfolgen, bis es endgültig ist, mit der Hälfte des üblichen Rauschens</translation>
-    </message>
-    <message>
-        <source>Stop Converging</source>
-        <translation>Fertigzeichnen anhalten</translation>
-    </message>
-    <message>
-        <source>There is no picture to converge yet.</source>
-        <translation>Es gibt noch kein Bild fertig zu zeichnen.</translation>
-    </message>
-    <message>
-        <source>Loading a segmentation</source>
-        <translation>Eine Segmentierung wird geladen</translation>
-    </message>
-    <message>
-        <source>Cube and scale</source>
-        <translation>Würfel und Maßstab</translation>
-    </message>
-    <message>
-        <source>From where the patient is seen, and how long a centimetre is: with parallel rays everywhere, else at the depth of what the camera turns around</source>
-        <translation>Von wo der Patient gesehen wird und wie lang ein Zentimeter ist: bei parallelen Strahlen überall, sonst in der Tiefe dessen, um das sich die Kamera dreht</translation>
-    </message>
-    <message>
-        <source>Parallel rays</source>
-        <translation>Parallele Strahlen</translation>
-    </message>
-    <message>
-        <source>The second volume that was beside this study is not open; open it with Ctrl+B to see both as they were.</source>
-        <translation>Das zweite Volumen, das neben dieser Studie stand, ist nicht geöffnet; Strg+B öffnet es und zeigt beide, wie sie waren.</translation>
-    </message>
-    <message>
-        <source>Panels that share this place</source>
-        <translation>Bereiche, die sich diesen Platz teilen</translation>
-    </message>
-    <message numerus="yes">
-        <source>, %n samples left out</source>
-        <translation>
-            <numerusform>, %n Abtastung ausgelassen</numerusform>
-            <numerusform>, %n Abtastungen ausgelassen</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>The preview with all pixels that is shown while a hand moves; it gets sharper while nothing moves</source>
-        <translation>Die Vorschau mit allen Pixeln, die während der Bewegung gezeigt wird; sie wird schärfer, solange sich nichts bewegt</translation>
-    </message>
-    <message>
-        <source>The preview as a model in mm of the patient (3D Gaussians), for this and other programs</source>
-        <translation>Die Vorschau als Modell in mm des Patienten (3D-Gaußfunktionen), für dieses und andere Programme</translation>
-    </message>
-    <message>
-        <source>The same millimetres for each pixel at every depth</source>
-        <translation>In jeder Tiefe gleich viele Millimeter je Pixel</translation>
-    </message>
-    <message>
-        <source>Choose another one, or open the folder that its series is in.</source>
-        <translation>Wählen Sie einen anderen, oder öffnen Sie den Ordner mit der Serie dazu.</translation>
-    </message>
-    <message>
-        <source>Presentation state</source>
-        <translation>Presentation State</translation>
-    </message>
-    <message>
-        <source>Headset</source>
-        <translation>Headset</translation>
-    </message>
-    <message>
-        <source>Looking for the headset</source>
-        <translation>Das Headset wird gesucht</translation>
-    </message>
-    <message>
-        <source>Show in &amp;Headset</source>
-        <translation>Im &amp;Headset zeigen</translation>
-    </message>
-    <message>
-        <source>This study in a headset (OpenXR), to be held, turned and cut by hand</source>
-        <translation>Diese Studie in einem Headset (OpenXR), mit der Hand zu halten, zu drehen und zu schneiden</translation>
-    </message>
-    <message>
-        <source>There is nothing to show in a headset yet.</source>
-        <translation>Es gibt noch nichts, was im Headset gezeigt werden kann.</translation>
-    </message>
-    <message>
-        <source>In the headset</source>
-        <translation>Im Headset</translation>
-    </message>
-    <message>
-        <source>The picture in 3D is being made…</source>
-        <translation>Das Bild in 3D entsteht…</translation>
-    </message>
-    <message>
-        <source>A picture is still being drawn.</source>
-        <translation>Ein Bild wird noch gezeichnet.</translation>
-    </message>
-    <message>
-        <source>A movie is still being drawn.</source>
-        <translation>Ein Film wird noch gezeichnet.</translation>
-    </message>
-    <message>
-        <source>A model is still being written.</source>
-        <translation>Ein Modell wird noch geschrieben.</translation>
-    </message>
-    <message>
-        <source>A presentation state is still being written.</source>
-        <translation>Ein Presentation State wird noch geschrieben.</translation>
-    </message>
-    <message>
-        <source>Own</source>
-        <translation>Eigene</translation>
-    </message>
-    <message>
-        <source>Between &amp;Voxels</source>
-        <translation>Zwischen &amp;Voxeln</translation>
     </message>
     <message>
         <source>&amp;Linear</source>
@@ -2605,8 +1914,107 @@
         <translation>Feine Einzelheiten wie bei Linear, und etwas weniger Ringe</translation>
     </message>
     <message>
+        <source>Between &amp;Voxels</source>
+        <translation>Zwischen &amp;Voxeln</translation>
+    </message>
+    <message>
         <source>Values between voxels</source>
         <translation>Werte zwischen Voxeln</translation>
+    </message>
+    <message>
+        <source>Keep &amp;Hues of Highlights</source>
+        <translation>Farbtöne &amp;heller Stellen erhalten</translation>
+    </message>
+    <message>
+        <source>What is too bright for the screen bleaches in its own hue; without it, contrast is higher. Not of projections</source>
+        <translation>Was zu hell für den Bildschirm ist, verblasst in seinem eigenen Farbton; ohne dies ist der Kontrast höher. Nicht bei Projektionen</translation>
+    </message>
+    <message>
+        <source>Hues of highlights</source>
+        <translation>Farbtöne heller Stellen</translation>
+    </message>
+    <message>
+        <source>Reset &amp;Window</source>
+        <translation>&amp;Fensterung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>Of the values: that of the series</source>
+        <translation>Der Werte: die der Serie</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::MainWindow</name>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>&amp;About Macula</source>
+        <translation>&amp;Über Macula</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Be&amp;enden</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Patient and study over the picture</source>
+        <translation>Patient und Studie über dem Bild</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <translation>Darstellung</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Beschnitt</translation>
+    </message>
+    <message>
+        <source>Lights</source>
+        <translation>Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Studies</source>
+        <translation>Studien</translation>
+    </message>
+    <message>
+        <source>Transfer Function</source>
+        <translation>Übertragungsfunktion</translation>
+    </message>
+    <message>
+        <source>Movie</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Voreinstellungen</translation>
+    </message>
+    <message>
+        <source>Segmentations</source>
+        <translation>Segmentierungen</translation>
+    </message>
+    <message>
+        <source>Headset</source>
+        <translation>Headset</translation>
     </message>
 </context>
 <context>
@@ -2618,6 +2026,45 @@
     <message>
         <source> %1/mm</source>
         <translation> %1/mm</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::MeasurementsController</name>
+    <message>
+        <source>Save &amp;Measurements…</source>
+        <translation>&amp;Messungen speichern…</translation>
+    </message>
+    <message>
+        <source>As a table (CSV) or JSON, in mm, degrees and the unit of the study</source>
+        <translation>Als Tabelle (CSV) oder JSON, in mm, Grad und der Einheit der Studie</translation>
+    </message>
+    <message>
+        <source>Remove All &amp;Measurements</source>
+        <translation>Alle &amp;Messungen entfernen</translation>
+    </message>
+    <message>
+        <source>Remove measurements</source>
+        <translation>Messungen entfernen</translation>
+    </message>
+    <message>
+        <source>There are no measurements to save.</source>
+        <translation>Es gibt keine Messungen zu speichern.</translation>
+    </message>
+    <message>
+        <source>Measure something on a slice first.</source>
+        <translation>Messen Sie zuerst etwas auf einer Schicht.</translation>
+    </message>
+    <message>
+        <source>Save the measurements</source>
+        <translation>Messungen speichern</translation>
+    </message>
+    <message>
+        <source>Table (*.csv);;JSON (*.json)</source>
+        <translation>Tabelle (*.csv);;JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>The measurements are written to %1.</source>
+        <translation>Die Messungen sind in %1 gespeichert.</translation>
     </message>
 </context>
 <context>
@@ -2655,6 +2102,53 @@
     <message>
         <source>There is no model of this picture.</source>
         <translation>Von diesem Bild gibt es kein Modell.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ModelsController</name>
+    <message>
+        <source>glTF, for other programs (*.glb)</source>
+        <translation>glTF, für andere Programme (*.glb)</translation>
+    </message>
+    <message>
+        <source>PLY, for other programs (*.ply)</source>
+        <translation>PLY, für andere Programme (*.ply)</translation>
+    </message>
+    <message>
+        <source>PLY, exact, in linear light (*.ply)</source>
+        <translation>PLY, genau, in linearem Licht (*.ply)</translation>
+    </message>
+    <message>
+        <source>SPZ, small, for other programs (*.spz)</source>
+        <translation>SPZ, klein, für andere Programme (*.spz)</translation>
+    </message>
+    <message>
+        <source>Training that can go on, with its pictures (*.macula)</source>
+        <translation>Training, das weitergehen kann, mit seinen Bildern (*.macula)</translation>
+    </message>
+    <message>
+        <source>Writing the model</source>
+        <translation>Das Modell wird gespeichert</translation>
+    </message>
+    <message>
+        <source>Save Mo&amp;del…</source>
+        <translation>Mode&amp;ll speichern…</translation>
+    </message>
+    <message>
+        <source>The preview as a model in mm of the patient (3D Gaussians), for this and other programs</source>
+        <translation>Die Vorschau als Modell in mm des Patienten (3D-Gaußfunktionen), für dieses und andere Programme</translation>
+    </message>
+    <message>
+        <source>A model is still being written.</source>
+        <translation>Ein Modell wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>There is no model to save yet.</source>
+        <translation>Es gibt noch kein Modell zu speichern.</translation>
+    </message>
+    <message>
+        <source>Save the model</source>
+        <translation>Modell speichern</translation>
     </message>
 </context>
 <context>
@@ -2878,6 +2372,49 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::MoviesController</name>
+    <message>
+        <source>Drawing the movie</source>
+        <translation>Der Film wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Save Mo&amp;vie…</source>
+        <translation>F&amp;ilm speichern…</translation>
+    </message>
+    <message>
+        <source>A turntable or a way of the camera as pictures, and as a video</source>
+        <translation>Eine Umrundung oder Kamerafahrt als Bilder und als Video</translation>
+    </message>
+    <message>
+        <source>A movie is still being drawn.</source>
+        <translation>Ein Film wird noch gezeichnet.</translation>
+    </message>
+    <message>
+        <source>There is nothing to draw yet.</source>
+        <translation>Es gibt noch nichts zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>Choose a folder for the pictures</source>
+        <translation>Ordner für die Bilder wählen</translation>
+    </message>
+    <message>
+        <source>Open a way of the camera</source>
+        <translation>Kamerafahrt öffnen</translation>
+    </message>
+    <message>
+        <source>Ways (*.json)</source>
+        <translation>Kamerafahrten (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the way of the camera</source>
+        <translation>Kamerafahrt speichern</translation>
+    </message>
+    <message>
+        <source>The way is written to %1. macula hybrid draws it with --path %1.</source>
+        <translation>Die Kamerafahrt ist in %1 gespeichert. macula hybrid zeichnet sie mit --path %1.</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::NamedClips</name>
     <message>
         <source>Save</source>
@@ -2969,6 +2506,64 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::Notifications</name>
+    <message>
+        <source>Open a study first.</source>
+        <translation>Öffnen Sie zuerst eine Studie.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::OpeningController</name>
+    <message>
+        <source>Opening</source>
+        <translation>Wird geöffnet</translation>
+    </message>
+    <message>
+        <source>Only one folder or file can be opened at a time.</source>
+        <translation>Es kann nur ein Ordner oder eine Datei auf einmal geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Drop one of them, or the folder that holds them all.</source>
+        <translation>Legen Sie einen davon ab, oder den Ordner, in dem alle sind.</translation>
+    </message>
+    <message>
+        <source>&amp;Open Folder…</source>
+        <translation>&amp;Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open the best volume in a folder of DICOM files</source>
+        <translation>Das beste Volumen eines Ordners mit DICOM-Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;File…</source>
+        <translation>&amp;Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Open the series of an image, a DICOMDIR, or a NIfTI, NRRD or MetaImage file</source>
+        <translation>Die Serie eines Bildes, ein DICOMDIR oder eine NIfTI-, NRRD- oder MetaImage-Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;Phantom</source>
+        <translation>&amp;Phantom öffnen</translation>
+    </message>
+    <message>
+        <source>Open the built-in phantom study</source>
+        <translation>Die eingebaute Phantomstudie öffnen</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM files</source>
+        <translation>Ordner mit DICOM-Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>Open an image or a volume</source>
+        <translation>Bild oder Volumen öffnen</translation>
+    </message>
+    <message>
+        <source> What is on screen is still of the study that was open before.</source>
+        <translation> Auf dem Bildschirm ist noch die Studie, die vorher offen war.</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::OwnWindowList</name>
     <message>
         <source>Windows of your own that were kept cannot be read.</source>
@@ -2980,10 +2575,31 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::PanelsController</name>
+    <message>
+        <source>Panels that share this place</source>
+        <translation>Bereiche, die sich diesen Platz teilen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PanesController</name>
+    <message>
+        <source>Panes</source>
+        <translation>Bildfelder</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::PatientMmBox</name>
     <message>
         <source> mm</source>
         <translation> mm</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PickController</name>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
     </message>
 </context>
 <context>
@@ -3132,6 +2748,41 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::PicturesController</name>
+    <message>
+        <source>Drawing the picture</source>
+        <translation>Das Bild wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>The picture is written to %1.</source>
+        <translation>Das Bild ist in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save &amp;Picture…</source>
+        <translation>&amp;Bild speichern…</translation>
+    </message>
+    <message>
+        <source>Draw what is seen in 3D at any size and quality, without names</source>
+        <translation>Zeichnet, was in 3D zu sehen ist, in jeder Größe und Qualität, ohne Namen</translation>
+    </message>
+    <message>
+        <source>A picture is still being drawn.</source>
+        <translation>Ein Bild wird noch gezeichnet.</translation>
+    </message>
+    <message>
+        <source>There is no picture to save yet.</source>
+        <translation>Es gibt noch kein Bild zu speichern.</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png);;Linear light and depth (*.exr);;DICOM Secondary Capture (*.dcm)</source>
+        <translation>Bilder (*.png);;Lineares Licht und Tiefe (*.exr);;DICOM Secondary Capture (*.dcm)</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::PointFields</name>
     <message>
         <source>Value of the selected point</source>
@@ -3203,6 +2854,73 @@
     <message>
         <source>&amp;Choose File…</source>
         <translation>&amp;Datei wählen…</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::PresentationsController</name>
+    <message>
+        <source>The presentation state is written to %1.</source>
+        <translation>Der Presentation State ist in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Open Presen&amp;tation State…</source>
+        <translation>Presen&amp;tation State öffnen…</translation>
+    </message>
+    <message>
+        <source>Show this series as a DICOM presentation state says</source>
+        <translation>Diese Serie zeigen, wie ein DICOM Presentation State es angibt</translation>
+    </message>
+    <message>
+        <source>Save Presentation State…</source>
+        <translation>Presentation State speichern…</translation>
+    </message>
+    <message>
+        <source>The 3D view as a DICOM object, for the archive and other programs</source>
+        <translation>Die 3D-Ansicht als DICOM-Objekt, für das Archiv und andere Programme</translation>
+    </message>
+    <message>
+        <source>A presentation state is still being written.</source>
+        <translation>Ein Presentation State wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>No study is open.</source>
+        <translation>Keine Studie ist offen.</translation>
+    </message>
+    <message>
+        <source>Open the series of the presentation state first.</source>
+        <translation>Öffnen Sie zuerst die Serie des Presentation State.</translation>
+    </message>
+    <message>
+        <source>Open a presentation state</source>
+        <translation>Presentation State öffnen</translation>
+    </message>
+    <message>
+        <source>DICOM files (*.dcm);;All files (*)</source>
+        <translation>DICOM-Dateien (*.dcm);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Choose another one, or open the folder that its series is in.</source>
+        <translation>Wählen Sie einen anderen, oder öffnen Sie den Ordner mit der Serie dazu.</translation>
+    </message>
+    <message>
+        <source>Presentation state</source>
+        <translation>Presentation State</translation>
+    </message>
+    <message>
+        <source>A presentation state refers to DICOM images, and none are open.</source>
+        <translation>Ein Presentation State bezieht sich auf DICOM-Bilder, und keine sind offen.</translation>
+    </message>
+    <message>
+        <source>Open a folder with DICOM files, or save the view.</source>
+        <translation>Öffnen Sie einen Ordner mit DICOM-Dateien, oder speichern Sie die Ansicht.</translation>
+    </message>
+    <message>
+        <source>Save the presentation state</source>
+        <translation>Presentation State speichern</translation>
+    </message>
+    <message>
+        <source>DICOM files (*.dcm)</source>
+        <translation>DICOM-Dateien (*.dcm)</translation>
     </message>
 </context>
 <context>
@@ -3529,6 +3247,97 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::PresetsController</name>
+    <message>
+        <source>Kept as presets of your own: %1.</source>
+        <translation>Als eigene Voreinstellungen behalten: %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Save P&amp;reset…</source>
+        <translation>&amp;Voreinstellung speichern…</translation>
+    </message>
+    <message>
+        <source>The transfer function, for other studies and programs</source>
+        <translation>Die Übertragungsfunktion, für andere Studien und Programme</translation>
+    </message>
+    <message>
+        <source> Preset </source>
+        <translation> Voreinstellung </translation>
+    </message>
+    <message>
+        <source>In this look a preset that is chosen gives the window only</source>
+        <translation>In dieser Darstellung gibt eine gewählte Voreinstellung nur die Fensterung vor</translation>
+    </message>
+    <message>
+        <source>What is seen, and in which colours</source>
+        <translation>Was zu sehen ist und in welchen Farben</translation>
+    </message>
+    <message>
+        <source>For &amp;Other Images</source>
+        <translation>Für &amp;andere Bilder</translation>
+    </message>
+    <message>
+        <source>Keep the &amp;Curve…</source>
+        <translation>&amp;Kurve behalten…</translation>
+    </message>
+    <message>
+        <source>The transfer function that is shown, as a preset of your own</source>
+        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Keep All That Is &amp;Seen…</source>
+        <translation>Alles &amp;Gezeigte behalten…</translation>
+    </message>
+    <message>
+        <source>Curve, look, lights, window, clip and camera, as a preset of your own</source>
+        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren…</translation>
+    </message>
+    <message>
+        <source>Of Macula, 3D Slicer, ParaView, VolView, MITK, Horos or OsiriX</source>
+        <translation>Von Macula, 3D Slicer, ParaView, VolView, MITK, Horos oder OsiriX</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Import presets</source>
+        <translation>Voreinstellungen importieren</translation>
+    </message>
+    <message>
+        <source>Presets (*.json *.vp *.xml *.mrml *.plist);;All files (*)</source>
+        <translation>Voreinstellungen (*.json *.vp *.xml *.mrml *.plist);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Export the preset</source>
+        <translation>Voreinstellung exportieren</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Voreinstellungen (*.json)</translation>
+    </message>
+    <message>
+        <source>The preset is written to %1. Open it with --preset %1.</source>
+        <translation>Die Voreinstellung ist in %1 gespeichert. Öffnen Sie sie mit --preset %1.</translation>
+    </message>
+    <message>
+        <source>There is no preset to save yet.</source>
+        <translation>Es gibt noch keine Voreinstellung zu speichern.</translation>
+    </message>
+    <message>
+        <source>Save the preset</source>
+        <translation>Voreinstellung speichern</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::QualityControl</name>
     <message>
         <source>%L1 s</source>
@@ -3600,6 +3409,45 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::QualityController</name>
+    <message>
+        <source>Converging</source>
+        <translation>Wird fertig gezeichnet</translation>
+    </message>
+    <message>
+        <source>Frames in Motion: Faster</source>
+        <translation>Bilder in Bewegung: schneller</translation>
+    </message>
+    <message>
+        <source>Less is traced while a hand moves</source>
+        <translation>Während der Bewegung wird weniger verfolgt</translation>
+    </message>
+    <message>
+        <source>Frames in Motion: More Accurate</source>
+        <translation>Bilder in Bewegung: genauer</translation>
+    </message>
+    <message>
+        <source>More is traced while a hand moves</source>
+        <translation>Während der Bewegung wird mehr verfolgt</translation>
+    </message>
+    <message>
+        <source>Converge &amp;Now</source>
+        <translation>&amp;Jetzt fertig zeichnen</translation>
+    </message>
+    <message>
+        <source>Trace the picture at rest until it is final, with half of the usual noise</source>
+        <translation>Das ruhende Bild verfolgen, bis es endgültig ist, mit der Hälfte des üblichen Rauschens</translation>
+    </message>
+    <message>
+        <source>Stop Converging</source>
+        <translation>Fertigzeichnen anhalten</translation>
+    </message>
+    <message>
+        <source>There is no picture to converge yet.</source>
+        <translation>Es gibt noch kein Bild fertig zu zeichnen.</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::RecentMenu</name>
     <message>
         <source>Open &amp;Recent</source>
@@ -3612,6 +3460,61 @@
     <message>
         <source>&amp;Forget All</source>
         <translation>Alle &amp;vergessen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SecondVolumeController</name>
+    <message>
+        <source>The second volume that was beside this study is not open; open it with Ctrl+B to see both as they were.</source>
+        <translation>Das zweite Volumen, das neben dieser Studie stand, ist nicht geöffnet; Strg+B öffnet es und zeigt beide, wie sie waren.</translation>
+    </message>
+    <message>
+        <source>Where the second volume lay when this study was left is not taken over: the images had other values or positions then, or an older Macula kept it. It is placed anew.</source>
+        <translation>Wo das zweite Volumen lag, als diese Studie verlassen wurde, wird nicht übernommen: Die Bilder hatten damals andere Werte oder Positionen, oder ein älteres Macula hat es aufgehoben. Es wird neu eingepasst.</translation>
+    </message>
+    <message>
+        <source>Second volume: %1</source>
+        <translation>Zweites Volumen: %1</translation>
+    </message>
+    <message>
+        <source>The second volume shows another part of the body: nothing of it lies in the study.</source>
+        <translation>Das zweite Volumen zeigt einen anderen Teil des Körpers: nichts davon liegt in der Studie.</translation>
+    </message>
+    <message>
+        <source>Open &amp;Beside…</source>
+        <translation>Da&amp;neben öffnen…</translation>
+    </message>
+    <message>
+        <source>A prior, a PET or an MR beside this study: what is selected in the list of studies, else of a folder</source>
+        <translation>Eine Voraufnahme, ein PET oder ein MR neben dieser Studie: was in der Liste der Studien gewählt ist, sonst aus einem Ordner</translation>
+    </message>
+    <message>
+        <source>Open File Besi&amp;de…</source>
+        <translation>Datei daneben ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>The series of an image, or a NIfTI, NRRD or MetaImage file, beside this study</source>
+        <translation>Die Serie eines Bildes oder eine NIfTI-, NRRD- oder MetaImage-Datei neben dieser Studie</translation>
+    </message>
+    <message>
+        <source>&amp;Close Second Volume</source>
+        <translation>Zweites Volumen s&amp;chließen</translation>
+    </message>
+    <message>
+        <source>The study stays open</source>
+        <translation>Die Studie bleibt offen</translation>
+    </message>
+    <message>
+        <source>Second Volume in the Place of the Study</source>
+        <translation>Zweites Volumen an Stelle der Studie</translation>
+    </message>
+    <message>
+        <source>The same planes of the second volume, and back</source>
+        <translation>Dieselben Ebenen des zweiten Volumens, und zurück</translation>
+    </message>
+    <message>
+        <source>Open a second volume beside the study</source>
+        <translation>Zweites Volumen neben der Studie öffnen</translation>
     </message>
 </context>
 <context>
@@ -3804,6 +3707,28 @@
     <message>
         <source>Volumes are estimates: the size of a pixel is not calibrated.</source>
         <translation>Volumina sind Schätzungen: Die Pixelgröße ist nicht kalibriert.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SegmentationsController</name>
+    <message>
+        <source>Loading a segmentation</source>
+        <translation>Eine Segmentierung wird geladen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SettingsController</name>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Language, look, keys, and what is kept</source>
+        <translation>Sprache, Aussehen, Tasten und was aufbewahrt wird</translation>
+    </message>
+    <message>
+        <source>The settings are saved. Language and sessions follow them from the next start.</source>
+        <translation>Die Einstellungen sind gespeichert. Sprache und Sitzungen folgen ihnen ab dem nächsten Start.</translation>
     </message>
 </context>
 <context>
@@ -4216,6 +4141,99 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::StateController</name>
+    <message>
+        <source>How this study was left cannot be read; it is shown as when opened first.</source>
+        <translation>Wie diese Studie verlassen wurde, kann nicht gelesen werden; sie wird wie beim ersten Öffnen gezeigt.</translation>
+    </message>
+    <message>
+        <source>The preset %1 is not made for this kind of volume; %2 is used instead.</source>
+        <translation>Die Voreinstellung %1 ist nicht für solche Volumen gemacht; stattdessen wird %2 verwendet.</translation>
+    </message>
+    <message>
+        <source>This study is shown as it was left. The View menu shows it as when first opened.</source>
+        <translation>Diese Studie wird gezeigt, wie sie verlassen wurde. Das Menü Ansicht zeigt sie wie beim ersten Öffnen.</translation>
+    </message>
+    <message>
+        <source>Show as when first opened</source>
+        <translation>Wie beim ersten Öffnen zeigen</translation>
+    </message>
+    <message>
+        <source>Preset, lights, clip, look and camera that a study has which nobody has seen yet</source>
+        <translation>Voreinstellung, Beleuchtung, Beschnitt, Darstellung und Kamera einer Studie, die noch niemand gesehen hat</translation>
+    </message>
+    <message>
+        <source>Show afresh</source>
+        <translation>Neu zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::StatusController</name>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>How true the picture is</source>
+        <translation>Wie getreu das Bild ist</translation>
+    </message>
+    <message>
+        <source>Voxels and their size</source>
+        <translation>Voxel und ihre Größe</translation>
+    </message>
+    <message>
+        <source>The preview with all pixels that is shown while a hand moves; it gets sharper while nothing moves</source>
+        <translation>Die Vorschau mit allen Pixeln, die während der Bewegung gezeigt wird; sie wird schärfer, solange sich nichts bewegt</translation>
+    </message>
+    <message>
+        <source>Pixels, pictures per second</source>
+        <translation>Pixel, Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>No study is open</source>
+        <translation>Keine Studie ist offen</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
+    <message>
+        <source>The picture in 3D is being made…</source>
+        <translation>Das Bild in 3D entsteht…</translation>
+    </message>
+    <message>
+        <source>Starting the graphics device again…</source>
+        <translation>Das Grafikgerät wird neu gestartet…</translation>
+    </message>
+    <message>
+        <source>The graphics device stopped responding and is started again; the picture is made anew. If this comes back, update the graphics driver.</source>
+        <translation>Das Grafikgerät hat nicht mehr geantwortet und wird neu gestartet; das Bild wird neu erstellt. Wenn das wieder vorkommt, aktualisieren Sie den Grafiktreiber.</translation>
+    </message>
+    <message>
+        <source>The graphics device stopped responding and was started again. If this comes back, update the graphics driver.</source>
+        <translation>Das Grafikgerät hat nicht mehr geantwortet und wurde neu gestartet. Wenn das wieder vorkommt, aktualisieren Sie den Grafiktreiber.</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n samples left out</source>
+        <translation>
+            <numerusform>, %n Abtastung ausgelassen</numerusform>
+            <numerusform>, %n Abtastungen ausgelassen</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, less than the full resolution</source>
+        <translation>, weniger als die volle Auflösung</translation>
+    </message>
+    <message>
+        <source>, %1/s</source>
+        <translation>, %1/s</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SteepChoice</name>
     <message>
         <source>Flat</source>
@@ -4334,6 +4352,13 @@
     <message>
         <source>A double click or Enter opens its series, and shows it so.</source>
         <translation>Ein Doppelklick oder die Eingabetaste öffnet die Serie dazu und zeigt sie so.</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::TableController</name>
+    <message>
+        <source>Looking for the table</source>
+        <translation>Der Tisch wird gesucht</translation>
     </message>
 </context>
 <context>
@@ -4620,6 +4645,33 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     </message>
 </context>
 <context>
+    <name>macula::viewer::View3dController</name>
+    <message>
+        <source>Fit what is visible</source>
+        <translation>Sichtbares einpassen</translation>
+    </message>
+    <message>
+        <source>Cube and scale</source>
+        <translation>Würfel und Maßstab</translation>
+    </message>
+    <message>
+        <source>From where the patient is seen, and how long a centimetre is: with parallel rays everywhere, else at the depth of what the camera turns around</source>
+        <translation>Von wo der Patient gesehen wird und wie lang ein Zentimeter ist: bei parallelen Strahlen überall, sonst in der Tiefe dessen, um das sich die Kamera dreht</translation>
+    </message>
+    <message>
+        <source>Parallel rays</source>
+        <translation>Parallele Strahlen</translation>
+    </message>
+    <message>
+        <source>The same millimetres for each pixel at every depth</source>
+        <translation>In jeder Tiefe gleich viele Millimeter je Pixel</translation>
+    </message>
+    <message>
+        <source>Trace where the pointer is, while moving</source>
+        <translation>Bei Bewegung dort verfolgen, wo der Zeiger ist</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::ViewerWidget</name>
     <message>
         <source>Cube and scale</source>
@@ -4643,6 +4695,41 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     <message>
         <source>The volume in 3D</source>
         <translation>Das Volumen in 3D</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::ViewsController</name>
+    <message>
+        <source>Open &amp;View…</source>
+        <translation>&amp;Ansicht öffnen…</translation>
+    </message>
+    <message>
+        <source>Show this study as it was when a view was saved</source>
+        <translation>Diese Studie so zeigen, wie sie beim Speichern einer Ansicht war</translation>
+    </message>
+    <message>
+        <source>&amp;Save View…</source>
+        <translation>Ansicht &amp;speichern…</translation>
+    </message>
+    <message>
+        <source>All that was chosen, and the camera, for another time</source>
+        <translation>Alles, was gewählt wurde, und die Kamera, für ein andermal</translation>
+    </message>
+    <message>
+        <source>Open a view</source>
+        <translation>Ansicht öffnen</translation>
+    </message>
+    <message>
+        <source>Views (*.json)</source>
+        <translation>Ansichten (*.json)</translation>
+    </message>
+    <message>
+        <source>There is no view to save yet.</source>
+        <translation>Es gibt noch keine Ansicht zu speichern.</translation>
+    </message>
+    <message>
+        <source>Save the view</source>
+        <translation>Ansicht speichern</translation>
     </message>
 </context>
 <context>

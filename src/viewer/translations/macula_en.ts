@@ -67,16 +67,6 @@
     </message>
 </context>
 <context>
-    <name>macula::viewer::MainWindow</name>
-    <message numerus="yes">
-        <source>, %n samples left out</source>
-        <translation>
-            <numerusform>, %n sample left out</numerusform>
-            <numerusform>, %n samples left out</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>macula::viewer::ModelExport</name>
     <message numerus="yes">
         <source> %Ln of its Gaussians have numbers that this format cannot hold; they were limited.</source>
@@ -150,6 +140,16 @@
         <translation>
             <numerusform>%1: %n sample</numerusform>
             <numerusform>%1: %n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::StatusController</name>
+    <message numerus="yes">
+        <source>, %n samples left out</source>
+        <translation>
+            <numerusform>, %n sample left out</numerusform>
+            <numerusform>, %n samples left out</numerusform>
         </translation>
     </message>
 </context>

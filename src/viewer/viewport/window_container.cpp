@@ -7,7 +7,7 @@
 #include <QWindow>
 #include <string>
 
-#include "viewer/panes/focus_order.h"
+#include "viewer/keys/focus_order.h"
 
 namespace macula::viewer {
 

@@ -45,7 +45,7 @@ TEST(FoveaSize, WithLessItShrinksFirstAndIsCoarserThen) {
     }
 }
 
-TEST(FoveaSize, IsAsItIsWished) {
+TEST(FoveaSize, IsAsRequested) {
     const FoveaOptions request{.fieldDeg = 10.0, .samplesPerPixel = 16, .denoising = trace::Denoising::off};
     const FoveaAim all = affordableFovea(kWhole, {}, 1e-9, kFoveaBudgetMs, request);
     EXPECT_NEAR(all.fieldDeg, 10.0, 1e-9);

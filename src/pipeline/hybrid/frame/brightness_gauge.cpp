@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/is_finite.h"
 #include "pipeline/hybrid/views/view_tracing.h"
 
 namespace macula::hybrid {
@@ -19,10 +20,6 @@ constexpr double kMostGain = 2.0;
 
 double luminance(const glm::vec4& p) {
     return 0.2126 * double(p.x) + 0.7152 * double(p.y) + 0.0722 * double(p.z);
-}
-
-bool isFinite(const glm::vec4& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
 }
 
 }  // namespace

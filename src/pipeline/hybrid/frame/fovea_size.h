@@ -28,7 +28,7 @@ struct FoveaOptions {
     bool operator==(const FoveaOptions&) const = default;
 };
 
-// With enough time the wished field, and as fine as the frame. With less, first the
+// With enough time the wanted field, and as fine as the frame. With less, first the
 // field shrinks to three fifths, then the resolution falls to half, then the field shrinks on, to a tenth at
 // last, in steps of a twentieth of the sides. Never larger than the frame. `whole` is a usable view;
 // milliseconds are above 0.

@@ -2,16 +2,14 @@
 
 #include <cmath>
 
+#include "base/is_finite.h"
+
 namespace macula::splat {
 
 namespace {
 
 Error notUsable(std::string message, std::string hint) {
     return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
-}
-
-bool finite(const glm::dvec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
 // Whether the matrix is a rotation, up to the rounding of a file with six digits; no scale and no mirror.
@@ -87,7 +85,7 @@ Result<void> validate(const RasterView& view) {
         return notUsable("The camera's orientation is not a rotation.",
                          "Give three perpendicular unit axes that are not mirrored.");
     const glm::dvec3& eye = view.eyeMm;
-    if (!finite(eye) || !(glm::length(eye) < 1e9))
+    if (!isFinite(eye) || !(glm::length(eye) < 1e9))
         return notUsable("The camera's position is not usable.",
                          "Give a position within 1000 km of the model.");
     for (int i = 0; i < 2; ++i) {

@@ -5,14 +5,11 @@
 #include <limits>
 
 #include "base/check.h"
+#include "base/is_finite.h"
 
 namespace macula::splat {
 
 namespace {
-
-bool finite(const glm::vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
 
 // Whether the quaternion is a rotation. Its inverse length must be finite too, which a subnormal square has
 // not.
@@ -23,9 +20,10 @@ bool isRotation(const glm::vec4& q) {
 bool isGood(const Splats& splats, std::size_t i) {
     const std::size_t count = shCount(splats.shDegree);
     const auto first = splats.sh.begin() + static_cast<std::ptrdiff_t>(i * count);
-    return finite(splats.position[i]) && finite(splats.logScale[i]) && isRotation(splats.rotation[i]) &&
-           std::isfinite(splats.opacityLogit[i]) && finite(splats.dc[i]) &&
-           std::all_of(first, first + static_cast<std::ptrdiff_t>(count), finite);
+    return isFinite(splats.position[i]) && isFinite(splats.logScale[i]) && isRotation(splats.rotation[i]) &&
+           std::isfinite(splats.opacityLogit[i]) && isFinite(splats.dc[i]) &&
+           std::all_of(first, first + static_cast<std::ptrdiff_t>(count),
+                       [](const glm::vec3& sh) { return isFinite(sh); });
 }
 
 // Checks everything but the single splats.
@@ -71,7 +69,7 @@ float largestLogScale(const Splats& splats) {
     for (std::size_t i = 0; i < splats.size(); ++i) {
         const glm::vec3& scale = splats.logScale[i];
         const float largest = std::max({scale.x, scale.y, scale.z});
-        if (!finite(splats.position[i]) || !(largest <= kMaxLogScale)) continue;
+        if (!isFinite(splats.position[i]) || !(largest <= kMaxLogScale)) continue;
         low = glm::min(low, glm::dvec3(splats.position[i]));
         high = glm::max(high, glm::dvec3(splats.position[i]));
         scales.push_back(largest);

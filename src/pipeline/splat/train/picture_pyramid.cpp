@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/is_finite.h"
 
 namespace macula::splat {
 
@@ -12,15 +13,12 @@ namespace {
 
 constexpr int kLeastSide = 16;  // pixels: smaller pictures have no room for a window of the loss
 
-bool isFinite(const glm::vec4& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(p.w);
-}
-
 bool isUsable(const TrainingView& given) {
     const glm::ivec2 size = given.view.sizePx;
     return given.pixels.size() == static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) &&
-           std::any_of(given.pixels.begin(), given.pixels.end(), isFinite) && given.weight > 0.0f &&
-           given.weight <= kMaxViewWeight;
+           std::any_of(given.pixels.begin(), given.pixels.end(),
+                       [](const glm::vec4& pixel) { return isFinite(pixel); }) &&
+           given.weight > 0.0f && given.weight <= kMaxViewWeight;
 }
 
 RasterView scaled(RasterView view, const glm::ivec2& sizePx) {

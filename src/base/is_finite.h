@@ -1,0 +1,16 @@
+// Whether every component of a vector is a number: neither infinite nor NaN.
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace macula {
+
+template <glm::length_t N, class T>
+bool isFinite(const glm::vec<N, T>& vector) {
+    for (glm::length_t i = 0; i < N; ++i)
+        if (!std::isfinite(vector[i])) return false;
+    return true;
+}
+
+}  // namespace macula

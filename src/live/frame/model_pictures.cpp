@@ -1,0 +1,250 @@
+#include "live/frame/model_pictures.h"
+
+#include <new>
+#include <string>
+#include <utility>
+
+#include "base/log.h"
+#include "base/timeline.h"
+
+namespace macula::live {
+
+namespace {
+
+// A picture on screen is worth learning from with so many: fewer are noise, and later the model knows most.
+constexpr std::uint32_t kLearntFromSamples = 4;
+
+}  // namespace
+
+void ModelPictures::otherStudy() {
+    frame_.drop();
+    estimate_.reset();
+    model_.putAway();
+    model_.dropShelf();
+}
+
+void ModelPictures::roomChanged() {
+    frame_.roomChanged();
+    estimateHasRoom_ = true;
+    hybrid::LiveModel* model = model_.live();
+    if (model && model->news().stage == hybrid::ModelStage::noRoom) model->hide();
+}
+
+void ModelPictures::hide() {
+    if (hybrid::LiveModel* model = model_.live()) model->hide();
+}
+
+void ModelPictures::failed() {
+    frame_.drop();
+    model_.save();
+}
+
+void ModelPictures::dropDevice() {
+    frame_.drop();
+    estimate_.reset();
+    model_.save();
+}
+
+bool ModelPictures::hasFit() const {
+    return canDraw() && hybrid::isFitToBeShown(model_.live()->news());
+}
+
+bool ModelPictures::drawsEstimate(const FrameInput& input) const {
+    return frame_.isThere() && estimate_ && input.usesModel && !hasFit() &&
+           estimate_->isOf(input.volume, input.drawing);
+}
+
+bool ModelPictures::isModelOf(const FrameInput& input) {
+    return model_.live()->key() == model_.nameOf(input);
+}
+
+bool ModelPictures::isLoss(const Error& error) const {
+    return device_.isLost() || error.code == ErrorCode::deviceLost;
+}
+
+Result<void> ModelPictures::withoutModel(const FrameInput& input, const Error& error) {
+    if (isLoss(error)) return error;
+    log::warning("There is no peripheral model of this: {}", error.message);
+    model_.giveUp(error.code == ErrorCode::outOfMemory ? hybrid::ModelStage::noRoom
+                                                       : hybrid::ModelStage::failed);
+    frame_.drop();
+    tellOfModel(input);
+    return {};
+}
+
+Result<void> ModelPictures::withoutEstimate(const Error& error) {
+    if (isLoss(error)) return error;
+    log::warning("There is no estimate of this: {}", error.message);
+    estimate_->forget();
+    estimateHasRoom_ = false;
+    return {};
+}
+
+Result<void> ModelPictures::apply(const FrameInput& input) {
+    MACULA_TRY_VOID(applyModel(input));
+    return makeEstimate(input);
+}
+
+Result<void> ModelPictures::applyModel(const FrameInput& input) {
+    const TimelineStage stage("set model");
+    model_.forgetWhyNone();
+    if (!SceneModel::isPossible(input)) {
+        hide();
+        frame_.drop();
+        return {};
+    }
+    if (const Result<void> made = model_.make(device_.device(), device_.traced()->tracer()); !made)
+        return withoutModel(input, made.error());
+    const hybrid::LiveModel& model = *model_.live();
+    const std::string name = model_.nameOf(input);
+    if (name == model.key() && !model.canBeDrawn() && !model.hasWork()) return {};  // it was given up
+    const bool isNew = !frame_.isThere();
+    if (isNew) {
+        if (const Result<void> made = frame_.make(); !made) return withoutModel(input, made.error());
+    }
+    if (isNew || name != model.key() || !frame_.hasDisplayOf(input.drawing.settings)) {
+        if (const Result<void> set = frame_.setScene(input.drawing.settings); !set)
+            return withoutModel(input, set.error());
+    }
+    if (const Result<void> shown = model_.show(name, input.drawing); !shown)
+        return withoutModel(input, shown.error());
+    tellOfModel(input);
+    return {};
+}
+
+// What estimates are made from: the last model that was fit, before what it is of is changed.
+void ModelPictures::noteLearnt(const FrameInput& input) {
+    if (!estimate_) estimate_.emplace(device_.device());
+    if (hasFit() && !isModelOf(input)) {
+        const hybrid::LiveModel& model = *model_.live();
+        estimate_->learnt(input.volume, model_.drawing(), model.shown(), model.gain());
+    }
+    estimate_->begin(input.volume, input.drawing);
+}
+
+// Of what is wanted now, where there is no more of it yet.
+Result<void> ModelPictures::makeEstimate(const FrameInput& input) {
+    if (!frame_.isThere() || !hasModel() || !estimate_ || !estimateHasRoom_ || hasFit() ||
+        !SceneModel::isPossible(input))
+        return {};
+    if (!estimate_->canTell(input.volume, input.drawing)) return {};
+    const Result<void> made = guarded([&] { return estimate_->make(input.drawing); });
+    return made ? Result<void>() : withoutEstimate(made.error());
+}
+
+Result<bool> ModelPictures::estimateEdit(const FrameInput& input) {
+    noteLearnt(input);
+    if (!frame_.isThere() || !hasModel() || !model_.hasShelf()) return false;
+    const std::string name = model_.nameOf(input);
+    if (name == model_.live()->key() || model_.isOnShelf(name)) return false;
+    hide();
+    MACULA_TRY_VOID(makeEstimate(input));
+    if (!drawsEstimate(input)) return false;
+    frame_.forgetFovea();
+    return true;
+}
+
+void ModelPictures::forgetNeedlessEstimate() {
+    if (estimate_ && hasFit()) estimate_->forget();
+}
+
+// A slice of work that may lack memory on the host.
+Result<void> ModelPictures::guarded(const std::function<Result<void>()>& work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        if (device_.isLost()) throw;
+        return Error{ErrorCode::outOfMemory, "There is not enough memory for it.", {}, {}};
+    }
+}
+
+Result<void> ModelPictures::work(double budgetMs, const std::function<bool()>& keepGoing) {
+    return guarded([&] { return model_.live()->work(budgetMs, keepGoing); });
+}
+
+Result<void> ModelPictures::workWithin(double leftMs, const std::function<bool()>& keepGoing) {
+    return guarded([&] { return model_.live()->workWithin(leftMs, keepGoing); });
+}
+
+// Where the picture is not denoised any more its guides may be gone; the fovea of before was of fewer
+// samples, and does.
+Result<void> ModelPictures::keepForMotion(const FrameInput& input) {
+    const TimelineStage stage("keep for motion");
+    // A fovea is reprojected, and a model learns, for an eye; with parallel rays splats alone are shown.
+    if (!canDraw() || !frame_.hasRoomForFovea() || isParallel(input.camera)) return {};
+    TracedPictures& traced = *device_.traced();
+    MACULA_TRY(const trace::Statistics statistics, traced.statistics());
+    if (!statistics.denoised) return {};
+    const trace::View view{.camera = input.camera, .width = traced.width(), .height = traced.height()};
+    const auto samples = static_cast<std::uint32_t>(statistics.meanSamplesPerPixel);
+    MACULA_TRY_VOID(
+        frame_.adopt(traced.tracer(), {.whole = view, .gaze = input.gaze, .samplesPerPixel = samples}));
+    if (samples < kLearntFromSamples) return {};
+    if (const Result<void> learnt = model_.live()->learnFrom(traced.tracer(), view, samples); !learnt)
+        return withoutModel(input, learnt.error());
+    return {};
+}
+
+bool ModelPictures::wantsFovea(const FrameInput& input) const {
+    return canDraw() && !drawsEstimate(input) && frame_.wantsFovea(input);
+}
+
+hybrid::Periphery ModelPictures::periphery(const FrameInput& input) {
+    if (drawsEstimate(input))
+        return {.draw = [this](const Camera& eye,
+                               const glm::ivec2& sizePx) { return estimate_->draw(eye, sizePx); },
+                .gain = static_cast<float>(estimate_->gain()),
+                .isLikeness = false};
+    hybrid::LiveModel& model = *model_.live();
+    return {.draw = [&model](const Camera& eye, const glm::ivec2& sizePx) -> Result<hybrid::DrawnSplats> {
+                MACULA_TRY(const splat::DevicePicture* picture, model.draw(eye, sizePx));
+                return hybrid::DrawnSplats{picture, &model.drawnDepths()};
+            },
+            .gain = static_cast<float>(model.gain()),
+            .isLikeness = true};
+}
+
+Result<const gpu::Image*> ModelPictures::draw(const FrameInput& input, float tracedShare) {
+    frame_.forgetLast();
+    TracedPictures& traced = *device_.traced();
+    if (!canDraw() && !drawsEstimate(input)) return traced.display(input.background);
+    const hybrid::Periphery splats = periphery(input);
+    hybrid::FrameRequest request{.eyes = {input.camera},
+                                 .sizePx = {input.width, input.height},
+                                 .display = {.background = input.background,
+                                             .exposure = float(input.drawing.settings.exposure),
+                                             .toneMap = input.drawing.settings.toneMap}};
+    if (tracedShare > 0.0f) {
+        MACULA_TRY(const trace::TracedLight light, traced.light());
+        request.fadingIn = {.light = light, .share = tracedShare};
+    }
+    Result<const gpu::Image*> drawn = frame_.draw(request, splats);
+    // Rather without the fovea than without the model.
+    if (!drawn && drawn.error().code == ErrorCode::outOfMemory && canDraw() && frame_.hasFovea()) {
+        frame_.doWithoutFovea();
+        drawn = frame_.draw(request, splats);
+    }
+    return drawn;
+}
+
+Result<const gpu::Image*> ModelPictures::drawTraced(const FrameInput& input) {
+    frame_.forgetMix();
+    TracedPictures& traced = *device_.traced();
+    if (!traced.isNoisy() || !(hasFit() || drawsEstimate(input))) return traced.display(input.background);
+    Result<const gpu::Image*> weighed = draw(input, 1.0f);
+    if (weighed) return weighed;
+    // Without the memory for it the model may still do for frames in motion.
+    if (drawsEstimate(input)) {
+        MACULA_TRY_VOID(withoutEstimate(weighed.error()));
+    } else if (weighed.error().code != ErrorCode::outOfMemory) {
+        MACULA_TRY_VOID(withoutModel(input, weighed.error()));
+    }
+    return traced.display(input.background);
+}
+
+Result<void> ModelPictures::snapshot(const FrameInput& input, ModelSnapshot& taken) {
+    if (!isComplete(input) || !canDraw()) return {};
+    return model_.snapshot(input, taken);
+}
+
+}  // namespace macula::live

@@ -1,0 +1,73 @@
+#include "live/model/training_identity.h"
+
+#include <fmt/ranges.h>
+
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include "base/fingerprint.h"
+#include "base/sha256.h"
+#include "live/model/scene_digests.h"
+
+namespace macula::live {
+
+namespace {
+
+constexpr const char* kFirstLine = "macula training of";
+constexpr const char* kAdditions = "additions";  // a last line, where there are any
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+// Takes the line out; empty where there are none.
+std::string takeAdditions(std::vector<std::string>& lines) {
+    if (lines.empty() || !lines.back().starts_with(kAdditions)) return {};
+    std::string taken = std::move(lines.back());
+    lines.pop_back();
+    return taken;
+}
+
+}  // namespace
+
+std::string trainingIdentity(const Volume& volume, const TransferFunction& function, const Clip& clip,
+                             const trace::Environment& lights, const Additions& additions) {
+    PartDigests parts;
+    std::string key = fmt::format("{}\nstudy {}\npreset {}\nclip {}\nlights {}\n", kFirstLine,
+                                  sha256Hex(fingerprint(volume)), digestOf(function),
+                                  digestOf(clip, volume, parts), digestOf(lights));
+    if (!additions.isNothing()) key += fmt::format("{} {}\n", kAdditions, digestOf(additions, parts));
+    return key;
+}
+
+Result<void> checkTrainingIdentity(const std::string& saved, const std::string& now,
+                                   const std::filesystem::path& file) {
+    if (saved == now) return {};
+    std::vector<std::string> before = linesOf(saved);
+    std::vector<std::string> after = linesOf(now);
+    const bool hasOtherAdditions = takeAdditions(before) != takeAdditions(after);
+    if (before.size() != after.size() || before.front() != after.front())
+        return Error{ErrorCode::inputNotUsable, "The saved training does not say what its pictures show.",
+                     file.string(), "It is of another program, or of an older one: train anew."};
+    std::vector<std::string> other;
+    for (std::size_t i = 1; i < after.size(); ++i) {
+        if (before[i] == after[i]) continue;
+        const std::string word = after[i].substr(0, after[i].find(' '));
+        other.push_back((word == "lights" ? "other " : "another ") + word);
+    }
+    if (hasOtherAdditions) other.emplace_back("another second volume or other colours of segments");
+    // There are no options that would bring them.
+    const char* hint =
+        hasOtherAdditions
+            ? "macula train draws no second volume and no colours of segments: train anew without them."
+            : "Give the PATH, --series, --preset, --clip, --remove-table and --lights that it was made with, "
+              "or train anew.";
+    return Error{ErrorCode::inputNotUsable,
+                 fmt::format("The saved training is of {}.", fmt::join(other, " and ")), file.string(), hint};
+}
+
+}  // namespace macula::live

@@ -1,0 +1,31 @@
+// What a StudyKeeper tells the user.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "base/check.h"
+#include "base/result.h"
+
+namespace macula::live {
+
+// Receives messages for the user: a sentence and advice. No patient data, except in `where`.
+using KeeperListener = std::function<void(const Error&)>;
+
+// Passes each sentence on once, and logs it. Used by the keeper's thread alone: there the listener is called.
+class KeeperMessages {
+  public:
+    explicit KeeperMessages(KeeperListener listener) : listener_(std::move(listener)) {}
+
+    void tell(const Error& error);
+    void tellOfNoMemory(const char* sentence) noexcept;
+    void tellOfFault(const CheckFailure& failure) noexcept;
+
+  private:
+    const KeeperListener listener_;
+    std::set<std::string> told_;  // sentences the listener has heard
+};
+
+}  // namespace macula::live

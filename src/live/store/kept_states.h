@@ -1,0 +1,35 @@
+// The study states that a StudyKeeper finds and stores.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/volume.h"
+#include "live/model/part_digests.h"
+#include "live/store/keeper_messages.h"
+#include "live/store/opened_record.h"
+#include "live/store/store_thread.h"
+
+namespace macula::live {
+
+// Any thread may call both methods; what they post runs on the store's thread.
+class KeptStates {
+  public:
+    KeptStates(StoreThread& thread, KeeperMessages& messages, OpenedRecord& opened, PartDigests& digests)
+        : thread_(thread), messages_(messages), opened_(opened), digests_(digests) {}
+
+    // See StudyKeeper.
+    std::optional<std::string> stateOf(const std::shared_ptr<const Volume>& volume,
+                                       std::chrono::milliseconds patience);
+    void keepState(std::shared_ptr<const Volume> volume, std::string json, std::shared_ptr<std::string> base);
+
+  private:
+    StoreThread& thread_;
+    KeeperMessages& messages_;  // these two: only jobs use them
+    OpenedRecord& opened_;
+    PartDigests& digests_;
+};
+
+}  // namespace macula::live

@@ -1,0 +1,110 @@
+#include "viewer/browser/browser_controller.h"
+
+#include <QMainWindow>
+#include <QMenu>
+#include <QToolBar>
+#include <set>
+
+#include "live/store/study_keeper.h"
+#include "viewer/browser/recent_menu.h"
+#include "viewer/browser/study_browser.h"
+#include "viewer/browser/volume_choice.h"
+#include "viewer/editor/study_editor.h"
+#include "viewer/jobs/post.h"
+#include "viewer/keys/keys.h"
+#include "viewer/status/study_texts.h"
+#include "viewer/volume/opening_controller.h"
+
+namespace macula::viewer {
+
+BrowserController::BrowserController(const WindowContext& context, OpeningController& opening,
+                                     live::StudyKeeper* keeper)
+    : QObject(&context.window),
+      context_(context),
+      opening_(opening),
+      keeper_(keeper),
+      browser_(new StudyBrowser),
+      recent_(new RecentMenu(&context.window)) {
+    // It may be a folder of which no volume is on screen yet.
+    connect(browser_, &StudyBrowser::chosen, this,
+            [this](std::size_t index) { opening_.openFound(browser_->found(), index); });
+    connect(recent_, &RecentMenu::chosen, this,
+            [this](const QString& path) { opening_.open(path.toStdString()); });
+    connectLoader();
+}
+
+void BrowserController::connectLoader() {
+    const StudyLoader& loader = opening_.loader();
+    connect(
+        &loader, &StudyLoader::found, this,
+        [this](const std::shared_ptr<const study::FoundVolumes>& found) { showFound(found, std::nullopt); });
+    connect(&loader, &StudyLoader::loaded, this, [this, &loader] {
+        if (const study::StudySource& source = loader.source()) recent_->add(*source);
+    });
+    // Of a folder that was read the series stay, to choose another one from.
+    const auto goBack = [this] {
+        if (browser_->found() && !browser_->found()->isWhole()) showOpen();
+    };
+    connect(&loader, &StudyLoader::failed, this, goBack);
+    connect(&loader, &StudyLoader::askedToJoin, this, goBack);
+    connect(&loader, &StudyLoader::cancelled, this, goBack);
+}
+
+std::optional<std::size_t> BrowserController::selectedOther() const {
+    return shown_ != nullptr && shown_->isChecked() ? browser_->selectedOther() : std::nullopt;
+}
+
+void BrowserController::addFindAction(QMenu& edit) {
+    QAction* find = edit.addAction(tr("&Find a Study…"), this, [this] {
+        if (!shown_->isChecked()) shown_->trigger();
+        browser_->focusSearch();
+    });
+    find->setShortcut(keyOf(KeyAction::find));
+}
+
+void BrowserController::addVolumes(QToolBar& bar) {
+    volumes_ = new VolumeChoice(&bar);
+    volumesInBar_ = bar.addWidget(volumes_);
+    volumesInBar_->setObjectName(QStringLiteral("volumes-in-bar"));
+    volumesInBar_->setVisible(false);
+    connect(volumes_, &VolumeChoice::chosen, this,
+            [this](std::size_t index) { opening_.openFound(context_.session.study().found, index); });
+}
+
+void BrowserController::showVolumes() {
+    volumesInBar_->setVisible(textsOf(context_.session.study(), namesShown_).listsVolumes);
+}
+
+void BrowserController::showNames(bool shown) {
+    browser_->showNames(shown);
+    recent_->showNames(shown);
+    namesShown_ = shown;
+    showVolumes();
+}
+
+void BrowserController::onStudyShown() {
+    const study::OpenedStudy& study = context_.session.study();
+    showOpen();
+    volumes_->setVolumes(study.volumeTitles, study.volumeIndex);
+    showVolumes();
+}
+
+void BrowserController::showOpen() {
+    const study::OpenedStudy& study = context_.session.study();
+    showFound(study.found, study.volumeIndex);
+}
+
+// Which of it was seen before is known later, and of glimpses not asked for: there are no volumes yet.
+void BrowserController::showFound(const std::shared_ptr<const study::FoundVolumes>& found,
+                                  std::optional<std::size_t> open) {
+    const bool isNew = found != browser_->found();
+    browser_->setFound(found, open);
+    if (!keeper_ || !found || !found->isWhole() || !isNew) return;
+    keeper_->askWhatWasSeen(found, [this, found](const std::set<std::size_t>& seen) {
+        post(this, [this, found, seen] {
+            if (browser_->found() == found) browser_->setStored(seen);
+        });
+    });
+}
+
+}  // namespace macula::viewer

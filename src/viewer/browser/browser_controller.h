@@ -1,0 +1,63 @@
+// The list of studies, while a folder is read and after; its volumes, and what was opened before.
+#pragma once
+
+#include <QObject>
+#include <cstddef>
+#include <memory>
+#include <optional>
+
+#include "study/open/found_volumes.h"
+#include "viewer/context/window_context.h"
+
+class QAction;
+class QMenu;
+class QToolBar;
+
+namespace macula::live {
+class StudyKeeper;
+}
+
+namespace macula::viewer {
+
+class OpeningController;
+class RecentMenu;
+class StudyBrowser;
+class VolumeChoice;
+
+// Lives on the UI thread.
+class BrowserController : public QObject {
+    Q_OBJECT
+
+  public:
+    // `opening` and the keeper outlive it; null: nothing is kept.
+    BrowserController(const WindowContext& context, OpeningController& opening, live::StudyKeeper* keeper);
+
+    StudyBrowser& browser() const { return *browser_; }
+    void setShownAction(QAction& shown) { shown_ = &shown; }  // shows and hides the browser's panel
+    RecentMenu& recent() const { return *recent_; }
+    // A volume that is selected in the browser while it is shown, other than the open one.
+    std::optional<std::size_t> selectedOther() const;
+
+    void addFindAction(QMenu& edit);
+    void addVolumes(QToolBar& bar);  // of the folder of the open study
+    void showNames(bool shown);
+    void onStudyShown();
+
+  private:
+    void showFound(const std::shared_ptr<const study::FoundVolumes>& found, std::optional<std::size_t> open);
+    void showOpen();
+    void showVolumes();
+    void connectLoader();
+
+    WindowContext context_;
+    OpeningController& opening_;
+    live::StudyKeeper* keeper_;
+    StudyBrowser* browser_;
+    RecentMenu* recent_;
+    bool namesShown_ = true;
+    QAction* shown_ = nullptr;
+    VolumeChoice* volumes_ = nullptr;
+    QAction* volumesInBar_ = nullptr;  // shows and hides them
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,46 @@
+// The study of the window in a headset: begun, mirrored, and what was chosen there or here.
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "pipeline/volume/clip.h"
+#include "viewer/context/window_context.h"
+
+class QDockWidget;
+class QMenu;
+
+namespace macula::viewer {
+
+class HeadsetMirror;
+class HeadsetShow;
+struct HeadsetSelection;
+
+// Lives on the UI thread.
+class HeadsetController : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit HeadsetController(const WindowContext& context);
+
+    HeadsetMirror& mirror() const { return *mirror_; }  // the panel
+    void setDock(QDockWidget& dock);                    // of it
+    void addAction(QMenu& view);
+    void begin();
+
+  signals:
+    void ended();  // or could not begin
+
+  private:
+    void connectShow();
+    void take(const HeadsetSelection& choice);
+
+    WindowContext context_;
+    HeadsetShow* show_;
+    HeadsetMirror* mirror_;
+    bool isMirrored_ = false;           // a picture of the headset has arrived
+    bool isFromHeadset_ = false;        // the present change comes from the headset
+    std::shared_ptr<const Clip> clip_;  // the clip shown in the headset
+};
+
+}  // namespace macula::viewer

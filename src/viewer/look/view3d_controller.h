@@ -1,0 +1,34 @@
+// The view in 3D: its sides, cube and scale, its rays, and what a hand in it does to the transfer function.
+#pragma once
+
+#include <QObject>
+#include <QString>
+
+#include "viewer/context/window_context.h"
+
+class QAction;
+class QMenu;
+
+namespace macula::viewer {
+
+class TransferFunctionEditor;
+
+// Keys of its actions are handled by the viewport, so that they do nothing while a list has the focus. Lives
+// on the UI thread.
+class View3dController : public QObject {
+    Q_OBJECT
+
+  public:
+    // `transfer` outlives it.
+    View3dController(const WindowContext& context, const TransferFunctionEditor& transfer);
+
+    void redraw();                // after another choice, in the same study
+    void addCamera(QMenu& view);  // standard views, and what fits the picture
+    void addMarks(QMenu& view);
+    void addGaze(QMenu& view);
+
+  private:
+    WindowContext context_;
+};
+
+}  // namespace macula::viewer

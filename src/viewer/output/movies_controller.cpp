@@ -1,0 +1,141 @@
+#include "viewer/viewport/viewport.h"  // before Qt, see vulkan_window.h
+
+#include "viewer/output/movies_controller.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QMenu>
+#include <QScrollArea>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/atomic_file.h"
+#include "viewer/output/movie_export.h"
+#include "viewer/output/movie_panel.h"
+#include "viewer/output/movie_stamps.h"
+#include "viewer/output/video_encoder.h"
+#include "viewer/settings/file_dialogs.h"
+#include "viewer/status/work_status.h"
+#include "viewer/volume/shown_volume.h"
+
+namespace macula::viewer {
+
+MoviesController::MoviesController(const WindowContext& context)
+    : QObject(&context.window),
+      context_(context),
+      panel_(new MoviePanel([this]() -> std::optional<Camera> {
+          if (!context_.session.hasStudy()) return std::nullopt;
+          return toCamera(context_.viewport.camera());
+      })),
+      export_(new MovieExport(context.device, this)),
+      bar_(new WorkBar) {
+    auto* scrolled = new QScrollArea;  // a low window stays low
+    scrolled->setFocusPolicy(Qt::NoFocus);
+    scrolled->setWidgetResizable(true);
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setWidget(panel_);
+    scrolled_ = scrolled;
+    connect(panel_, &MoviePanel::drawAsked, this, &MoviesController::askWhereToDraw);
+    connect(panel_, &MoviePanel::openAsked, this, &MoviesController::askForPath);
+    connect(panel_, &MoviePanel::saveAsked, this, &MoviesController::askWhereToSavePath);
+
+    showWork(*export_, *bar_, tr("Drawing the movie"), context_.notifications);
+    connect(export_, &MovieExport::written, this, [this](const QString& told) {
+        context_.notifications.showNote(told);
+        emit written();
+    });
+}
+
+void MoviesController::setDock(QDockWidget& dock) {
+    dock_ = &dock;
+    connect(&dock, &QDockWidget::visibilityChanged, panel_, [this](bool isVisible) {
+        if (isVisible) panel_->setHasEncoder(!VideoEncoder::find().isEmpty());
+    });
+}
+
+void MoviesController::addActions(QMenu& file) {
+    QAction* movie = file.addAction(tr("Save Mo&vie…"), this, [this] {
+        dock_->show();
+        dock_->raise();
+        panel_->setFocus();
+    });
+    movie->setObjectName(QStringLiteral("save-movie"));
+    movie->setToolTip(tr("A turntable or a way of the camera as pictures, and as a video"));
+}
+
+QString MoviesController::unfinished() const {
+    return export_->running() ? tr("A movie is still being drawn.") : QString();
+}
+
+void MoviesController::cancel() {
+    export_->cancel();
+}
+
+// Views of one patient mean nothing for the next.
+void MoviesController::onStudyShown() {
+    panel_->setViews({});
+}
+
+void MoviesController::askWhereToDraw() {
+    if (!context_.notifications.hasStudy(context_.session.hasStudy(), tr("There is nothing to draw yet.")))
+        return;
+    const study::OpenedStudy& study = context_.session.study();
+    const auto path = panel_->pathFrom(toCamera(context_.viewport.camera()));
+    if (!path) return;
+    // What is on screen now: while a person looks for a folder another study may come.
+    MovieRequest request;
+    request.sequence.picture.volume = study.volume;
+    request.sequence.picture.seriesDigest = study.seriesDigest;
+    request.sequence.picture.drawing = context_.shown.drawing();
+    request.sequence.picture.sizePx = {panel_->sizePx().width(), panel_->sizePx().height()};
+    request.sequence.picture.effort.quality = panel_->quality();
+    request.sequence.path = *path;
+    request.sequence.frames = panel_->frames();
+    request.sequence.isClosed = panel_->isClosed();
+    request.picturesPerS = panel_->picturesPerS();
+    request.wantsVideo = panel_->wantsVideo();
+    const std::vector<std::string> lines =
+        panel_->withNames() ? linesOf(study.identity) : std::vector<std::string>();
+    if (panel_->withLetters() || !lines.empty()) {
+        request.sequence.stampsFor = [lines, withLetters = panel_->withLetters(),
+                                      sizePx = request.sequence.picture.sizePx](const Camera& from) {
+            const scene::EdgeLetters letters =
+                withLetters ? scene::edgeLetters(scene::orbitCameraOf(from)) : scene::EdgeLetters{};
+            return stampsOf(lines, letters, sizePx);
+        };
+    }
+    auto* dialog = context_.files.toOpenFolder(FolderKind::movies, tr("Choose a folder for the pictures"));
+    context_.files.ask(dialog, FolderKind::movies,
+                       [this, request = std::move(request)](const QString& folder) {
+                           MovieRequest now = request;
+                           now.sequence.folder = folder.toStdString();
+                           export_->start(std::move(now));
+                       });
+}
+
+void MoviesController::askForPath() {
+    auto* dialog =
+        context_.files.toOpen(FolderKind::movies, tr("Open a way of the camera"), tr("Ways (*.json)"));
+    context_.files.ask(dialog, FolderKind::movies, [this](const QString& file) {
+        auto path = scene::readCameraPath(file.toStdString());
+        if (!path) return context_.notifications.showError(path.error());
+        context_.notifications.hide();
+        panel_->setViews(*std::move(path));
+    });
+}
+
+void MoviesController::askWhereToSavePath() {
+    if (panel_->views().stops.empty()) return;
+    auto* dialog =
+        context_.files.toSave(FolderKind::movies, tr("Save the way of the camera"), tr("Ways (*.json)"),
+                              QStringLiteral("json"), QStringLiteral("path.json"));
+    context_.files.ask(
+        dialog, FolderKind::movies, [this, json = toJson(panel_->views())](const QString& file) {
+            context_.notifications.showOutcome(
+                writeTextAtomically(file.toStdString(), json),
+                tr("The way is written to %1. macula hybrid draws it with --path %1.").arg(file));
+        });
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,115 @@
+#include "viewer/viewport/viewport.h"  // before Qt, see vulkan_window.h
+
+#include "viewer/output/pictures_controller.h"
+
+#include <QMainWindow>
+#include <QMenu>
+#include <optional>
+#include <utility>
+
+#include "study/open/found_volumes.h"
+#include "viewer/keys/keys.h"
+#include "viewer/output/picture_dialog.h"
+#include "viewer/output/picture_export.h"
+#include "viewer/output/picture_overlays.h"
+#include "viewer/panes/pane_grid.h"
+#include "viewer/settings/file_dialogs.h"
+#include "viewer/settings/settings_controller.h"
+#include "viewer/status/work_status.h"
+#include "viewer/volume/shown_volume.h"
+
+namespace macula::viewer {
+
+namespace {
+
+// One of those that the volume was made of.
+std::optional<dicom::SecondaryCapture::Source> imageOf(const study::OpenedStudy& study) {
+    if (!study.found) return std::nullopt;
+    const auto& frames = study.found->volumes().at(study.volumeIndex).stack->frames;
+    if (frames.empty()) return std::nullopt;
+    const dicom::Instance& image = *frames[frames.size() / 2].instance;
+    return dicom::SecondaryCapture::Source{image.file, image.sopInstanceUid};
+}
+
+}  // namespace
+
+PicturesController::PicturesController(const WindowContext& context, const PaneGrid& panes,
+                                       const SettingsController& settings)
+    : QObject(&context.window),
+      context_(context),
+      panes_(panes),
+      settings_(settings),
+      export_(new PictureExport(context.device, this)),
+      bar_(new WorkBar) {
+    showWork(*export_, *bar_, tr("Drawing the picture"), context_.notifications);
+    connect(export_, &PictureExport::written, this, [this](const QString& path, const QStringList& notes) {
+        context_.notifications.showDone(tr("The picture is written to %1.").arg(path), notes);
+        emit written();
+    });
+}
+
+void PicturesController::addActions(QMenu& file) {
+    QAction* save = file.addAction(tr("Save &Picture…"), this, &PicturesController::askHowToSave);
+    save->setObjectName(QStringLiteral("save-picture"));
+    save->setShortcut(keyOf(KeyAction::savePicture));
+    save->setToolTip(tr("Draw what is seen in 3D at any size and quality, without names"));
+}
+
+QString PicturesController::unfinished() const {
+    return export_->running() ? tr("A picture is still being drawn.") : QString();
+}
+
+void PicturesController::cancel() {
+    export_->cancel();
+}
+
+void PicturesController::askHowToSave() {
+    if (!context_.notifications.hasStudy(context_.session.hasStudy(), tr("There is no picture to save yet.")))
+        return;
+    context_.viewport.window().endDrag();
+    const bool is3dShown = panes_.isShown(Pane::volume);
+    // The window of a picture that is not shown has no size that means anything.
+    auto* dialog = new PictureDialog(
+        is3dShown ? context_.viewport.pictureSize() : panes_.size() * panes_.devicePixelRatioF(),
+        &context_.window);
+    if (!is3dShown) dialog->tellThat3dIsHidden();
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->beginWith(settings_.settings().quality, settings_.settings().deidentifies);
+    dialog->offerEffectsOf(context_.session.state().settings.look);
+    connect(dialog, &QDialog::accepted, this, [this, dialog] { askWhereToSave(*dialog); });
+    dialog->open();
+}
+
+void PicturesController::askWhereToSave(const PictureDialog& how) {
+    auto* dialog = context_.files.toSave(
+        FolderKind::pictures, tr("Save the picture"),
+        tr("Pictures (*.png);;Linear light and depth (*.exr);;DICOM Secondary Capture (*.dcm)"),
+        QStringLiteral("png"), QStringLiteral("picture"));
+    FileDialogs::followFilter(*dialog);
+    const study::OpenedStudy& study = context_.session.study();
+    // What is on screen now: while a person looks for a folder another study may come.
+    pictures::ViewPicture picture{.volume = study.volume,
+                                  .seriesDigest = study.seriesDigest,
+                                  .drawing = context_.shown.drawing(),
+                                  .camera = toCamera(context_.viewport.camera()),
+                                  .sizePx = {how.sizePx().width(), how.sizePx().height()},
+                                  .effort = {.quality = how.quality()},
+                                  .effects = how.effects(),
+                                  .output = {},
+                                  .source = imageOf(study),
+                                  .isOfNobody = study.identity.isOfNobody,
+                                  .isDeidentified = how.isDeidentified()};
+    if (how.hasOverlays())
+        picture.stampsFor = [sizePx = picture.sizePx,
+                             isCalibrated = picture.volume->provenance().isCalibrated](const Camera& camera) {
+            return overlaysOf(camera, sizePx, isCalibrated);
+        };
+    context_.files.ask(dialog, FolderKind::pictures,
+                       [this, picture = std::move(picture)](const QString& path) {
+                           pictures::ViewPicture wanted = picture;
+                           wanted.output = path.toStdString();
+                           export_->start(std::move(wanted));
+                       });
+}
+
+}  // namespace macula::viewer

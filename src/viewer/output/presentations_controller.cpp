@@ -1,0 +1,175 @@
+#include "viewer/viewport/viewport.h"  // before Qt, see vulkan_window.h
+
+#include "viewer/output/presentations_controller.h"
+
+#include <QMainWindow>
+#include <QMenu>
+#include <utility>
+#include <vector>
+
+#include "viewer/browser/study_browser.h"
+#include "viewer/keys/keys.h"
+#include "viewer/output/presentation_dialog.h"
+#include "viewer/output/presentation_files.h"
+#include "viewer/settings/file_dialogs.h"
+#include "viewer/slices/slice_view.h"
+#include "viewer/status/notifications.h"
+#include "viewer/volume/opening_controller.h"
+#include "viewer/volume/state_controller.h"
+
+namespace macula::viewer {
+
+PresentationsController::PresentationsController(const WindowContext& context, const Uses& uses)
+    : QObject(&context.window), context_(context), uses_(uses), files_(new PresentationFiles(this)) {
+    connect(files_, &PresentationFiles::saved, this, [this](const QString& path, const QStringList& notes) {
+        context_.notifications.showDone(tr("The presentation state is written to %1.").arg(path), notes);
+        emit written();
+    });
+    connect(files_, &PresentationFiles::opened, this,
+            [this](const scene::StudyState& state, const QStringList& notes) {
+                if (const Result<void> shown = uses_.states.setState(state); !shown)
+                    return context_.notifications.showError(shown.error());
+                context_.notifications.showNotesOf(notes);
+            });
+    connect(files_, &PresentationFiles::openedOnSlices, this, &PresentationsController::showOnSlices);
+    connect(files_, &PresentationFiles::failed, this,
+            [this](const Error& error) { context_.notifications.fail(error); });
+    connectList();
+}
+
+const study::OpenedStudy& PresentationsController::study() const {
+    return context_.session.study();
+}
+
+void PresentationsController::addActions(QMenu& file) {
+    QAction* open =
+        file.addAction(tr("Open Presen&tation State…"), this, &PresentationsController::askForOne);
+    open->setObjectName(QStringLiteral("open-presentation"));
+    open->setToolTip(tr("Show this series as a DICOM presentation state says"));
+    QAction* save =
+        file.addAction(tr("Save Presentation State…"), this, &PresentationsController::askHowToSave);
+    save->setObjectName(QStringLiteral("save-presentation"));
+    save->setShortcut(keyOf(KeyAction::savePresentation));
+    save->setToolTip(tr("The 3D view as a DICOM object, for the archive and other programs"));
+}
+
+QString PresentationsController::unfinished() const {
+    return files_->saving() ? tr("A presentation state is still being written.") : QString();
+}
+
+void PresentationsController::cancel() {
+    files_->cancelSaving();
+}
+
+void PresentationsController::askForOne() {
+    if (!study().volume)
+        return context_.notifications.refuse(tr("No study is open."),
+                                             tr("Open the series of the presentation state first."));
+    auto* dialog = context_.files.toOpen(FolderKind::presentations, tr("Open a presentation state"),
+                                         tr("DICOM files (*.dcm);;All files (*)"));
+    context_.files.ask(dialog, FolderKind::presentations,
+                       [this](const QString& path) { open(path.toStdString()); });
+}
+
+void PresentationsController::open(const std::filesystem::path& path) {
+    const study::OpenedStudy& shown = study();
+    std::vector<dicom::ReferencedFrames> images;
+    if (shown.found) images = study::imagesOf(*shown.found->volumes().at(shown.volumeIndex).stack);
+    scene::StudyState usual = uses_.states.state();
+    // It is of the 3D view, which may be hidden.
+    if (usual.layout != scene::Layout::volume) usual.layout = scene::Layout::fourPanes;
+    files_->open(path, shown.volume, shown.seriesDigest, std::move(images), std::move(usual),
+                 context_.viewport.aspect());
+}
+
+// Those of the list of studies: their series is opened first, unless it is on screen.
+void PresentationsController::connectList() {
+    connect(&uses_.browser, &StudyBrowser::presentationChosen, this,
+            [this](const study::StudyRow::Presentation& chosen) {
+                const auto found = uses_.browser.found();
+                if (study().found == found && study().volumeIndex == chosen.volume &&
+                    !uses_.opening.loader().loading())
+                    return showListed(chosen);
+                uses_.opening.openFound(found, chosen.volume);
+                awaiting_ = Awaited{found, chosen};
+            });
+    connect(&uses_.browser, &StudyBrowser::presentationRefused, this, [this](const std::string& whyNot) {
+        context_.notifications.showError(
+            {ErrorCode::inputNotUsable,
+             whyNot,
+             {},
+             tr("Choose another one, or open the folder that its series is in.").toStdString()});
+    });
+    const StudyLoader& loader = uses_.opening.loader();
+    connect(&loader, &StudyLoader::began, this, [this] { awaiting_.reset(); });
+    connect(&loader, &StudyLoader::cancelled, this, [this] { awaiting_.reset(); });
+    connect(&loader, &StudyLoader::failed, this, [this] { awaiting_.reset(); });
+}
+
+void PresentationsController::onStudyShown() {
+    files_->cancelOpening();
+    const auto awaited = std::exchange(awaiting_, {});
+    if (awaited && awaited->found == study().found && awaited->listed.volume == study().volumeIndex)
+        showListed(awaited->listed);
+}
+
+void PresentationsController::showListed(const study::StudyRow::Presentation& listed) {
+    if (listed.isOfSlices) {
+        files_->openOnSlices(listed.file, study(), context_.session.state().slices);
+    } else {
+        open(listed.file);
+    }
+}
+
+// Zoom and place are of the pane, and no part of what can be undone.
+void PresentationsController::showOnSlices(const scene::SoftcopyOnSlices& shown, const QStringList& notes) {
+    context_.session.change(tr("Presentation state"), [&](scene::StudyState& next) {
+        next.slices = shown.slices;
+        if (next.layout == scene::Layout::volume) next.layout = scene::Layout::fourPanes;
+    });
+    for (SliceView* pane : uses_.slices) {
+        if (shown.area && shown.area->orientation == pane->orientation()) {
+            pane->showArea(*shown.area);
+        } else {
+            pane->fit();
+        }
+    }
+    context_.notifications.showNotesOf(notes);
+}
+
+void PresentationsController::askHowToSave() {
+    if (!study().volume || !study().found)
+        return context_.notifications.refuse(
+            tr("A presentation state refers to DICOM images, and none are open."),
+            tr("Open a folder with DICOM files, or save the view."));
+    // What is on screen now: while a person answers another study may come.
+    const study::FoundVolume& shown = study().found->volumes().at(study().volumeIndex);
+    auto images = scene::presentedImages(*shown.series, *shown.stack);
+    if (!images) return context_.notifications.showError(images.error());
+    scene::PresentationRequest request;
+    request.state = uses_.states.state();
+    request.volume = study().volume;
+    request.images = *std::move(images);
+    const QSize size = context_.viewport.pictureSize();
+    if (!size.isEmpty()) request.aspectWidthOverHeight = double(size.width()) / size.height();
+    context_.viewport.window().endDrag();
+    auto* dialog = new PresentationDialog(&context_.window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, request = std::move(request)]() mutable {
+        request.isDeidentified = dialog->isDeidentified();
+        askWhereToSave(std::move(request));
+    });
+    dialog->open();
+}
+
+void PresentationsController::askWhereToSave(scene::PresentationRequest request) {
+    auto* dialog = context_.files.toSave(FolderKind::presentations, tr("Save the presentation state"),
+                                         tr("DICOM files (*.dcm)"), QStringLiteral("dcm"),
+                                         QStringLiteral("presentation.dcm"));
+    context_.files.ask(dialog, FolderKind::presentations,
+                       [this, request = std::move(request)](const QString& path) {
+                           files_->save(path.toStdString(), request);
+                       });
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,48 @@
+// The end of the program: what is being written is finished first, unless a person says otherwise.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QStringList>
+#include <functional>
+#include <vector>
+
+#include "viewer/context/window_context.h"
+#include "viewer/status/status_widgets.h"
+
+namespace macula::viewer {
+
+// Lives on the UI thread.
+class QuitController : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit QuitController(const WindowContext& context);
+
+    // Waits for the files of this controller, which outlives the window's last question.
+    template <class Writer>
+    void waitFor(Writer& writer) {
+        writers_.push_back({[&writer] { return writer.unfinished(); }, [&writer] { writer.cancel(); }});
+        connect(&writer, &Writer::written, this, &QuitController::quitIfDone);
+        if constexpr (requires { writer.bar(); })
+            connect(writer.bar(), &WorkBar::cancelClicked, this, &QuitController::stay);
+    }
+
+    QStringList unfinished() const;  // sentences: work that quitting would lose
+    // Asks, without blocking, while something is being written: then the window is not to be closed yet.
+    bool mayClose();
+
+  private:
+    struct Writing {
+        std::function<QString()> unfinished;
+        std::function<void()> cancel;
+    };
+    void quitIfDone();
+    void stay() { quitsWhenDone_ = false; }
+
+    WindowContext context_;
+    std::vector<Writing> writers_;
+    bool quitsWhenDone_ = false;
+};
+
+}  // namespace macula::viewer

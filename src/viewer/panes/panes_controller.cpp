@@ -1,0 +1,135 @@
+#include "viewer/viewport/viewport.h"  // before Qt, see vulkan_window.h
+
+#include "viewer/panes/panes_controller.h"
+
+#include <QMainWindow>
+#include <QMenu>
+#include <algorithm>
+
+#include "viewer/keys/keys.h"
+#include "viewer/language/core_words.h"
+#include "viewer/panes/pane_grid.h"
+#include "viewer/panes/tool_box.h"
+#include "viewer/second/slice_pair.h"
+#include "viewer/slices/own_window_list.h"
+#include "viewer/slices/slice_view.h"
+#include "viewer/status/notifications.h"
+
+namespace macula::viewer {
+
+namespace {
+
+Pane paneOf(slices::Orientation orientation) {
+    constexpr std::array kByOrientation{Pane::axial, Pane::coronal, Pane::sagittal};
+    return kByOrientation.at(std::size_t(orientation));
+}
+
+}  // namespace
+
+PanesController::PanesController(const WindowContext& context) : QObject(&context.window), context_(context) {
+    makeSlices();
+    grid_ = new PaneGrid({.axial = pairs_[std::size_t(slices::Orientation::axial)],
+                          .volume = &context_.viewport,
+                          .coronal = pairs_[std::size_t(slices::Orientation::coronal)],
+                          .sagittal = pairs_[std::size_t(slices::Orientation::sagittal)]},
+                         &context_.window);
+    connect(grid_, &PaneGrid::layoutAsked, this, &PanesController::changeLayout);
+    connect(grid_, &PaneGrid::activePaneChanged, this, [this] {
+        if (const auto active = grid_->activePane()) lastPane_ = active;
+    });
+    makeTools();
+    connect(&context_.session, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
+        if (context_.session.state().layout != before.layout) showLayout();
+    });
+}
+
+void PanesController::makeSlices() {
+    for (const auto orientation :
+         {slices::Orientation::axial, slices::Orientation::coronal, slices::Orientation::sagittal}) {
+        auto* pair = new SlicePair(context_.session, orientation);
+        pairs_.at(std::size_t(orientation)) = pair;
+        SliceView* pane = &pair->study();
+        slices_.at(std::size_t(orientation)) = pane;
+        connect(pane, &SliceView::maximizeAsked, this,
+                [this, orientation] { grid_->maximize(paneOf(orientation)); });
+        connect(&pair->second(), &SliceView::maximizeAsked, pane, &SliceView::maximizeAsked);
+        connect(pane, &SliceView::cineChanged, this, [this, pane](bool plays) {
+            if (plays) {
+                for (SliceView* other : slices_)
+                    if (other != pane) other->setCine(false);
+            }
+            tools_->setCine(std::ranges::any_of(slices_, &SliceView::isCineOn));
+        });
+    }
+}
+
+void PanesController::makeTools() {
+    tools_ = new ToolBox(context_.session, &context_.window);
+    context_.window.addToolBar(Qt::LeftToolBarArea, tools_);
+    connect(tools_, &ToolBox::toolChosen, this, [this](SliceTool tool) {
+        for (SlicePair* pair : pairs_) {
+            pair->study().setTool(tool);
+            pair->second().setTool(tool);
+        }
+    });
+    connect(tools_, &ToolBox::cineToggled, this, &PanesController::setCine);
+    connect(tools_, &ToolBox::thicknessEntered, this, &PanesController::focusPicture);
+}
+
+void PanesController::shareOwnWindows(const std::optional<std::filesystem::path>& folder) {
+    auto* windows = new OwnWindowList(folder, this);
+    for (SliceView* pane : slices_) pane->setOwnWindows(windows);
+    connect(windows, &OwnWindowList::failed, &context_.notifications, &Notifications::showError);
+}
+
+void PanesController::addActions(QMenu& view) {
+    for (const LayoutRow& row : kLayouts) {
+        QAction* action = view.addAction(inWindowsLanguage(QString::fromLatin1(row.title)), this,
+                                         [this, layout = row.layout] { changeLayout(layout); });
+        action->setShortcut(keyOf(row));
+    }
+}
+
+void PanesController::changeLayout(scene::Layout layout) {
+    context_.session.change(tr("Panes"), [layout](scene::StudyState& next) { next.layout = layout; });
+}
+
+// Of the pane that has the focus; else of the first that is shown.
+void PanesController::setCine(bool plays) {
+    const auto active = grid_->activePane();
+    SliceView* chosen = nullptr;
+    for (SliceView* pane : slices_) {
+        const Pane place = paneOf(pane->orientation());
+        if (grid_->isShown(place) && (!chosen || active == place)) chosen = pane;
+    }
+    for (SliceView* pane : slices_) pane->setCine(plays && pane == chosen);
+    tools_->setCine(plays && chosen != nullptr);
+}
+
+bool PanesController::isVolumeShown() const {
+    return grid_->isShown(Pane::volume);
+}
+
+void PanesController::showLayout() {
+    const scene::Layout layout = context_.session.state().layout;
+    grid_->setLayout(layout);
+    tools_->setVisible(layout != scene::Layout::volume);  // they are of slices
+    emit layoutShown();
+}
+
+void PanesController::favour(std::optional<slices::Orientation> orientation) {
+    grid_->favour(orientation ? std::optional(paneOf(*orientation)) : std::nullopt);
+}
+
+void PanesController::focusPicture() {
+    Pane pane = lastPane_.value_or(Pane::volume);
+    if (!grid_->isShown(pane))
+        pane = *std::ranges::find_if(kPanes, [this](Pane each) { return grid_->isShown(each); });
+    grid_->focusPane(pane);
+}
+
+void PanesController::showNames(bool shown) {
+    for (SlicePair* pair : pairs_) pair->showNames(shown);
+}
+
+}  // namespace macula::viewer

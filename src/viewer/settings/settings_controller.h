@@ -1,0 +1,50 @@
+// What a person wants of the program: asked for, used, and kept.
+#pragma once
+
+#include <QObject>
+#include <filesystem>
+#include <optional>
+
+#include "viewer/settings/settings.h"
+
+class QAction;
+class QMainWindow;
+class QMenu;
+
+namespace macula::viewer {
+
+class Notifications;
+
+// Window and notifications outlive it. Lives on the UI thread.
+class SettingsController : public QObject {
+    Q_OBJECT
+
+  public:
+    // `file`: where to keep them; nothing: they are not kept.
+    SettingsController(QMainWindow& window, Notifications& notifications, Settings settings,
+                       std::optional<std::filesystem::path> file);
+
+    const Settings& settings() const { return settings_; }
+    void take(const Settings& settings);  // applies and stores them
+    void keepFolders(const QMap<QString, QString>& folders);
+    void keepWindowPlace(const QString& place);
+
+    QAction* addAction(QMenu& edit);
+    // Gives the actions of the window the keys that a person chose. Call it once, after all actions are there
+    // with the keys that they come with.
+    void useKeys();
+
+  signals:
+    void aboutToAsk();  // the dialog will see the button go up
+    void namesToggled(bool shown);
+
+  private:
+    void ask();
+
+    QMainWindow& window_;
+    Notifications& notifications_;
+    Settings settings_;
+    std::optional<std::filesystem::path> file_;
+};
+
+}  // namespace macula::viewer

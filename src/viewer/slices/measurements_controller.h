@@ -1,0 +1,28 @@
+// Measurements of the open study as a file, and their removal.
+#pragma once
+
+#include <QObject>
+
+#include "viewer/context/window_context.h"
+
+class QMenu;
+
+namespace macula::viewer {
+
+// Lives on the UI thread.
+class MeasurementsController : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit MeasurementsController(const WindowContext& context);
+
+    void addFileActions(QMenu& file);
+    void addEditActions(QMenu& edit);
+
+  private:
+    void askWhereToSave();
+
+    WindowContext context_;
+};
+
+}  // namespace macula::viewer

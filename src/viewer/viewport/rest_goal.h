@@ -1,0 +1,19 @@
+// When the picture at rest is final.
+#pragma once
+
+#include <cstdint>
+
+#include "live/frame/frame_input.h"
+
+namespace macula::viewer {
+
+// What counts as converged, and whether training of the model waits for it.
+struct RestGoal {
+    std::uint32_t sampleLimit = 512;
+    double noiseTarget = live::kUnseenNoise;
+    bool convergesNow = false;
+
+    bool operator==(const RestGoal&) const = default;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,61 @@
+// Opens studies: what a person asks for or drops, while it loads, and what goes wrong.
+#pragma once
+
+#include <QObject>
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+#include "viewer/context/window_context.h"
+#include "viewer/viewport/dropped.h"
+#include "viewer/volume/study_loader.h"
+
+class QMenu;
+
+namespace macula::viewer {
+
+class StateController;
+class WorkBar;
+
+// The study on screen stays until another one is loaded. Lives on the UI thread.
+class OpeningController : public QObject {
+    Q_OBJECT
+
+  public:
+    // `states` outlives it. `keeper` null: nothing is kept.
+    OpeningController(const WindowContext& context, StateController& states,
+                      std::shared_ptr<live::StudyKeeper> keeper);
+
+    void open(study::StudySource source);
+    void openFound(std::shared_ptr<const study::FoundVolumes> found, std::size_t index);
+    void openDropped(const Dropped& what);
+
+    // Of the study before and of the store, when another study is shown.
+    void forgetNotes();
+    void tellOfStore(const Error& error);
+
+    StudyLoader& loader() { return loader_; }
+    const StudyLoader& loader() const { return loader_; }
+    void letKeeperGo() { loader_.setKeeper(nullptr); }
+    WorkBar* bar() const { return bar_; }
+    void addActions(QMenu& file);
+    void addPhantomAction(QMenu& file);
+
+  signals:
+    void loaded(const macula::study::OpenedStudy& study);
+    void cancelled();
+
+  private:
+    void askForFolder();
+    void askForFile();
+    void showError(const Error& error);
+    Error told(Error error) const;
+
+    WindowContext context_;
+    StateController& states_;
+    StudyLoader loader_;
+    WorkBar* bar_;
+    bool storeNoteIsNew_ = false;  // it came while a study was being opened
+};
+
+}  // namespace macula::viewer

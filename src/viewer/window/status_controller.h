@@ -1,0 +1,73 @@
+// What the status line tells: of the picture on screen, and of what comes from the render thread.
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "live/frame/render_events.h"
+#include "viewer/context/window_context.h"
+
+class QStatusBar;
+class QToolBar;
+
+namespace macula::viewer {
+
+class ElidingLabel;
+class FidelityBadge;
+class PanesController;
+
+// What is told of the picture in 3D is told only while that is shown, and of no other study. Lives on the UI
+// thread.
+class StatusController : public QObject {
+    Q_OBJECT
+
+  public:
+    // `panes` outlives it.
+    StatusController(const WindowContext& context, const PanesController& panes);
+
+    void addDescription(QToolBar& bar);  // of the open study
+    void addTo(QStatusBar& bar);
+
+    void showTexts();  // of the open study
+    void tellOfPicture();
+    void onStudyShown();
+
+    QString description() const;
+    QString voxels() const;
+    QString rate() const;  // pixels, and pictures per second in motion
+    QString fidelity() const;
+    QString badge() const;  // fidelity in a word
+    QString model() const;  // the state of the peripheral model
+
+  signals:
+    void frameShown(const macula::live::FrameShown& frame);
+
+  private:
+    void makeTimers();
+    void onRendered(const live::RenderEvent& event);
+    void onDeviceReady(const live::DeviceReady& ready);
+    void onDeviceRestarting();
+    void onFailure(const live::RenderFailure& failure);
+    void onFrame(const live::FrameShown& frame);
+    void onModel(const hybrid::ModelNews& model);
+    void tellOfFrame(const live::FrameShown& frame);
+
+    WindowContext context_;
+    const PanesController& panes_;
+    bool deviceIsBack_ = true;
+    bool pictureFailed_ = false;  // of the open study
+    bool isFirstStart_ = false;   // live::DeviceReady
+    QString preparing_;           // what the device prepares
+    QTimer prepares_;             // after this delay the status line says so
+    QTimer rateEnds_;             // fires after a pause without frames
+    FidelityBadge* badge_;
+    ElidingLabel* description_;
+    ElidingLabel* fidelity_;
+    ElidingLabel* volumeText_;
+    ElidingLabel* modelText_;
+    ElidingLabel* pictureText_;
+    ElidingLabel* deviceText_;
+};
+
+}  // namespace macula::viewer
