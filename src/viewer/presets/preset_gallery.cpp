@@ -8,30 +8,14 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <new>
 #include <utility>
 
-#include "scene/choice/preset_kinds.h"
-#include "study/list/search_text.h"
 #include "viewer/language/core_words.h"
 #include "viewer/presets/preset_delegate.h"
-#include "viewer/presets/preset_name_dialog.h"
-#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
 
 namespace {
-
-constexpr std::size_t kMostLastUsedShown = 6;
-
-QString titleOf(const LibraryPreset& preset) {
-    return titleOr(preset.function->title, preset.function->name);
-}
-
-QImage asImage(const pictures::PresetThumbnail& thumbnail) {
-    const QImage borrowed(thumbnail.rgba.data(), thumbnail.sizePx, thumbnail.sizePx, QImage::Format_RGBA8888);
-    return borrowed.copy();
-}
 
 bool isSame(const PresetRow& a, const PresetRow& b) {
     return a.group == b.group && a.preset.has_value() == b.preset.has_value() &&
@@ -44,15 +28,14 @@ PresetGallery::PresetGallery(StudyEditor& session, PresetLibrary& library, State
     : QWidget(parent),
       session_(session),
       library_(library),
-      stateNow_(std::move(stateNow)),
+      rows_(session, library),
+      naming_(*this, session, library, std::move(stateNow)),
       filter_(new QLineEdit),
       list_(new QListView),
       model_(new PresetListModel(this)),
       nothing_(new QLabel),
       note_(new QLabel),
-      undo_(new QPushButton(tr("Undo"))),
-      pictures_(this, {.progressed = [](const ProgressUpdate&) {},
-                       .ended = [this](const Result<Drawn>& drawn) { takePicture(drawn); }}) {
+      undo_(new QPushButton(tr("Undo"))) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     makeBar(*column);
@@ -77,6 +60,11 @@ PresetGallery::PresetGallery(StudyEditor& session, PresetLibrary& library, State
     setFocusProxy(list_);
     picturesAreDue_.setSingleShot(true);
     connect(&picturesAreDue_, &QTimer::timeout, this, &PresetGallery::drawNext);
+    listen();
+    onStudyShown();
+}
+
+void PresetGallery::listen() {
     connect(undo_, &QPushButton::clicked, this, [this] {
         removed_.clear();
         library_.putBackRemoved();
@@ -86,7 +74,17 @@ PresetGallery::PresetGallery(StudyEditor& session, PresetLibrary& library, State
     connect(&session_, &StudyEditor::changed, this, [this](const scene::StudyState& before) {
         if (session_.state().preset != before.preset) showShown();
     });
-    onStudyShown();
+    connect(&naming_, &PresetNaming::named, this, [this] { trouble_.clear(); });
+    connect(&naming_, &PresetNaming::done, this, &PresetGallery::showNotes);
+    connect(&naming_, &PresetNaming::failed, this, &PresetGallery::tell);
+    connect(&pictures_, &PresetPictures::drawn, this,
+            [this](std::shared_ptr<const TransferFunction> function, const QImage& picture) {
+                model_->setPicture(std::move(function), picture);
+                drawNext();
+            });
+    connect(&pictures_, &PresetPictures::failed, this, [this](const Error& error) {
+        error.code == ErrorCode::inputNotUsable ? showNotes() : tell(error);
+    });
 }
 
 void PresetGallery::makeBar(QVBoxLayout& column) {
@@ -98,7 +96,7 @@ void PresetGallery::makeBar(QVBoxLayout& column) {
     filter_->setClearButtonEnabled(true);
     filter_->installEventFilter(this);
     connect(filter_, &QLineEdit::textChanged, this, [this](const QString& text) {
-        words_ = study::searchWords(text.toStdString());
+        rows_.setFilter(text);
         showRows();
     });
     auto* keep = new QToolButton;
@@ -163,77 +161,17 @@ void PresetGallery::focusFilter() {
 }
 
 void PresetGallery::onStudyShown() {
-    pictures_.cancel();
-    drawing_.reset();
-    coarse_.reset();
-    hasNoPictures_ = false;
+    pictures_.begin(session_.study().volume);
     model_->forgetPictures();
     showRows();
 }
 
 // Rows. ----------------------------------------------------------------------------------------------
 
-std::set<PresetGroup> PresetGallery::expandedNow() const {
-    std::set<PresetGroup> expanded(kPresetGroups.begin(), kPresetGroups.end());
-    if (words_.empty())
-        for (const PresetGroup group : folded_) expanded.erase(group);
-    return expanded;
-}
-
-bool PresetGallery::isFound(const LibraryPreset& preset) const {
-    const TransferFunction& function = *preset.function;
-    const std::string shown = titleOf(preset).toStdString();  // in the language of the window
-    return study::holdsAll(study::foldedForSearch(function.title + ' ' + shown + ' ' + function.name + ' ' +
-                                                  scene::kindOf(function)),
-                           words_);
-}
-
-std::vector<LibraryPreset> PresetGallery::presetsOf(PresetGroup group) const {
-    std::vector<LibraryPreset> presets;
-    if (group == PresetGroup::own) return library_.own();
-    if (group == PresetGroup::lastUsed) {
-        const auto& volume = session_.study().volume;
-        for (const live::PresetRef& ref : library_.shelf().lastUsed(volume ? volume->modality() : "")) {
-            if (presets.size() == kMostLastUsedShown) break;
-            if (auto preset = library_.find(ref)) presets.push_back(*std::move(preset));
-        }
-        return presets;
-    }
-    if (group == PresetGroup::favourites) {
-        for (const auto& all : {library_.own(), library_.builtIn()})
-            for (const LibraryPreset& preset : all)
-                if (library_.shelf().isFavourite(preset.ref)) presets.push_back(preset);
-        return presets;
-    }
-    for (const LibraryPreset& preset : library_.builtIn()) {
-        if (library_.fits(*preset.function) == (group == PresetGroup::fitting)) presets.push_back(preset);
-    }
-    return presets;
-}
-
-std::vector<PresetRow> PresetGallery::makeRows(const std::set<PresetGroup>& expanded) const {
-    std::vector<PresetRow> rows;
-    for (const PresetGroup group : kPresetGroups) {
-        std::vector<LibraryPreset> presets = presetsOf(group);
-        std::erase_if(presets, [this](const LibraryPreset& preset) { return !isFound(preset); });
-        if (presets.empty()) continue;
-        rows.push_back({.group = group, .preset = std::nullopt, .count = presets.size()});
-        if (!expanded.contains(group)) continue;
-        for (LibraryPreset& preset : presets) rows.push_back({.group = group, .preset = std::move(preset)});
-    }
-    return rows;
-}
-
 void PresetGallery::showRows() {
     const std::optional<PresetRow> before = currentRow();
     const int scrolled = list_->verticalScrollBar()->value();
-    std::set<PresetGroup> expanded = expandedNow();
-    std::set<live::PresetRef> favourites;
-    for (const auto& all : {library_.own(), library_.builtIn()})
-        for (const LibraryPreset& preset : all)
-            if (library_.shelf().isFavourite(preset.ref)) favourites.insert(preset.ref);
-    std::vector<PresetRow> rows = makeRows(expanded);
-    model_->setRows(std::move(rows), std::move(expanded), std::move(favourites));
+    model_->setRows(rows_.rows(), rows_.expanded(), rows_.favourites());
     selectAgain(before);
     list_->verticalScrollBar()->setValue(scrolled);
     const bool isEmpty = model_->rowCount() == 0;
@@ -271,7 +209,7 @@ void PresetGallery::showNotes() {
     if (!trouble_.isEmpty()) notes << trouble_;
     const bool canPutBack = !removed_.isEmpty() && removed_ == library_.removedTitle();
     if (canPutBack) notes << tr("“%1” is deleted.").arg(removed_);
-    if (hasNoPictures_) notes << tr("There is nothing in this volume to draw small pictures of.");
+    if (pictures_.hasNone()) notes << tr("There is nothing in this volume to draw small pictures of.");
     if (const QString note = library_.note(); !note.isEmpty()) notes << note;
     note_->setText(notes.join(QLatin1Char(' ')));
     note_->setVisible(!notes.isEmpty());
@@ -287,9 +225,7 @@ void PresetGallery::tell(const Error& error) {
 // Choosing. ------------------------------------------------------------------------------------------
 
 void PresetGallery::toggle(PresetGroup group) {
-    if (!words_.empty()) return;  // all that was found is shown
-    if (folded_.erase(group) == 0) folded_.insert(group);
-    showRows();
+    if (rows_.toggle(group)) showRows();
 }
 
 void PresetGallery::activate(const QModelIndex& index) {
@@ -360,8 +296,8 @@ void PresetGallery::fillMenu(QMenu& menu, const LibraryPreset& preset) {
     favourite->setCheckable(true);
     favourite->setChecked(isFavourite);
     menu.addSeparator();
-    add(tr("Save as C&opy…"), "preset-copy", [this, preset] { askToCopy(preset); });
-    QAction* rename = add(tr("&Rename…"), "preset-rename", [this, preset] { askToRename(preset); });
+    add(tr("Save as C&opy…"), "preset-copy", [this, preset] { naming_.askToCopy(preset); });
+    QAction* rename = add(tr("&Rename…"), "preset-rename", [this, preset] { naming_.askToRename(preset); });
     QAction* removal = add(tr("&Delete"), "preset-delete", [this, preset] { remove(preset); });
     for (QAction* action : {rename, removal}) {
         action->setEnabled(isOwn);
@@ -374,113 +310,22 @@ void PresetGallery::fillMenu(QMenu& menu, const LibraryPreset& preset) {
     add(tr("&Import…"), "preset-import", [this] { emit importAsked(); });
 }
 
-void PresetGallery::askForName(const QString& title, const QString& what, const QString& proposed,
-                               const live::PresetRef& own, std::function<Result<void>(const QString&)> then) {
-    auto* dialog = new PresetNameDialog(
-        title, what, proposed,
-        [this, own](const QString& name) { return library_.whyNameIsRefused(name, own); }, window());
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, then = std::move(then)] {
-        trouble_.clear();
-        const Result<void> done = then(dialog->name());
-        done ? showNotes() : tell(done.error());
-    });
-    dialog->open();
-}
-
-// What is saved is what is shown now, whatever is shown when a name was found.
-void PresetGallery::askToSaveCurve() {
-    if (!session_.hasStudy())
-        return tell({ErrorCode::usage, "There is no preset to save yet.", {}, "Open a study first."});
-    const scene::StudyState state = stateNow_();
-    const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
-    askForName(tr("Keep the curve"), tr("The transfer function that is shown, as a preset of your own."),
-               library_.freeTitle(shown), {}, [this, state](const QString& name) -> Result<void> {
-                   const auto saved = library_.saveCurve(name, state);
-                   return saved ? Result<void>() : Result<void>(saved.error());
-               });
-}
-
-void PresetGallery::askToSaveSeen() {
-    if (!session_.hasStudy())
-        return tell({ErrorCode::usage, "There is nothing to be seen yet.", {}, "Open a study first."});
-    const scene::StudyState state = stateNow_();
-    const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
-    askForName(tr("Keep all that is seen"),
-               tr("Curve, look, lights, window, clip and camera, as a preset of your own. It is for all "
-                  "studies: clip and camera go with the size of the volume."),
-               library_.freeTitle(tr("%1, as seen").arg(shown)), {},
-               [this, state](const QString& name) -> Result<void> {
-                   const auto saved = library_.saveSeen(name, state);
-                   return saved ? Result<void>() : Result<void>(saved.error());
-               });
-}
-
-void PresetGallery::askToCopy(const LibraryPreset& preset) {
-    askForName(tr("Save as copy"), tr("A preset of your own, like “%1”.").arg(titleOf(preset)),
-               library_.freeTitle(titleOf(preset)), {},
-               [this, ref = preset.ref](const QString& name) -> Result<void> {
-                   const auto saved = library_.saveCopy(name, ref);
-                   return saved ? Result<void>() : Result<void>(saved.error());
-               });
-}
-
-void PresetGallery::askToRename(const LibraryPreset& preset) {
-    askForName(tr("Rename the preset"), tr("Another name for “%1”.").arg(titleOf(preset)), titleOf(preset),
-               preset.ref,
-               [this, ref = preset.ref](const QString& name) { return library_.rename(ref, name); });
-}
-
 void PresetGallery::remove(const LibraryPreset& preset) {
     trouble_.clear();
-    removed_ = titleOf(preset);
+    removed_ = shownTitle(preset);
     if (!library_.remove(preset.ref)) removed_.clear();
 }
 
 // Pictures. ------------------------------------------------------------------------------------------
 
 void PresetGallery::drawNext() {
-    if (drawing_ || hasNoPictures_ || !session_.hasStudy() || !list_->isVisible()) return;
+    if (!pictures_.canDraw() || !list_->isVisible()) return;
     const QRect seen = list_->viewport()->rect();
     for (std::size_t row = 0; row < model_->rows().size(); ++row) {
         const std::optional<LibraryPreset>& preset = model_->rows()[row].preset;
         if (!preset || model_->hasPicture(*preset->function)) continue;
-        if (!list_->visualRect(model_->index(int(row))).intersects(seen)) continue;
-        drawing_ = preset->function;
-        std::optional<ClipPreset> clip;
-        if (preset->own && preset->own->seen) clip = preset->own->seen->state.clip;
-        pictures_.start([volume = session_.study().volume, coarse = coarse_, function = preset->function,
-                         clip = std::move(clip)](Progress& progress) -> Result<Drawn> {
-            try {
-                Drawn drawn{.coarse = coarse, .picture = {}};
-                if (!drawn.coarse) {
-                    MACULA_TRY(drawn.coarse, pictures::CoarseVolume::of(volume, progress.token()));
-                }
-                const Clip hidden = clip ? clipFor(*clip, *volume) : Clip{};
-                const auto made =
-                    pictures::presetThumbnail(*drawn.coarse, *function, &hidden, progress.token());
-                if (made) drawn.picture = asImage(*made);  // else it has none
-                return drawn;
-            } catch (const std::bad_alloc&) {
-                return Error{ErrorCode::outOfMemory,
-                             "There is not enough memory for small pictures.",
-                             {},
-                             "Close other programs."};
-            }
-        });
-        return;
+        if (list_->visualRect(model_->index(int(row))).intersects(seen)) return pictures_.draw(*preset);
     }
-}
-
-void PresetGallery::takePicture(const Result<Drawn>& drawn) {
-    const auto function = std::exchange(drawing_, nullptr);
-    if (!drawn) {
-        hasNoPictures_ = true;
-        return drawn.error().code == ErrorCode::inputNotUsable ? showNotes() : tell(drawn.error());
-    }
-    coarse_ = drawn->coarse;
-    model_->setPicture(function, drawn->picture);
-    drawNext();
 }
 
 }  // namespace macula::viewer

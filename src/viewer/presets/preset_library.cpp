@@ -12,6 +12,7 @@
 #include "scene/transfer/same_transfer.h"
 #include "viewer/jobs/post.h"
 #include "viewer/language/core_words.h"
+#include "viewer/status/status_texts.h"
 
 namespace macula::viewer {
 
@@ -23,6 +24,10 @@ std::string typed(const QString& title) {
 }
 
 }  // namespace
+
+QString shownTitle(const LibraryPreset& preset) {
+    return titleOr(preset.function->title, preset.function->name);
+}
 
 PresetLibrary::PresetLibrary(StudyEditor& session, const std::shared_ptr<live::StudyKeeper>& keeper,
                              QObject* parent)

@@ -26,6 +26,8 @@ struct LibraryPreset {
     std::shared_ptr<const live::OwnPreset> own;        // null: built in, and never changed
 };
 
+QString shownTitle(const LibraryPreset& preset);  // in the language of the window
+
 // The keeper's thread reads own presets from the store once and writes them after each change; the UI does
 // not wait. Without a store they live as long as this object. Lives on the UI thread.
 class PresetLibrary : public QObject {

@@ -86,7 +86,7 @@ QString in3dText(const scene::SegmentSettings& choice) {
 }  // namespace
 
 SegmentationPanel::SegmentationPanel(StudyEditor& session, SegmentationKeeper& keeper, QWidget* parent)
-    : QWidget(parent), session_(session), keeper_(keeper) {
+    : QWidget(parent), session_(session), keeper_(keeper), edits_(session, keeper) {
     makeTree();
     notes_ = new QLabel(this);
     notes_->setObjectName(QStringLiteral("segments-notes"));
@@ -175,8 +175,7 @@ QSlider* SegmentationPanel::makeOpacity(const char* name, const QString& text,
     slider->setPageStep(10);
     (new WheelGuard(this))->watch(*slider);
     connect(slider, &QSlider::valueChanged, this, [this, slider, opacity](int percent) {
-        edit(
-            tr("Opacity"), [=](scene::SegmentSettings& next) { next.*opacity = percent / 100.0; }, true);
+        if (const auto row = selected()) edits_.dragOpacity(*row, opacity, percent / 100.0);
         if (!slider->isSliderDown()) session_.endDrag();
     });
     connect(slider, &QSlider::sliderReleased, &session_, &StudyEditor::endDrag);
@@ -189,7 +188,7 @@ void SegmentationPanel::showNames(bool shown) {
     fill();
 }
 
-SegmentationPanel::Row SegmentationPanel::rowOf(const QTreeWidgetItem& item) {
+SegmentId SegmentationPanel::idOf(const QTreeWidgetItem& item) {
     const QVariant number = item.data(kName, kNumberRole);
     return {item.data(kName, kDigestRole).toString().toStdString(),
             number.isValid() ? std::optional(std::uint16_t(number.toInt())) : std::nullopt};
@@ -199,13 +198,13 @@ void SegmentationPanel::fill() {
     {
         const QScopedValueRollback fills(isFilling_, true);
         const QSignalBlocker blocker(tree_);
-        const auto was = tree_->currentItem() ? std::optional(rowOf(*tree_->currentItem())) : std::nullopt;
+        const auto was = tree_->currentItem() ? std::optional(idOf(*tree_->currentItem())) : std::nullopt;
         tree_->clear();
         std::size_t place = 0;
         for (const study::FoundSegmentation& found : keeper_.found()) addSegmentation(found, ++place);
         tree_->expandAll();
         for (QTreeWidgetItemIterator at(tree_); was && *at != nullptr; ++at) {
-            if (rowOf(**at) == *was) tree_->setCurrentItem(*at);
+            if (idOf(**at) == *was) tree_->setCurrentItem(*at);
         }
     }
     showChoices();
@@ -246,8 +245,7 @@ void SegmentationPanel::addSegment(QTreeWidgetItem& above, const std::string& di
     item->setText(kName, label.isEmpty() ? tr("Segment %1").arg(segment.number) : label);
     item->setToolTip(kName, toolTipOf(segment));
     item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-    const Row row{digest, segment.number};
-    const study::LoadedSegment* there = loaded(row);
+    const study::LoadedSegment* there = edits_.loaded({digest, segment.number});
     QString ml = QStringLiteral("–");
     if (there != nullptr && there->volumeMl) ml = mlText(*there->volumeMl, isCalibrated());
     item->setText(kMl, ml);
@@ -271,82 +269,40 @@ void SegmentationPanel::showChoices() {
 
 void SegmentationPanel::showChoice(QTreeWidgetItem& item) {
     if (!item.flags().testFlag(Qt::ItemIsUserCheckable)) return;
-    const Row row = rowOf(item);
-    if (!row.number) {
-        const bool isShown = scene::choiceOf(session_.state().segmentations, row.digest).isShown;
-        item.setCheckState(kName, isShown ? Qt::Checked : Qt::Unchecked);
-        return;
-    }
-    const scene::SegmentSettings now = choice(row);
-    item.setCheckState(kName, now.isVisible ? Qt::Checked : Qt::Unchecked);
-    item.setIcon(kName, chip(colour(row)));
-    item.setText(kIn3d, in3dText(now));
+    const SegmentId id = idOf(item);
+    item.setCheckState(kName, edits_.isShown(id) ? Qt::Checked : Qt::Unchecked);
+    if (!id.number) return;
+    item.setIcon(kName, chip(edits_.colour(id)));
+    item.setText(kIn3d, in3dText(edits_.settings(id)));
 }
 
 void SegmentationPanel::onItemChanged(QTreeWidgetItem* item, int column) {
-    if (column != kName || !session_.hasStudy()) return;
-    const Row row = rowOf(*item);
-    const bool isChecked = item->checkState(kName) == Qt::Checked;
-    session_.change(tr("Segmentations"), [&](scene::StudyState& next) {
-        if (!row.number) {
-            scene::SegmentationSettings whole = scene::choiceOf(next.segmentations, row.digest);
-            whole.isShown = isChecked;
-            return scene::choose(next.segmentations, std::move(whole));
-        }
-        scene::SegmentSettings one =
-            scene::choiceOf(scene::choiceOf(next.segmentations, row.digest), *row.number);
-        one.isVisible = isChecked;
-        scene::choose(next.segmentations, row.digest, one);
-    });
+    if (column == kName && session_.hasStudy())
+        edits_.show(idOf(*item), item->checkState(kName) == Qt::Checked);
 }
 
-std::optional<SegmentationPanel::Row> SegmentationPanel::selected() const {
+std::optional<SegmentId> SegmentationPanel::selected() const {
     const QTreeWidgetItem* item = tree_->currentItem();
     if (item == nullptr || !item->flags().testFlag(Qt::ItemIsUserCheckable) || !session_.hasStudy())
         return std::nullopt;
-    const Row row = rowOf(*item);
+    const SegmentId row = idOf(*item);
     return row.number ? std::optional(row) : std::nullopt;
-}
-
-scene::SegmentSettings SegmentationPanel::choice(const Row& row) const {
-    return scene::choiceOf(scene::choiceOf(session_.state().segmentations, row.digest), *row.number);
-}
-
-const study::LoadedSegment* SegmentationPanel::loaded(const Row& row) const {
-    const study::LoadedSegmentation* there = keeper_.loaded(row.digest);
-    return there != nullptr ? there->segment(*row.number) : nullptr;
-}
-
-std::optional<Segment> SegmentationPanel::segment(const Row& row) const {
-    if (const study::LoadedSegment* there = loaded(row)) return there->segment;
-    for (const study::FoundSegmentation& found : keeper_.found()) {
-        if (found.digest != row.digest) continue;
-        for (const Segment& each : found.header.segments)
-            if (each.number == row.number) return each;
-    }
-    return std::nullopt;
-}
-
-QColor SegmentationPanel::colour(const Row& row) const {
-    const auto own = choice(row).rgb;
-    const std::array<std::uint8_t, 3> rgb = own ? *own : study::usualRgb(segment(row).value_or(Segment{}));
-    return {rgb[0], rgb[1], rgb[2]};
 }
 
 void SegmentationPanel::showControls() {
     const auto row = selected();
     for (QWidget* each : {static_cast<QWidget*>(colour_), static_cast<QWidget*>(opacity_)})
         each->setEnabled(row.has_value());
-    const study::LoadedSegment* there = row ? loaded(*row) : nullptr;
+    const study::LoadedSegment* there = row ? edits_.loaded(*row) : nullptr;
     const bool isEmpty = there != nullptr && !there->isInVolume();
     centre_->setEnabled(there != nullptr && there->centroidMm.has_value());
-    const scene::SegmentSettings now = row ? choice(*row) : scene::SegmentSettings{};
+    const scene::SegmentSettings now = row ? edits_.settings(*row) : scene::SegmentSettings{};
     for (QPushButton* each : {alone_, hide_, coloured_}) each->setEnabled(row && !isEmpty);
     coloured_->setChecked(now.isColouredIn3d);
     opacityIn3d_->setEnabled(row && !isEmpty && now.isColouredIn3d);
     alone_->setChecked(now.in3d == scene::In3d::alone);
     hide_->setChecked(now.in3d == scene::In3d::hidden);
-    colour_->setIcon(row ? chip(colour(*row)) : QIcon());
+    colour_->setIcon(row ? chip(edits_.colour(*row)) : QIcon());
     {
         const QSignalBlocker blocker(opacity_);
         const QSignalBlocker blockerIn3d(opacityIn3d_);
@@ -361,7 +317,7 @@ void SegmentationPanel::showControls() {
                                       : tr("There are no segmentations in this folder."));
     }
     if (const QTreeWidgetItem* item = tree_->currentItem()) {
-        const std::string digest = rowOf(*item).digest;
+        const std::string digest = idOf(*item).digest;
         if (const QString trouble = keeper_.trouble(digest); !trouble.isEmpty())
             notes << shown(trouble.toStdString());
         if (const study::LoadedSegmentation* whole = keeper_.loaded(digest))
@@ -374,50 +330,24 @@ void SegmentationPanel::showControls() {
     notes_->setVisible(!notes.isEmpty());
 }
 
-void SegmentationPanel::edit(const QString& what, const std::function<void(scene::SegmentSettings&)>& edit,
-                             bool isDrag) {
+void SegmentationPanel::setIn3d(scene::In3d in3d, bool on) {
     const auto row = selected();
     if (!row) return;
-    const auto change = [&](scene::StudyState& next) {
-        scene::SegmentSettings one =
-            scene::choiceOf(scene::choiceOf(next.segmentations, row->digest), *row->number);
-        edit(one);
-        scene::choose(next.segmentations, row->digest, one);
-    };
-    isDrag ? session_.drag(what, change) : session_.change(what, change);
-}
-
-// A segmentation that is not shown changes nothing: whoever asks for it in 3D wants it shown.
-void SegmentationPanel::setIn3d(scene::In3d in3d, bool on) {
-    editIn3d(tr("Segments in 3D"), on,
-             [&](scene::SegmentSettings& next) { next.in3d = on ? in3d : scene::In3d::asIs; });
+    edits_.setIn3d(*row, in3d, on);
+    showControls();
 }
 
 void SegmentationPanel::setColoured(bool on) {
-    editIn3d(tr("Segment in colour"), on, [&](scene::SegmentSettings& next) { next.isColouredIn3d = on; });
-}
-
-void SegmentationPanel::editIn3d(const QString& what, bool needsShown,
-                                 const std::function<void(scene::SegmentSettings&)>& edit) {
     const auto row = selected();
     if (!row) return;
-    session_.change(what, [&](scene::StudyState& next) {
-        scene::SegmentationSettings whole = scene::choiceOf(next.segmentations, row->digest);
-        scene::SegmentSettings one = scene::choiceOf(whole, *row->number);
-        edit(one);
-        scene::choose(next.segmentations, row->digest, one);
-        if (!needsShown) return;
-        whole = scene::choiceOf(next.segmentations, row->digest);
-        whole.isShown = true;
-        scene::choose(next.segmentations, std::move(whole));
-    });
+    edits_.setColoured(*row, on);
     showControls();
 }
 
 void SegmentationPanel::askForColour() {
     const auto row = selected();
     if (!row) return;
-    auto* dialog = new QColorDialog(colour(*row), this);
+    auto* dialog = new QColorDialog(edits_.colour(*row), this);
     dialog->setObjectName(QStringLiteral("segment-colour-dialog"));
     dialog->setWindowTitle(tr("Colour of the segment"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -426,18 +356,12 @@ void SegmentationPanel::askForColour() {
 }
 
 void SegmentationPanel::setColour(const QColor& rgb) {
-    if (!rgb.isValid()) return;
-    edit(tr("Colour"), [&](scene::SegmentSettings& next) {
-        next.rgb = {std::uint8_t(rgb.red()), std::uint8_t(rgb.green()), std::uint8_t(rgb.blue())};
-    });
+    const auto row = selected();
+    if (row && rgb.isValid()) edits_.setColour(*row, rgb);
 }
 
 void SegmentationPanel::centre() {
-    const auto row = selected();
-    const study::LoadedSegment* there = row ? loaded(*row) : nullptr;
-    if (there == nullptr || !there->centroidMm) return;
-    const glm::dvec3 mm = *there->centroidMm;
-    session_.change(tr("Cross-hair"), [&](scene::StudyState& next) { next.slices.crosshairMm = mm; });
+    if (const auto row = selected()) edits_.centreOn(*row);
 }
 
 }  // namespace macula::viewer

@@ -7,12 +7,11 @@
 #include <QSlider>
 #include <QTreeWidget>
 #include <QWidget>
-#include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
 #include "viewer/editor/study_editor.h"
+#include "viewer/segmentation/segment_edits.h"
 #include "viewer/segmentation/segmentation_keeper.h"
 
 namespace macula::viewer {
@@ -29,13 +28,6 @@ class SegmentationPanel : public QWidget {
     void setColour(const QColor& rgb);  // of the selected segment, if there is one
 
   private:
-    // A row of the tree; without a number the segmentation itself. Number 0 is a segment.
-    struct Row {
-        std::string digest;
-        std::optional<std::uint16_t> number = {};
-        bool operator==(const Row&) const = default;
-    };
-
     QWidget* makeControls();
     void makeTree();
     void fill();
@@ -47,25 +39,18 @@ class SegmentationPanel : public QWidget {
     void onItemChanged(QTreeWidgetItem* item, int column);
     void setIn3d(scene::In3d in3d, bool on);
     void setColoured(bool on);
-    void editIn3d(const QString& what, bool needsShown,
-                  const std::function<void(scene::SegmentSettings&)>& edit);
     QSlider* makeOpacity(const char* name, const QString& text, double scene::SegmentSettings::*opacity,
                          QWidget* parent);
     void askForColour();
     void centre();
-    void edit(const QString& what, const std::function<void(scene::SegmentSettings&)>& edit,
-              bool isDrag = false);
 
-    static Row rowOf(const QTreeWidgetItem& item);
-    std::optional<Row> selected() const;  // a segment that can be shown
-    scene::SegmentSettings choice(const Row& row) const;
-    std::optional<Segment> segment(const Row& row) const;
-    const study::LoadedSegment* loaded(const Row& row) const;  // null: not loaded yet
-    bool isCalibrated() const;  // the volume, as in Provenance; also without one
-    QColor colour(const Row& row) const;
+    static SegmentId idOf(const QTreeWidgetItem& item);
+    std::optional<SegmentId> selected() const;  // a segment that can be shown
+    bool isCalibrated() const;                  // the volume, as in Provenance; also without one
 
     StudyEditor& session_;
     SegmentationKeeper& keeper_;
+    SegmentEdits edits_;
     bool namesShown_ = true;
     bool isFilling_ = false;
     QTreeWidget* tree_ = nullptr;

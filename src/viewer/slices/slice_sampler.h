@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QImage>
+#include <QPointF>
 #include <QString>
 #include <QStringList>
 #include <atomic>
@@ -60,6 +61,15 @@ struct SliceRequest {
     QStringList tags = {};         // identify the picture; never hidden
     QStringList names = {};        // of a second volume, with names
     QStringList secondNotes = {};  // notes about the second volume
+
+    bool showsStudy() const { return shows == SliceShows::study; }
+    // A place in the pane, in logical pixels: in pixels of the frame, and in the world of the study.
+    glm::dvec2 frameFromPane(const QPointF& place) const {
+        return glm::dvec2(place.x(), place.y()) * pixelRatio;
+    }
+    glm::dvec3 worldFromPane(const QPointF& place) const {
+        return frame.worldFromPicture(frameFromPane(place));
+    }
 
     bool operator==(const SliceRequest&) const = default;
 };

@@ -3,33 +3,15 @@
 #include <QFontMetrics>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <initializer_list>
-#include <new>
 #include <utility>
 
-#include "pipeline/volume/volume_fit.h"
-#include "scene/choice/catalogue.h"
 #include "scene/transfer/edited_transfer.h"
-#include "scene/transfer/own_copy.h"
-#include "scene/transfer/same_transfer.h"
 #include "viewer/language/core_words.h"
 
 namespace macula::viewer {
 
 namespace {
-
-using Fit = TransferFunction::Fit;
-
-bool isFittedToForeground(const TransferFunction& function) {
-    return function.fitToVolume && function.fitToVolume->to == Fit::To::foreground;
-}
-
-// The volume's part is the same for all presets that are fitted so.
-ValueRange foregroundOf(std::shared_ptr<const Volume> volume) {
-    const TransferFunction any{.fitToVolume = Fit{.low = 0.0, .high = 1.0, .to = Fit::To::foreground}};
-    return fitOf(any, *in16Bits(std::move(volume)))->volume;
-}
 
 QString titleOf(const TransferFunction& function) {
     return titleInWindowsLanguage(function.title.empty() ? function.name : function.title);
@@ -40,8 +22,7 @@ QString titleOf(const TransferFunction& function) {
 TransferFunctionEditor::TransferFunctionEditor(StudyEditor& session, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      job_(this, {.progressed = [](const ProgressUpdate&) {},
-                  .ended = [this](const Result<SeenResult>& outcome) { onSeen(outcome); }}),
+      copies_(session),
       line_(new QLabel(this)),
       curve_(new TransferCurve(this)),
       fields_(new PointFields(this)),
@@ -115,6 +96,11 @@ void TransferFunctionEditor::listen() {
     connect(showsMatter_, &QPushButton::toggled, matter_, &QWidget::setVisible);
     connect(reset_, &QPushButton::clicked, this, &TransferFunctionEditor::reset);
     connect(save_, &QPushButton::clicked, this, &TransferFunctionEditor::saveAsked);
+    connect(&values_, &CountedValues::counted, this, &TransferFunctionEditor::onCounted);
+    connect(&values_, &CountedValues::failed, this, [this](const Error& error) {
+        trouble_ = inWindowsLanguage(error);
+        showState();
+    });
     connect(&session_, &StudyEditor::studyShown, this, &TransferFunctionEditor::onStudyShown);
     connect(&session_, &StudyEditor::changed, this, &TransferFunctionEditor::onChanged);
 }
@@ -127,17 +113,15 @@ TransferFunctionEditor::~TransferFunctionEditor() {
 }
 
 void TransferFunctionEditor::onStudyShown() {
-    job_.cancel();
+    values_.begin(session_.study().volume);
     fields_->dropDialog();
     curve_->clear();
-    seen_.reset();
     trouble_.clear();
-    byDefault_.reset();
-    chosenByCopy_.clear();
+    copies_.forget();
     chosen_.reset();
     if (!session_.hasStudy()) return showNothing();
     showState();
-    if (!job_.running()) look(false);
+    if (!values_.isCounting()) values_.count(false);
     curve_->fitAxis();
 }
 
@@ -147,7 +131,7 @@ void TransferFunctionEditor::onChanged(const scene::StudyState& before) {
     // Somebody else has changed it: what a hand holds here is gone.
     curve_->cancelDrag();
     fields_->dropDialog();
-    const Preset chosenBefore = chosen_ ? chosen_->function : nullptr;
+    const PresetCopies::Preset chosenBefore = chosen_ ? chosen_->function : nullptr;
     const bool wasFitted = curve_->isAxisFitted();
     showState();
     if (wasFitted && chosen_->function != chosenBefore) curve_->fitAxis();
@@ -164,17 +148,12 @@ void TransferFunctionEditor::showNothing() {
 }
 
 void TransferFunctionEditor::showState() {
-    const Preset preset = presetShown();
-    chosen_ = chosenFor(preset);
-    isCopy_ = chosen_->function != preset;
-    if (isCopy_) {
-        own_ = *preset;
-    } else {
-        own_ = scene::ownCopy(*preset, takenNames(preset));
-    }
-    chosenByCopy_[own_.name] = *chosen_;
+    const PresetCopies::Edited edited = copies_.edited();
+    chosen_ = edited.chosen;
+    own_ = edited.function;
+    isCopy_ = edited.isInState;
 
-    const std::optional<scene::ValueMap> map = mapFor(own_);
+    const std::optional<scene::ValueMap> map = values_.mapFor(own_);
     const Volume& volume = *session_.study().volume;
     const QString unit = QString::fromStdString(volume.unitName());
     const int decimals = volume.unit() == Unit::hounsfield ? 2 : 4;
@@ -191,94 +170,21 @@ void TransferFunctionEditor::showState() {
         curve_->setFunction(edits(own_), *map, unit);
     } else {
         curve_->setFunction({}, {}, unit);
-        if (trouble_.isEmpty()) look(true);
+        if (trouble_.isEmpty()) values_.count(true);
     }
     showFields();
     showLine();
 }
 
-// Counts the values, and finds the foreground where a preset is fitted to it, which looks at every voxel.
-void TransferFunctionEditor::look(bool isForegroundWanted) {
-    job_.start([volume = session_.study().volume, isForegroundWanted,
-                known = seen_](Progress& progress) -> Result<SeenResult> {
-        try {
-            Seen seen;
-            if (known) {
-                seen = *known;
-            } else if (const std::optional<scene::Bins> bins = scene::binsOf(*volume)) {
-                MACULA_TRY(seen.histogram, scene::histogramOf(*volume, *bins, progress.token()));
-            }
-            if (isForegroundWanted && !seen.foreground) seen.foreground = foregroundOf(volume);
-            return std::make_shared<const Seen>(std::move(seen));
-        } catch (const std::bad_alloc&) {
-            return Error{ErrorCode::outOfMemory,
-                         "There is not enough memory to count the values.",
-                         {},
-                         "Close other programs, and open the study again."};
-        }
-    });
-}
-
-void TransferFunctionEditor::onSeen(const Result<SeenResult>& outcome) {
-    if (!session_.hasStudy()) return;
-    if (!outcome) {
-        if (outcome.error().code == ErrorCode::cancelled) return;
-        trouble_ = inWindowsLanguage(outcome.error());
-        return showState();
-    }
-    seen_ = *outcome;
-    curve_->setHistogram(seen_->histogram);
+void TransferFunctionEditor::onCounted() {
+    curve_->setHistogram(values_.histogram());
     const bool isFirst = !curve_->isEnabled();
     showState();
     if (isFirst || curve_->isAxisFitted()) curve_->fitAxis();
 }
 
-TransferFunctionEditor::Preset TransferFunctionEditor::presetShown() {
-    if (session_.state().preset) return session_.state().preset;
-    if (!byDefault_) byDefault_ = scene::presetFor(session_.catalogue(), *session_.study().volume);
-    return byDefault_;
-}
-
-TransferFunctionEditor::Chosen TransferFunctionEditor::chosenFor(const Preset& preset) const {
-    const Chosen itself{.inState = session_.state().preset, .function = preset};
-    if (const auto known = chosenByCopy_.find(preset->name); known != chosenByCopy_.end())
-        return known->second;
-    if (const Preset offered = inCatalogue(preset->name); offered && scene::isSame(*offered, *preset))
-        return itself;
-    // A copy of another session.
-    if (const Preset original = inCatalogue(scene::copiedFrom(*preset)))
-        return {.inState = original, .function = original};
-    return itself;
-}
-
-TransferFunctionEditor::Preset TransferFunctionEditor::inCatalogue(const std::string& name) const {
-    const auto& presets = session_.catalogue().presets;
-    const auto found =
-        std::ranges::find_if(presets, [&](const Preset& preset) { return preset->name == name; });
-    return found == presets.end() ? nullptr : *found;
-}
-
-// Two presets of the same title have copies of different names: else one would be reset to the other.
-std::set<std::string> TransferFunctionEditor::takenNames(const Preset& original) const {
-    std::set<std::string> taken;
-    for (const Preset& preset : session_.catalogue().presets) taken.insert(preset->name);
-    for (const auto& [name, chosen] : chosenByCopy_) {
-        if (chosen.function != original) taken.insert(name);
-    }
-    return taken;
-}
-
-std::optional<scene::ValueMap> TransferFunctionEditor::mapFor(const TransferFunction& function) const {
-    if (!isFittedToForeground(function))
-        return scene::ValueMap::of(fitOf(function, *session_.study().volume));
-    if (!seen_ || !seen_->foreground) return std::nullopt;
-    return scene::ValueMap::of(VolumeFit{.preset = {function.fitToVolume->low, function.fitToVolume->high},
-                                         .volume = *seen_->foreground,
-                                         .to = Fit::To::foreground});
-}
-
 std::optional<TransferFunctionEditor::Edited> TransferFunctionEditor::edited() const {
-    const auto map = session_.hasStudy() && chosen_ ? mapFor(own_) : std::nullopt;
+    const auto map = session_.hasStudy() && chosen_ ? values_.mapFor(own_) : std::nullopt;
     return map ? std::optional(Edited{own_, *map}) : std::nullopt;
 }
 
@@ -378,7 +284,7 @@ void TransferFunctionEditor::showLine() {
                           : tr("%1, as it was chosen. The first change makes a copy.").arg(chosen));
     if (!trouble_.isEmpty()) {
         sentences << trouble_;
-    } else if (!mapFor(own_)) {
+    } else if (!values_.mapFor(own_)) {
         sentences << tr("It is being fitted to the values of the volume.");
     } else if (own_.fitToVolume) {
         sentences << tr("It is stretched to this volume; values are those of the volume.");

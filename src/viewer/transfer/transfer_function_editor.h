@@ -4,20 +4,15 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QWidget>
-#include <map>
-#include <memory>
 #include <optional>
-#include <set>
-#include <string>
 
-#include "base/volume.h"
 #include "pipeline/volume/transfer_function.h"
-#include "scene/transfer/histogram.h"
 #include "scene/transfer/value_axis.h"
 #include "viewer/editor/study_editor.h"
-#include "viewer/jobs/background_job.h"
+#include "viewer/transfer/counted_values.h"
 #include "viewer/transfer/matter_fields.h"
 #include "viewer/transfer/point_fields.h"
+#include "viewer/transfer/preset_copies.h"
 #include "viewer/transfer/steep_choice.h"
 #include "viewer/transfer/transfer_curve.h"
 
@@ -35,7 +30,7 @@ class TransferFunctionEditor : public QWidget {
     ~TransferFunctionEditor() override;
 
     TransferCurve& curve() { return *curve_; }
-    bool isCounting() const { return job_.running(); }
+    bool isCounting() const { return values_.isCounting(); }
     // The copy that is edited, or would be after the first edit, and the map of its values to the volume's.
     // Nothing without a study, or before the map is known.
     struct Edited {
@@ -49,30 +44,11 @@ class TransferFunctionEditor : public QWidget {
     void saveAsked();  // save the preset of the session's state
 
   private:
-    using Preset = std::shared_ptr<const TransferFunction>;
-    // The preset to which a reset returns.
-    struct Chosen {
-        Preset inState;   // null: not chosen; the volume decides
-        Preset function;  // never null
-    };
-    struct Seen {
-        std::optional<scene::Histogram> histogram;
-        std::optional<ValueRange> foreground;  // the volume's range for a fit; nothing: not asked for
-    };
-    using SeenResult = std::shared_ptr<const Seen>;
-
     void onStudyShown();
     void onChanged(const scene::StudyState& before);
-    void onSeen(const Result<SeenResult>& outcome);
+    void onCounted();
     void showNothing();
     void showState();
-    void look(bool isForegroundWanted);
-    Preset presetShown();
-    Chosen chosenFor(const Preset& preset) const;
-    Preset inCatalogue(const std::string& name) const;
-    std::set<std::string> takenNames(const Preset& original) const;
-    // The map of preset values to the volume's; nothing until it is known.
-    std::optional<scene::ValueMap> mapFor(const TransferFunction& function) const;
 
     void makeButtons();
     void listen();
@@ -90,7 +66,8 @@ class TransferFunctionEditor : public QWidget {
     void showLine();
 
     StudyEditor& session_;
-    BackgroundJob<SeenResult> job_;
+    CountedValues values_;
+    PresetCopies copies_;
     QLabel* line_ = nullptr;
     TransferCurve* curve_ = nullptr;
     PointFields* fields_ = nullptr;
@@ -100,13 +77,10 @@ class TransferFunctionEditor : public QWidget {
     QPushButton* reset_ = nullptr;
     QPushButton* save_ = nullptr;
 
-    Preset byDefault_;                            // the volume's default preset; null: not asked yet
-    std::optional<Chosen> chosen_;                // nothing: no study
+    std::optional<PresetCopies::Chosen> chosen_;  // nothing: no study
     TransferFunction own_;                        // the edited copy, perhaps not changed yet
     bool isCopy_ = false;                         // own_ is in the state
-    std::map<std::string, Chosen> chosenByCopy_;  // by the copy's name, for this study
-    SeenResult seen_;
-    QString trouble_;  // why values could not be counted
+    QString trouble_;                             // why values could not be counted
     bool isProposing_ = false;
 };
 

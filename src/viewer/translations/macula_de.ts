@@ -2966,6 +2966,49 @@
     </message>
 </context>
 <context>
+    <name>macula::viewer::PresetNaming</name>
+    <message>
+        <source>Another name for “%1”.</source>
+        <translation>Ein anderer Name für „%1“.</translation>
+    </message>
+    <message>
+        <source>Rename the preset</source>
+        <translation>Voreinstellung umbenennen</translation>
+    </message>
+    <message>
+        <source>A preset of your own, like “%1”.</source>
+        <translation>Eine eigene Voreinstellung, wie „%1“.</translation>
+    </message>
+    <message>
+        <source>Save as copy</source>
+        <translation>Als Kopie speichern</translation>
+    </message>
+    <message>
+        <source>%1, as seen</source>
+        <translation>%1, wie gezeigt</translation>
+    </message>
+    <message>
+        <source>Curve, look, lights, window, clip and camera, as a preset of your own. It is for all studies: clip and camera go with the size of the volume.</source>
+        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung. Sie gilt für alle Studien: Beschnitt und Kamera richten sich nach der Größe des Volumens.</translation>
+    </message>
+    <message>
+        <source>Keep all that is seen</source>
+        <translation>Alles Gezeigte behalten</translation>
+    </message>
+    <message>
+        <source>The transfer function that is shown, as a preset of your own.</source>
+        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Keep the curve</source>
+        <translation>Kurve behalten</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::PresetGallery</name>
     <message>
         <source>Undo</source>
@@ -3082,46 +3125,6 @@
     <message>
         <source>The curve, as a file for --preset and 3D Slicer</source>
         <translation>Die Kurve, als Datei für --preset und 3D Slicer</translation>
-    </message>
-    <message>
-        <source>Preset</source>
-        <translation>Voreinstellung</translation>
-    </message>
-    <message>
-        <source>Keep the curve</source>
-        <translation>Kurve behalten</translation>
-    </message>
-    <message>
-        <source>The transfer function that is shown, as a preset of your own.</source>
-        <translation>Die gezeigte Übertragungsfunktion, als eigene Voreinstellung.</translation>
-    </message>
-    <message>
-        <source>Keep all that is seen</source>
-        <translation>Alles Gezeigte behalten</translation>
-    </message>
-    <message>
-        <source>Curve, look, lights, window, clip and camera, as a preset of your own. It is for all studies: clip and camera go with the size of the volume.</source>
-        <translation>Kurve, Darstellung, Beleuchtung, Fensterung, Beschnitt und Kamera, als eigene Voreinstellung. Sie gilt für alle Studien: Beschnitt und Kamera richten sich nach der Größe des Volumens.</translation>
-    </message>
-    <message>
-        <source>%1, as seen</source>
-        <translation>%1, wie gezeigt</translation>
-    </message>
-    <message>
-        <source>Save as copy</source>
-        <translation>Als Kopie speichern</translation>
-    </message>
-    <message>
-        <source>A preset of your own, like “%1”.</source>
-        <translation>Eine eigene Voreinstellung, wie „%1“.</translation>
-    </message>
-    <message>
-        <source>Rename the preset</source>
-        <translation>Voreinstellung umbenennen</translation>
-    </message>
-    <message>
-        <source>Another name for “%1”.</source>
-        <translation>Ein anderer Name für „%1“.</translation>
     </message>
 </context>
 <context>
@@ -3533,6 +3536,33 @@
     </message>
 </context>
 <context>
+    <name>SegmentEdits</name>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Segment in colour</source>
+        <translation>Segment farbig</translation>
+    </message>
+    <message>
+        <source>Segments in 3D</source>
+        <translation>Segmente in 3D</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Segmentations</source>
+        <translation>Segmentierungen</translation>
+    </message>
+</context>
+<context>
     <name>macula::viewer::SegmentationPanel</name>
     <message>
         <source>Drawn by hand</source>
@@ -3651,20 +3681,8 @@
         <translation>Dieses Segment hat im Volumen kein Voxel.</translation>
     </message>
     <message>
-        <source>Segments in 3D</source>
-        <translation>Segmente in 3D</translation>
-    </message>
-    <message>
         <source>Colour of the segment</source>
         <translation>Farbe des Segments</translation>
-    </message>
-    <message>
-        <source>Colour</source>
-        <translation>Farbe</translation>
-    </message>
-    <message>
-        <source>Cross-hair</source>
-        <translation>Fadenkreuz</translation>
     </message>
     <message>
         <source>in colour</source>
@@ -3685,10 +3703,6 @@
     <message>
         <source>Opacity in 3D</source>
         <translation>Deckkraft in 3D</translation>
-    </message>
-    <message>
-        <source>Segment in colour</source>
-        <translation>Segment farbig</translation>
     </message>
     <message>
         <source>Volumes are estimates: the size of a pixel is not calibrated.</source>
@@ -3934,62 +3948,21 @@
     </message>
 </context>
 <context>
-    <name>macula::viewer::SliceView</name>
+    <name>PaneClip</name>
     <message>
-        <source>%1 slices</source>
-        <translation>%1e Schichten</translation>
+        <source>Clip</source>
+        <translation>Beschnitt</translation>
     </message>
-    <message>
-        <source>Slice</source>
-        <translation>Schicht</translation>
-    </message>
-    <message>
-        <source>Window</source>
-        <translation>Fensterung</translation>
-    </message>
-    <message>
-        <source>No study is open</source>
-        <translation>Keine Studie ist offen</translation>
-    </message>
-    <message>
-        <source>No memory for this picture: make the window smaller</source>
-        <translation>Kein Speicher für dieses Bild: machen Sie das Fenster kleiner</translation>
-    </message>
-    <message>
-        <source>Low values are white, as in the images</source>
-        <translation>Niedrige Werte sind weiß, wie in den Bildern</translation>
-    </message>
-    <message>
-        <source>Inverted</source>
-        <translation>Invertiert</translation>
-    </message>
-    <message>
-        <source>Interpolated: no image was taken here</source>
-        <translation>Interpoliert: hier wurde kein Bild aufgenommen</translation>
-    </message>
-    <message>
-        <source>Middle of the slab: %1</source>
-        <translation>Mitte des Slabs: %1</translation>
-    </message>
-    <message>
-        <source>Plane alone: %1</source>
-        <translation>Ebene allein: %1</translation>
-    </message>
+</context>
+<context>
+    <name>PaneMeasurements</name>
     <message>
         <source>%1 mm²</source>
         <translation>%1 mm²</translation>
     </message>
     <message>
-        <source>Cine</source>
-        <translation>Cine</translation>
-    </message>
-    <message>
-        <source>Cross-hair</source>
-        <translation>Fadenkreuz</translation>
-    </message>
-    <message>
-        <source>Measurement moved</source>
-        <translation>Messung verschoben</translation>
+        <source>Plane alone: %1</source>
+        <translation>Ebene allein: %1</translation>
     </message>
     <message>
         <source>Measurement</source>
@@ -4000,40 +3973,31 @@
         <translation>Messung entfernt</translation>
     </message>
     <message>
-        <source>%1 slices of the second volume</source>
-        <translation>%1e Schichten des zweiten Volumens</translation>
+        <source>Measurement moved</source>
+        <translation>Messung verschoben</translation>
+    </message>
+</context>
+<context>
+    <name>PaneRequest</name>
+    <message>
+        <source>In colours: the size of pixels is not calibrated</source>
+        <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
     </message>
     <message>
-        <source>%1 slices, in mm. Wheel: next slice; right drag: window; right click: windows</source>
-        <translation>%1e Schichten, in mm. Rad: nächste Schicht; rechts ziehen: Fensterung; Rechtsklick: Fensterungen</translation>
-    </message>
-    <message>
-        <source>Second volume moved</source>
-        <translation>Zweites Volumen verschoben</translation>
-    </message>
-    <message>
-        <source>Segments: middle of the slab</source>
-        <translation>Segmente: Mitte des Slabs</translation>
-    </message>
-    <message>
-        <source>Measurements are of the study alone</source>
-        <translation>Messungen gelten nur für die Studie</translation>
-    </message>
-    <message>
-        <source>%1, in %2</source>
-        <translation>%1, in %2</translation>
+        <source>In colours: some slices are interpolated</source>
+        <translation>In Farbe: einige Schichten sind interpoliert</translation>
     </message>
     <message>
         <source>In colours: %1</source>
         <translation>In Farben: %1</translation>
     </message>
     <message>
-        <source>Clip</source>
-        <translation>Beschnitt</translation>
+        <source>The size of its pixels is not calibrated</source>
+        <translation>Die Größe seiner Pixel ist nicht kalibriert</translation>
     </message>
     <message>
-        <source>Label</source>
-        <translation>Beschriftung</translation>
+        <source>Some of its slices are interpolated</source>
+        <translation>Einige seiner Schichten sind interpoliert</translation>
     </message>
     <message>
         <source>In the plane of the study: %1</source>
@@ -4043,49 +4007,137 @@
         <source>Not in a plane of the study</source>
         <translation>Nicht in einer Ebene der Studie</translation>
     </message>
+</context>
+<context>
+    <name>PictureTexts</name>
     <message>
-        <source>Some of its slices are interpolated</source>
-        <translation>Einige seiner Schichten sind interpoliert</translation>
+        <source>In colours: %1</source>
+        <translation>In Farben: %1</translation>
     </message>
     <message>
-        <source>Window of the second volume</source>
-        <translation>Fensterung des zweiten Volumens</translation>
+        <source>Middle of the slab: %1</source>
+        <translation>Mitte des Slabs: %1</translation>
     </message>
     <message>
-        <source>Segments: nearest voxel of another grid</source>
-        <translation>Segmente: nächstes Voxel eines anderen Rasters</translation>
+        <source>%1, in %2</source>
+        <translation>%1, in %2</translation>
+    </message>
+    <message>
+        <source>Measurements are of the study alone</source>
+        <translation>Messungen gelten nur für die Studie</translation>
+    </message>
+    <message>
+        <source>Segments: middle of the slab</source>
+        <translation>Segmente: Mitte des Slabs</translation>
+    </message>
+    <message>
+        <source>No memory for this picture: make the window smaller</source>
+        <translation>Kein Speicher für dieses Bild: machen Sie das Fenster kleiner</translation>
     </message>
     <message>
         <source>Segments: fractions of half or more</source>
         <translation>Segmente: Anteile ab der Hälfte</translation>
     </message>
     <message>
-        <source>In colours: some slices are interpolated</source>
-        <translation>In Farbe: einige Schichten sind interpoliert</translation>
+        <source>Segments: nearest voxel of another grid</source>
+        <translation>Segmente: nächstes Voxel eines anderen Rasters</translation>
     </message>
     <message>
-        <source>The size of its pixels is not calibrated</source>
-        <translation>Die Größe seiner Pixel ist nicht kalibriert</translation>
-    </message>
-    <message>
-        <source>In colours: the size of pixels is not calibrated</source>
-        <translation>In Farben: Die Pixelgröße ist nicht kalibriert</translation>
+        <source>Low values are white, as in the images</source>
+        <translation>Niedrige Werte sind weiß, wie in den Bildern</translation>
     </message>
     <message>
         <source>Low values are white, as is custom for PET</source>
         <translation>Niedrige Werte sind weiß, wie bei PET üblich</translation>
     </message>
     <message>
-        <source>Some slices of the slab are interpolated</source>
-        <translation>Einige Schichten des Slabs sind interpoliert</translation>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+    <message>
+        <source>Interpolated between dashed lines: no image was taken there</source>
+        <translation>Zwischen gestrichelten Linien interpoliert: dort wurde kein Bild aufgenommen</translation>
     </message>
     <message>
         <source>Some of these slices are interpolated</source>
         <translation>Einige dieser Schichten sind interpoliert</translation>
     </message>
     <message>
-        <source>Interpolated between dashed lines: no image was taken there</source>
-        <translation>Zwischen gestrichelten Linien interpoliert: dort wurde kein Bild aufgenommen</translation>
+        <source>Some slices of the slab are interpolated</source>
+        <translation>Einige Schichten des Slabs sind interpoliert</translation>
+    </message>
+    <message>
+        <source>Interpolated: no image was taken here</source>
+        <translation>Interpoliert: hier wurde kein Bild aufgenommen</translation>
+    </message>
+</context>
+<context>
+    <name>SliceKeys</name>
+    <message>
+        <source>Inverted</source>
+        <translation>Invertiert</translation>
+    </message>
+</context>
+<context>
+    <name>SliceWindowing</name>
+    <message>
+        <source>Window</source>
+        <translation>Fensterung</translation>
+    </message>
+    <message>
+        <source>Window of the second volume</source>
+        <translation>Fensterung des zweiten Volumens</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SliceCine</name>
+    <message>
+        <source>Cine</source>
+        <translation>Cine</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SlicePopups</name>
+    <message>
+        <source>Label</source>
+        <translation>Beschriftung</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SliceTravel</name>
+    <message>
+        <source>Cross-hair</source>
+        <translation>Fadenkreuz</translation>
+    </message>
+    <message>
+        <source>Second volume moved</source>
+        <translation>Zweites Volumen verschoben</translation>
+    </message>
+    <message>
+        <source>Slice</source>
+        <translation>Schicht</translation>
+    </message>
+</context>
+<context>
+    <name>SlicePainting</name>
+    <message>
+        <source>No study is open</source>
+        <translation>Keine Studie ist offen</translation>
+    </message>
+</context>
+<context>
+    <name>macula::viewer::SliceView</name>
+    <message>
+        <source>%1 slices</source>
+        <translation>%1e Schichten</translation>
+    </message>
+    <message>
+        <source>%1 slices of the second volume</source>
+        <translation>%1e Schichten des zweiten Volumens</translation>
+    </message>
+    <message>
+        <source>%1 slices, in mm. Wheel: next slice; right drag: window; right click: windows</source>
+        <translation>%1e Schichten, in mm. Rad: nächste Schicht; rechts ziehen: Fensterung; Rechtsklick: Fensterungen</translation>
     </message>
 </context>
 <context>
@@ -4631,18 +4683,18 @@ Rad: die Achse zoomen; die Achse ziehen verschiebt sie; Doppelklick darauf zeigt
     </message>
 </context>
 <context>
-    <name>macula::viewer::Viewport</name>
+    <name>WindowContainer</name>
     <message>
-        <source>The volume in 3D</source>
-        <translation>Das Volumen in 3D</translation>
+        <source>Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4</source>
+        <translation>Seiten des Patienten links, rechts, oben und unten: %1, %2, %3, %4</translation>
     </message>
     <message>
         <source>Left drag or arrows walk around the patient, the wheel goes closer; sizes are in mm</source>
         <translation>Links ziehen oder Pfeile gehen um den Patienten herum, das Rad geht näher; Größen sind in mm</translation>
     </message>
     <message>
-        <source>Sides of the patient at the left, right, top and bottom: %1, %2, %3, %4</source>
-        <translation>Seiten des Patienten links, rechts, oben und unten: %1, %2, %3, %4</translation>
+        <source>The volume in 3D</source>
+        <translation>Das Volumen in 3D</translation>
     </message>
 </context>
 <context>

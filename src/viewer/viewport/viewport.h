@@ -4,7 +4,6 @@
 #include "live/frame/render_thread.h"  // before Qt, see vulkan_window.h
 #include "viewer/viewport/vulkan_window.h"
 
-#include <QTimer>
 #include <QVulkanInstance>
 #include <QWidget>
 #include <memory>
@@ -14,10 +13,14 @@
 
 #include "scene/camera/orbit_camera.h"
 #include "viewer/overlay/cube_and_scale.h"
-#include "viewer/overlay/painted_text.h"
 #include "viewer/overlay/picture_tool.h"
-#include "viewer/overlay/tool_marks.h"
+#include "viewer/viewport/camera_keys.h"
+#include "viewer/viewport/picture_camera.h"
+#include "viewer/viewport/picture_hand.h"
+#include "viewer/viewport/picture_overlay.h"
+#include "viewer/viewport/picture_tools.h"
 #include "viewer/viewport/rest_goal.h"
+#include "viewer/viewport/window_container.h"
 
 namespace macula::viewer {
 
@@ -45,7 +48,7 @@ class Viewport : public QWidget {
     void setStudy(std::shared_ptr<const Volume> volume, std::vector<std::string> names,
                   scene::Drawing drawing, std::optional<ViewDirection> from);
     void showNames(bool shown);
-    bool namesShown() const { return namesShown_; }
+    bool namesShown() const { return overlay_.showsNames(); }
     void setDrawing(scene::Drawing drawing);
     void setSampleLimit(std::uint32_t samplesPerPixel);
     // What counts as converged at rest, and whether the model waits for it: see live::FrameInput.
@@ -65,24 +68,24 @@ class Viewport : public QWidget {
     // Shows cube and scale over each picture, for the camera of that picture.
     void showMarks(bool shown);
     // Switches between parallel rays and perspective; keeps the extent shown at the camera's target.
-    void setParallel(bool isParallel);
+    void setParallel(bool isParallel) { camera_.setParallel(isParallel); }
 
-    void showFrom(ViewDirection from);
-    void showFrom(const Camera& camera);  // the nearest turntable camera: scene::orbitCameraOf
-    void centreOn(const glm::dvec3& mm);  // the new centre of rotation, patient LPS
-    void fit();                           // fits the visible part, from the present side
+    void showFrom(ViewDirection from) { camera_.showFrom(from); }
+    // The nearest turntable camera: scene::orbitCameraOf.
+    void showFrom(const Camera& camera) { camera_.showFrom(camera); }
+    // The new centre of rotation, patient LPS.
+    void centreOn(const glm::dvec3& mm) { camera_.centreOn(mm); }
+    void fit() { camera_.fit(); }  // fits the visible part, from the present side
     // Arrows, +, -, [, ], F, N (names), B (marks), O and the letters of the standard views. False for any
     // other key.
     bool handleKey(const QKeyEvent& event);
 
-    const scene::OrbitCamera& camera() const { return camera_; }
+    const scene::OrbitCamera& camera() const { return camera_.now(); }
     // The side of a camera that still fits the visible part; nothing after the camera was moved, or with
     // parallel rays.
-    std::optional<ViewDirection> framedFrom() const {
-        return untouched_ && !camera_.isParallel ? std::optional(framedFrom_) : std::nullopt;
-    }
+    std::optional<ViewDirection> framedFrom() const { return camera_.framedFrom(); }
     // The side from which this study was shown first.
-    ViewDirection firstFrom() const { return firstFrom_; }
+    ViewDirection firstFrom() const { return camera_.firstFrom(); }
     std::uint64_t study() const { return input_.study; }  // as in FrameShown
     // The orientation letters on screen, painted into each picture; empty without one.
     const scene::EdgeLetters& letters() const { return letters_; }
@@ -95,7 +98,7 @@ class Viewport : public QWidget {
     // Whether the picture on screen has the current camera (for parallel rays: see standingBefore).
     bool isCameraOnScreen() const {
         const auto picture = input_.volume ? pictureOnScreen() : std::nullopt;
-        return picture && picture->camera == standingBefore(toCamera(camera_), input_.volume->worldBox());
+        return picture && picture->camera == standingBefore(toCamera(camera()), input_.volume->worldBox());
     }
     double aspect() const;  // width over height
 
@@ -116,71 +119,31 @@ class Viewport : public QWidget {
 
   private:
     void connectWindow();
-    void setCamera(const scene::OrbitCamera& camera);
-    void publishChange();  // of study, drawing or camera
-    void applyDrag(VulkanWindow::Drag drag, QPointF byPixels);
-    PicturePlace placeAt(QPointF place, bool withShift) const;
-    bool grab(QPointF place, bool withShift);
-    bool moveFocus(const QKeyEvent& event);  // returns whether it was Tab
-    void onPointed(QPointF place);
-    void endHold();  // of a tool
-    void onWheel(double notches, bool withShift);
+    void connectHand();
+    void publishChange();                                      // of study, drawing or camera
+    std::uint64_t publish();                                   // its number
+    void updateMarks();                                        // in the input
     std::optional<ViewDirection> sideAt(QPointF place) const;  // of the cube, if it is shown
-    void turnToSide(QPointF place);
-    void fly(double notches);
-    bool handleRoll(const QKeyEvent& event);
-    void nudge();               // an input without an end event: a key, a wheel notch
-    std::uint64_t publish();    // its number
+    bool showsProjection() const { return trace::isProjection(input_.drawing.settings.look); }
     bool isCalibrated() const;  // the volume; true without one
-    double sceneDiagonalMm() const;
-    std::vector<glm::dvec3> outlineMm() const;  // of what the camera fits
-    void onOutline(const live::OutlineFound& found);
+    MarkedPicture markedPicture(const Camera& camera) const;
     void onRendered(const live::RenderEvent& event);
     void setLetters(const scene::EdgeLetters& letters);
-    void updateText();
-    void updateMarks();
-    void layOut();
 
     QVulkanInstance vulkan_;  // outlives the window
     VulkanWindow* window_;    // owned by container_
-    QWidget* container_ = nullptr;
-    scene::EdgeLetters letters_;  // of the picture on screen
-    QTimer nudgeEnds_;
+    std::unique_ptr<WindowContainer> container_;
+    PictureCamera camera_;
+    PictureTools tools_;
+    PictureHand hand_;
+    CameraKeys keys_;
+    PictureOverlay overlay_;
 
-    std::vector<std::string> names_;  // of the study
-    bool namesShown_ = true;
-    std::vector<PictureTool*> tools_;
-    PictureTool* holder_ = nullptr;  // the tool that holds
-    // The sources of input_.text.
-    LinesOver textLines_;
-    QSize textPx_;
-    double textPixelRatio_ = 0.0;
-    double textFontScale_ = 0.0;
-    bool marksShown_ = true;
-    struct Marked {
-        MarkedPicture picture;
-        bool hasCube = true;
-        double fontScale = 1.0;
-        std::vector<ToolMark> ofTools = {};
-
-        bool operator==(const Marked&) const = default;
-    };
-    std::shared_ptr<const live::PictureText> paintStanding(const Marked& marked) const;
-    std::optional<Marked> marked_;                       // the sources of input_.marks
-    std::shared_ptr<const live::PictureText> standing_;  // letters, cube and scale: a part of it
-    std::optional<live::FrameShown> shown_;              // the picture on screen
-
-    scene::OrbitCamera camera_;
     live::FrameInput input_;
     std::uint64_t lastChange_ = 0;  // its number
-    bool dragging_ = false;
-    glm::dvec2 pointedAt_{0.0};  // as FrameInput::gaze
     bool gazeFollowsPointer_ = true;
-    ViewDirection firstFrom_ = ViewDirection::anterior;
-    ViewDirection framedFrom_ = ViewDirection::anterior;
-    bool untouched_ = true;  // the camera was not moved since it was framed
-    std::shared_ptr<const std::vector<glm::dvec3>>
-        outline_;  // of the study as it was last drawn; null before
+    std::optional<live::FrameShown> shown_;  // the picture on screen
+    scene::EdgeLetters letters_;             // of that picture
 
     std::unique_ptr<live::RenderThread> renderThread_;
 };

@@ -1,0 +1,146 @@
+#include "viewer/slices/pane_measurements.h"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "viewer/overlay/slice_texts.h"
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kHitPx = 8.0;       // logical, as below
+constexpr double kOnePointPx = 3.0;  // nearer points are one
+constexpr double kSamePlaneMm = 1e-6;
+
+}  // namespace
+
+PaneMeasurements::PaneMeasurements(StudyEditor& session, const PaneContent& content)
+    : session_(session), content_(content) {}
+
+void PaneMeasurements::forget() {
+    selected_.reset();
+    texts_.forget();
+}
+
+// Whatever came before it in the list or went; one that was only moved stays in its place.
+bool PaneMeasurements::follow(const scene::StudyState& before) {
+    const auto& now = session_.state().measurements;
+    if (!selected_ || now == before.measurements) return false;
+    std::optional<std::size_t> followed;
+    if (*selected_ < before.measurements.size()) {
+        const auto found = std::ranges::find(now, before.measurements[*selected_]);
+        if (found != now.end()) {
+            followed = std::size_t(found - now.begin());
+        } else if (now.size() == before.measurements.size()) {
+            followed = selected_;
+        }
+    }
+    selected_ = followed;
+    return !selected_;
+}
+
+bool PaneMeasurements::isSeen(const slices::Measurement& measurement, const SliceRequest& shown) const {
+    return shown.showsStudy() &&
+           slices::liesIn(measurement, shown.frame.plane, 0.5 * std::abs(content_.steps().stepMm()));
+}
+
+std::optional<Hit> PaneMeasurements::selectAt(const QPointF& place, const SliceRequest& shown) {
+    const auto& measurements = session_.state().measurements;
+    std::vector<bool> seen;
+    for (const slices::Measurement& measurement : measurements) seen.push_back(isSeen(measurement, shown));
+    const auto hit =
+        hitAt(measurements, seen, shown.frame, shown.frameFromPane(place), kHitPx * shown.pixelRatio);
+    if (hit) selected_ = hit->measurement;
+    return hit;
+}
+
+void PaneMeasurements::moveHandle(std::size_t handle, const glm::dvec3& mm) {
+    const auto& measurements = session_.state().measurements;
+    if (!selected_ || *selected_ >= measurements.size()) return;
+    const std::size_t at = *selected_;
+    if (handle >= handlesOf(measurements[at]).size()) return;
+    const slices::Measurement moved = withHandleAt(measurements[at], handle, mm);
+    session_.drag(tr("Measurement moved"),
+                  [&](scene::StudyState& next) { next.measurements.at(at) = moved; });
+}
+
+void PaneMeasurements::removeSelected() {
+    if (!selected_) return;
+    const std::size_t at = *selected_;
+    selected_.reset();
+    if (at >= session_.state().measurements.size()) return;
+    session_.change(tr("Measurement removed"), [at](scene::StudyState& next) {
+        next.measurements.erase(next.measurements.begin() + std::ptrdiff_t(at));
+    });
+}
+
+bool PaneMeasurements::goesOnOver(const SliceRequest& shown) const {
+    const slices::SlicePlane& drawn = drawing_->plane();
+    const slices::SlicePlane& now = shown.frame.plane;
+    const double offMm = std::abs(shown.frame.distanceMm(drawn.centreMm));
+    return shown.showsStudy() && drawn.right == now.right && drawn.down == now.down &&
+           !(offMm > kSamePlaneMm);
+}
+
+void PaneMeasurements::beginDrawing(SliceTool tool, const QPointF& place, const SliceRequest& shown) {
+    drawing_.emplace(tool, shown.frame.plane, shown.worldFromPane(place),
+                     kOnePointPx * shown.frame.mmPerPixel * shown.pixelRatio);
+}
+
+void PaneMeasurements::moveDrawing(const glm::dvec3& mm) {
+    if (drawing_) drawing_->move(mm);
+}
+
+void PaneMeasurements::pressDrawing(const glm::dvec3& mm) {
+    drawing_->press(mm);
+    finishIfComplete();
+}
+
+void PaneMeasurements::releaseDrawing(const glm::dvec3& mm) {
+    if (!drawing_) return;
+    drawing_->release(mm);
+    finishIfComplete();
+}
+
+void PaneMeasurements::finishIfComplete() {
+    if (!drawing_->isComplete()) return;
+    const std::optional<slices::Measurement> made = drawing_->soFar();
+    drawing_.reset();
+    if (!made) return;
+    session_.change(tr("Measurement"), [&](scene::StudyState& next) { next.measurements.push_back(*made); });
+    selected_ = session_.state().measurements.size() - 1;
+}
+
+std::vector<ShownMeasurement> PaneMeasurements::seenOn(const SliceRequest& shown) {
+    std::vector<ShownMeasurement> seen;
+    const auto& measurements = session_.state().measurements;
+    for (std::size_t i = 0; i < measurements.size(); ++i) {
+        if (!isSeen(measurements[i], shown)) continue;
+        seen.push_back({.measurement = measurements[i],
+                        .text = textOf(measurements[i], shown),
+                        .isSelected = selected_ == i});
+    }
+    const auto drawn = drawing_ ? drawing_->soFar() : std::nullopt;
+    if (drawn) seen.push_back({.measurement = *drawn, .text = textWhileDrawn(*drawn), .isSelected = true});
+    return seen;
+}
+
+// Values are of the plane, whatever is projected onto it.
+QString PaneMeasurements::textOf(const slices::Measurement& measurement, const SliceRequest& shown) {
+    const QString text = texts_.of(measurement, content_.volume());
+    const bool isOfPlane =
+        shown.slab.thicknessMm > 0.0 && std::holds_alternative<slices::Ellipse>(measurement.shape);
+    return isOfPlane ? tr("Plane alone: %1").arg(text) : text;
+}
+
+// Values are counted once the hand lets go: that takes too long for each of its steps.
+QString PaneMeasurements::textWhileDrawn(const slices::Measurement& measurement) {
+    const auto* ellipse = std::get_if<slices::Ellipse>(&measurement.shape);
+    if (ellipse == nullptr) return texts_.of(measurement, content_.volume());
+    return sizeText(tr("%1 mm²").arg(std::llround(slices::areaMm2(*ellipse))),
+                    content_.volume().provenance().isCalibrated);
+}
+
+}  // namespace macula::viewer

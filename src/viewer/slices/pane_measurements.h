@@ -1,0 +1,68 @@
+// The measurements on a pane of slices: which are seen, which is selected, and the one that is being drawn.
+#pragma once
+
+#include <QCoreApplication>
+#include <QPointF>
+#include <QString>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "viewer/editor/study_editor.h"
+#include "viewer/keys/slice_tool.h"
+#include "viewer/overlay/measurement_handles.h"
+#include "viewer/overlay/slice_overlay.h"
+#include "viewer/slices/measurement_drawing.h"
+#include "viewer/slices/measurement_texts.h"
+#include "viewer/slices/pane_content.h"
+#include "viewer/slices/slice_sampler.h"
+
+namespace macula::viewer {
+
+// Proposes changes of the session's measurements. `shown` is the request of the picture on screen; indices
+// are into the state's measurements. Knows no widget: places are logical pixels of the pane.
+class PaneMeasurements {
+    Q_DECLARE_TR_FUNCTIONS(PaneMeasurements)
+
+  public:
+    PaneMeasurements(StudyEditor& session, const PaneContent& content);  // both outlive this
+
+    void forget();  // another study: selection and texts
+    // The same one stays selected after a change of the state; returns whether it is gone.
+    bool follow(const scene::StudyState& before);
+
+    std::optional<std::size_t> selected() const { return selected_; }
+    void deselect() { selected_.reset(); }
+    // Selects the one that is seen at `place`; nothing there: leaves the selection.
+    std::optional<Hit> selectAt(const QPointF& place, const SliceRequest& shown);
+    void moveHandle(std::size_t handle, const glm::dvec3& mm);  // of the selected one, as a drag
+    void removeSelected();
+
+    bool isDrawing() const { return drawing_.has_value(); }
+    bool isBeyondFirstPoint() const { return drawing_ && drawing_->pointsSet() > 1; }
+    // Whether the picture that is drawn on is `shown`, or one of the same plane.
+    bool goesOnOver(const SliceRequest& shown) const;
+    void beginDrawing(SliceTool tool, const QPointF& place, const SliceRequest& shown);
+    void moveDrawing(const glm::dvec3& mm);
+    // The button went down or up there. The last point puts the measurement into the state, and selects it.
+    void pressDrawing(const glm::dvec3& mm);
+    void releaseDrawing(const glm::dvec3& mm);
+    void dropDrawing() { drawing_.reset(); }
+
+    // Those to draw over the picture.
+    std::vector<ShownMeasurement> seenOn(const SliceRequest& shown);
+
+  private:
+    bool isSeen(const slices::Measurement& measurement, const SliceRequest& shown) const;
+    void finishIfComplete();
+    QString textOf(const slices::Measurement& measurement, const SliceRequest& shown);
+    QString textWhileDrawn(const slices::Measurement& measurement);
+
+    StudyEditor& session_;
+    const PaneContent& content_;
+    std::optional<MeasurementDrawing> drawing_;
+    std::optional<std::size_t> selected_;
+    MeasurementTexts texts_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,123 @@
+#include "viewer/slices/pane_request.h"
+
+#include <QCoreApplication>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "pipeline/volume/window.h"
+#include "slices/interpolated.h"
+#include "viewer/overlay/slice_texts.h"
+
+namespace macula::viewer {
+
+namespace {
+
+struct PaneRequest {
+    Q_DECLARE_TR_FUNCTIONS(PaneRequest)
+};
+
+// The slice of another volume that a plane of the study lies in; nothing where they are not parallel.
+std::optional<int> sliceIn(const Volume& volume, const slices::SlicePlane& plane,
+                           const glm::dmat4& volumeFromStudy) {
+    constexpr double kSameDirection = 1e-4;  // as of SliceSteps
+    const glm::dmat4 voxelFromStudy = glm::inverse(volume.worldFromVoxel()) * volumeFromStudy;
+    const glm::dvec3 gradient{voxelFromStudy[0][2], voxelFromStudy[1][2], voxelFromStudy[2][2]};
+    if (glm::length(glm::cross(glm::normalize(gradient), plane.normal())) > kSameDirection) return {};
+    const double at = std::round(transformPoint(voxelFromStudy, plane.centreMm).z);
+    return at >= 0.0 && at < volume.size().z ? std::optional(int(at)) : std::nullopt;
+}
+
+// With the numbers of its own slice where the pane is one of these: those of the study are of other images.
+QString secondPositionText(const PaneContent& content, const scene::SecondVolumeState& state,
+                           SliceRequest& request) {
+    request.isInterpolated = false;
+    if (!state.isLinked()) return PaneRequest::tr("Not in a plane of the study");
+    QString text = planeText(content.orientation(), content.steps(), content.slice());
+    const std::optional<int> own = sliceIn(*request.volume, request.frame.plane, state.secondFromStudy);
+    if (own) {
+        text = withNumbers(text, *own, request.volume->size().z, imageNumber(content.second()->study, *own));
+        request.isInterpolated = slices::isInterpolated(*request.volume, *own);
+    }
+    return PaneRequest::tr("In the plane of the study: %1").arg(text);
+}
+
+void showSecond(const PaneContent& content, const scene::SecondVolumeState& state, SliceRequest& request) {
+    const SecondVolumeTexts& second = *content.second();
+    request.volume = second.study.measured();
+    request.volumeFromPane = state.secondFromStudy;
+    request.shows = state.isLinked() ? SliceShows::second : SliceShows::secondByHand;
+    request.window = content.secondWindow();
+    request.isInverted = content.state().slices.isInverted != second.study.isLowBright;
+    request.isLowBright = second.study.isLowBright;
+    request.segments.reset();  // they are of the study's voxels
+    request.positionText = secondPositionText(content, state, request);
+    request.tags = {second.tag};
+    request.names = second.lines;
+    request.secondNotes = {linkText(state)};
+    if (!request.volume->provenance().interpolatedSlices.empty())
+        request.secondNotes.push_back(PaneRequest::tr("Some of its slices are interpolated"));
+    if (!request.volume->provenance().isCalibrated)
+        request.secondNotes.push_back(PaneRequest::tr("The size of its pixels is not calibrated"));
+}
+
+void showSecondOver(const PaneContent& content, const scene::SecondVolumeState& state,
+                    SliceRequest& request) {
+    const SecondVolumeTexts& second = *content.second();
+    request.over = SliceOver{.volume = second.study.measured(),
+                             .volumeFromPane = state.secondFromStudy,
+                             .window = content.secondWindow(),
+                             // Colours are no custom of films.
+                             .isInverted = second.study.isLowBright && !isActivity(*second.study.volume),
+                             .colours = state.colours,
+                             .opacity = state.opacity};
+    request.tags.push_back(PaneRequest::tr("In colours: %1").arg(second.tag));
+    request.secondNotes = {linkText(state)};
+    if (!second.study.measured()->provenance().interpolatedSlices.empty())
+        request.secondNotes.push_back(PaneRequest::tr("In colours: some slices are interpolated"));
+    if (!second.study.measured()->provenance().isCalibrated)
+        request.secondNotes.push_back(PaneRequest::tr("In colours: the size of pixels is not calibrated"));
+}
+
+// Completes the request, which is of the study so far.
+void addSecond(const PaneContent& content, SliceRequest& request) {
+    const scene::SecondVolumeState* state = content.secondState();
+    if (state == nullptr) return;
+    request.tags = {content.second()->studyTag};
+    if (content.wantsSecond()) {
+        showSecond(content, *state, request);
+    } else if (content.role() == PaneRole::study && state->view == scene::SecondVolumePlace::over &&
+               state->isLinked()) {
+        showSecondOver(content, *state, request);
+    } else {
+        return;
+    }
+    if (!content.second()->patientNote.isEmpty()) request.secondNotes.prepend(content.second()->patientNote);
+}
+
+}  // namespace
+
+SliceRequest requestFor(const PaneContent& content, const PaneView& view,
+                        std::shared_ptr<const slices::ShownSegments> segments, const glm::ivec2& sizePx,
+                        double pixelRatio) {
+    const study::OpenedStudy& study = content.study();
+    const scene::SliceState& state = content.state().slices;
+    const SliceSteps& steps = content.steps();
+    const int slice = content.slice();
+    SliceRequest request{
+        .volume = study.measured(),
+        .frame = frameOf(view, steps, slice, sizePx, pixelRatio),
+        .slab = state.slab,
+        .window = content.studyWindow(),
+        .isInverted = state.isInverted != study.isLowBright,
+        .segments = std::move(segments),
+        .positionText = positionText(content.orientation(), steps, slice, imageNumber(study, steps, slice)),
+        .isInterpolated = isInterpolated(content.volume(), steps, slice),
+        .isLowBright = study.isLowBright,
+        .pixelRatio = pixelRatio,
+        .crosshairMm = content.crosshairMm()};
+    addSecond(content, request);
+    return request;
+}
+
+}  // namespace macula::viewer

@@ -1,0 +1,38 @@
+// Cine on a pane of slices: runs through them to and fro.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <functional>
+
+#include "viewer/editor/study_editor.h"
+#include "viewer/slices/pane_content.h"
+
+namespace macula::viewer {
+
+// A run is one undo step.
+class SliceCine : public QObject {
+    Q_OBJECT
+
+  public:
+    // `isSeen`: whether the slice of the state is on screen. A slow machine shows all slices, more slowly.
+    SliceCine(StudyEditor& session, const PaneContent& content, std::function<bool()> isSeen);
+
+    bool isOn() const { return timer_.isActive(); }
+    void start();  // needs a study
+    void stop();
+
+  signals:
+    void changed(bool on);
+
+  private:
+    void step();
+
+    StudyEditor& session_;
+    const PaneContent& content_;
+    std::function<bool()> isSeen_;
+    QTimer timer_;
+    bool goesBack_ = false;
+};
+
+}  // namespace macula::viewer

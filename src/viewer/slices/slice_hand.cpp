@@ -1,0 +1,179 @@
+#include "viewer/slices/slice_hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr double kClickPx = 3.0;            // a right click moves no farther
+constexpr double kDragZoomPerHeight = 6.0;  // times closer for a drag up over the height of the pane
+
+}  // namespace
+
+bool SliceHand::isUndoStep(Drag drag) {
+    return drag == Drag::crosshair || drag == Drag::window || drag == Drag::handle || drag == Drag::clip;
+}
+
+// Not for those tools that act on the picture as a whole.
+bool SliceHand::takesHold() const {
+    return tool_ != SliceTool::window && tool_ != SliceTool::zoom && tool_ != SliceTool::pan;
+}
+
+bool SliceHand::press(Qt::MouseButton button, const QPointF& place, const SliceRequest& shown) {
+    pressedAt_ = lastAt_ = place;
+    hasDragged_ = false;
+    button_ = button;
+    switch (button) {
+        case Qt::LeftButton:
+            pressLeft(place, shown);
+            return true;
+        case Qt::RightButton:
+            drag_ = Drag::window;
+            return true;
+        case Qt::MiddleButton:
+            drag_ = Drag::pan;
+            return true;
+        default:
+            return false;
+    }
+}
+
+void SliceHand::pressLeft(const QPointF& place, const SliceRequest& shown) {
+    PaneMeasurements& measurements = parts_.measurements;
+    if (measurements.isDrawing()) {
+        measurements.pressDrawing(shown.worldFromPane(place));
+        drag_ = measurements.isDrawing() ? Drag::draw : Drag::none;
+        return;
+    }
+    if (takeClip(place, shown) || takeMeasurement(place, shown)) return;
+    measurements.deselect();
+    if (measures(tool_)) {
+        if (!shown.showsStudy()) return;  // what is measured is kept with the study
+        measurements.beginDrawing(tool_, place, shown);
+    }
+    drag_ = dragOfTool();
+    if (drag_ == Drag::crosshair) parts_.travel.pointAt(shown.worldFromPane(place), shown.shows);
+}
+
+SliceHand::Drag SliceHand::dragOfTool() const {
+    switch (tool_) {
+        case SliceTool::crosshair:
+            return Drag::crosshair;
+        case SliceTool::window:
+            return Drag::window;
+        case SliceTool::zoom:
+            return Drag::zoom;
+        case SliceTool::pan:
+            return Drag::pan;
+        case SliceTool::probe:
+            return Drag::probe;
+        case SliceTool::distance:
+        case SliceTool::angle:
+        case SliceTool::ellipse:
+            return Drag::draw;
+    }
+    return Drag::none;
+}
+
+bool SliceHand::takeClip(const QPointF& place, const SliceRequest& shown) {
+    const auto clip = takesHold() ? parts_.clip.handleAt(place, shown) : std::nullopt;
+    if (!clip) return false;
+    parts_.clip.hold(clip->handle);
+    drag_ = Drag::clip;
+    parts_.session.endDrag();  // of what was dragged before
+    return true;
+}
+
+bool SliceHand::takeMeasurement(const QPointF& place, const SliceRequest& shown) {
+    const auto hit = takesHold() ? parts_.measurements.selectAt(place, shown) : std::nullopt;
+    if (!hit) return false;
+    if (hit->handle) {
+        heldHandle_ = *hit->handle;
+        drag_ = Drag::handle;
+    }
+    return true;
+}
+
+bool SliceHand::selectAt(const QPointF& place, const SliceRequest& shown) {
+    return takesHold() && parts_.measurements.selectAt(place, shown).has_value();
+}
+
+Qt::CursorShape SliceHand::usualCursor() const {
+    return tool_ == SliceTool::pan ? Qt::OpenHandCursor : Qt::CrossCursor;
+}
+
+std::optional<Qt::CursorShape> SliceHand::cursorAt(const QPointF& place, const SliceRequest& shown) const {
+    if (isHolding() || parts_.measurements.isDrawing() || !parts_.clip.hasHandles()) return std::nullopt;
+    const auto handle = takesHold() ? parts_.clip.handleAt(place, shown) : std::nullopt;
+    return handle ? cursorOf(*handle, shown.frame.plane) : usualCursor();
+}
+
+void SliceHand::move(const QPointF& place, Qt::MouseButtons buttons, const SliceRequest& shown,
+                     const glm::ivec2& sizePx) {
+    // A button that went up elsewhere: nobody told.
+    if (isHolding() && !buttons.testFlag(button_)) {
+        drag_ = Drag::none;
+        parts_.clip.letGo();
+        parts_.session.endDrag();
+    }
+    dragTo(place, shown, sizePx);
+    lastAt_ = place;
+}
+
+void SliceHand::dragTo(const QPointF& place, const SliceRequest& shown, const glm::ivec2& sizePx) {
+    const QPointF by = place - lastAt_;
+    const double heightPx = std::max(sizePx.y, 1);
+    if (isStillClick(place)) return;
+    hasDragged_ = hasDragged_ || isHolding();
+    switch (drag_) {
+        case Drag::crosshair:
+            return parts_.travel.pointAt(shown.worldFromPane(place), shown.shows);
+        case Drag::window:
+            return parts_.windowing.drag(glm::dvec2(by.x(), by.y()) / heightPx);
+        case Drag::zoom:
+            return parts_.zoom.zoomAt(pressedAt_, std::pow(kDragZoomPerHeight, -by.y() / heightPx), sizePx);
+        case Drag::pan:
+            return parts_.zoom.panBy({by.x(), by.y()});
+        case Drag::handle:
+            return parts_.measurements.moveHandle(heldHandle_, shown.worldFromPane(place));
+        case Drag::clip:
+            return parts_.clip.dragTo(place, shown);
+        case Drag::draw:
+        case Drag::none:
+            return parts_.measurements.moveDrawing(shown.worldFromPane(place));
+        case Drag::probe:
+            return;
+    }
+}
+
+// A hand that clicks moves a little.
+bool SliceHand::isStillClick(const QPointF& place) const {
+    return button_ == Qt::RightButton && drag_ == Drag::window && !hasDragged_ &&
+           (place - pressedAt_).manhattanLength() <= kClickPx;
+}
+
+bool SliceHand::release(Qt::MouseButton button, const QPointF& place, const SliceRequest* shown) {
+    if (!isHolding() || button != button_) return false;
+    const Drag ended = std::exchange(drag_, Drag::none);
+    parts_.clip.letGo();
+    if (ended == Drag::draw && shown != nullptr)
+        parts_.measurements.releaseDrawing(shown->worldFromPane(place));
+    if (isUndoStep(ended)) parts_.session.endDrag();
+    return button_ == Qt::RightButton && !hasDragged_;
+}
+
+void SliceHand::loseHandle() {
+    if (drag_ == Drag::handle) drag_ = Drag::none;
+}
+
+void SliceHand::end() {
+    if (isUndoStep(drag_)) parts_.session.endDrag();
+    drag_ = Drag::none;
+    parts_.clip.letGo();
+    parts_.measurements.dropDrawing();
+}
+
+}  // namespace macula::viewer

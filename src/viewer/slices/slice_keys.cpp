@@ -1,0 +1,74 @@
+#include "viewer/slices/slice_keys.h"
+
+#include <QKeyEvent>
+
+#include "viewer/keys/keys.h"
+
+namespace macula::viewer {
+
+bool SliceKeys::press(const QKeyEvent& event, const Pane& pane) {
+    if (!parts_.content.hasStudy()) return false;
+    const Qt::KeyboardModifiers others = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    if (others == Qt::AltModifier && event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9)
+        return parts_.windowing.applyOwn(event.key() - Qt::Key_0), true;
+    if (actionOf(event) == KeyAction::fit) return parts_.zoom.fit(), true;
+    return others == Qt::NoModifier &&
+           pressPlain(event.key(), event.modifiers().testFlag(Qt::ShiftModifier), pane);
+}
+
+bool SliceKeys::pressPlain(int key, bool withShift, const Pane& pane) {
+    const QPointF middle(0.5 * pane.sizePx.x, 0.5 * pane.sizePx.y);
+    const int slices = withShift ? SliceTravel::kManySlices : 1;
+    switch (key) {
+        case Qt::Key_Up:
+            return parts_.travel.moveBy(slices), true;
+        case Qt::Key_Down:
+            return parts_.travel.moveBy(-slices), true;
+        case Qt::Key_PageUp:
+            return parts_.travel.moveBy(SliceTravel::kManySlices), true;
+        case Qt::Key_PageDown:
+            return parts_.travel.moveBy(-SliceTravel::kManySlices), true;
+        case Qt::Key_Home:
+            return parts_.travel.goToFirst(), true;
+        case Qt::Key_End:
+            return parts_.travel.goToLast(), true;
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:  // the same key without Shift on many keyboards
+            return parts_.zoom.zoomAt(middle, PaneZoom::kPerNotch, pane.sizePx), true;
+        case Qt::Key_Minus:
+            return parts_.zoom.zoomAt(middle, 1.0 / PaneZoom::kPerNotch, pane.sizePx), true;
+        case Qt::Key_Menu:
+            return parts_.popups.openMenu(pane.pointedAt.value_or(middle)), true;
+        case Qt::Key_I:
+            parts_.session.change(tr("Inverted"), [](scene::StudyState& next) {
+                next.slices.isInverted = !next.slices.isInverted;
+            });
+            return true;
+        case Qt::Key_Space:
+            if (parts_.content.role() == PaneRole::second) return false;  // it follows the study
+            if (parts_.cine.isOn()) return parts_.cine.stop(), true;
+            if (pane.isVisible) parts_.cine.start();
+            return true;
+        default:
+            if (key < Qt::Key_1 || key > Qt::Key_9) return pressOfMeasurements(key);
+            return parts_.windowing.applyPreset(key - Qt::Key_0), true;
+    }
+}
+
+bool SliceKeys::pressOfMeasurements(int key) {
+    const auto selected = parts_.measurements.selected();
+    switch (key) {
+        case Qt::Key_Delete:
+        case Qt::Key_Backspace:
+            return selected && (parts_.measurements.removeSelected(), true);
+        case Qt::Key_Return:
+        case Qt::Key_Enter:
+            return selected && (parts_.popups.editLabel(*selected), true);
+        case Qt::Key_Escape:
+            return parts_.measurements.isDrawing() && (parts_.hand.end(), true);
+        default:
+            return false;
+    }
+}
+
+}  // namespace macula::viewer

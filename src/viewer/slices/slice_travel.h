@@ -1,0 +1,46 @@
+// Where a pane of slices goes in the volume: slice by slice, or with the cross-hair to a point.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <glm/glm.hpp>
+
+#include "viewer/editor/study_editor.h"
+#include "viewer/slices/pane_content.h"
+#include "viewer/slices/pane_zoom.h"
+#include "viewer/slices/slice_sampler.h"
+
+namespace macula::viewer {
+
+// Proposes changes of the session's cross-hair, or of the place of a second volume that is not linked. Steps
+// soon after each other are one undo step.
+class SliceTravel : public QObject {
+    Q_OBJECT
+
+  public:
+    SliceTravel(StudyEditor& session, const PaneContent& content, const PaneZoom& zoom);  // all outlive this
+
+    void moveBy(int slices);  // along the normal: for axial slices to the head
+    void goToFirst() { goTo(0); }
+    void goToLast() { goTo(content_.steps().count() - 1); }
+    // By the wheel: eighths of a degree, as QWheelEvent has them; `fast`: several slices for a notch.
+    void turnWheel(int eighths, bool fast);
+    // The cross-hair to a point on a picture that shows `shows`, as a drag.
+    void pointAt(const glm::dvec3& mm, SliceShows shows);
+
+    static constexpr int kNotch = 120;     // eighths of a degree
+    static constexpr int kManySlices = 5;  // with Shift, or by pages
+
+  private:
+    void goTo(int slice);
+    void moveSecond(int slices);
+    void endOwnDrag(const QString& what);
+
+    StudyEditor& session_;
+    const PaneContent& content_;
+    const PaneZoom& zoom_;
+    int wheelRest_ = 0;  // eighths of a degree, less than a notch
+    QTimer stepsEnd_;    // steps until then are one undo step
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,50 @@
+// The selected point of a transfer function, and the edits that a hand proposes.
+#pragma once
+
+#include <QObject>
+#include <optional>
+
+#include "scene/transfer/edited_transfer.h"
+#include "viewer/transfer/point_id.h"
+#include "viewer/transfer/transfer_plot.h"
+
+namespace macula::viewer {
+
+// Does not change the function of the plot: an edit emits the wanted one, which a listener may give to the
+// plot before the signal returns.
+class TransferEdits : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit TransferEdits(TransferPlot& plot) : plot_(plot) {}  // outlives this
+
+    std::optional<PointId> selected() const { return selected_; }
+    void select(std::optional<PointId> point);
+    void deselectIfGone();
+    // The next or previous point, those of opacity before those of colour; beyond the last: none, and false.
+    bool selectNext(bool forwards);
+
+    void propose(const TransferFunction& function, bool isDrag);
+    void removeSelected();
+    // Adds a point halfway from the selected one to the next, or to the end of the axis.
+    void addBesideSelected();
+    // Proposes what was added; if that was accepted, selects and returns the new point.
+    std::optional<PointId> add(PointId::Curve curve, const scene::Added& added, bool isDrag);
+
+    void endDrag() { emit dragEnded(); }
+    // True if a colour point is selected.
+    bool askForColour();
+
+  signals:
+    void edited(const macula::TransferFunction& function);   // a complete edit
+    void dragged(const macula::TransferFunction& function);  // during a drag
+    void dragEnded();
+    void selectionChanged();
+    void colourAsked();  // for the selected colour point
+
+  private:
+    TransferPlot& plot_;
+    std::optional<PointId> selected_;
+};
+
+}  // namespace macula::viewer

@@ -1,0 +1,82 @@
+// The plot of a transfer function: its points, its axis of values, and where each is on screen.
+#pragma once
+
+#include <QFontMetrics>
+#include <QObject>
+#include <QPointF>
+#include <QRectF>
+#include <QSize>
+#include <QString>
+#include <cstddef>
+#include <functional>
+#include <optional>
+
+#include "pipeline/volume/transfer_function.h"
+#include "scene/transfer/histogram.h"
+#include "scene/transfer/value_axis.h"
+#include "viewer/transfer/point_id.h"
+
+namespace macula::viewer {
+
+// The areas of the plot in a widget, in logical pixels.
+struct TransferLayout {
+    QRectF plot;   // opacity 1 at its top, 0 at its bottom
+    QRectF strip;  // colours
+    QRectF axis;
+
+    static TransferLayout of(const QSize& size, const QFontMetrics& metrics);
+};
+
+// Shown values are the volume's; the function has its own (scene::ValueMap). Places are those of the layout.
+class TransferPlot : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr double kTicksApartPx = 80.0;  // at least
+
+    // `layout` returns the present one.
+    explicit TransferPlot(std::function<TransferLayout()> layout);
+
+    void setFunction(TransferFunction function, const scene::ValueMap& map, const QString& unit);
+    void setHistogram(std::optional<scene::Histogram> histogram);
+    const TransferFunction& function() const { return function_; }
+    const scene::ValueMap& map() const { return map_; }
+    const QString& unit() const { return unit_; }
+    const std::optional<scene::Histogram>& histogram() const { return histogram_; }
+    bool hasFunction() const { return !function_.opacity.empty() && !function_.colour.empty(); }
+
+    std::size_t countOf(PointId::Curve curve) const;
+    std::size_t pointCount() const { return function_.opacity.size() + function_.colour.size(); }
+    double valueOf(const PointId& point) const;  // of the volume
+
+    TransferLayout layout() const { return layout_(); }
+    QPointF placeOf(const PointId& point) const;  // outside of the plot if the axis does not reach it
+    // The nearest within reach of a pointer; of several at one place the last.
+    std::optional<PointId> pointAt(const QPointF& at) const;
+    double presetValueAt(double x) const;
+    double opacityAt(double y) const;
+
+    const scene::ValueAxis& axis() const { return axis_; }
+    bool isAxisFitted() const { return isAxisFitted_; }  // not zoomed since fitAxis
+    void fitAxis();                                      // all points, and all values that are not rare
+    void setAxis(const scene::ValueAxis& axis);          // by a person
+    void reveal(const PointId& point);
+    void takeLength();       // of the layout, which has changed
+    double keyStep() const;  // units of the volume that an arrow key moves by
+
+  signals:
+    void scalesChanged();  // axis, unit or histogram
+
+  private:
+    void show(const scene::ValueAxis& axis, bool isFitted);
+
+    std::function<TransferLayout()> layout_;
+    TransferFunction function_;
+    scene::ValueMap map_;
+    QString unit_;
+    std::optional<scene::Histogram> histogram_;
+    scene::ValueAxis axis_;
+    bool isAxisFitted_ = true;
+};
+
+}  // namespace macula::viewer

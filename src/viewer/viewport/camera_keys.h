@@ -1,0 +1,28 @@
+// The keys that move the camera of the 3D picture.
+#pragma once
+
+#include <functional>
+
+#include "viewer/viewport/picture_camera.h"
+
+class QKeyEvent;
+
+namespace macula::viewer {
+
+class CameraKeys {
+  public:
+    // The camera outlives this. `nudge` is called before a step of a key that may be held down.
+    CameraKeys(PictureCamera& camera, std::function<void()> nudge);
+
+    // Each returns whether it was one of its keys: [, ] and Ctrl with arrows, which roll; arrows; standard
+    // views, fit, parallel, + and -. The last two only without modifiers but Shift.
+    bool roll(const QKeyEvent& event);
+    bool move(const QKeyEvent& event);
+    bool look(const QKeyEvent& event);
+
+  private:
+    PictureCamera& camera_;
+    std::function<void()> nudge_;
+};
+
+}  // namespace macula::viewer

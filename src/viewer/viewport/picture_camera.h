@@ -1,0 +1,72 @@
+// The camera of the 3D picture, and which side of the study it was fitted to.
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/volume.h"
+#include "scene/camera/orbit_camera.h"
+
+namespace macula::viewer {
+
+// Fits the visible part of the volume until a person moves the camera. Needs no window.
+class PictureCamera : public QObject {
+    Q_OBJECT
+
+  public:
+    // `aspect` returns width over height of the picture.
+    explicit PictureCamera(std::function<double()> aspect);
+
+    const scene::OrbitCamera& now() const { return camera_; }
+    // The side of a camera that still fits the visible part; nothing after it was moved, or with parallel
+    // rays.
+    std::optional<ViewDirection> framedFrom() const {
+        return untouched_ && !camera_.isParallel ? std::optional(framedFrom_) : std::nullopt;
+    }
+    ViewDirection firstFrom() const { return firstFrom_; }  // the side from which the study was shown first
+
+    // Begins another study, whose visible part is not known yet. Null: none.
+    void setVolume(std::shared_ptr<const Volume> volume);
+    void setProjection(bool isProjection) { isProjection_ = isProjection; }  // which shows all of the volume
+    // The visible part. The first one of a study moves a camera that nobody has touched. Later ones, of other
+    // presets, do not: what is compared stays where it is.
+    void takeOutline(std::shared_ptr<const std::vector<glm::dvec3>> pointsMm);
+    void refit();  // to another aspect, unless it was moved; without a signal
+
+    // The first five do nothing without a volume. showFirst uses the usual view if `from` is nothing.
+    void showFirst(std::optional<ViewDirection> from);
+    void showFrom(ViewDirection from);
+    void showFrom(const Camera& camera);
+    void centreOn(const glm::dvec3& mm);
+    void fit();
+    void set(const scene::OrbitCamera& camera);
+    void setParallel(bool isParallel);  // keeps what it was fitted to
+
+    void zoomBy(double magnification);
+    void flyBy(double notches);  // needs a volume; with parallel rays it zooms
+
+    static constexpr double kZoomPerNotch = 1.15;  // of a wheel, or by a key
+
+  signals:
+    void changed();
+    void parallelChanged(bool isParallel);
+    void moved();  // after these
+
+  private:
+    double sceneDiagonalMm() const;
+    std::vector<glm::dvec3> fittedPointsMm() const;
+
+    std::function<double()> aspect_;
+    std::shared_ptr<const Volume> volume_;
+    bool isProjection_ = false;
+    scene::OrbitCamera camera_;
+    ViewDirection firstFrom_ = ViewDirection::anterior;
+    ViewDirection framedFrom_ = ViewDirection::anterior;
+    bool untouched_ = true;                                   // not moved since it was framed
+    std::shared_ptr<const std::vector<glm::dvec3>> outline_;  // null before the first of the study
+};
+
+}  // namespace macula::viewer

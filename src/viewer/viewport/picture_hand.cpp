@@ -1,0 +1,110 @@
+#include "viewer/viewport/picture_hand.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace macula::viewer {
+
+namespace {
+
+constexpr std::chrono::milliseconds kNudgeLasts{250};
+constexpr double kDragZoomPerHeight = 6.0;  // times larger for a drag over the height of the picture
+
+}  // namespace
+
+PictureHand::PictureHand(const Parts& parts, Picture picture) : parts_(parts), picture_(std::move(picture)) {
+    nudgeEnds_.setSingleShot(true);
+    nudgeEnds_.setInterval(kNudgeLasts);
+    connect(&nudgeEnds_, &QTimer::timeout, this, &PictureHand::rested);
+    listen();
+}
+
+void PictureHand::listen() {
+    VulkanWindow* window = &parts_.window;
+    connect(window, &VulkanWindow::pointed, this, &PictureHand::point);
+    connect(window, &VulkanWindow::dragBegan, this, [this] { isDragging_ = true; });
+    connect(window, &VulkanWindow::dragged, this, &PictureHand::drag);
+    connect(window, &VulkanWindow::dragEnded, this, [this] {
+        parts_.tools.giveUp();
+        isDragging_ = false;
+        emit rested();
+    });
+    window->setGrab([this](QPointF place, bool withShift) { return grab(place, withShift); });
+    connect(window, &VulkanWindow::toolMoved, this,
+            [this](QPointF place, bool withShift) { parts_.tools.move(placeAt(place, withShift)); });
+    connect(window, &VulkanWindow::toolReleased, this,
+            [this](QPointF place, bool withShift) { parts_.tools.release(placeAt(place, withShift)); });
+    connect(window, &VulkanWindow::wheelTurned, this, &PictureHand::turnWheel);
+    connect(window, &VulkanWindow::flyTurned, this, &PictureHand::fly);
+}
+
+PicturePlace PictureHand::placeAt(QPointF place, bool withShift) const {
+    return {.picture = picture_.geometry(), .at = {place.x(), place.y()}, .withShift = withShift};
+}
+
+bool PictureHand::grab(QPointF place, bool withShift) {
+    if (!picture_.hasStudy()) return false;
+    const PicturePlace at = placeAt(place, withShift);
+    // Of a picture that will be gone in a moment no tool takes hold, and the button does nothing.
+    if (!picture_.isOnScreen()) return parts_.tools.wouldHold(at);
+    if (!parts_.tools.press(at)) return false;
+    isDragging_ = parts_.tools.changesPicture();
+    return true;
+}
+
+void PictureHand::drag(VulkanWindow::Drag drag, QPointF byPixels) {
+    const double height = parts_.window.height();
+    switch (drag) {
+        case VulkanWindow::Drag::tool:  // is told as toolMoved
+            return;
+        case VulkanWindow::Drag::orbit:
+            return parts_.camera.set(
+                scene::orbitedByDrag(parts_.camera.now(), byPixels.x(), byPixels.y(), height));
+        case VulkanWindow::Drag::pan:
+            return parts_.camera.set(
+                scene::pannedByDrag(parts_.camera.now(), byPixels.x(), byPixels.y(), height));
+        case VulkanWindow::Drag::roll:
+            return parts_.camera.set(scene::rolledByDrag(parts_.camera.now(), byPixels.x(), height));
+        case VulkanWindow::Drag::transfer:
+            if (!picture_.isProjection()) {
+                emit transferDragged(byPixels / std::max(height, 1.0));
+                return;
+            }
+            [[fallthrough]];
+        case VulkanWindow::Drag::windowOrZoom:
+            if (picture_.isProjection()) {
+                emit windowDragged(byPixels / std::max(height, 1.0));
+                return;
+            }
+            [[fallthrough]];
+        case VulkanWindow::Drag::zoom:
+            return parts_.camera.zoomBy(std::pow(kDragZoomPerHeight, -byPixels.y() / std::max(height, 1.0)));
+    }
+}
+
+// What is pointed at is what is looked at; while it is dragged it goes with the pointer.
+void PictureHand::point(QPointF place) {
+    pointedAt_ = {place.x(), place.y()};
+    if (!picture_.hasStudy() || parts_.tools.isHolding()) return;
+    if (const auto shape = parts_.tools.cursorAt(placeAt(place, false))) {
+        parts_.window.setCursor(*shape);
+    } else {
+        parts_.window.unsetCursor();
+    }
+}
+
+void PictureHand::turnWheel(double notches, bool withShift) {
+    if (withShift && picture_.hasStudy() && parts_.tools.turnWheel(notches, picture_.geometry())) return;
+    nudge();
+    parts_.camera.zoomBy(std::pow(PictureCamera::kZoomPerNotch, notches));
+}
+
+void PictureHand::fly(double notches) {
+    if (!picture_.hasStudy()) return;
+    nudge();
+    parts_.camera.flyBy(notches);
+}
+
+}  // namespace macula::viewer

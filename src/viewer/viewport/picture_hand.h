@@ -1,0 +1,61 @@
+// The mouse in the 3D picture: drags and wheel, for the tools that may take them, else for the camera.
+#pragma once
+
+#include "viewer/viewport/vulkan_window.h"  // before Qt, see there
+
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+#include <functional>
+#include <glm/glm.hpp>
+
+#include "viewer/overlay/picture_tool.h"
+#include "viewer/viewport/picture_camera.h"
+#include "viewer/viewport/picture_tools.h"
+
+namespace macula::viewer {
+
+class PictureHand : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Parts {  // outlive this
+        VulkanWindow& window;
+        PictureCamera& camera;
+        PictureTools& tools;
+    };
+    // What is asked of the picture whenever it matters.
+    struct Picture {
+        std::function<bool()> hasStudy;
+        std::function<bool()> isProjection;
+        std::function<bool()> isOnScreen;  // with the present camera
+        std::function<PictureGeometry()> geometry;
+    };
+    PictureHand(const Parts& parts, Picture picture);
+
+    bool isMoving() const { return isDragging_ || nudgeEnds_.isActive(); }  // so that frames must be fast
+    void nudge() { nudgeEnds_.start(); }  // an input without an end event: a key, a wheel notch
+    glm::dvec2 pointedAt() const { return pointedAt_; }  // as FrameInput::gaze
+
+  signals:
+    void rested();                            // at the end of a drag or of nudges
+    void windowDragged(QPointF byHeights);    // in projections
+    void transferDragged(QPointF byHeights);  // in all others
+
+  private:
+    void listen();
+    PicturePlace placeAt(QPointF place, bool withShift) const;
+    bool grab(QPointF place, bool withShift);
+    void drag(VulkanWindow::Drag drag, QPointF byPixels);
+    void point(QPointF place);
+    void turnWheel(double notches, bool withShift);
+    void fly(double notches);
+
+    Parts parts_;
+    Picture picture_;
+    bool isDragging_ = false;
+    QTimer nudgeEnds_;
+    glm::dvec2 pointedAt_{0.0};
+};
+
+}  // namespace macula::viewer

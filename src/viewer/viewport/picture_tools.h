@@ -1,0 +1,36 @@
+// The tools of the 3D picture, and the one that holds.
+#pragma once
+
+#include <QCursor>
+#include <optional>
+#include <vector>
+
+#include "viewer/overlay/picture_tool.h"
+
+namespace macula::viewer {
+
+// Asks the tools in their order; the caller owns them.
+class PictureTools {
+  public:
+    void set(std::vector<PictureTool*> tools);  // null entries are ignored; gives up a hold
+
+    bool isHolding() const { return holder_ != nullptr; }
+    bool changesPicture() const { return holder_->changesPicture(); }  // the one that holds
+    bool wouldHold(const PicturePlace& place) const;                   // by their cursors; no tool takes hold
+    bool press(const PicturePlace& place);                             // whether one took hold
+    // Those below do nothing without a hold.
+    void move(const PicturePlace& place);
+    void release(const PicturePlace& place);
+    void giveUp();
+
+    // Every tool before the first that has one is told of the pointer.
+    std::optional<Qt::CursorShape> cursorAt(const PicturePlace& place) const;
+    bool turnWheel(double notches, const PictureGeometry& picture) const;  // whether one used it
+    std::vector<ToolMark> marks(const PictureGeometry& picture) const;
+
+  private:
+    std::vector<PictureTool*> tools_;
+    PictureTool* holder_ = nullptr;
+};
+
+}  // namespace macula::viewer
