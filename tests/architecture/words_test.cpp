@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -90,6 +91,16 @@ TEST(Words, OfTheGlossaryAreThoseOfTheCode) {
                 for (const std::string& name : namesIn(line)) check(name);
             }
         }
+    }
+}
+
+TEST(Words, NamesOfTestsBeginWithACapital) {
+    const std::regex small("\\bTEST(_F|_P)?\\(\\s*(\\w+),\\s*([a-z]\\w*)\\s*\\)");
+    EXPECT_TRUE(std::regex_search(std::string("TEST_F(Scan, ") + "isRead) {", small));
+    for (const fs::path& path : macula::test::sourcesIn("tests")) {
+        std::ifstream text(path);
+        for (std::string line; std::getline(text, line);)
+            EXPECT_FALSE(std::regex_search(line, small)) << path << ": " << line;
     }
 }
 

@@ -5,7 +5,7 @@
 namespace macula {
 namespace {
 
-TEST(LabelMap, holdsWhatItWasGiven) {
+TEST(LabelMap, HoldsWhatItWasGiven) {
     const glm::dmat4 placed = affine({2, 0, 0}, {0, 3, 0}, {0, 0, 4}, {5, 6, 7});
     const auto map =
         LabelMap::create({3, 2, 2}, placed, {{.number = 7, .label = "b"}, {.number = 2, .label = "a"}},
@@ -23,7 +23,7 @@ TEST(LabelMap, holdsWhatItWasGiven) {
     EXPECT_EQ(map->worldFromVoxel(), placed);
 }
 
-TEST(LabelMap, refusesNonsense) {
+TEST(LabelMap, RefusesNonsense) {
     EXPECT_FALSE(LabelMap::create({0, 1, 1}, glm::dmat4(1), {}, {}));
     EXPECT_FALSE(LabelMap::create({-1, -1, 1}, glm::dmat4(1), {}, {1}));
     EXPECT_FALSE(LabelMap::create({2, 1, 1}, glm::dmat4(1), {}, {1}));

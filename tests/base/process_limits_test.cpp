@@ -30,12 +30,12 @@ class ProcessLimits : public ::testing::Test {
     fs::path root_;
 };
 
-TEST_F(ProcessLimits, withoutGroupsMemoryIsThatOfTheMachine) {
+TEST_F(ProcessLimits, WithoutGroupsMemoryIsThatOfTheMachine) {
     EXPECT_EQ(availableMemoryBytes(root_), 4096 * kMiB);
     EXPECT_FALSE(availableMemoryBytes(root_ / "nowhere"));
 }
 
-TEST_F(ProcessLimits, ofAGroupOfVersion2AndItsParents) {
+TEST_F(ProcessLimits, OfAGroupOfVersion2AndItsParents) {
     put("proc/self/cgroup", "0::/jobs/one\n");
     put("sys/fs/cgroup/jobs/one/memory.max", "max\n");
     put("sys/fs/cgroup/jobs/one/memory.current", "1048576\n");
@@ -50,7 +50,7 @@ TEST_F(ProcessLimits, ofAGroupOfVersion2AndItsParents) {
 }
 
 // In a container the path is often that of the host, which is not there.
-TEST_F(ProcessLimits, ofAGroupOfVersion1) {
+TEST_F(ProcessLimits, OfAGroupOfVersion1) {
     put("proc/self/cgroup", "5:cpu,cpuacct:/docker/x\n4:memory:/docker/x\n1:name=systemd:/\n");
     put("sys/fs/cgroup/memory/memory.limit_in_bytes", std::to_string(64 * kMiB));
     put("sys/fs/cgroup/memory/memory.usage_in_bytes", std::to_string(10 * kMiB));
@@ -62,7 +62,7 @@ TEST_F(ProcessLimits, ofAGroupOfVersion1) {
     EXPECT_EQ(usableProcessors(root_), usableProcessors(root_ / "nowhere"));
 }
 
-TEST_F(ProcessLimits, ofProcessorsInVersion2) {
+TEST_F(ProcessLimits, OfProcessorsInVersion2) {
     put("proc/self/cgroup", "0::/\n");
     put("sys/fs/cgroup/cpu.max", "max 100000\n");
     EXPECT_EQ(usableProcessors(root_), usableProcessors(root_ / "nowhere"));
@@ -70,7 +70,7 @@ TEST_F(ProcessLimits, ofProcessorsInVersion2) {
     EXPECT_EQ(usableProcessors(root_), 1u);
 }
 
-TEST(ProcessAffinity, isRespected) {
+TEST(ProcessAffinity, IsRespected) {
     cpu_set_t before;
     ASSERT_EQ(sched_getaffinity(0, sizeof(before), &before), 0);
     int one = 0;

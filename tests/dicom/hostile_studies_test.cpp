@@ -37,7 +37,7 @@ bool isSaid(const Opened& opened, const std::vector<std::shared_ptr<const Volume
     return false;
 }
 
-TEST_P(HostileStudies, isShownAndSaid) {
+TEST_P(HostileStudies, IsShownAndSaid) {
     const HostileStudy& study = GetParam();
     const TemporaryFolder folder;
     const std::vector<SyntheticSeries> truths = study.write(folder.path());
@@ -70,7 +70,7 @@ INSTANTIATE_TEST_SUITE_P(All, HostileStudies, ::testing::ValuesIn(hostileStudies
     return name;
 });
 
-TEST(HostileStudiesPage, listsEachOfThem) {
+TEST(HostileStudiesPage, ListsEachOfThem) {
     std::ostringstream page;
     page << std::ifstream(macula::test::projectFolder() / "docs/dicom.md").rdbuf();
     std::string table;

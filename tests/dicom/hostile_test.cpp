@@ -37,7 +37,7 @@ std::string nestedWithLengths(int levels) {
     return value;
 }
 
-TEST(Hostile, deepNestingIsDamageAndStopsNothing) {
+TEST(Hostile, DeepNestingIsDamageAndStopsNothing) {
     constexpr int kLevels = 20000;
     const TemporaryFolder folder;
     write(smallVolume(), folder.path());
@@ -64,7 +64,7 @@ TEST(Hostile, deepNestingIsDamageAndStopsNothing) {
         EXPECT_EQ(skipped.message.key, key::kDamagedFile) << skipped.file;
 }
 
-TEST(Hostile, ordinaryNestingIsFine) {
+TEST(Hostile, OrdinaryNestingIsFine) {
     const TemporaryFolder folder;
     for (const int levels : {1, 12, 64}) {
         std::ofstream(folder / "f", std::ios::binary)
@@ -76,7 +76,7 @@ TEST(Hostile, ordinaryNestingIsFine) {
     EXPECT_TRUE(outlineOf(folder / "f", true).nestedTooDeep);
 }
 
-TEST(Hostile, fileThatBecameDeepSinceTheScan) {
+TEST(Hostile, FileThatBecameDeepSinceTheScan) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     const auto found = scan(folder.path());
@@ -88,7 +88,7 @@ TEST(Hostile, fileThatBecameDeepSinceTheScan) {
     EXPECT_EQ(volume->provenance().messages.at(0).key, key::kDamagedFile);
 }
 
-TEST(Hostile, fewerPixelsThanTheHeaderClaims) {
+TEST(Hostile, FewerPixelsThanTheHeaderClaims) {
     const TemporaryFolder folder;
     for (const fs::path& file : write(smallVolume(), folder.path())) {
         setWord(file, tag::kRows, 30000);
@@ -101,7 +101,7 @@ TEST(Hostile, fewerPixelsThanTheHeaderClaims) {
         << found.error().message;
 }
 
-TEST(Hostile, oneSliceWithTooFewPixelsIsLeftOutAndToldOf) {
+TEST(Hostile, OneSliceWithTooFewPixelsIsLeftOutAndToldOf) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     setPixels(files[5], std::vector<std::uint16_t>(19, 7));
@@ -112,7 +112,7 @@ TEST(Hostile, oneSliceWithTooFewPixelsIsLeftOutAndToldOf) {
     EXPECT_TRUE(hasMessage(found->studies.at(0).series.at(0), key::kTruncatedFile));
 }
 
-TEST(Hostile, moreMemoryThanThereIs) {
+TEST(Hostile, MoreMemoryThanThereIs) {
     const auto available = availableMemory();
     ASSERT_TRUE(available);
     EXPECT_GT(*available, std::uint64_t{1} << 20);
@@ -143,7 +143,7 @@ TEST(Hostile, moreMemoryThanThereIs) {
     EXPECT_NE(volume.error().message.find("GiB are free"), std::string::npos) << volume.error().message;
 }
 
-TEST(Hostile, sizesThatAreNone) {
+TEST(Hostile, SizesThatAreNone) {
     const TemporaryFolder folder;
     write(smallVolume(), folder.path());
     const auto found = scan(folder.path());
@@ -159,7 +159,7 @@ TEST(Hostile, sizesThatAreNone) {
     }
 }
 
-TEST(Hostile, strayBytesAfterThePixelsAreNoDamage) {
+TEST(Hostile, StrayBytesAfterThePixelsAreNoDamage) {
     for (const WriteSyntax syntax : {WriteSyntax::explicitLittleEndian, WriteSyntax::rle}) {
         for (std::size_t count = 1; count <= 7; ++count) {
             for (const char stray : {'\0', '\n', '\x7F'}) {
@@ -181,7 +181,7 @@ TEST(Hostile, strayBytesAfterThePixelsAreNoDamage) {
     }
 }
 
-TEST(Hostile, deflatedFarBeyondItsImage) {
+TEST(Hostile, DeflatedFarBeyondItsImage) {
     const TemporaryFolder folder;
     write(smallVolume(), folder.path());
     const std::string image = shortElement(tag::kRows, "US", bytesOf(4, 2)) +
@@ -206,7 +206,7 @@ TEST(Hostile, deflatedFarBeyondItsImage) {
 }
 
 // A megabyte that inflates for seconds must not hold up whoever gave up waiting.
-TEST(Hostile, inflatingStopsWhenCancelled) {
+TEST(Hostile, InflatingStopsWhenCancelled) {
     const TemporaryFolder folder;
     const std::string image = shortElement(tag::kRows, "US", bytesOf(60000, 2)) +
                               shortElement(tag::kColumns, "US", bytesOf(60000, 2)) +
@@ -228,7 +228,7 @@ TEST(Hostile, inflatingStopsWhenCancelled) {
 
 // More items than any real object has, in a file that says explicit and is implicit: still no reason to
 // refuse it.
-TEST(Hostile, manyItemsInAMisdeclaredFile) {
+TEST(Hostile, ManyItemsInAMisdeclaredFile) {
     const TemporaryFolder folder;
     const auto implicitly = [](Tag tag, const std::string& value) {
         return bytesOf(tag.group, 2) + bytesOf(tag.element, 2) + bytesOf(value.size(), 4) + value;
@@ -245,7 +245,7 @@ TEST(Hostile, manyItemsInAMisdeclaredFile) {
 }
 
 // Whatever is changed in a header, it is read to an end, and so is all that was found in it.
-TEST(Hostile, changedAnywhere) {
+TEST(Hostile, ChangedAnywhere) {
     const TemporaryFolder folder;
     const std::string frames =
         sequence(tag::kPerFrameFunctionalGroups,

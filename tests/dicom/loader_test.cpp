@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Loader, slopePerSlice) {
+TEST(Loader, SlopePerSlice) {
     const TemporaryFolder folder;
     const Volume original = smallVolume(obliqueAffine(), {1.0, 0.0}, "MR");
     const auto files = write(original, folder.path());
@@ -25,7 +25,7 @@ TEST(Loader, slopePerSlice) {
     for (int k = 0; k < 6; ++k) EXPECT_EQ(volume->value(3, 2, k), (k + 1) * original.value(3, 2, k));
 }
 
-TEST(Loader, theBodyPartIsWhatAllImagesSay) {
+TEST(Loader, TheBodyPartIsWhatAllImagesSay) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(obliqueAffine(), {1.0, 0.0}, "MR"), folder.path());
     EXPECT_EQ(loadFolder(folder.path())->bodyPart(), "") << "nobody said";
@@ -34,7 +34,7 @@ TEST(Loader, theBodyPartIsWhatAllImagesSay) {
     EXPECT_EQ(loadFolder(folder.path())->bodyPart(), "HEAD");
 }
 
-TEST(Loader, slopePerSliceWithoutCommonStepIsKeptInFloat) {
+TEST(Loader, SlopePerSliceWithoutCommonStepIsKeptInFloat) {
     const TemporaryFolder folder;
     const Volume original = smallVolume(obliqueAffine(), {1.0, 0.0}, "MR");
     const auto files = write(original, folder.path());
@@ -51,7 +51,7 @@ TEST(Loader, slopePerSliceWithoutCommonStepIsKeptInFloat) {
     }
 }
 
-TEST(Loader, negativeSlope) {
+TEST(Loader, NegativeSlope) {
     const TemporaryFolder folder;
     const Volume original = smallVolume();
     for (const fs::path& file : write(original, folder.path(), {.pixelSign = PixelSign::asSigned})) {
@@ -64,7 +64,7 @@ TEST(Loader, negativeSlope) {
     EXPECT_EQ(volume->value(1, 2, 3), -raw);
 }
 
-TEST(Loader, monochrome1KeepsItsValues) {
+TEST(Loader, Monochrome1KeepsItsValues) {
     const TemporaryFolder folder;
     const Volume original = smallVolume();
     for (const fs::path& file : write(original, folder.path())) {
@@ -75,7 +75,7 @@ TEST(Loader, monochrome1KeepsItsValues) {
     expectSameValues(*volume, original);
 }
 
-TEST(Loader, missingRescaleInCtIsAnAssumptionNotASilentDefault) {
+TEST(Loader, MissingRescaleInCtIsAnAssumptionNotASilentDefault) {
     const TemporaryFolder folder;
     for (const fs::path& file : write(smallVolume(), folder.path())) {
         remove(file, tag::kRescaleSlope);
@@ -92,7 +92,7 @@ TEST(Loader, missingRescaleInCtIsAnAssumptionNotASilentDefault) {
     EXPECT_TRUE(hasMessage(series, key::kNoHounsfield));
 }
 
-TEST(Loader, missingRescaleInMrIsNormal) {
+TEST(Loader, MissingRescaleInMrIsNormal) {
     const TemporaryFolder folder;
     for (const fs::path& file : write(smallVolume(obliqueAffine(), {1.0, 0.0}, "MR"), folder.path())) {
         remove(file, tag::kRescaleSlope);
@@ -104,7 +104,7 @@ TEST(Loader, missingRescaleInMrIsNormal) {
 }
 
 // Compressed samples of 8 bits take one byte in the stream even when the cells have two.
-TEST(Loader, eightStoredBits) {
+TEST(Loader, EightStoredBits) {
     using enum WriteSyntax;
     for (const WriteSyntax syntax : {explicitLittleEndian, rle, jpegLossless, jpegLs}) {
         for (const int bitsAllocated : {8, 16}) {
@@ -127,7 +127,7 @@ TEST(Loader, eightStoredBits) {
     }
 }
 
-TEST(Loader, sliceCutOffAfterTheScanIsAGap) {
+TEST(Loader, SliceCutOffAfterTheScanIsAGap) {
     const TemporaryFolder folder;
     for (const WriteSyntax syntax :
          {WriteSyntax::explicitLittleEndian, WriteSyntax::rle, WriteSyntax::jpegLs}) {
@@ -149,7 +149,7 @@ TEST(Loader, sliceCutOffAfterTheScanIsAGap) {
 }
 
 // The stack's own gap is at 3 (it was the fourth); when the first slice is lost as well, it is the third.
-TEST(Loader, gapsAreNumberedAsTheVolumeIs) {
+TEST(Loader, GapsAreNumberedAsTheVolumeIs) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     fs::remove(files[3]);
@@ -174,7 +174,7 @@ TEST(Loader, gapsAreNumberedAsTheVolumeIs) {
 }
 
 // The damage in the following three makes the decoders themselves read or abort where they must not.
-TEST(Loader, rleSegmentOutsideTheFile) {
+TEST(Loader, RleSegmentOutsideTheFile) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path(), {.syntax = WriteSyntax::rle});
     std::string bytes = *readText(files[2]);
@@ -190,7 +190,7 @@ TEST(Loader, rleSegmentOutsideTheFile) {
     EXPECT_EQ(volume->provenance().messages[0].key, key::kDamagedFile);
 }
 
-TEST(Loader, jpeg2000InColourWhereTheHeaderSaysGrey) {
+TEST(Loader, Jpeg2000InColourWhereTheHeaderSaysGrey) {
     SKIP_WITHOUT_SHARED_DATA();
     const TemporaryFolder folder;
     for (const auto& entry : fs::directory_iterator(sharedData() / "odd/rgb_series_j2k")) {
@@ -210,7 +210,7 @@ TEST(Loader, jpeg2000InColourWhereTheHeaderSaysGrey) {
     EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
 }
 
-TEST(Loader, jpeg2000CutOffInsideItsFrame) {
+TEST(Loader, Jpeg2000CutOffInsideItsFrame) {
     SKIP_WITHOUT_SHARED_DATA();
     const TemporaryFolder folder;
     std::string bytes = *readText(sharedData() / "odd/transfer_syntaxes" /
@@ -229,7 +229,7 @@ TEST(Loader, jpeg2000CutOffInsideItsFrame) {
     EXPECT_FALSE(loadVolume(series, stack, progress));
 }
 
-TEST(Loader, unknownTransferSyntaxIsNamed) {
+TEST(Loader, UnknownTransferSyntaxIsNamed) {
     const TemporaryFolder folder;
     write(smallVolume(), folder.path());
     auto found = scan(folder.path());
@@ -252,7 +252,7 @@ TEST(Loader, unknownTransferSyntaxIsNamed) {
     EXPECT_NE(volume.error().message.find("1.2.840.10008.1.2.4.201"), std::string::npos);
 }
 
-TEST(Loader, cancelStopsWithin200Milliseconds) {
+TEST(Loader, CancelStopsWithin200Milliseconds) {
     SKIP_WITHOUT_SHARED_DATA();
     const auto found = scan(sharedData() / "ct_chest_ricord");
     ASSERT_TRUE(found);
@@ -274,7 +274,7 @@ TEST(Loader, cancelStopsWithin200Milliseconds) {
     EXPECT_LT(std::chrono::duration<double>(returned - cancelledAt).count(), 0.2);
 }
 
-TEST(Loader, bestSeriesIsTheLargestOriginal) {
+TEST(Loader, BestSeriesIsTheLargestOriginal) {
     const TemporaryFolder folder;
     const auto make = [&](const char* name, int slices, int number, const char* imageType) {
         std::vector<std::uint16_t> voxels(static_cast<std::size_t>(4 * 4 * slices), 100);
@@ -300,7 +300,7 @@ TEST(Loader, bestSeriesIsTheLargestOriginal) {
     EXPECT_NE(best.why.find("4 x 4 x 30"), std::string::npos) << best.why;
 }
 
-TEST(Loader, noBestSeriesSaysWhy) {
+TEST(Loader, NoBestSeriesSaysWhy) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     for (const std::size_t k : {1, 2, 3, 4}) fs::remove(files[k]);
@@ -314,7 +314,7 @@ TEST(Loader, noBestSeriesSaysWhy) {
         << bestVolume(*spoiled).why;
 }
 
-TEST(Loader, logHoldsNoPatientData) {
+TEST(Loader, LogHoldsNoPatientData) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder / "DOE^JOHN");
     truncate(files[0], 10);

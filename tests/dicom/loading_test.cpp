@@ -42,7 +42,7 @@ SyntheticSeries seriesOf(int slices) {
 constexpr double kRounded = 0.5 + 1e-6;  // as it was written
 constexpr double kBlended = 1.0 + 1e-6;  // of two that were rounded, and rounded again
 
-TEST(Loading, unreadableSliceInsideIsInterpolatedAndSaid) {
+TEST(Loading, UnreadableSliceInsideIsInterpolatedAndSaid) {
     const TemporaryFolder folder;
     const SyntheticSeries series = seriesOf(12);
     const auto files = writeFiles(folder / "DOE^JOHN", series);
@@ -63,7 +63,7 @@ TEST(Loading, unreadableSliceInsideIsInterpolatedAndSaid) {
     expectRamp(**volume, series.rampOf(), kBlended);
 }
 
-TEST(Loading, unreadableEndsAreCutOff) {
+TEST(Loading, UnreadableEndsAreCutOff) {
     const TemporaryFolder folder;
     const SyntheticSeries series = seriesOf(12);
     const auto files = writeFiles(folder.path(), series);
@@ -80,7 +80,7 @@ TEST(Loading, unreadableEndsAreCutOff) {
     expectRamp(**volume, series.rampOf(), kRounded);
 }
 
-TEST(Loading, failsWhenLessThanHalfIsLeft) {
+TEST(Loading, FailsWhenLessThanHalfIsLeft) {
     const TemporaryFolder folder;
     const auto files = writeFiles(folder / "DOE^JOHN", seriesOf(12));
     const Scanned scanned(folder.path());
@@ -96,7 +96,7 @@ TEST(Loading, failsWhenLessThanHalfIsLeft) {
     EXPECT_FALSE(volume.error().where.empty());
 }
 
-TEST(Loading, missingPositionsAreInterpolated) {
+TEST(Loading, MissingPositionsAreInterpolated) {
     const TemporaryFolder folder;
     SyntheticSeries series = seriesOf(12);
     series.places = {0, 1, 2, 4, 5, 8, 9, 10, 11};
@@ -109,7 +109,7 @@ TEST(Loading, missingPositionsAreInterpolated) {
     EXPECT_TRUE(volume->provenance().messages.empty());  // the stack's own messages say it
 }
 
-TEST(Loading, unevenPositionsAreResampled) {
+TEST(Loading, UnevenPositionsAreResampled) {
     const TemporaryFolder folder;
     SyntheticSeries series = seriesOf(12);
     series.places = {0, 1.4, 2.2, 3.7, 4.9, 6.1, 7.6, 8.3, 9.9, 11};
@@ -128,7 +128,7 @@ TEST(Loading, unevenPositionsAreResampled) {
     EXPECT_TRUE(says(**without, key::kUnreadableFile));
 }
 
-TEST(Loading, framesBehindTheEndOfAMultiFrameFileAreCutOff) {
+TEST(Loading, FramesBehindTheEndOfAMultiFrameFileAreCutOff) {
     const TemporaryFolder folder;
     const SyntheticSeries series = seriesOf(12);
     const fs::path file = folder / "all";
@@ -150,7 +150,7 @@ TEST(Loading, framesBehindTheEndOfAMultiFrameFileAreCutOff) {
     expectRamp(**volume, series.rampOf(), kRounded);
 }
 
-TEST(Loading, coarseVolumeComesOnceAndBeforeTheWhole) {
+TEST(Loading, CoarseVolumeComesOnceAndBeforeTheWhole) {
     const TemporaryFolder folder;
     const SyntheticSeries series = seriesOf(18);
     writeFiles(folder.path(), series);
@@ -171,7 +171,7 @@ TEST(Loading, coarseVolumeComesOnceAndBeforeTheWhole) {
     EXPECT_NEAR(coarse->spacingMm().z, 4.0 * (*volume)->spacingMm().z, 1e-9);
 }
 
-TEST(Loading, coarseVolumeDoesWithoutWhatIsBroken) {
+TEST(Loading, CoarseVolumeDoesWithoutWhatIsBroken) {
     const TemporaryFolder folder;
     const SyntheticSeries series = seriesOf(21);
     const auto files = writeFiles(folder.path(), series);
@@ -187,7 +187,7 @@ TEST(Loading, coarseVolumeDoesWithoutWhatIsBroken) {
     EXPECT_EQ(coarse->provenance().interpolatedSlices, (std::vector<SliceRange>{{1, 2}}));
 }
 
-TEST(Loading, fewSlicesHaveNoCoarseVolume) {
+TEST(Loading, FewSlicesHaveNoCoarseVolume) {
     const TemporaryFolder folder;
     writeFiles(folder.path(), seriesOf(15));
     const Scanned scanned(folder.path());
@@ -197,7 +197,7 @@ TEST(Loading, fewSlicesHaveNoCoarseVolume) {
     EXPECT_FALSE(called);
 }
 
-TEST(Loading, cancelledBeforeItBegins) {
+TEST(Loading, CancelledBeforeItBegins) {
     const TemporaryFolder folder;
     writeFiles(folder.path(), seriesOf(18));
     const Scanned scanned(folder.path());
@@ -214,7 +214,7 @@ TEST(Loading, cancelledBeforeItBegins) {
 }
 
 // Slices in float, of which one is missing.
-TEST(Loading, floatSlicesAreInterpolatedToo) {
+TEST(Loading, FloatSlicesAreInterpolatedToo) {
     const TemporaryFolder folder;
     SyntheticSeries series = seriesOf(12);
     series.modality = "MR";
@@ -232,14 +232,14 @@ TEST(Loading, floatSlicesAreInterpolatedToo) {
     expectRamp(*volume, series.rampOf(), 0.5 * 0.4 + 1e-3);
 }
 
-TEST(SliceSources, withoutAnyMissingNothingChanges) {
+TEST(SliceSources, WithoutAnyMissingNothingChanges) {
     const std::vector<SliceSource> slices{{0, 0, 0.0}, {0, 1, 0.5}, {1, 1, 0.0}};
     const UsableSlices same = withoutFrames(slices, std::vector{0.0, 2.0}, {true, true});
     EXPECT_EQ(same.first, 0u);
     EXPECT_EQ(same.slices, slices);
 }
 
-TEST(SliceSources, neighboursFillIn) {
+TEST(SliceSources, NeighboursFillIn) {
     std::vector<SliceSource> slices;
     std::vector<double> places;
     for (std::size_t k = 0; k < 6; ++k) {
@@ -260,7 +260,7 @@ TEST(SliceSources, neighboursFillIn) {
     EXPECT_TRUE(withoutFrames(slices, places, std::vector<bool>(6, false)).slices.empty());
 }
 
-TEST(SliceSources, paddingIsNotBlended) {
+TEST(SliceSources, PaddingIsNotBlended) {
     const std::vector<std::uint16_t> below{0, 100, 0, 10};
     const std::vector<std::uint16_t> above{200, 0, 0, 21};
     std::vector<std::uint16_t> result(4);
@@ -294,7 +294,7 @@ Frame ctFrame(int bits = 12, const char* sopClass = "1.2.840.10008.5.1.4.1.1.2")
 }
 
 // Nothing is guessed: bone in Hounsfield units is where a preset says that it is.
-TEST(ValueUnit, ofCtIsHounsfieldOnlyWhereThatIsKnown) {
+TEST(ValueUnit, OfCtIsHounsfieldOnlyWhereThatIsKnown) {
     const auto unitOf = [](Frame frame) { return valueUnit("CT", std::vector<Frame>(3, frame)).unit; };
     EXPECT_EQ(unitOf(ctFrame()), Unit::hounsfield);
     for (const bool withType : {false, true}) {
@@ -323,7 +323,7 @@ TEST(ValueUnit, ofCtIsHounsfieldOnlyWhereThatIsKnown) {
     EXPECT_EQ(valueUnit("CT", one).unit, Unit::raw);
 }
 
-TEST(ValueUnit, isWhatTheImagesSay) {
+TEST(ValueUnit, IsWhatTheImagesSay) {
     const auto unitOf = [](std::string_view modality, const std::string& rescaleType,
                            const std::string& units = {}) {
         Frame frame = ctFrame();
@@ -350,7 +350,7 @@ TEST(ValueUnit, isWhatTheImagesSay) {
 }
 
 // What a CT object holds that is called a map is no attenuation, unless its type says so.
-TEST(ValueUnit, ofMapsIsNotHounsfieldWithoutAWord) {
+TEST(ValueUnit, OfMapsIsNotHounsfieldWithoutAWord) {
     using Type = std::vector<std::string>;
     const auto unitOf = [](const Type& type, const std::string& rescaleType = {}) {
         Frame frame = ctFrame();
@@ -382,7 +382,7 @@ TEST(ValueUnit, ofMapsIsNotHounsfieldWithoutAWord) {
 }
 
 // Any text may stand where a unit should: it is not repeated.
-TEST(ValueUnit, isATermOrAnother) {
+TEST(ValueUnit, IsATermOrAnother) {
     for (const char* modality : {"CT", "MR", "PT", "RTDOSE", ""}) {
         for (const char* text : {"DOE^JOHN", "Bq/ml of John Doe", "hu", "\xE2\x80\xAE"}) {
             for (const bool inUnits : {false, true}) {

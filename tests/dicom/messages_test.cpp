@@ -19,7 +19,7 @@ std::string read(const std::filesystem::path& file) {
     return text.str();
 }
 
-TEST(Messages, keysAreUniqueAndPlain) {
+TEST(Messages, KeysAreUniqueAndPlain) {
     std::set<std::string_view> keys;
     for (const CatalogueEntry& entry : catalogue()) {
         EXPECT_TRUE(keys.insert(entry.key).second) << entry.key;
@@ -30,7 +30,7 @@ TEST(Messages, keysAreUniqueAndPlain) {
     }
 }
 
-TEST(Messages, theFifteenMeaningsOfOhifAreThere) {
+TEST(Messages, TheFifteenMeaningsOfOhifAreThere) {
     std::set<int> numbers;
     for (const CatalogueEntry& entry : catalogue()) {
         if (entry.ohif != 0) numbers.insert(entry.ohif);
@@ -40,7 +40,7 @@ TEST(Messages, theFifteenMeaningsOfOhifAreThere) {
     EXPECT_EQ(*numbers.rbegin(), 15);
 }
 
-TEST(Messages, argumentsAreTypedAndInTheSentence) {
+TEST(Messages, ArgumentsAreTypedAndInTheSentence) {
     const Message missing = message(
         key::kMissingSlices, {{"missing", std::int64_t{2}}, {"total", std::int64_t{35}}, {"spacingMm", 4.8}});
     EXPECT_EQ(missing.sentence, "Slices that are missing: 2 of 35, which are 4.800 mm apart.");
@@ -50,7 +50,7 @@ TEST(Messages, argumentsAreTypedAndInTheSentence) {
 }
 
 // Every message can come: a key that nothing gives out would promise what is not there.
-TEST(Messages, eachIsGivenOutSomewhere) {
+TEST(Messages, EachIsGivenOutSomewhere) {
     const std::filesystem::path folder = macula::test::projectFolder() / "src/dicom";
     const std::string header = read(folder / "messages/messages.h");
     std::string sources = read(folder / "rules/split.json");
@@ -72,7 +72,7 @@ TEST(Messages, eachIsGivenOutSomewhere) {
 }
 
 // docs/dicom.md lists each message as it is.
-TEST(Messages, areDocumented) {
+TEST(Messages, AreDocumented) {
     const std::string page = read(macula::test::projectFolder() / "docs/dicom.md");
     std::string expected;
     for (const CatalogueEntry& entry : catalogue()) {

@@ -24,7 +24,7 @@ Error scanError(const fs::path& path) {
     return result.error();
 }
 
-TEST(Scan, missingFolder) {
+TEST(Scan, MissingFolder) {
     const Error error = scanError("/nowhere/DOE^JOHN");
     EXPECT_EQ(error.code, ErrorCode::inputNotUsable);
     EXPECT_NE(error.message.find("does not exist"), std::string::npos);
@@ -32,7 +32,7 @@ TEST(Scan, missingFolder) {
 }
 
 // In a folder of somebody else, as a service meets it: what one may not look at is not said to be missing.
-TEST(Scan, whatMayNotBeLookedAtIsNotCalledMissing) {
+TEST(Scan, WhatMayNotBeLookedAtIsNotCalledMissing) {
     const TemporaryFolder folder;
     const std::filesystem::path closed = folder / "closed";
     std::filesystem::create_directories(closed / "study");
@@ -47,7 +47,7 @@ TEST(Scan, whatMayNotBeLookedAtIsNotCalledMissing) {
     EXPECT_NE(error.hint.find("permissions"), std::string::npos);
 }
 
-TEST(Scan, folderWithoutDicom) {
+TEST(Scan, FolderWithoutDicom) {
     const TemporaryFolder folder;
     std::ofstream(folder / "notes.dcm")
         << "The name says DICOM, the content does not. " << std::string(500, 'x');
@@ -58,7 +58,7 @@ TEST(Scan, folderWithoutDicom) {
     EXPECT_NE(scanError(folder / "notes.dcm").message.find("not a DICOM image"), std::string::npos);
 }
 
-TEST(Scan, folderOfOneFileThatIsNoDicom) {
+TEST(Scan, FolderOfOneFileThatIsNoDicom) {
     const TemporaryFolder folder;
     std::ofstream(folder / "letter.txt") << "A letter. " << std::string(500, 'x');
     EXPECT_EQ(scanError(folder.path()).message,
@@ -66,7 +66,7 @@ TEST(Scan, folderOfOneFileThatIsNoDicom) {
     EXPECT_EQ(scanError(folder / "letter.txt").message, "The file is not a DICOM image.");
 }
 
-TEST(Scan, folderOfOneArchive) {
+TEST(Scan, FolderOfOneArchive) {
     const TemporaryFolder folder;
     std::ofstream(folder / "study.zip", std::ios::binary) << "PK\x03\x04" << std::string(500, 'x');
     for (const fs::path& path : {folder.path(), folder / "study.zip"}) {
@@ -77,7 +77,7 @@ TEST(Scan, folderOfOneArchive) {
 }
 
 // By what they begin with, and by names that leave it open.
-TEST(Scan, archivesOfEachKindAreNamed) {
+TEST(Scan, ArchivesOfEachKindAreNamed) {
     struct Case {
         std::string name;
         std::string begin;
@@ -110,7 +110,7 @@ TEST(Scan, archivesOfEachKindAreNamed) {
     }
 }
 
-TEST(Scan, aLoneDirectoryOfAMediumSaysWhatIsNotThere) {
+TEST(Scan, ALoneDirectoryOfAMediumSaysWhatIsNotThere) {
     const TemporaryFolder folder;
     writeDirectory(folder / "DICOMDIR", {"IMAGES\\A", "IMAGES\\B", "IMAGES\\C"});
     for (const fs::path& path : {folder.path(), folder / "DICOMDIR"}) {
@@ -121,7 +121,7 @@ TEST(Scan, aLoneDirectoryOfAMediumSaysWhatIsNotThere) {
     }
 }
 
-TEST(Scan, whereNothingCanBeReadEachReasonIsNamed) {
+TEST(Scan, WhereNothingCanBeReadEachReasonIsNamed) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     ASSERT_EQ(files.size(), 6u);
@@ -140,9 +140,9 @@ TEST(Scan, whereNothingCanBeReadEachReasonIsNamed) {
     EXPECT_FALSE(error.hint.empty());
 }
 
-// No file here gives an error of input and output; what is said of one is (Dataset.filesThatAreElsewhere has
+// No file here gives an error of input and output; what is said of one is (Dataset.FilesThatAreElsewhere has
 // the errno).
-TEST(Scan, aMediumThatGivesErrorsIsNotCalledOffline) {
+TEST(Scan, AMediumThatGivesErrorsIsNotCalledOffline) {
     Scan scan;
     FolderListing listing;
     for (const char* name : {"IM1", "IM2"}) {
@@ -159,7 +159,7 @@ TEST(Scan, aMediumThatGivesErrorsIsNotCalledOffline) {
     EXPECT_NE(nothingFound(scan, "disc", listing).message.find("medium gave an error"), std::string::npos);
 }
 
-TEST(Scan, pathsThatAreTooLongAreNotAMatterOfPermissions) {
+TEST(Scan, PathsThatAreTooLongAreNotAMatterOfPermissions) {
     const std::string deep = "/" + std::string(5000, 'x');
     EXPECT_NE(scanError(deep).message.find("longer than this system can open"), std::string::npos);
 
@@ -181,13 +181,13 @@ TEST(Scan, pathsThatAreTooLongAreNotAMatterOfPermissions) {
     EXPECT_EQ(found->skipped[0].message.key, key::kPathTooLong);
 }
 
-TEST(Scan, emptyFolder) {
+TEST(Scan, EmptyFolder) {
     const TemporaryFolder folder;
     EXPECT_EQ(scanError(folder.path()).code, ErrorCode::inputNotUsable);
     EXPECT_EQ(scanError(folder.path()).message, "There is no file in this folder.");
 }
 
-TEST(Scan, contentDecidesAndOneBadFileStopsNothing) {
+TEST(Scan, ContentDecidesAndOneBadFileStopsNothing) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder / "deep/er");
     fs::rename(files[0], folder / "readme.txt");
@@ -208,7 +208,7 @@ TEST(Scan, contentDecidesAndOneBadFileStopsNothing) {
     EXPECT_EQ(found->skipped[0].message.key, key::kDamagedFile);
 }
 
-TEST(Scan, whatInfoShows) {
+TEST(Scan, WhatInfoShows) {
     const TemporaryFolder folder;
     write(smallVolume(affine({0, 0.5, 0}, {0, 0, -0.75}, {-2, 0, 0}, {10, 20, 30}), {1.0, 0.0}, "MR"),
           folder.path(), {.seriesDescription = "Täst", .seriesNumber = 7});
@@ -234,7 +234,7 @@ TEST(Scan, whatInfoShows) {
     EXPECT_EQ(*stack.lastPositionMm, glm::dvec3(0, 20, 30));
 }
 
-TEST(Scan, resultDoesNotDependOnNames) {
+TEST(Scan, ResultDoesNotDependOnNames) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     const auto before = scan(folder.path());
@@ -247,7 +247,7 @@ TEST(Scan, resultDoesNotDependOnNames) {
     }
 }
 
-TEST(Scan, symbolicLinkLoop) {
+TEST(Scan, SymbolicLinkLoop) {
     const TemporaryFolder folder;
     write(smallVolume(), folder / "a");
     fs::create_directory_symlink(folder.path(), folder / "a/loop");
@@ -256,7 +256,7 @@ TEST(Scan, symbolicLinkLoop) {
     EXPECT_EQ(found->filesSeen, 6u);
 }
 
-TEST(Scan, aFileTwiceIsOneSlice) {
+TEST(Scan, AFileTwiceIsOneSlice) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     fs::copy_file(files[2], folder / "copy of slice");
@@ -268,7 +268,7 @@ TEST(Scan, aFileTwiceIsOneSlice) {
     EXPECT_TRUE(hasMessage(series, key::kDuplicateFiles));
 }
 
-TEST(Scan, sameUidButOtherContentIsNeverDropped) {
+TEST(Scan, SameUidButOtherContentIsNeverDropped) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     fs::copy_file(files[2], folder / "changed");
@@ -284,7 +284,7 @@ TEST(Scan, sameUidButOtherContentIsNeverDropped) {
     EXPECT_EQ(series.stacks[1].frames.size(), 1u);
 }
 
-TEST(Scan, twoPatientsAreNeverOneSeries) {
+TEST(Scan, TwoPatientsAreNeverOneSeries) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     setText(files[5], tag::kPatientId, "SOMEONE-ELSE");
@@ -293,7 +293,7 @@ TEST(Scan, twoPatientsAreNeverOneSeries) {
     EXPECT_EQ(found->studies.size(), 2u);
 }
 
-TEST(Scan, missingSliceIsInterpolatedAndToldOf) {
+TEST(Scan, MissingSliceIsInterpolatedAndToldOf) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     fs::remove(files[3]);
@@ -307,7 +307,7 @@ TEST(Scan, missingSliceIsInterpolatedAndToldOf) {
     EXPECT_TRUE(series.stacks.at(0).slices[3].interpolated());
 }
 
-TEST(Scan, truncatedSliceIsToldOfInItsSeries) {
+TEST(Scan, TruncatedSliceIsToldOfInItsSeries) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     truncate(files[0], 12);
@@ -321,7 +321,7 @@ TEST(Scan, truncatedSliceIsToldOfInItsSeries) {
     EXPECT_EQ(found->skipped[0].file, files[0]);
 }
 
-TEST(Scan, withoutPreambleAndMetaInformation) {
+TEST(Scan, WithoutPreambleAndMetaInformation) {
     const TemporaryFolder folder;
     const Volume volume = smallVolume();
     for (const fs::path& file : write(volume, folder.path())) saveBare(file);
@@ -332,7 +332,7 @@ TEST(Scan, withoutPreambleAndMetaInformation) {
 
 // One image of six that does not fit is not in the volume, and the series says what was separated and why
 // not.
-TEST(Scan, anImageThatDoesNotFitIsSetApart) {
+TEST(Scan, AnImageThatDoesNotFitIsSetApart) {
     struct Case {
         std::string_view key;
         std::function<void(const fs::path&)> spoil;
@@ -368,7 +368,7 @@ TEST(Scan, anImageThatDoesNotFitIsSetApart) {
     }
 }
 
-TEST(Scan, headersThatMakeNoVolume) {
+TEST(Scan, HeadersThatMakeNoVolume) {
     struct Case {
         std::string_view key;
         std::function<void(const fs::path&)> spoil;
@@ -394,7 +394,7 @@ TEST(Scan, headersThatMakeNoVolume) {
     }
 }
 
-TEST(Scan, cancelled) {
+TEST(Scan, Cancelled) {
     const TemporaryFolder folder;
     write(smallVolume(), folder.path());
     Progress progress;
@@ -404,7 +404,7 @@ TEST(Scan, cancelled) {
     EXPECT_EQ(found.error().code, ErrorCode::cancelled);
 }
 
-TEST(Scan, realOddFiles) {
+TEST(Scan, RealOddFiles) {
     SKIP_WITHOUT_SHARED_DATA();
     const fs::path odd = sharedData() / "odd";
     const auto found = scan(odd);
@@ -448,7 +448,7 @@ TEST(Scan, realOddFiles) {
     EXPECT_TRUE(hasMessage(single("transfer_syntaxes"), key::kDuplicateInstances));
 }
 
-TEST(Scan, namesInOtherAlphabetsAreUtf8) {
+TEST(Scan, NamesInOtherAlphabetsAreUtf8) {
     SKIP_WITHOUT_SHARED_DATA();
     const auto name = [](const char* file) {
         const HeaderFile read = readHeader(sharedData() / "odd/charsets" / file);
@@ -461,7 +461,7 @@ TEST(Scan, namesInOtherAlphabetsAreUtf8) {
     EXPECT_EQ(name("chrKoreanMulti.dcm"), "김희중");
 }
 
-TEST(Scan, tellsOfStudiesWhileTheyAreRead) {
+TEST(Scan, TellsOfStudiesWhileTheyAreRead) {
     const TemporaryFolder folder;
     write(smallVolume(), folder / "a", {.seriesDescription = "First", .seriesNumber = 3});
     std::vector<Scan> glimpses;
@@ -487,7 +487,7 @@ TEST(Scan, tellsOfStudiesWhileTheyAreRead) {
     EXPECT_LE(images, found->studies[0].series[0].instances);
 }
 
-TEST(Scan, aGlimpseShowsNothingOfFilesThatAreNoDicom) {
+TEST(Scan, AGlimpseShowsNothingOfFilesThatAreNoDicom) {
     const TemporaryFolder folder;
     std::ofstream(folder / "notes.txt") << std::string(500, 'x');
     int glimpses = 0;

@@ -75,7 +75,7 @@ class SecondaryCaptureTest : public testing::Test {
     DcmFileFormat file_;
 };
 
-TEST_F(SecondaryCaptureTest, belongsToTheStudyThatItShows) {
+TEST_F(SecondaryCaptureTest, BelongsToTheStudyThatItShows) {
     DcmFileFormat original;
     ASSERT_TRUE(original.loadFile(source_.c_str()).good());
     DcmDataset& is = written();
@@ -92,7 +92,7 @@ TEST_F(SecondaryCaptureTest, belongsToTheStudyThatItShows) {
     EXPECT_EQ(std::string(uid.c_str()), textOf(*original.getDataset(), DCM_SOPInstanceUID));
 }
 
-TEST_F(SecondaryCaptureTest, pixelsAreThoseOfThePicture) {
+TEST_F(SecondaryCaptureTest, PixelsAreThoseOfThePicture) {
     DcmDataset& is = written();
     const Uint8* bytes = nullptr;
     unsigned long count = 0;
@@ -104,7 +104,7 @@ TEST_F(SecondaryCaptureTest, pixelsAreThoseOfThePicture) {
     }
 }
 
-TEST_F(SecondaryCaptureTest, ofNobodyNothingIsLeftOfThePatient) {
+TEST_F(SecondaryCaptureTest, OfNobodyNothingIsLeftOfThePatient) {
     capture_.isDeidentified = true;
     DcmDataset& is = written();
     DcmFileFormat original;
@@ -120,7 +120,7 @@ TEST_F(SecondaryCaptureTest, ofNobodyNothingIsLeftOfThePatient) {
 }
 
 // An archive must not file all deidentified pictures under one patient.
-TEST_F(SecondaryCaptureTest, ofNobodyThoseOfOnePatientStayTogetherAndApartFromOthers) {
+TEST_F(SecondaryCaptureTest, OfNobodyThoseOfOnePatientStayTogetherAndApartFromOthers) {
     capture_.isDeidentified = true;
     const std::string id = textOf(written(), DCM_PatientID);
     const std::string study = textOf(written(), DCM_StudyInstanceUID);
@@ -141,7 +141,7 @@ TEST_F(SecondaryCaptureTest, ofNobodyThoseOfOnePatientStayTogetherAndApartFromOt
     EXPECT_EQ(ids.size(), 4u);
 }
 
-TEST_F(SecondaryCaptureTest, saysThatAFaceMayBeSeenUnlessItCannot) {
+TEST_F(SecondaryCaptureTest, SaysThatAFaceMayBeSeenUnlessItCannot) {
     capture_.heightMm = 300.0;
     EXPECT_EQ(textOf(written(), DCM_RecognizableVisualFeatures), "YES") << "no body part is named";
     DcmFileFormat file;
@@ -159,7 +159,7 @@ TEST_F(SecondaryCaptureTest, saysThatAFaceMayBeSeenUnlessItCannot) {
     EXPECT_EQ(textOf(written(), DCM_RecognizableVisualFeatures), "YES");
 }
 
-TEST_F(SecondaryCaptureTest, eachIsAnInstanceOfItsOwn) {
+TEST_F(SecondaryCaptureTest, EachIsAnInstanceOfItsOwn) {
     std::set<std::string> uids;
     for (int i = 0; i < 3; ++i) {
         DcmDataset& is = written();
@@ -169,7 +169,7 @@ TEST_F(SecondaryCaptureTest, eachIsAnInstanceOfItsOwn) {
     for (const std::string& uid : uids) EXPECT_LE(uid.size(), 64u);
 }
 
-TEST_F(SecondaryCaptureTest, whatDoesNotFitIsRefusedAndWritesNothing) {
+TEST_F(SecondaryCaptureTest, WhatDoesNotFitIsRefusedAndWritesNothing) {
     const auto refused = [&](SecondaryCapture capture, ErrorCode code) {
         const Result<void> done = writeSecondaryCapture(path_, capture);
         EXPECT_FALSE(done.ok());
@@ -206,13 +206,13 @@ TEST_F(SecondaryCaptureTest, whatDoesNotFitIsRefusedAndWritesNothing) {
     refused(wrong, ErrorCode::usage);
 }
 
-TEST_F(SecondaryCaptureTest, aFolderThatIsGoneIsAnError) {
+TEST_F(SecondaryCaptureTest, AFolderThatIsGoneIsAnError) {
     const Result<void> done = writeSecondaryCapture(folder_.path() / "gone" / "capture.dcm", capture_);
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().code, ErrorCode::outputNotWritable);
 }
 
-TEST_F(SecondaryCaptureTest, dcmtkOpensIt) {
+TEST_F(SecondaryCaptureTest, DcmtkOpensIt) {
     for (const bool isDeidentified : {false, true}) {
         capture_.isDeidentified = isDeidentified;
         ASSERT_TRUE(writeSecondaryCapture(path_, capture_).ok());
@@ -220,7 +220,7 @@ TEST_F(SecondaryCaptureTest, dcmtkOpensIt) {
     }
 }
 
-TEST_F(SecondaryCaptureTest, theCheckerFindsNoError) {
+TEST_F(SecondaryCaptureTest, TheCheckerFindsNoError) {
     if (std::system("command -v dciodvfy >/dev/null 2>&1") != 0)
         GTEST_SKIP() << "dciodvfy is not installed: packaging/bootstrap";
     for (const int kind : {0, 1, 2}) {

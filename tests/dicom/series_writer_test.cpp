@@ -41,7 +41,7 @@ void expectRoundTrip(const Volume& volume, const SeriesWriterOptions& options = 
     }
 }
 
-TEST(SeriesWriter, roundTripInEveryTransferSyntaxAndSign) {
+TEST(SeriesWriter, RoundTripInEveryTransferSyntaxAndSign) {
     using enum WriteSyntax;
     for (const WriteSyntax syntax : {explicitLittleEndian, implicitLittleEndian, explicitBigEndian, deflated,
                                      rle, jpegLossless, jpegLs}) {
@@ -52,32 +52,32 @@ TEST(SeriesWriter, roundTripInEveryTransferSyntaxAndSign) {
     }
 }
 
-TEST(SeriesWriter, roundTripOfPadding) {
+TEST(SeriesWriter, RoundTripOfPadding) {
     for (const PixelSign sign : {PixelSign::asUnsigned, PixelSign::asSigned}) {
         expectRoundTrip(smallVolume(StoredRange{24, 24}), {.pixelSign = sign});
         expectRoundTrip(smallVolume(StoredRange{24, 105}), {.pixelSign = sign});
     }
 }
 
-TEST(SeriesWriter, roundTripOfMr) {
+TEST(SeriesWriter, RoundTripOfMr) {
     expectRoundTrip(smallVolume(obliqueAffine(), {0.25, 0.0}, "MR"));
 }
 
-TEST(SeriesWriter, roundTripOfASagittalStack) {
+TEST(SeriesWriter, RoundTripOfASagittalStack) {
     const glm::dmat4 sagittal = affine({0, 1.015625, 0}, {0, 0, -1.015625}, {-4.8, 0, 0}, {81.6, -130, 130});
     expectRoundTrip(smallVolume(sagittal, {1.0, 0.0}, "MR"));
 }
 
-TEST(SeriesWriter, roundTripOfAShearedStack) {
+TEST(SeriesWriter, RoundTripOfAShearedStack) {
     const glm::dmat4 sheared = affine({0.4, 0, 0}, {0, 0.5, 0}, {0.3, 0.6, 2.5}, {1, 2, 3});
     expectRoundTrip(smallVolume(sheared, {1.0, -1024.0}, "CT"));
 }
 
-TEST(SeriesWriter, roundTripOfThePhantom) {
+TEST(SeriesWriter, RoundTripOfThePhantom) {
     expectRoundTrip(phantom::make({.size = {80, 72, 60}, .spacingMm = {3.75, 3.75, 5.0}}));
 }
 
-TEST(SeriesWriter, sameVolumeGivesTheSameFiles) {
+TEST(SeriesWriter, SameVolumeGivesTheSameFiles) {
     const TemporaryFolder folder;
     const auto first = write(smallVolume(), folder / "a");
     const auto second = write(smallVolume(), folder / "b");
@@ -89,7 +89,7 @@ TEST(SeriesWriter, sameVolumeGivesTheSameFiles) {
     EXPECT_EQ(write(smallVolume(), folder / "a").size(), 6u);  // again, in place
 }
 
-TEST(SeriesWriter, neverTouchesFilesThatAreThere) {
+TEST(SeriesWriter, NeverTouchesFilesThatAreThere) {
     const TemporaryFolder folder;
     std::ofstream(folder / "IM00001.dcm") << "something else";
     Progress progress;
@@ -100,7 +100,7 @@ TEST(SeriesWriter, neverTouchesFilesThatAreThere) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
-TEST(SeriesWriter, cancelledWritingLeavesNothing) {
+TEST(SeriesWriter, CancelledWritingLeavesNothing) {
     const TemporaryFolder folder;
     Progress progress;
     progress.token().cancel();
@@ -110,7 +110,7 @@ TEST(SeriesWriter, cancelledWritingLeavesNothing) {
     EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
-TEST(SeriesWriter, refusesWhatDicomCannotExpress) {
+TEST(SeriesWriter, RefusesWhatDicomCannotExpress) {
     const TemporaryFolder folder;
     Progress progress;
     const glm::dmat4 skewed = affine({1, 0.1, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0});
@@ -120,7 +120,7 @@ TEST(SeriesWriter, refusesWhatDicomCannotExpress) {
     EXPECT_FALSE(writeSeries(smallVolume(obliqueAffine(), {}, "US"), folder / "b", {}, progress));
 }
 
-TEST(SeriesWriter, patientIsObviouslyNone) {
+TEST(SeriesWriter, PatientIsObviouslyNone) {
     const TemporaryFolder folder;
     write(smallVolume(), folder.path());
     const auto found = scan(folder.path());

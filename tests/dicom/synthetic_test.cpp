@@ -22,7 +22,7 @@ std::vector<double> numbersAt(DcmItem& item, const DcmTagKey& tag) {
 }
 
 // By hand: position (10, 20, 30), rows run to P, columns to S, so that the normal points to L.
-TEST(Synthetic, aPixelIsTheRampAtItsPlace) {
+TEST(Synthetic, APixelIsTheRampAtItsPlace) {
     const TemporaryFolder folder;
     SyntheticSeries series;
     series.size = {3, 2, 2};
@@ -51,7 +51,7 @@ TEST(Synthetic, aPixelIsTheRampAtItsPlace) {
                                 0xF000 + 1026}));
 }
 
-TEST(Synthetic, namesAndNumbersSayNothingAndAreAllDifferent) {
+TEST(Synthetic, NamesAndNumbersSayNothingAndAreAllDifferent) {
     const SyntheticSeries series;
     const auto slices = slicesOf(series);
     std::set<std::string> names, uids;
@@ -75,7 +75,7 @@ TEST(Synthetic, namesAndNumbersSayNothingAndAreAllDifferent) {
     EXPECT_FALSE(namesAscending);
 }
 
-TEST(Synthetic, functionalGroupsHoldTheGeometryAndTheRootDoesNot) {
+TEST(Synthetic, FunctionalGroupsHoldTheGeometryAndTheRootDoesNot) {
     const TemporaryFolder folder;
     SyntheticSeries series;
     series.modality = "MR";
@@ -105,7 +105,7 @@ TEST(Synthetic, functionalGroupsHoldTheGeometryAndTheRootDoesNot) {
     EXPECT_EQ(value, 2u);
 }
 
-TEST(Synthetic, decimalStringsFit) {
+TEST(Synthetic, DecimalStringsFit) {
     EXPECT_EQ(decimal(0.1), "0.1");
     EXPECT_EQ(decimal(-1.0 / 3.0), "-0.3333333333333");
     EXPECT_EQ(decimal(1e-6), "1e-06");

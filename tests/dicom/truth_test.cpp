@@ -93,12 +93,12 @@ void checkFolder(const std::string& folder, const std::string& truthName) {
     expectMatchesTruth(*volume, *series, truth);
 }
 
-TEST(Truth, ctChest) {
+TEST(Truth, CtChest) {
     SKIP_WITHOUT_SHARED_DATA();
     checkFolder("ct_chest_ricord", "ct_chest_ricord");
 }
 
-TEST(Truth, ctChestPaddingIsMarkedAndKeepsItsValue) {
+TEST(Truth, CtChestPaddingIsMarkedAndKeepsItsValue) {
     SKIP_WITHOUT_SHARED_DATA();
     const auto volume = loadFolder(sharedData() / "ct_chest_ricord");
     ASSERT_NE(volume, nullptr);
@@ -109,38 +109,38 @@ TEST(Truth, ctChestPaddingIsMarkedAndKeepsItsValue) {
     EXPECT_EQ(volume->unit(), Unit::hounsfield);
 }
 
-TEST(Truth, ctPulmonaryAngiographyFeetFirst) {
+TEST(Truth, CtPulmonaryAngiographyFeetFirst) {
     SKIP_WITHOUT_SHARED_DATA();
     checkFolder("ct_cta_rider", "ct_cta_rider");
 }
 
-TEST(Truth, mrSagittal) {
+TEST(Truth, MrSagittal) {
     SKIP_WITHOUT_SHARED_DATA();
     checkFolder("mr_head_sag_hfs", "mr_head_sag_hfs");
 }
 
-TEST(Truth, signedTwelveBits) {
+TEST(Truth, SignedTwelveBits) {
     SKIP_WITHOUT_SHARED_DATA();
     checkFolder("odd/signed12bit_hitachi", "odd_signed12bit_hitachi");
 }
 
-TEST(Truth, tiltedGantryIsAShearedAffine) {
+TEST(Truth, TiltedGantryIsAShearedAffine) {
     SKIP_WITHOUT_SHARED_DATA();
     checkFolder("odd/gantry_tilt_4slices", "odd_gantry_tilt_4slices");
 }
 
-TEST(Truth, singleFramesOfLegacyPair) {
+TEST(Truth, SingleFramesOfLegacyPair) {
     SKIP_WITHOUT_SHARED_DATA();
     checkFolder("odd/legacy_enhanced_pair", "odd_legacy_enhanced_pair");
 }
 
 // Each slice has its own slope.
-TEST(Truth, slopePerSliceAnisotropicOblique) {
+TEST(Truth, SlopePerSliceAnisotropicOblique) {
     SKIP_WITHOUT_SHARED_DATA();
     checkFolder("odd/nonisotropic_perslice_slope", "odd_nonisotropic_perslice_slope");
 }
 
-TEST(Truth, flatFolderOfMrPetAndStructures) {
+TEST(Truth, FlatFolderOfMrPetAndStructures) {
     SKIP_WITHOUT_SHARED_DATA();
     const auto found = scan(sharedData() / "odd/mixed_flat_folder");
     ASSERT_TRUE(found);
@@ -159,7 +159,7 @@ TEST(Truth, flatFolderOfMrPetAndStructures) {
     }
 }
 
-TEST(Truth, sevenTransferSyntaxesGiveOneImage) {
+TEST(Truth, SevenTransferSyntaxesGiveOneImage) {
     SKIP_WITHOUT_SHARED_DATA();
     const Json truth = truthOf("odd_transfer_syntaxes");
     // One slice is no volume, so each is given a geometry of its own before it is loaded.

@@ -11,7 +11,7 @@ namespace {
 using namespace dicom::test;
 
 // What it measures, and of how many files; how fast is for `macula-bench load` to say.
-TEST(HeaderBenchmark, countsTheHeadersOfAllFiles) {
+TEST(HeaderBenchmark, CountsTheHeadersOfAllFiles) {
     const TemporaryFolder folder;
     write(smallVolume(), folder.path());
     const auto files = std::distance(std::filesystem::directory_iterator(folder.path()),
@@ -26,7 +26,7 @@ TEST(HeaderBenchmark, countsTheHeadersOfAllFiles) {
     EXPECT_GT(result->scanPerSecond, 0.0);
 }
 
-TEST(HeaderBenchmark, canFailAndBeCancelled) {
+TEST(HeaderBenchmark, CanFailAndBeCancelled) {
     Progress progress;
     EXPECT_FALSE(benchmarkHeaders("/nowhere", 2, 1, progress));
     const TemporaryFolder folder;

@@ -5,13 +5,13 @@
 namespace macula::evaluate {
 namespace {
 
-TEST(Median, isTheMiddleOrTheMeanOfBothInTheMiddle) {
+TEST(Median, IsTheMiddleOrTheMeanOfBothInTheMiddle) {
     EXPECT_EQ(median({3.0}), 3.0);
     EXPECT_EQ(median({5.0, 1.0, 2.0}), 2.0);
     EXPECT_EQ(median({8.0, 1.0, 2.0, 4.0}), 3.0);
 }
 
-TEST(MedianMs, isOfAllTurnsButTheFirstAndFailsAsTheWork) {
+TEST(MedianMs, IsOfAllTurnsButTheFirstAndFailsAsTheWork) {
     int calls = 0;
     const auto ms = medianMs(3, [&]() -> Result<void> {
         ++calls;
@@ -30,7 +30,7 @@ TEST(MedianMs, isOfAllTurnsButTheFirstAndFailsAsTheWork) {
 }
 
 // A busy neighbour that slows one turn of both changes neither ratio.
-TEST(Contender, isComparedTurnByTurn) {
+TEST(Contender, IsComparedTurnByTurn) {
     const Contender ours{.turns = {{10.0, 20.0}, {100.0, 20.0}, {12.0, 30.0}}};
     const Contender theirs{.turns = {{20.0, 10.0}, {200.0, 10.0}, {24.0, 10.0}}};
     const Ratio ratio = ours.ratioTo(theirs);
@@ -41,21 +41,21 @@ TEST(Contender, isComparedTurnByTurn) {
     EXPECT_DOUBLE_EQ(ours.ratioTo(ours).wall, 1.0);
 }
 
-TEST(Contender, thatTookNoTimeTookATick) {
+TEST(Contender, ThatTookNoTimeTookATick) {
     const Contender ours{.turns = {{1.0, 1.0}}};
     const Contender none{.turns = {{0.0, 0.0}}};
     EXPECT_DOUBLE_EQ(ours.ratioTo(none).wall, 1000.0);
     EXPECT_DOUBLE_EQ(none.ratioTo(ours).cpu, 0.0);
 }
 
-TEST(Spent, isNeverLessThanNothing) {
+TEST(Spent, IsNeverLessThanNothing) {
     const Spent left = Spent{3.0, 1.0} - Spent{1.0, 2.0};
     EXPECT_EQ(left.wallMs, 2.0);
     EXPECT_EQ(left.cpuMs, 0.0);
     EXPECT_EQ((Spent{3.0, 1.0} / 2.0).wallMs, 1.5);
 }
 
-TEST(Timed, failsAsTheWork) {
+TEST(Timed, FailsAsTheWork) {
     const auto failed = timed([]() -> Result<void> {
         return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
     });

@@ -28,7 +28,7 @@ std::string chosenName(std::span<const DeviceInfo> devices, std::string_view pre
     return result.ok() ? result->name : "error: " + result.error().message;
 }
 
-TEST(Chooser, prefersDiscreteThenIntegratedThenVirtualThenCpu) {
+TEST(Chooser, PrefersDiscreteThenIntegratedThenVirtualThenCpu) {
     EXPECT_EQ(chosenName(kDevices, ""), "NVIDIA H100");
     EXPECT_EQ(chosenName(std::span(kDevices).first(3), ""), "Intel UHD 770");
     EXPECT_EQ(chosenName(std::span(kDevices).first(1), ""), kDevices[0].name);
@@ -36,14 +36,14 @@ TEST(Chooser, prefersDiscreteThenIntegratedThenVirtualThenCpu) {
     EXPECT_EQ(chosenName(virtualAndCpu, ""), "virtio");
 }
 
-TEST(Chooser, isOverriddenByIndexOrPartOfTheName) {
+TEST(Chooser, IsOverriddenByIndexOrPartOfTheName) {
     EXPECT_EQ(chosenName(kDevices, "0"), kDevices[0].name);
     EXPECT_EQ(chosenName(kDevices, "LLVMpipe"), kDevices[0].name);
     EXPECT_EQ(chosenName(kDevices, "h200"), "NVIDIA H200");
     EXPECT_EQ(chosenName(kDevices, "nvidia"), "NVIDIA H100") << "the first usable one of that name";
 }
 
-TEST(Chooser, saysWhatThereIsWhenTheNameIsUnknown) {
+TEST(Chooser, SaysWhatThereIsWhenTheNameIsUnknown) {
     for (const char* unknown : {"radeon", "7", "-1", "99999999999999999999999"}) {
         const auto result = chooseDevice(kDevices, unknown);
         ASSERT_FALSE(result.ok());
@@ -53,7 +53,7 @@ TEST(Chooser, saysWhatThereIsWhenTheNameIsUnknown) {
     }
 }
 
-TEST(Chooser, saysWhyADeviceCannotBeUsed) {
+TEST(Chooser, SaysWhyADeviceCannotBeUsed) {
     const auto preferred = chooseDevice(kDevices, "2");
     ASSERT_FALSE(preferred.ok());
     EXPECT_EQ(preferred.error().code, ErrorCode::deviceNotUsable);
@@ -62,14 +62,14 @@ TEST(Chooser, saysWhyADeviceCannotBeUsed) {
     EXPECT_FALSE(chooseDevice(std::span(kDevices).subspan(2, 1), "").ok());
 }
 
-TEST(Chooser, namesThePackageWhenThereIsNoDevice) {
+TEST(Chooser, NamesThePackageWhenThereIsNoDevice) {
     const auto result = chooseDevice({}, "");
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.error().code, ErrorCode::deviceNotUsable);
     EXPECT_NE(result.error().hint.find("mesa-vulkan-drivers"), std::string::npos);
 }
 
-TEST(VulkanError, turnsResultsIntoSentences) {
+TEST(VulkanError, TurnsResultsIntoSentences) {
     EXPECT_EQ(vulkanError(VK_ERROR_OUT_OF_DEVICE_MEMORY, "get 2.0 GiB").code, ErrorCode::outOfMemory);
     EXPECT_EQ(vulkanError(VK_ERROR_OUT_OF_HOST_MEMORY, "get 2.0 GiB").code, ErrorCode::outOfMemory);
     const Error lost = vulkanError(VK_ERROR_DEVICE_LOST, "wait for the graphics device");
@@ -80,7 +80,7 @@ TEST(VulkanError, turnsResultsIntoSentences) {
     EXPECT_FALSE(lost.hint.empty());
 }
 
-TEST(VulkanError, writesBytesForPeople) {
+TEST(VulkanError, WritesBytesForPeople) {
     EXPECT_EQ(bytesText(1023), "1023 bytes");
     EXPECT_EQ(bytesText(1536), "1.5 KiB");
     EXPECT_EQ(bytesText(2ull << 30), "2.0 GiB");

@@ -14,14 +14,14 @@ namespace {
 
 class DeviceTest : public GpuTest {};
 
-TEST_F(DeviceTest, namesTheDeviceItTook) {
+TEST_F(DeviceTest, NamesTheDeviceItTook) {
     ::testing::internal::CaptureStderr();
     const auto second = expectOk(Device::create(*instance_));
     EXPECT_EQ(::testing::internal::GetCapturedStderr(),
               fmt::format("Macula renders on {}\n", describe(second->info())));
 }
 
-TEST_F(DeviceTest, isOverriddenByTheEnvironment) {
+TEST_F(DeviceTest, IsOverriddenByTheEnvironment) {
     setenv("MACULA_DEVICE", "no such device", 1);
     const auto refused = Device::create(*instance_);
     const auto taken = Device::create(*instance_, {.preferred = "0"});  // the option is stronger
@@ -31,13 +31,13 @@ TEST_F(DeviceTest, isOverriddenByTheEnvironment) {
     EXPECT_TRUE(taken.ok() || taken.error().code == ErrorCode::deviceNotUsable);
 }
 
-TEST_F(DeviceTest, refusesAnExtensionItDoesNotHave) {
+TEST_F(DeviceTest, RefusesAnExtensionItDoesNotHave) {
     const auto refused = Device::create(*instance_, {.extensions = {"VK_NV_no_such_thing"}});
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::deviceNotUsable);
 }
 
-TEST_F(DeviceTest, letsOthersChooseAndCreateIt) {
+TEST_F(DeviceTest, LetsOthersChooseAndCreateIt) {
     int calls = 0;
     const auto made = Device::create(
         *instance_,
@@ -50,7 +50,7 @@ TEST_F(DeviceTest, letsOthersChooseAndCreateIt) {
     EXPECT_EQ(calls, 1);
 }
 
-TEST_F(DeviceTest, outlivesItsInstance) {
+TEST_F(DeviceTest, OutlivesItsInstance) {
     std::shared_ptr<Device> orphan;
     {
         const Instance instance = expectOk(Instance::create());
@@ -60,7 +60,7 @@ TEST_F(DeviceTest, outlivesItsInstance) {
     expectOk(orphan->waitForAll());
 }
 
-TEST_F(DeviceTest, countsTickets) {
+TEST_F(DeviceTest, CountsTickets) {
     const Ticket before = device()->submittedTicket();
     auto recorder = expectOk(Recorder::create(device(), "empty"));
     const Ticket ticket = expectOk(recorder.submit());
@@ -70,7 +70,7 @@ TEST_F(DeviceTest, countsTickets) {
     EXPECT_EQ(device()->completedTicket(), ticket);
 }
 
-TEST_F(DeviceTest, destroysABufferInFlightOnlyWhenItIsDone) {
+TEST_F(DeviceTest, DestroysABufferInFlightOnlyWhenItIsDone) {
     constexpr std::uint32_t kCount = 1u << 14;
     constexpr std::uint32_t kRounds = 60'000;  // lavapipe stops at 65535, see lavapipe_test.cpp
     const Kernel kernel = expectOk(Kernel::create(device(), shaders::slow_comp));
@@ -99,7 +99,7 @@ TEST_F(DeviceTest, destroysABufferInFlightOnlyWhenItIsDone) {
     EXPECT_EQ(expectOk(read<std::uint32_t>(result)), std::vector<std::uint32_t>(kCount, expected));
 }
 
-TEST_F(DeviceTest, keepsWhatAnOpenRecorderMayUse) {
+TEST_F(DeviceTest, KeepsWhatAnOpenRecorderMayUse) {
     const Buffer target = expectOk(Buffer::create(device(), {.label = "target", .bytes = 64}));
     std::optional<Buffer> source = expectOk(Buffer::create(device(), {.label = "source", .bytes = 64}));
     const std::vector<std::uint32_t> sevens(16, 7);
@@ -120,7 +120,7 @@ TEST_F(DeviceTest, keepsWhatAnOpenRecorderMayUse) {
     EXPECT_EQ(device()->pendingDestructions(), 0u);
 }
 
-TEST_F(DeviceTest, destroysWhatIsLeftAtTheEnd) {
+TEST_F(DeviceTest, DestroysWhatIsLeftAtTheEnd) {
     auto second = expectOk(Device::create(*instance_));
     auto buffer = expectOk(Buffer::create(second, {.label = "left", .bytes = 64}));
     auto recorder = expectOk(Recorder::create(second, "left"));

@@ -54,7 +54,7 @@ class DispatchTest : public GpuTest {
     std::optional<Buffer> result_;
 };
 
-TEST_F(DispatchTest, computesWhatCppComputes) {
+TEST_F(DispatchTest, ComputesWhatCppComputes) {
     const Kernel kernel = expectOk(Kernel::create(device(), shaders::affine_comp));
     EXPECT_EQ(kernel.name(), "affine.comp");
     EXPECT_EQ(kernel.localSize()[0], 1u);
@@ -64,7 +64,7 @@ TEST_F(DispatchTest, computesWhatCppComputes) {
     expectAffine(0.25f, 0.5f, 1.0f);
 }
 
-TEST_F(DispatchTest, specializesByNameAndById) {
+TEST_F(DispatchTest, SpecializesByNameAndById) {
     const Kernel kernel =
         expectOk(Kernel::create(device(), shaders::affine_comp,
                                 {.specializations = {{0, 64u}, {"kBias", -3.0f}, {"kNegate", true}}}));
@@ -75,7 +75,7 @@ TEST_F(DispatchTest, specializesByNameAndById) {
     expectAffine(2.0f, -3.0f, -1.0f);
 }
 
-TEST_F(DispatchTest, theDeviceKeepsWhatItCompiled) {
+TEST_F(DispatchTest, TheDeviceKeepsWhatItCompiled) {
     const auto make = [&](float bias) {
         return expectOk(
             Kernel::create(device(), shaders::affine_comp, {.specializations = {{0, 64u}, {"kBias", bias}}}));
@@ -96,7 +96,7 @@ TEST_F(DispatchTest, theDeviceKeepsWhatItCompiled) {
 }
 
 // As many groups as the device reads when it comes to it: here written by the command before.
-TEST_F(DispatchTest, groupsMayBeTheDevicesToKnow) {
+TEST_F(DispatchTest, GroupsMayBeTheDevicesToKnow) {
     const Kernel kernel =
         expectOk(Kernel::create(device(), shaders::affine_comp, {.specializations = {{0, 64u}}}));
     const Buffer groups = expectOk(Buffer::create(
@@ -118,7 +118,7 @@ TEST_F(DispatchTest, groupsMayBeTheDevicesToKnow) {
 }
 
 // The first dispatch writes what the second reads, without a barrier by the caller.
-TEST_F(DispatchTest, dispatchesWaitForTheOnesBefore) {
+TEST_F(DispatchTest, DispatchesWaitForTheOnesBefore) {
     const Kernel kernel = expectOk(Kernel::create(device(), shaders::slow_comp));
     std::vector<Buffer> chain;
     for (int i = 0; i < 9; ++i)
@@ -132,7 +132,7 @@ TEST_F(DispatchTest, dispatchesWaitForTheOnesBefore) {
     EXPECT_EQ(expectOk(read<std::uint32_t>(chain.back())), std::vector<std::uint32_t>(1024, 9));
 }
 
-TEST_F(DispatchTest, samplesAVolumeAndWritesAPicture) {
+TEST_F(DispatchTest, SamplesAVolumeAndWritesAPicture) {
     const Kernel kernel = expectOk(Kernel::create(device(), shaders::picture_comp));
     const Image volume = expectOk(
         Image::create(device(), {.label = "volume",
@@ -170,7 +170,7 @@ TEST_F(DispatchTest, samplesAVolumeAndWritesAPicture) {
 
 using DispatchDeathTest = DispatchTest;
 
-TEST_F(DispatchDeathTest, refusesWhatDoesNotFitTheShader) {
+TEST_F(DispatchDeathTest, RefusesWhatDoesNotFitTheShader) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");  // lavapipe has threads of its own
     const Kernel kernel = expectOk(Kernel::create(device(), shaders::affine_comp));
     const Push push{kCount, 1.0f};
@@ -188,7 +188,7 @@ TEST_F(DispatchDeathTest, refusesWhatDoesNotFitTheShader) {
                  "groups along axis 0");
 }
 
-TEST_F(DispatchDeathTest, refusesASpecializationTheShaderDoesNotHave) {
+TEST_F(DispatchDeathTest, RefusesASpecializationTheShaderDoesNotHave) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const KernelOptions options{.specializations = {{"kBais", 1.0f}}};
     EXPECT_DEATH((void)Kernel::create(device(), shaders::affine_comp, options),

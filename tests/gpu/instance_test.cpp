@@ -25,13 +25,13 @@ namespace {
     std::exit(0);
 }
 
-TEST(InstanceDeathTest, saysWhatToInstallWhenThereIsNoDriver) {
+TEST(InstanceDeathTest, SaysWhatToInstallWhenThereIsNoDriver) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     EXPECT_EXIT(createWithoutDriver(), ::testing::ExitedWithCode(0),
                 "no Vulkan driver.*mesa-vulkan-drivers.*\n.*no Vulkan driver.*mesa-vulkan-drivers");
 }
 
-TEST(Instance, refusesAnExtensionThatIsNotThere) {
+TEST(Instance, RefusesAnExtensionThatIsNotThere) {
     const auto instance = Instance::create({.extensions = {"VK_KHR_no_such_thing"}});
     ASSERT_FALSE(instance.ok());
     EXPECT_EQ(instance.error().code, ErrorCode::deviceNotUsable);
@@ -39,7 +39,7 @@ TEST(Instance, refusesAnExtensionThatIsNotThere) {
         << instance.error().message;
 }
 
-TEST(Instance, letsOthersCreateIt) {
+TEST(Instance, LetsOthersCreateIt) {
     int calls = 0;
     const auto instance =
         Instance::create({.createInstance = [&](const VkInstanceCreateInfo& info, VkInstance* made) {
@@ -53,14 +53,14 @@ TEST(Instance, letsOthersCreateIt) {
 
 // As often as a program that recovers from losses, or a headset that is taken off and on. A driver that is
 // loaded anew each time was refused after 37.
-TEST(Instance, mayBeMadeManyTimes) {
+TEST(Instance, MayBeMadeManyTimes) {
     for (int i = 0; i < 40; ++i) {
         const Instance instance = expectOk(Instance::create());
         ASSERT_TRUE(Device::create(instance, {.isAnnounced = false}).ok()) << i;
     }
 }
 
-TEST(Instance, countsWhatTheValidationLayerSays) {
+TEST(Instance, CountsWhatTheValidationLayerSays) {
     if (validationOfTests() == Validation::off) GTEST_SKIP() << "the validation layer is not installed";
     const Instance instance = expectOk(Instance::create({.validation = Validation::on}));
     const auto device = expectOk(Device::create(instance));
@@ -75,7 +75,7 @@ TEST(Instance, countsWhatTheValidationLayerSays) {
     EXPECT_EQ(instance.validationMessageCount(), instance.validationMessages().size());
 }
 
-TEST(Instance, listsTheRealDevices) {
+TEST(Instance, ListsTheRealDevices) {
     const Instance instance = expectOk(Instance::create());
     const auto devices = listDevices(instance);
     ASSERT_FALSE(devices.empty());

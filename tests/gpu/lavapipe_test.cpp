@@ -19,7 +19,7 @@ namespace {
 
 class Lavapipe : public GpuTest {};
 
-TEST_F(Lavapipe, runsTheSafeLoopFormsRightly) {
+TEST_F(Lavapipe, RunsTheSafeLoopFormsRightly) {
     constexpr std::uint32_t kCount = 512;
     constexpr std::uint32_t kSearches = 777;
     constexpr float kThreshold = 0.9f;
@@ -57,7 +57,7 @@ TEST_F(Lavapipe, runsTheSafeLoopFormsRightly) {
     }
 }
 
-TEST_F(Lavapipe, runsAtMost65535RoundsOfLoopsInAnInvocation) {
+TEST_F(Lavapipe, RunsAtMost65535RoundsOfLoopsInAnInvocation) {
     const Kernel kernel = expectOk(Kernel::create(device(), shaders::loop_limit_comp));
     const Buffer result = expectOk(Buffer::create(device(), {.label = "rounds", .bytes = 8}));
     struct Push {

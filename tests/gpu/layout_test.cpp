@@ -16,7 +16,7 @@ const std::vector<LaidOutField> kLightFields = {
     MACULA_FIELD(TestLight, direction), MACULA_FIELD(TestLight, intensity), MACULA_FIELD(TestLight, colour),
     MACULA_FIELD(TestLight, flags), MACULA_FIELD(TestLight, size)};
 
-TEST(SharedLayout, isTheSameInCppAndGlsl) {
+TEST(SharedLayout, IsTheSameInCppAndGlsl) {
     const auto reflection = reflectSpirv(shaders::layout_comp.words);
     ASSERT_TRUE(reflection.ok());
     ASSERT_EQ(reflection->bindings.size(), 3u);
@@ -40,7 +40,7 @@ TEST(SharedLayout, isTheSameInCppAndGlsl) {
 
 // std140 spreads arrays of floats over 16 bytes each: the reason for the scalar layout, and a check on the
 // reflection.
-TEST(SharedLayout, seesWhatOtherLayoutsDo) {
+TEST(SharedLayout, SeesWhatOtherLayoutsDo) {
     const auto reflection = reflectSpirv(shaders::layout_comp.words);
     ASSERT_TRUE(reflection.ok());
     const ReflectedMember& block = reflection->bindings[2].block;
@@ -54,7 +54,7 @@ TEST(SharedLayout, seesWhatOtherLayoutsDo) {
 
 class LayoutTest : public GpuTest {};
 
-TEST_F(LayoutTest, valuesArriveWhereTheyBelong) {
+TEST_F(LayoutTest, ValuesArriveWhereTheyBelong) {
     const Kernel kernel = expectOk(Kernel::create(device(), shaders::layout_comp));
     const Buffer source = expectOk(Buffer::create(device(), {.label = "source", .bytes = sizeof(TestScene)}));
     const Buffer target = expectOk(Buffer::create(device(), {.label = "target", .bytes = sizeof(TestScene)}));

@@ -10,7 +10,7 @@ namespace {
 
 class RecorderTest : public GpuTest {};
 
-TEST_F(RecorderTest, timesItsSections) {
+TEST_F(RecorderTest, TimesItsSections) {
     constexpr std::uint32_t kCount = 4096;
     const Kernel kernel = expectOk(Kernel::create(device(), shaders::slow_comp));
     const Buffer source = expectOk(Buffer::create(device(), {.label = "source", .bytes = kCount * 4}));
@@ -46,7 +46,7 @@ TEST_F(RecorderTest, timesItsSections) {
     EXPECT_LT(timings[1].milliseconds, 60'000.0);
 }
 
-TEST_F(RecorderTest, updatesABufferInOrderWithWhatReadsIt) {
+TEST_F(RecorderTest, UpdatesABufferInOrderWithWhatReadsIt) {
     const Buffer source = expectOk(Buffer::create(device(), {.label = "source", .bytes = 8}));
     const Buffer seen = expectOk(Buffer::create(device(), {.label = "seen", .bytes = 24}));
     for (std::uint32_t i = 0; i < 3; ++i) {  // nothing waits in between
@@ -59,7 +59,7 @@ TEST_F(RecorderTest, updatesABufferInOrderWithWhatReadsIt) {
     EXPECT_EQ(expectOk(read<std::uint32_t>(seen)), (std::vector<std::uint32_t>{10, 20, 11, 21, 12, 22}));
 }
 
-TEST_F(RecorderTest, copiesAnImageToABuffer) {
+TEST_F(RecorderTest, CopiesAnImageToABuffer) {
     const Image image = expectOk(Image::create(device(), {.label = "image", .width = 9, .height = 4}));
     const Buffer buffer = expectOk(Buffer::create(
         device(),
@@ -80,7 +80,7 @@ TEST_F(RecorderTest, copiesAnImageToABuffer) {
     }
 }
 
-TEST_F(RecorderTest, discardsWhatIsNotSubmitted) {
+TEST_F(RecorderTest, DiscardsWhatIsNotSubmitted) {
     const Buffer buffer = expectOk(Buffer::create(device(), {.label = "buffer", .bytes = 64}));
     const std::vector<std::uint32_t> ones(16, 1);
     expectOk(uploadTo<std::uint32_t>(buffer, ones));
@@ -94,7 +94,7 @@ TEST_F(RecorderTest, discardsWhatIsNotSubmitted) {
     EXPECT_EQ(expectOk(read<std::uint32_t>(buffer)), ones);
 }
 
-TEST_F(RecorderTest, recyclesWhatItNeeds) {
+TEST_F(RecorderTest, RecyclesWhatItNeeds) {
     const Buffer buffer = expectOk(Buffer::create(device(), {.label = "buffer", .bytes = 64}));
     for (std::uint32_t i = 0; i < 200; ++i) {
         auto recorder = expectOk(Recorder::create(device(), "again"));
@@ -110,7 +110,7 @@ TEST_F(RecorderTest, recyclesWhatItNeeds) {
 
 using RecorderDeathTest = RecorderTest;
 
-TEST_F(RecorderDeathTest, refusesCopiesBeyondTheEnd) {
+TEST_F(RecorderDeathTest, RefusesCopiesBeyondTheEnd) {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
     const Buffer small = expectOk(Buffer::create(device(), {.label = "small", .bytes = 64}));
     auto recorder = expectOk(Recorder::create(device(), "beyond"));

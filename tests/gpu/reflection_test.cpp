@@ -15,7 +15,7 @@
 namespace macula::gpu {
 namespace {
 
-TEST(Reflection, readsBindingsPushConstantsAndSpecializations) {
+TEST(Reflection, ReadsBindingsPushConstantsAndSpecializations) {
     const auto result = reflectSpirv(shaders::affine_comp.words);
     ASSERT_TRUE(result.ok()) << result.error().message;
     EXPECT_EQ(result->entryPoint, "main");
@@ -53,7 +53,7 @@ TEST(Reflection, readsBindingsPushConstantsAndSpecializations) {
     EXPECT_TRUE(foundBias);
 }
 
-TEST(Reflection, readsImagesAndLocalSize) {
+TEST(Reflection, ReadsImagesAndLocalSize) {
     const auto result = reflectSpirv(shaders::picture_comp.words);
     ASSERT_TRUE(result.ok());
     ASSERT_EQ(result->bindings.size(), 2u);
@@ -65,7 +65,7 @@ TEST(Reflection, readsImagesAndLocalSize) {
     EXPECT_EQ(result->localSize[2].value, 1u);
 }
 
-TEST(Reflection, refusesWhatIsNoComputeShader) {
+TEST(Reflection, RefusesWhatIsNoComputeShader) {
     const std::uint32_t text[] = {0x74786574, 0, 0, 0, 0};
     EXPECT_FALSE(reflectSpirv({}).ok());
     EXPECT_FALSE(reflectSpirv(text).ok());
@@ -102,7 +102,7 @@ class GuardedWords {
 };
 
 // Nothing is read beyond the module, what is no module is refused as such.
-TEST(Reflection, survivesDamage) {
+TEST(Reflection, SurvivesDamage) {
     std::mt19937 random(1);
     for (const ShaderCode& code : {shaders::affine_comp, shaders::layout_comp, shaders::picture_comp}) {
         GuardedWords guarded(code.words.size());

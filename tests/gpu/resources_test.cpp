@@ -17,7 +17,7 @@ void expectOutOfMemory(const Error& error, std::string_view part) {
     EXPECT_FALSE(error.hint.empty());
 }
 
-TEST_F(ResourcesTest, refusesWhatIsTooLargeWithTheNumbers) {
+TEST_F(ResourcesTest, RefusesWhatIsTooLargeWithTheNumbers) {
     const auto huge = Buffer::create(
         device(),
         {.label = "volume", .bytes = 1ull << 50, .usage = VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT});
@@ -51,7 +51,7 @@ TEST_F(ResourcesTest, refusesWhatIsTooLargeWithTheNumbers) {
     expectOutOfMemory(volume.error(), "image \"solid\"");
 }
 
-TEST_F(ResourcesTest, refusesAFormatTheDeviceCannotUse) {
+TEST_F(ResourcesTest, RefusesAFormatTheDeviceCannotUse) {
     const auto writable = [&](VkFormat format) {
         VkFormatProperties properties{};
         vkGetPhysicalDeviceFormatProperties(device()->physical(), format, &properties);
@@ -68,7 +68,7 @@ TEST_F(ResourcesTest, refusesAFormatTheDeviceCannotUse) {
     EXPECT_EQ(refused.error().code, ErrorCode::deviceNotUsable);
 }
 
-TEST_F(ResourcesTest, bytesGoThereAndBackInEveryKindOfMemory) {
+TEST_F(ResourcesTest, BytesGoThereAndBackInEveryKindOfMemory) {
     std::vector<std::uint32_t> values(100'000);
     std::iota(values.begin(), values.end(), 1u);
     for (const MemoryKind kind : {MemoryKind::deviceLocal, MemoryKind::upload, MemoryKind::readback}) {
@@ -81,7 +81,7 @@ TEST_F(ResourcesTest, bytesGoThereAndBackInEveryKindOfMemory) {
 }
 
 // A graphics card has memory of its own; a CPU device is asked to behave like one.
-TEST_F(ResourcesTest, bytesGoThereAndBackWhereTheDeviceHasMemoryOfItsOwn) {
+TEST_F(ResourcesTest, BytesGoThereAndBackWhereTheDeviceHasMemoryOfItsOwn) {
     const auto card = expectOk(Device::create(*instance_, {.separateMemory = true}));
     EXPECT_FALSE(card->hasUnifiedMemory());
     std::vector<std::uint32_t> values((40u << 20) / 4 +
@@ -99,7 +99,7 @@ TEST_F(ResourcesTest, bytesGoThereAndBackWhereTheDeviceHasMemoryOfItsOwn) {
 }
 
 // While the device is busy an upload takes the way by staging buffers, also on a CPU device.
-TEST_F(ResourcesTest, uploadsInChunksBehindWorkInFlight) {
+TEST_F(ResourcesTest, UploadsInChunksBehindWorkInFlight) {
     std::vector<std::uint32_t> values((40u << 20) / 4 + 3);
     std::iota(values.begin(), values.end(), 1u);
     const Buffer buffer =
@@ -115,7 +115,7 @@ TEST_F(ResourcesTest, uploadsInChunksBehindWorkInFlight) {
     EXPECT_EQ(first, std::vector<std::byte>(8, std::byte{0xee}));
 }
 
-TEST_F(ResourcesTest, imagesGoThereAndBack) {
+TEST_F(ResourcesTest, ImagesGoThereAndBack) {
     const Image image = expectOk(
         Image::create(device(), {.label = "volume",
                                  .shape = ImageShape::volume,
@@ -131,7 +131,7 @@ TEST_F(ResourcesTest, imagesGoThereAndBack) {
     EXPECT_EQ(expectOk(read<std::uint16_t>(image)), texels);
 }
 
-TEST_F(ResourcesTest, areEmptyAfterAMove) {
+TEST_F(ResourcesTest, AreEmptyAfterAMove) {
     Buffer first = expectOk(Buffer::create(device(), {.label = "first", .bytes = 64}));
     Buffer second = expectOk(Buffer::create(device(), {.label = "second", .bytes = 128}));
     const VkBuffer handle = first.handle();

@@ -144,7 +144,7 @@ class SwapchainTest : public ::testing::Test {
     std::shared_ptr<Device> device_;
 };
 
-TEST_F(SwapchainTest, showsColoursAndFollowsTheWindow) {
+TEST_F(SwapchainTest, ShowsColoursAndFollowsTheWindow) {
     const Image image = expectOk(Image::create(
         device_, {.label = "frame", .width = 40, .height = 20, .format = VK_FORMAT_R8G8B8A8_UNORM}));
     auto recorder = expectOk(Recorder::create(device_, "colour"));
@@ -166,7 +166,7 @@ TEST_F(SwapchainTest, showsColoursAndFollowsTheWindow) {
     }
 }
 
-TEST_F(SwapchainTest, imagesThatWereNeverPresentedComeBack) {
+TEST_F(SwapchainTest, ImagesThatWereNeverPresentedComeBack) {
     const Image image = expectOk(Image::create(
         device_, {.label = "frame", .width = 40, .height = 20, .format = VK_FORMAT_R8G8B8A8_UNORM}));
     auto recorder = expectOk(Recorder::create(device_, "colour"));
@@ -182,7 +182,7 @@ TEST_F(SwapchainTest, imagesThatWereNeverPresentedComeBack) {
     expectColour(0, 0, 0xff6633);
 }
 
-TEST_F(SwapchainTest, isNotHiddenByAResizeThatFailed) {
+TEST_F(SwapchainTest, IsNotHiddenByAResizeThatFailed) {
     const Image image = expectOk(Image::create(
         device_, {.label = "frame", .width = 40, .height = 20, .format = VK_FORMAT_R8G8B8A8_UNORM}));
     auto recorder = expectOk(Recorder::create(device_, "colour"));

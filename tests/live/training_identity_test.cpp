@@ -27,7 +27,7 @@ class ModelKey : public testing::Test {
     trace::Environment lights_ = *scene::chooseLights("studio");
 };
 
-TEST_F(ModelKey, isOfWhatThingsAreAndNotOfTheirNames) {
+TEST_F(ModelKey, IsOfWhatThingsAreAndNotOfTheirNames) {
     const std::string before = key();
     volume_ = phantom::make({.size = {24, 20, 16}});
     function_.name = "doe-john";
@@ -37,7 +37,7 @@ TEST_F(ModelKey, isOfWhatThingsAreAndNotOfTheirNames) {
     EXPECT_EQ(refusal(before), "");
 }
 
-TEST_F(ModelKey, tellsWhatIsNotTheSame) {
+TEST_F(ModelKey, TellsWhatIsNotTheSame) {
     const std::string before = key();
     function_.opacity.front().value -= 1.0;
     EXPECT_EQ(refusal(before), "The saved training is of another preset.");
@@ -50,7 +50,7 @@ TEST_F(ModelKey, tellsWhatIsNotTheSame) {
     EXPECT_EQ(refusal("of another program\n"), "The saved training does not say what its pictures show.");
 }
 
-TEST_F(ModelKey, isOfWhatIsBesideTheVolumeToo) {
+TEST_F(ModelKey, IsOfWhatIsBesideTheVolumeToo) {
     Additions added;
     added.second.emplace();
     added.second->volume = in16Bits(std::make_shared<const Volume>(phantom::make({.size = {24, 20, 16}})));

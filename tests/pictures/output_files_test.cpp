@@ -29,7 +29,7 @@ class OutputFilesTest : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(OutputFilesTest, replaceOnlyWhenTold) {
+TEST_F(OutputFilesTest, ReplaceOnlyWhenTold) {
     const fs::path there = made("there.png");
     expectRefused(OutputFiles(false).write(there), ErrorCode::outputNotWritable, "--overwrite");
     EXPECT_TRUE(OutputFiles(true).write(there));
@@ -38,7 +38,7 @@ TEST_F(OutputFilesTest, replaceOnlyWhenTold) {
     EXPECT_TRUE(OutputFiles(false).write({}));
 }
 
-TEST_F(OutputFilesTest, neverReplaceWhatIsRead) {
+TEST_F(OutputFilesTest, NeverReplaceWhatIsRead) {
     const fs::path read = made("read.json");
     fs::create_hard_link(read, folder_ / "same.json");
     fs::create_directory(folder_ / "study");
@@ -55,7 +55,7 @@ TEST_F(OutputFilesTest, neverReplaceWhatIsRead) {
     EXPECT_TRUE(files.writeOn(made("training.macula")));
 }
 
-TEST_F(OutputFilesTest, areDifferentFilesInFoldersThatExist) {
+TEST_F(OutputFilesTest, AreDifferentFilesInFoldersThatExist) {
     OutputFiles files(true);
     EXPECT_TRUE(files.write(folder_ / "a.png"));
     expectRefused(files.write(folder_ / "./a.png"), ErrorCode::usage, "a name of its own");
@@ -64,12 +64,12 @@ TEST_F(OutputFilesTest, areDifferentFilesInFoldersThatExist) {
     expectRefused(files.write(folder_ / "b.png"), ErrorCode::outputNotWritable, "another name");
 }
 
-TEST_F(OutputFilesTest, unfinishedResultsReplaceNoFinishedOnes) {
+TEST_F(OutputFilesTest, UnfinishedResultsReplaceNoFinishedOnes) {
     EXPECT_EQ(placeOfUnfinished(folder_ / "model.ply"), folder_ / "model.ply");
     EXPECT_EQ(placeOfUnfinished(made("model.ply")), folder_ / "model-unfinished.ply");
 }
 
-TEST_F(OutputFilesTest, areTheSameByWhateverName) {
+TEST_F(OutputFilesTest, AreTheSameByWhateverName) {
     const fs::path file = made("file");
     fs::create_symlink(file, folder_ / "link");
     EXPECT_TRUE(isSameFile(file, folder_ / "link"));

@@ -13,7 +13,7 @@ Effort effort(const EffortRequest& request, trace::Look look = trace::Look::cine
     return *of;
 }
 
-TEST(PictureEffort, withoutARequestIsForTheLook) {
+TEST(PictureEffort, WithoutARequestIsForTheLook) {
     EXPECT_EQ(effort({}).samplesPerPixel, 64u);
     EXPECT_EQ(effort({}, trace::Look::clear).samplesPerPixel, 64u);
     EXPECT_EQ(effort({}, trace::Look::dvr).samplesPerPixel, 8u);
@@ -22,7 +22,7 @@ TEST(PictureEffort, withoutARequestIsForTheLook) {
 }
 
 // What is given itself counts more than the quality.
-TEST(PictureEffort, ofAQualityUnlessGiven) {
+TEST(PictureEffort, OfAQualityUnlessGiven) {
     const auto draft = scene::chooseQuality("draft");
     ASSERT_TRUE(draft);
     const Effort all = effort({.quality = "draft"});
@@ -37,7 +37,7 @@ TEST(PictureEffort, ofAQualityUnlessGiven) {
     EXPECT_EQ(effortOf({.quality = "no-such"}, {}).error().code, ErrorCode::usage);
 }
 
-TEST(PictureEffort, ofAnErrorHasNearlyNoEnd) {
+TEST(PictureEffort, OfAnErrorHasNearlyNoEnd) {
     EXPECT_EQ(effort({.error = 0.01}).settings.errorThreshold, 0.01);
     EXPECT_EQ(effort({.quality = "draft", .error = 0.01}).samplesPerPixel, kMostSamplesPerPixel);
     EXPECT_EQ(effort({.samplesPerPixel = 5, .error = 0.01}).samplesPerPixel, 5u);

@@ -16,17 +16,17 @@ Names namesOf(const Names& requests) {
     return pictureNames(requests);
 }
 
-TEST(PictureNames, areWhatIsLeftOfRequests) {
+TEST(PictureNames, AreWhatIsLeftOfRequests) {
     EXPECT_EQ(namesOf({"left/0001.JPG", "/home/doe/0002.png", "view.2", "", "../..", ".hidden", "a b:c"}),
               (Names{"left_0001", "0002", "view.2", "camera_0003", "camera_0004", "hidden", "a_b_c"}));
 }
 
-TEST(PictureNames, differAlsoWithoutTheCaseOfLetters) {
+TEST(PictureNames, DifferAlsoWithoutTheCaseOfLetters) {
     EXPECT_EQ(namesOf({"a", "A", "a", "a_2"}), (Names{"a", "A_2", "a_3", "a_2_2"}));
 }
 
 // Whatever a file names its cameras.
-TEST(PictureNames, areSafeInAnyFolder) {
+TEST(PictureNames, AreSafeInAnyFolder) {
     std::mt19937 random(1);
     Names requests;
     for (int i = 0; i < 300; ++i) {

@@ -61,13 +61,13 @@ class ARequest : public ::testing::Test {
     scene::StudyState view_;
 };
 
-TEST_F(ARequest, isWhatIsUsualWhereNothingIsGiven) {
+TEST_F(ARequest, IsWhatIsUsualWhereNothingIsGiven) {
     const scene::StudyState usual{.leavesTableOut = true, .settings = {.bounces = 3}};
     EXPECT_EQ(*stateOf({}, usual), usual);
     EXPECT_EQ(stateFor({}), scene::StudyState{});
 }
 
-TEST_F(ARequest, isTheViewWhereThatIsGiven) {
+TEST_F(ARequest, IsTheViewWhereThatIsGiven) {
     const StateRequest request = saved();
     scene::StudyState state = stateFor(request);
     EXPECT_EQ(toJson(state), toJson(view_));
@@ -81,7 +81,7 @@ TEST_F(ARequest, isTheViewWhereThatIsGiven) {
     EXPECT_TRUE(scene::isSame(preset->function, *view_.preset));
 }
 
-TEST_F(ARequest, countsMoreThanTheView) {
+TEST_F(ARequest, CountsMoreThanTheView) {
     view_.cuts.eye = scene::EyeCut{};
     StateRequest request = saved();
     request.look = trace::Look::average;
@@ -104,7 +104,7 @@ TEST_F(ARequest, countsMoreThanTheView) {
 }
 
 // Who says something of the table, or brings a view that does, is asked no more.
-TEST_F(ARequest, ofNoTableLeavesASureOneOut) {
+TEST_F(ARequest, OfNoTableLeavesASureOneOut) {
     EXPECT_EQ(unaskedTable({}), scene::UnaskedTable::goesWhereSure);
     EXPECT_EQ(unaskedTable({.clip = "left-half"}), scene::UnaskedTable::goesWhereSure);
     EXPECT_EQ(unaskedTable({.removeTable = true}), scene::UnaskedTable::stays);
@@ -114,7 +114,7 @@ TEST_F(ARequest, ofNoTableLeavesASureOneOut) {
 }
 
 // Of the preset of the view as of one that is given, or that nobody chose.
-TEST_F(ARequest, ofItsMatterChangesWhicheverPreset) {
+TEST_F(ARequest, OfItsMatterChangesWhicheverPreset) {
     view_.preset = *scene::findPreset(catalogue(), "cinematic-bone");
     StateRequest ofView = saved();
     StateRequest ofName{.preset = "ct-bone"};
@@ -143,7 +143,7 @@ TEST_F(ARequest, ofItsMatterChangesWhicheverPreset) {
     }
 }
 
-TEST_F(ARequest, ofMatterThatNoPresetMayHaveIsRefused) {
+TEST_F(ARequest, OfMatterThatNoPresetMayHaveIsRefused) {
     const StateRequest request{.matter = {{"roughness", 0.0}}};
     study::LoadedStudy input = study();
     scene::StudyState state = stateFor(request);
@@ -152,7 +152,7 @@ TEST_F(ARequest, ofMatterThatNoPresetMayHaveIsRefused) {
     EXPECT_EQ(refused.error().code, ErrorCode::inputNotUsable);
 }
 
-TEST_F(ARequest, ofAFieldOfViewKeepsTheCamera) {
+TEST_F(ARequest, OfAFieldOfViewKeepsTheCamera) {
     StateRequest request = saved();
     request.fovDeg = 50.0;
     const scene::StudyState state = stateFor(request);
@@ -161,7 +161,7 @@ TEST_F(ARequest, ofAFieldOfViewKeepsTheCamera) {
     EXPECT_EQ(state.camera->verticalFovDeg, 50.0);
 }
 
-TEST_F(ARequest, ofParallelRaysKeepsWhatIsSeenAtTheTarget) {
+TEST_F(ARequest, OfParallelRaysKeepsWhatIsSeenAtTheTarget) {
     StateRequest request = saved();
     request.isParallel = true;
     const scene::StudyState state = stateFor(request);
@@ -171,7 +171,7 @@ TEST_F(ARequest, ofParallelRaysKeepsWhatIsSeenAtTheTarget) {
 }
 
 // In a projection a preset is a window, whatever the one of the view was.
-TEST_F(ARequest, ofAPresetBringsItsWindow) {
+TEST_F(ARequest, OfAPresetBringsItsWindow) {
     StateRequest request = saved();
     request.preset = "ct-bone";
     scene::StudyState state = stateFor(request);
@@ -188,7 +188,7 @@ TEST_F(ARequest, ofAPresetBringsItsWindow) {
     EXPECT_EQ(state.windows.at(std::size_t(trace::Look::mip)), *scene::parseWindow("40,400"));
 }
 
-TEST_F(ARequest, toFitIsOfThePresetOfTheView) {
+TEST_F(ARequest, ToFitIsOfThePresetOfTheView) {
     StateRequest request = saved();
     request.fit = true;
     scene::StudyState state = stateFor(request);
@@ -201,7 +201,7 @@ TEST_F(ARequest, toFitIsOfThePresetOfTheView) {
     EXPECT_TRUE(input.notes[0].starts_with("The preset was stretched")) << input.notes[0];
 }
 
-TEST_F(ARequest, withoutAPresetIsDrawnWithThatOfTheSeries) {
+TEST_F(ARequest, WithoutAPresetIsDrawnWithThatOfTheSeries) {
     scene::StudyState state;
     study::LoadedStudy input = study();
     const auto preset = completeState(state, {}, input);
@@ -211,7 +211,7 @@ TEST_F(ARequest, withoutAPresetIsDrawnWithThatOfTheSeries) {
     EXPECT_EQ(state.preset->name, preset->publicName);
 }
 
-TEST_F(ARequest, ofAnotherSeriesIsRefused) {
+TEST_F(ARequest, OfAnotherSeriesIsRefused) {
     const StateRequest request = saved();
     scene::StudyState state = stateFor(request);
     study::LoadedStudy input = study();
@@ -225,7 +225,7 @@ TEST_F(ARequest, ofAnotherSeriesIsRefused) {
 }
 
 // Of the same series, exported anew: camera, clips and measurements would lie elsewhere.
-TEST_F(ARequest, ofOtherPlacesUnderTheSameUidIsRefused) {
+TEST_F(ARequest, OfOtherPlacesUnderTheSameUidIsRefused) {
     const StateRequest request = saved();
     scene::StudyState state = stateFor(request);
     study::LoadedStudy input = study();
@@ -240,7 +240,7 @@ TEST_F(ARequest, ofOtherPlacesUnderTheSameUidIsRefused) {
     EXPECT_TRUE(completeState(state, request, input)) << "a view of before has none";
 }
 
-TEST_F(ARequest, namesTheFileThatCannotBeRead) {
+TEST_F(ARequest, NamesTheFileThatCannotBeRead) {
     const std::filesystem::path path = folder_ / "broken.json";
     std::ofstream(path) << "{";
     for (const std::filesystem::path& file : {path, folder_ / "none.json"}) {
@@ -252,7 +252,7 @@ TEST_F(ARequest, namesTheFileThatCannotBeRead) {
 }
 
 // Also when it has been written and read: the name of what is somebody's own may say whose it is.
-TEST(PublicName, ofWhatIsBuiltInIsItsNameAndOfAllElseCustom) {
+TEST(PublicName, OfWhatIsBuiltInIsItsNameAndOfAllElseCustom) {
     for (const auto& preset : catalogue().presets) {
         const auto read = scene::studyStateFromJson(toJson(scene::StudyState{.preset = preset}), "view.json");
         ASSERT_TRUE(read) << preset->name;

@@ -19,7 +19,7 @@ class CameraFile : public testing::Test {
     dicom::test::TemporaryFolder folder_;
 };
 
-TEST_F(CameraFile, holdsACamera) {
+TEST_F(CameraFile, HoldsACamera) {
     const auto camera = read(
         R"({"positionMm": [1, -2.5, 3], "targetMm": [4, 5, 6], "up": [0, 0, 1], "verticalFovDeg": 12.5})");
     ASSERT_TRUE(camera) << camera.error().message;
@@ -47,7 +47,7 @@ TEST_F(CameraFile, MayHaveParallelRays) {
 }
 
 // Nothing is guessed: neither what is missing, nor what a key that is not known may mean.
-TEST_F(CameraFile, isRefusedAsInput) {
+TEST_F(CameraFile, IsRefusedAsInput) {
     const std::string rest = R"("targetMm": [0, 0, 0], "up": [0, 0, 1])";
     for (const std::string& text : {
              std::string("no JSON"),

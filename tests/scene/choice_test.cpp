@@ -29,7 +29,7 @@ void expectNoSuchName(const Result<T>& chosen, const std::string& typed, const s
         << chosen.error().hint;
 }
 
-TEST(NearestName, isTheOneWithTheFewestChanges) {
+TEST(NearestName, IsTheOneWithTheFewestChanges) {
     EXPECT_EQ(nearestName("ct-bon", {"ct-aaa", "ct-bone", "ct-bones"}), "ct-bone");
     EXPECT_EQ(nearestName("ct-bone", {"ct-bone"}), "ct-bone");
     EXPECT_EQ(nearestName("lung", {"ct-bone", "mr-angio"}), "");  // more than a third would change
@@ -37,7 +37,7 @@ TEST(NearestName, isTheOneWithTheFewestChanges) {
 }
 
 // The hint is one look-up, for whatever is chosen.
-TEST(Choice, ofAWordThatIsNothingTellsWhatThereIs) {
+TEST(Choice, OfAWordThatIsNothingTellsWhatThereIs) {
     expectNoSuchName(choosePreset("cinematic-bonne"), "cinematic-bonne", "cinematic-bone");
     expectNoSuchName(chooseLights("studioo"), "studioo", "studio");
     expectNoSuchName(chooseClip("left-hal"), "left-hal", "left-half");
@@ -49,7 +49,7 @@ TEST(Choice, ofAWordThatIsNothingTellsWhatThereIs) {
 }
 
 // The window's look-up and the command's find the same.
-TEST(Choice, byNameIsThatOfTheCatalogue) {
+TEST(Choice, ByNameIsThatOfTheCatalogue) {
     const auto catalogue = builtInCatalogue();
     ASSERT_TRUE(catalogue);
     for (const auto& preset : catalogue->presets) {
@@ -65,7 +65,7 @@ TEST(Choice, byNameIsThatOfTheCatalogue) {
         EXPECT_EQ(defaultLights(*catalogue, look)->name, defaultLightsFor(look));
 }
 
-TEST(Choice, ofAFileIsReadAndNotNamed) {
+TEST(Choice, OfAFileIsReadAndNotNamed) {
     const TemporaryFolder folder;
     const std::string path = (folder / "doe-john.json").string();
     std::ofstream(path) << R"({"version": 1, "name": "mine", "title": "Mine", "samplesPerPixel": 3,
@@ -84,7 +84,7 @@ TEST(Choice, ofAFileIsReadAndNotNamed) {
     EXPECT_EQ(missing.error().code, ErrorCode::inputNotUsable);
 }
 
-TEST(Choice, ofNumbersTakesAllOfTheWord) {
+TEST(Choice, OfNumbersTakesAllOfTheWord) {
     const auto window = parseWindow("-60.5, 350.25");
     ASSERT_TRUE(window);
     EXPECT_EQ(window->center, -60.5);
@@ -99,7 +99,7 @@ TEST(Choice, ofNumbersTakesAllOfTheWord) {
         EXPECT_FALSE(parseBackground(text)) << text;
 }
 
-TEST(Choice, ofNoClipLeavesAll) {
+TEST(Choice, OfNoClipLeavesAll) {
     const auto none = chooseClip("");
     ASSERT_TRUE(none);
     EXPECT_TRUE(none->clip.isNothing());
@@ -107,7 +107,7 @@ TEST(Choice, ofNoClipLeavesAll) {
 }
 
 // A model stays where it is; so does its light.
-TEST(Choice, ofLightsForAModelRefusesThoseOfTheCamera) {
+TEST(Choice, OfLightsForAModelRefusesThoseOfTheCamera) {
     EXPECT_TRUE(choosePatientLights("studio"));
     ASSERT_TRUE(chooseLights("headlight"));
     const auto lamp = choosePatientLights("headlight");
@@ -115,14 +115,14 @@ TEST(Choice, ofLightsForAModelRefusesThoseOfTheCamera) {
     EXPECT_EQ(lamp.error().code, ErrorCode::usage);
 }
 
-TEST(BuiltIns, fromTheFastestQualityOn) {
+TEST(BuiltIns, FromTheFastestQualityOn) {
     const auto all = builtIns();
     ASSERT_TRUE(all);
     EXPECT_FALSE(all->presets.empty());
     EXPECT_TRUE(std::ranges::is_sorted(all->qualities, {}, &trace::Quality::samplesPerPixel));
 }
 
-TEST(DifferentNames, areGivenToPresetsOfTheSameName) {
+TEST(DifferentNames, AreGivenToPresetsOfTheSameName) {
     const auto named = [](const char* name) {
         presets::ImportedPreset preset;
         preset.function.name = name;

@@ -36,7 +36,7 @@ void expectOrdered(const std::vector<glm::dvec3>& outline, const slices::SlicePl
     }
 }
 
-TEST(ClipOutline, ofAnAxialSliceIsTheBoxFromAbove) {
+TEST(ClipOutline, OfAnAxialSliceIsTheBoxFromAbove) {
     const auto outline = outlineMm(kBox, axial(5));
     ASSERT_EQ(outline.size(), 4u);
     expectOrdered(outline, axial(5));
@@ -50,7 +50,7 @@ TEST(ClipOutline, ofAnAxialSliceIsTheBoxFromAbove) {
     EXPECT_EQ(high, glm::dvec3(10, 20, 5));
 }
 
-TEST(ClipOutline, ofACubeCutAcrossItsDiagonalIsAHexagon) {
+TEST(ClipOutline, OfACubeCutAcrossItsDiagonalIsAHexagon) {
     const Box cube{{-1, -1, -1}, {1, 1, 1}};
     const auto plane = diagonal({0, 0, 0});
     const auto outline = outlineMm(cube, plane);
@@ -59,7 +59,7 @@ TEST(ClipOutline, ofACubeCutAcrossItsDiagonalIsAHexagon) {
     for (const glm::dvec3& p : outline) EXPECT_NEAR(glm::length(p), std::sqrt(2.0), 1e-12);
 }
 
-TEST(ClipOutline, nearACornerIsATriangle) {
+TEST(ClipOutline, NearACornerIsATriangle) {
     const auto plane = diagonal({9, 19, 29});
     const auto outline = outlineMm(kBox, plane);
     ASSERT_EQ(outline.size(), 3u);
@@ -67,12 +67,12 @@ TEST(ClipOutline, nearACornerIsATriangle) {
 }
 
 // A slice on a face of the box shows where it is cut.
-TEST(ClipOutline, onAFaceIsThatFace) {
+TEST(ClipOutline, OnAFaceIsThatFace) {
     EXPECT_EQ(outlineMm(kBox, axial(30)).size(), 4u);
     EXPECT_EQ(outlineMm(kBox, axial(-30)).size(), 4u);
 }
 
-TEST(ClipOutline, isEmptyWhereTheyDoNotMeet) {
+TEST(ClipOutline, IsEmptyWhereTheyDoNotMeet) {
     EXPECT_TRUE(outlineMm(kBox, axial(30.001)).empty());
     EXPECT_TRUE(outlineMm(kBox, axial(-1e9)).empty());
     EXPECT_TRUE(outlineMm(kBox, diagonal({11, 20, 30})).empty());
@@ -80,7 +80,7 @@ TEST(ClipOutline, isEmptyWhereTheyDoNotMeet) {
     EXPECT_TRUE(outlineMm({{1, 1, 1}, {1, 2, 2}}, axial(1.5)).empty()) << "a flat box";
 }
 
-TEST(ClipOutline, isEmptyOfWhatIsNoNumber) {
+TEST(ClipOutline, IsEmptyOfWhatIsNoNumber) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinite = std::numeric_limits<double>::infinity();
     EXPECT_TRUE(outlineMm(kBox, axial(nan)).empty());
@@ -91,7 +91,7 @@ TEST(ClipOutline, isEmptyOfWhatIsNoNumber) {
     EXPECT_TRUE(outlineMm(kBox, {.centreMm = {}, .right = {}, .down = {}}).empty());
 }
 
-TEST(ClipOutline, ofAClipIsWhatItKeeps) {
+TEST(ClipOutline, OfAClipIsWhatItKeeps) {
     const Volume volume = phantom::make({.size = {12, 10, 8}, .spacingMm = {20, 20, 20}});
     const Box all = volume.worldBox();
     const auto plane = axial(all.centre().z);

@@ -113,7 +113,7 @@ Result<OptionalClip> anyEdit(const OptionalClip& clip, const Volume& volume, Cha
     }
 }
 
-TEST(EditedClip, staysUsableWhateverIsDone) {
+TEST(EditedClip, StaysUsableWhateverIsDone) {
     Chance chance;
     for (const Volume& volume : allKinds()) {
         OptionalClip clip;
@@ -133,7 +133,7 @@ TEST(EditedClip, staysUsableWhateverIsDone) {
     }
 }
 
-TEST(EditedClip, aFaceGoesWhereItIsPutOnItsOwnSideOfThePatient) {
+TEST(EditedClip, AFaceGoesWhereItIsPutOnItsOwnSideOfThePatient) {
     const Volume volume = straight();
     const glm::dvec3 centre = volume.worldBox().centre();
     for (const Face face : kFaces) {
@@ -156,7 +156,7 @@ TEST(EditedClip, aFaceGoesWhereItIsPutOnItsOwnSideOfThePatient) {
 }
 
 // Patient LPS: left, posterior and superior are positive.
-TEST(EditedClip, sidesAreThePatients) {
+TEST(EditedClip, SidesAreThePatients) {
     const Volume volume = straight();
     const glm::dvec3 centre = volume.worldBox().centre();
     const auto removes = [&](Face side, const glm::dvec3& direction) {
@@ -177,7 +177,7 @@ TEST(EditedClip, sidesAreThePatients) {
 }
 
 // The outermost voxels are not for the last bits of a number to decide.
-TEST(EditedClip, anOpenFaceCutsNothing) {
+TEST(EditedClip, AnOpenFaceCutsNothing) {
     const Volume volume = straight();
     const Box all = volume.worldBox();
     const auto clip = withFace(std::nullopt, Face::left, all.centre().x, volume);
@@ -187,7 +187,7 @@ TEST(EditedClip, anOpenFaceCutsNothing) {
     EXPECT_TRUE(shows(inMm, {all.centre().x - 1.0, all.high.y, all.high.z}));
 }
 
-TEST(EditedClip, aFaceStopsAVoxelBeforeTheOther) {
+TEST(EditedClip, AFaceStopsAVoxelBeforeTheOther) {
     const Volume volume = straight();
     const Box all = volume.worldBox();
     const auto clip = withFace(std::nullopt, Face::right, 1e300, volume);
@@ -198,7 +198,7 @@ TEST(EditedClip, aFaceStopsAVoxelBeforeTheOther) {
     EXPECT_FALSE(*outside);
 }
 
-TEST(EditedClip, facesOfABuiltInClipMoveAndItsWindowStays) {
+TEST(EditedClip, FacesOfABuiltInClipMoveAndItsWindowStays) {
     const Volume volume = straight();
     const Box all = volume.worldBox();
     const OptionalClip front = *chooseClip("front-open");
@@ -219,7 +219,7 @@ TEST(EditedClip, facesOfABuiltInClipMoveAndItsWindowStays) {
     EXPECT_TRUE((*again)->greyFacesOfSeries);
 }
 
-TEST(EditedClip, aSlabHasThePointInItsMiddle) {
+TEST(EditedClip, ASlabHasThePointInItsMiddle) {
     const Volume volume = straight();
     const auto slab = withSlabKept(std::nullopt, slices::Orientation::axial, {-90, 60, 1020}, 10.0, volume);
     ASSERT_TRUE(slab);
@@ -248,7 +248,7 @@ TEST(EditedClip, aSlabHasThePointInItsMiddle) {
     expectRefused(withSlabKept(std::nullopt, slices::Orientation::axial, {-90, 60, 0}, 10.0, volume));
 }
 
-TEST(EditedClip, aBallIsTakenOutInMm) {
+TEST(EditedClip, ABallIsTakenOutInMm) {
     const Volume volume = straight();
     const glm::dvec3 centre{-90, 70, 1030};
     const auto clip = withBallRemoved(std::nullopt, centre, 6.0, volume);
@@ -264,7 +264,7 @@ TEST(EditedClip, aBallIsTakenOutInMm) {
     expectRefused(withBallRemoved(std::nullopt, {0, 0, 0}, 6.0, volume));
 }
 
-TEST(EditedClip, aCornerIsTakenOut) {
+TEST(EditedClip, ACornerIsTakenOut) {
     const Volume volume = straight();
     const glm::dvec3 centre = volume.worldBox().centre();
     const auto clip =
@@ -278,7 +278,7 @@ TEST(EditedClip, aCornerIsTakenOut) {
 }
 
 // Of a flat volume an oblique plane is never said by a point far outside, which no file may have.
-TEST(EditedClip, anObliquePlaneOfAFlatVolumeCanBeReadAgain) {
+TEST(EditedClip, AnObliquePlaneOfAFlatVolumeCanBeReadAgain) {
     const Volume flat = volumeOf({40, 40, 1}, affine({10, 0, 0}, {0, 10, 0}, {0, 0, 1}, {-195, -195, 0}));
     const Box all = flat.worldBox();
     for (const glm::dvec3& towards : {glm::dvec3(1, 1, 1), glm::dvec3(-1, 2, 3), glm::dvec3(1, 0, 0)}) {
@@ -304,7 +304,7 @@ TEST(EditedClip, anObliquePlaneOfAFlatVolumeCanBeReadAgain) {
     }
 }
 
-TEST(EditedClip, insideOutShowsWhatWasNotShown) {
+TEST(EditedClip, InsideOutShowsWhatWasNotShown) {
     const Volume volume = straight();
     const Box all = volume.worldBox();
     Chance chance;
@@ -335,7 +335,7 @@ TEST(EditedClip, insideOutShowsWhatWasNotShown) {
     }
 }
 
-TEST(EditedClip, insideOutOfWhatHasNoOtherSideIsRefused) {
+TEST(EditedClip, InsideOutOfWhatHasNoOtherSideIsRefused) {
     const Volume volume = straight();
     expectRefused(turnedInsideOut(std::nullopt, volume));
     const auto half = withSideRemoved(std::nullopt, Face::left, volume.worldBox().centre(), volume);
@@ -346,7 +346,7 @@ TEST(EditedClip, insideOutOfWhatHasNoOtherSideIsRefused) {
 }
 
 // A removed box leaves six planes for the faces.
-TEST(EditedClip, facesBesideARemovedBoxArePlanesUntilThereAreNoMore) {
+TEST(EditedClip, FacesBesideARemovedBoxArePlanesUntilThereAreNoMore) {
     const Volume volume = straight();
     ClipPreset preset;
     preset.clip.box = OrientedBox{.centreMm = glm::dvec3(0.5), .halfSizeMm = glm::dvec3(0.1)};
@@ -366,7 +366,7 @@ TEST(EditedClip, facesBesideARemovedBoxArePlanesUntilThereAreNoMore) {
     expectRefused(withFace(*one, Face::right, -99.0, volume));
 }
 
-TEST(EditedClip, whatIsNoNumberIsRefused) {
+TEST(EditedClip, WhatIsNoNumberIsRefused) {
     const Volume volume = straight();
     const glm::dvec3 centre = volume.worldBox().centre();
     for (const double bad : {kNan, kInfinite, -kInfinite}) {
@@ -382,7 +382,7 @@ TEST(EditedClip, whatIsNoNumberIsRefused) {
     }
 }
 
-TEST(KeptBox, ofAClipThatLeavesNothingSaysSo) {
+TEST(KeptBox, OfAClipThatLeavesNothingSaysSo) {
     const Volume volume = straight();
     ClipPreset nothing;
     nothing.clip.planes.push_back({{1, 0, 0}, 0.0});
@@ -393,7 +393,7 @@ TEST(KeptBox, ofAClipThatLeavesNothingSaysSo) {
     expectRefused(withFace(nothing, Face::left, -85.0, volume));
 }
 
-TEST(KeptBox, withoutAClipIsTheVolume) {
+TEST(KeptBox, WithoutAClipIsTheVolume) {
     for (const Volume& volume : allKinds()) {
         const Result<Box> kept = keptBox(std::nullopt, volume);
         ASSERT_TRUE(kept);

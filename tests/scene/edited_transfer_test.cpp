@@ -109,7 +109,7 @@ class RandomEdits {
     std::mt19937 random_;
 };
 
-TEST(EditedTransfer, isValidAfterAnyEdits) {
+TEST(EditedTransfer, IsValidAfterAnyEdits) {
     const auto all = presets::builtInPresets();
     ASSERT_TRUE(all);
     unsigned seed = 0;
@@ -133,7 +133,7 @@ TEST(EditedTransfer, isValidAfterAnyEdits) {
     }
 }
 
-TEST(EditedTransfer, shiftedAndBackIsTheSame) {
+TEST(EditedTransfer, ShiftedAndBackIsTheSame) {
     const auto all = presets::builtInPresets();
     ASSERT_TRUE(all);
     for (const TransferFunction& preset : *all) {
@@ -146,7 +146,7 @@ TEST(EditedTransfer, shiftedAndBackIsTheSame) {
     }
 }
 
-TEST(EditedTransfer, shiftsWhatIsSeen) {
+TEST(EditedTransfer, ShiftsWhatIsSeen) {
     const TransferFunction before = builtIn("ct-bone");
     const TransferFunction after = shifted(before, 128.0);
     for (double value = -3500.0; value < 3500.0; value += 61.0) {
@@ -156,7 +156,7 @@ TEST(EditedTransfer, shiftsWhatIsSeen) {
     EXPECT_EQ(shifted(ramp(), 100.0).effectiveRange, (ValueRange{100.0, 500.0}));
 }
 
-TEST(EditedTransfer, widensAboutAValue) {
+TEST(EditedTransfer, WidensAboutAValue) {
     const TransferFunction before = builtIn("uct-skull");
     ASSERT_TRUE(usesGradientOpacity(before));
     const TransferFunction after = widened(before, 2.5, 300.0);
@@ -171,7 +171,7 @@ TEST(EditedTransfer, widensAboutAValue) {
     EXPECT_EQ(widened(before, 1.0, 123.4), before);
 }
 
-TEST(EditedTransfer, addsCurvesOfSteepMatterThatChangeNothingAndRemovesThem) {
+TEST(EditedTransfer, AddsCurvesOfSteepMatterThatChangeNothingAndRemovesThem) {
     const TransferFunction before = builtIn("ct-bone");
     ASSERT_FALSE(usesSteepCurves(before));
     const TransferFunction split = withSteepCurves(before);
@@ -197,7 +197,7 @@ TEST(EditedTransfer, addsCurvesOfSteepMatterThatChangeNothingAndRemovesThem) {
 }
 
 // Opaque stays opaque, however far a hand pulls; and a shape stays a shape.
-TEST(EditedTransfer, isHeldAtTheEndsOfTheRange) {
+TEST(EditedTransfer, IsHeldAtTheEndsOfTheRange) {
     const TransferFunction right = shifted(ramp(), 1e300);
     EXPECT_EQ(right.opacity.back().value, kLargest);
     EXPECT_NEAR(right.opacity.front().value, kLargest - 400.0, 1e-6);
@@ -217,7 +217,7 @@ TEST(EditedTransfer, isHeldAtTheEndsOfTheRange) {
 }
 
 // Else each shift would be undone when it is drawn.
-TEST(EditedTransfer, leavesWhatAPresetIsFittedBy) {
+TEST(EditedTransfer, LeavesWhatAPresetIsFittedBy) {
     const TransferFunction before = builtIn("cinematic-mr");
     ASSERT_TRUE(before.fitToVolume);
     for (const TransferFunction& after : {shifted(before, 50.0), widened(before, 2.0, 500.0)}) {
@@ -227,7 +227,7 @@ TEST(EditedTransfer, leavesWhatAPresetIsFittedBy) {
     }
 }
 
-TEST(EditedTransfer, aPointStaysBetweenItsNeighbours) {
+TEST(EditedTransfer, APointStaysBetweenItsNeighbours) {
     const TransferFunction before = builtIn("ct-bone");
     ASSERT_EQ(before.opacity.size(), 4u);
     EXPECT_EQ(movedOpacityPoint(before, 1, -9000.0, 0.25).opacity[1],
@@ -241,7 +241,7 @@ TEST(EditedTransfer, aPointStaysBetweenItsNeighbours) {
     EXPECT_EQ(recoloured(before, 1, {0.25, -1.0, 7.0}).colour[1].colour, glm::dvec3(0.25, 0.0, 1.0));
 }
 
-TEST(EditedTransfer, aPointOnTheCurveChangesNoPicture) {
+TEST(EditedTransfer, APointOnTheCurveChangesNoPicture) {
     const TransferFunction before = builtIn("ct-bone");
     for (const double value : {-4000.0, -100.0, 300.0, 641.385, 2000.0, 4000.0}) {
         const Added opacity = withOpacityPoint(before, value, opacityAt(before, value));
@@ -258,7 +258,7 @@ TEST(EditedTransfer, aPointOnTheCurveChangesNoPicture) {
     }
 }
 
-TEST(EditedTransfer, aCurvedPieceBecomesTwoStraightOnes) {
+TEST(EditedTransfer, ACurvedPieceBecomesTwoStraightOnes) {
     TransferFunction curved = ramp();
     curved.opacity[0].sharpness = 1.0;  // a step at 200
     ASSERT_EQ(opacityAt(curved, 150.0), 0.0);
@@ -268,7 +268,7 @@ TEST(EditedTransfer, aCurvedPieceBecomesTwoStraightOnes) {
     EXPECT_NEAR(opacityAt(added.function, 300.0), 0.9, 1e-12);
 }
 
-TEST(EditedTransfer, aCurveIsNeverEmptyAndNeverTooLong) {
+TEST(EditedTransfer, ACurveIsNeverEmptyAndNeverTooLong) {
     TransferFunction function = withoutOpacityPoint(withoutColourPoint(ramp(), 1), 0);
     EXPECT_EQ(function.opacity.size(), 1u);
     EXPECT_EQ(withoutOpacityPoint(function, 0), function);
@@ -280,7 +280,7 @@ TEST(EditedTransfer, aCurveIsNeverEmptyAndNeverTooLong) {
     EXPECT_EQ(added.function, function);
 }
 
-TEST(EditedTransfer, scalesOpacity) {
+TEST(EditedTransfer, ScalesOpacity) {
     const TransferFunction half = withOpacityScaled(builtIn("ct-bone"), 0.5);
     EXPECT_NEAR(half.opacity[2].opacity, 0.5 * 0.715686, 1e-12);
     EXPECT_EQ(withOpacityScaled(half, 1e300).opacity[2].opacity, 1.0);
@@ -289,7 +289,7 @@ TEST(EditedTransfer, scalesOpacity) {
     EXPECT_EQ(withOpacityScaled(half, -1.0), half);
 }
 
-TEST(EditedTransfer, whatIsNoNumberChangesNothing) {
+TEST(EditedTransfer, WhatIsNoNumberChangesNothing) {
     const TransferFunction f = ramp();
     for (const double none : {kNaN, kInfinity, -kInfinity}) {
         EXPECT_EQ(movedOpacityPoint(f, 0, none, none), f);

@@ -52,7 +52,7 @@ std::vector<std::uint64_t> bruteForce(const Volume& volume, const Histogram& lik
     return counts;
 }
 
-TEST(HistogramOf, isThatOfBruteForce) {
+TEST(HistogramOf, IsThatOfBruteForce) {
     const Volume volume = noise();
     const std::optional<Bins> bins = binsOf(volume);
     ASSERT_TRUE(bins);
@@ -72,7 +72,7 @@ TEST(HistogramOf, isThatOfBruteForce) {
     EXPECT_EQ(part->below + sumOf(*part) + part->above, sumOf(*histogram));
 }
 
-TEST(HistogramOf, leavesOutWhatIsNoNumber) {
+TEST(HistogramOf, LeavesOutWhatIsNoNumber) {
     std::vector<float> voxels(60, 1.5F);
     std::fill_n(voxels.begin(), 10, std::numeric_limits<float>::quiet_NaN());
     std::fill_n(voxels.begin() + 10, 5, -3024.0F);
@@ -86,7 +86,7 @@ TEST(HistogramOf, leavesOutWhatIsNoNumber) {
     EXPECT_EQ(histogram->counts.back(), 1u);
 }
 
-TEST(HistogramOf, ofOneValueOrOfNone) {
+TEST(HistogramOf, OfOneValueOrOfNone) {
     const Volume one = *Volume::create({.size = glm::ivec3(3)}, std::vector<std::uint16_t>(27, 9));
     const auto histogram = histogramOf(one, *binsOf(one));
     ASSERT_TRUE(histogram);
@@ -98,7 +98,7 @@ TEST(HistogramOf, ofOneValueOrOfNone) {
     EXPECT_FALSE(binsOf(none));
 }
 
-TEST(HistogramOf, hasTheSameNumberOfStoredValuesInEachBin) {
+TEST(HistogramOf, HasTheSameNumberOfStoredValuesInEachBin) {
     std::vector<std::uint16_t> voxels(40 * 41 * 40);
     for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = std::uint16_t(i);
     const Volume volume = *Volume::create({.size = {40, 41, 40}}, voxels);
@@ -112,7 +112,7 @@ TEST(HistogramOf, hasTheSameNumberOfStoredValuesInEachBin) {
 }
 
 // With a stride of 16, which comes first, only every 16th column would be seen.
-TEST(HistogramOf, prefersNoColumnWhereItTakesAFew) {
+TEST(HistogramOf, PrefersNoColumnWhereItTakesAFew) {
     const Volume volume = columns(64);
     const auto histogram = histogramOf(volume, *binsOf(volume), {}, 64 * 64 * 64 / 16);
     ASSERT_TRUE(histogram);
@@ -123,7 +123,7 @@ TEST(HistogramOf, prefersNoColumnWhereItTakesAFew) {
     EXPECT_LE(*most - *least, 1u);
 }
 
-TEST(HistogramOf, endsWhenCancelled) {
+TEST(HistogramOf, EndsWhenCancelled) {
     const Volume volume = noise();
     const CancelToken token;
     token.cancel();
@@ -132,7 +132,7 @@ TEST(HistogramOf, endsWhenCancelled) {
     EXPECT_EQ(histogram.error().code, ErrorCode::cancelled);
 }
 
-TEST(Percentile, isAnEdge) {
+TEST(Percentile, IsAnEdge) {
     const Histogram histogram{.bins = {.range = {0.0, 30.0}, .count = 3}, .counts = {10, 80, 10}};
     EXPECT_EQ(percentile(histogram, 0.0), 0.0);
     EXPECT_EQ(percentile(histogram, 0.05), 10.0);
@@ -141,7 +141,7 @@ TEST(Percentile, isAnEdge) {
     EXPECT_EQ(percentile({.bins = {.range = {0.0, 30.0}, .count = 3}, .counts = {0, 0, 0}}, 0.5), 0.0);
 }
 
-TEST(LogHeights, areLogarithmsOfTheHighestBinOfAColumn) {
+TEST(LogHeights, AreLogarithmsOfTheHighestBinOfAColumn) {
     const Histogram histogram{.bins = {.range = {-2.0, 2.0}, .count = 4}, .counts = {0, 1, 3, 7}};
     const auto expect = [&](const ValueRange& shown, const std::vector<double>& wanted) {
         const std::vector<double> heights = logHeights(histogram, shown, wanted.size());

@@ -23,7 +23,7 @@ TransferFunction ctBone() {
                                  [](const TransferFunction& preset) { return preset.name == "ct-bone"; });
 }
 
-TEST(OwnCopy, hasANameOfItsOwnAndTheSameCurves) {
+TEST(OwnCopy, HasANameOfItsOwnAndTheSameCurves) {
     const TransferFunction original = ctBone();
     TransferFunction copy = ownCopy(original, {});
     EXPECT_EQ(copy.title, "CT-Bone (edited)");
@@ -37,7 +37,7 @@ TEST(OwnCopy, hasANameOfItsOwnAndTheSameCurves) {
 }
 
 // What the licence asks for stays; what is true of the original only goes.
-TEST(OwnCopy, keepsWhoWroteItAndSaysThatItWasEdited) {
+TEST(OwnCopy, KeepsWhoWroteItAndSaysThatItWasEdited) {
     Json text = Json::parse(toJson(ctBone()));
     text["macula"]["author"] = "A. Author";
     text["macula"]["license"] = "BSD-3-Clause";
@@ -63,7 +63,7 @@ TEST(OwnCopy, keepsWhoWroteItAndSaysThatItWasEdited) {
     EXPECT_EQ(copiedFrom(*original), "");
 }
 
-TEST(OwnCopy, takesNoNameThatIsTaken) {
+TEST(OwnCopy, TakesNoNameThatIsTaken) {
     const TransferFunction first = ownCopy(ctBone(), {});
     const TransferFunction second = ownCopy(ctBone(), {"ct-bone-edited"});
     EXPECT_EQ(second.title, "CT-Bone (edited 2)");
@@ -75,7 +75,7 @@ TEST(OwnCopy, takesNoNameThatIsTaken) {
     EXPECT_EQ(ownCopy(second, {"ct-bone-edited"}).title, "CT-Bone (edited 3)");
 }
 
-TEST(OwnCopy, onlyOurMarkIsTakenOff) {
+TEST(OwnCopy, OnlyOurMarkIsTakenOff) {
     TransferFunction function = ctBone();
     for (const char* title : {"Bone (edited by me)", "(edited)", "Bone (edited 2", "Bone (edited )"}) {
         function.title = title;
@@ -83,7 +83,7 @@ TEST(OwnCopy, onlyOurMarkIsTakenOff) {
     }
 }
 
-TEST(OwnCopy, copesWithAnyTitleAndDocument) {
+TEST(OwnCopy, CopesWithAnyTitleAndDocument) {
     TransferFunction function = ctBone();
     function.title = std::string(300, 'x');
     std::set<std::string> taken;

@@ -15,7 +15,7 @@ namespace macula::scene {
 namespace {
 
 // From a folder to a file and back, as the programs do it.
-TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
+TEST_F(APresentation, IsWrittenOfAFolderAndOpenedForIt) {
     dicom::test::write(*oblique_, folder_ / "study");
     const auto scan = dicom::test::scan(folder_ / "study");
     ASSERT_TRUE(scan);
@@ -65,7 +65,7 @@ TEST_F(APresentation, isWrittenOfAFolderAndOpenedForIt) {
 // Two phases in one file: a view of one is not taken for one of the other.
 // What is shown in SUV is written as the Bq/mL that the images have; of others such values are refused,
 // because nobody has said what they are in SUV.
-TEST_F(APresentation, ofPetHasTheValuesOfTheImages) {
+TEST_F(APresentation, OfPetHasTheValuesOfTheImages) {
     const dicom::test::TemporaryFolder folder;
     writeFiles(folder.path(), dicom::test::petSeries());
     const auto scan = dicom::test::scan(folder.path());
@@ -98,7 +98,7 @@ TEST_F(APresentation, ofPetHasTheValuesOfTheImages) {
     EXPECT_EQ(done.error().code, ErrorCode::inputNotUsable);
 }
 
-TEST_F(APresentation, ofSomeFramesOfAFileNamesThem) {
+TEST_F(APresentation, OfSomeFramesOfAFileNamesThem) {
     const dicom::test::SyntheticSeries described;
     dicom::test::writeMultiFrame(folder_ / "study" / "all.dcm", described, dicom::test::slicesOf(described));
     const auto scan = dicom::test::scan(folder_ / "study");
@@ -143,7 +143,7 @@ TEST_F(APresentation, ofSomeFramesOfAFileNamesThem) {
     }
 }
 
-TEST_F(APresentation, isARequestLikeAView) {
+TEST_F(APresentation, IsARequestLikeAView) {
     dicom::test::write(*straight_, folder_ / "study");
     const auto scan = dicom::test::scan(folder_ / "study");
     ASSERT_TRUE(scan);

@@ -27,7 +27,7 @@ namespace {
 
 constexpr double kLevels = 3.0 / 65535.0;
 
-TEST_F(APresentation, inMaculasOwnWordsIsTheSameView) {
+TEST_F(APresentation, InMaculasOwnWordsIsTheSameView) {
     state_.seriesDigest = sha256Hex(kSeries);
     state_.clip = clip("corner-open");
     state_.lights = catalogue().lights.at(1);
@@ -45,7 +45,7 @@ TEST_F(APresentation, inMaculasOwnWordsIsTheSameView) {
     EXPECT_FALSE(leftOut_.empty()) << "others have neither path tracing nor corners";
 }
 
-TEST_F(APresentation, theCurveIsTheSameAtEachValue) {
+TEST_F(APresentation, TheCurveIsTheSameAtEachValue) {
     for (const auto& each : catalogue().presets) {
         if (each->fitToVolume) continue;
         const TransferFunction& function = *each;
@@ -67,7 +67,7 @@ TEST_F(APresentation, theCurveIsTheSameAtEachValue) {
     }
 }
 
-TEST_F(APresentation, aCurveOfLinesHasItsPointsAgain) {
+TEST_F(APresentation, ACurveOfLinesHasItsPointsAgain) {
     TransferFunction function;
     function.unitDistanceMm = 2.0;
     function.opacity = {{.value = -100.0, .opacity = 0.0}, {.value = 300.0, .opacity = 0.8}};
@@ -104,7 +104,7 @@ TEST_F(APresentation, aCurveOfLinesHasItsPointsAgain) {
 }
 
 // Others know one pair of curves.
-TEST_F(APresentation, ofFlatAndSteepMatterIsWhatIsHalfwayBetween) {
+TEST_F(APresentation, OfFlatAndSteepMatterIsWhatIsHalfwayBetween) {
     TransferFunction function;
     function.unitDistanceMm = 2.0;
     function.opacity = {{.value = 0.0, .opacity = 0.0}, {.value = 300.0, .opacity = 0.6}};
@@ -131,7 +131,7 @@ TEST_F(APresentation, ofFlatAndSteepMatterIsWhatIsHalfwayBetween) {
     EXPECT_NEAR(mean.b, 0.735, 0.002);
 }
 
-TEST_F(APresentation, theCameraIsTheSame) {
+TEST_F(APresentation, TheCameraIsTheSame) {
     const Camera before = *state_.camera;
     const PresentedState presented = again(said(*straight_, false), *straight_);
     ASSERT_TRUE(presented.state.camera);
@@ -147,7 +147,7 @@ TEST_F(APresentation, theCameraIsTheSame) {
     EXPECT_EQ(presented.state.settings.look, trace::Look::dvr);
 }
 
-TEST_F(APresentation, theCutFromTheEyeIsAPlaneAndTheScissorsAreTold) {
+TEST_F(APresentation, TheCutFromTheEyeIsAPlaneAndTheScissorsAreTold) {
     state_.cuts.eye = *eyeCut(*state_.camera, 1.5, true, *straight_);
     const auto eyeAlone = said(*straight_, false);
     ASSERT_EQ(eyeAlone.presentation.cropping.planes.size(), 1u);
@@ -164,13 +164,13 @@ TEST_F(APresentation, theCutFromTheEyeIsAPlaneAndTheScissorsAreTold) {
     EXPECT_EQ(leftOut_.size(), 1u);
 }
 
-TEST_F(APresentation, withoutNamesHasNoClipsThatAPersonHasNamed) {
+TEST_F(APresentation, WithoutNamesHasNoClipsThatAPersonHasNamed) {
     state_.namedClips = {{.name = "Müller", .clip = clip("left-half"), .cuts = {}}};
     EXPECT_NE(said(*straight_, true).presentation.ownState.find("namedClips"), std::string::npos);
     EXPECT_EQ(said(*straight_, true, true).presentation.ownState.find("namedClips"), std::string::npos);
 }
 
-TEST_F(APresentation, aParallelCameraIsTheSame) {
+TEST_F(APresentation, AParallelCameraIsTheSame) {
     for (const bool isInside : {false, true}) {
         Camera before = inParallel(frameBox(straight_->worldBox(), ViewDirection::left, 25.0, 1.5));
         if (isInside) before.positionMm = before.targetMm - 0.1 * (before.targetMm - before.positionMm);
@@ -192,7 +192,7 @@ TEST_F(APresentation, aParallelCameraIsTheSame) {
     }
 }
 
-TEST_F(APresentation, aParallelProjectionHasItsMiddleAndHeight) {
+TEST_F(APresentation, AParallelProjectionHasItsMiddleAndHeight) {
     dicom::PresentationState read = said(*straight_, false);
     read.presentation.view.projection = dicom::Projection::orthographic;
     read.presentation.view.field = {-30.0, 10.0, 25.0, -15.0, 1.0, 5000.0};
@@ -211,7 +211,7 @@ TEST_F(APresentation, aParallelProjectionHasItsMiddleAndHeight) {
     EXPECT_FALSE(stateOf(read, StudyState{}, "a.dcm").ok()) << "higher than a picture can be";
 }
 
-TEST_F(APresentation, isSeenAsWideAsItIsInANarrowerPicture) {
+TEST_F(APresentation, IsSeenAsWideAsItIsInANarrowerPicture) {
     dicom::PresentationState read = said(*straight_, false);  // for a picture of 3:2
     PresentedState presented = again(read, *straight_);
     EXPECT_NEAR(presented.widthOverHeight, 1.5, 1e-9);
@@ -233,7 +233,7 @@ TEST_F(APresentation, isSeenAsWideAsItIsInANarrowerPicture) {
     EXPECT_EQ(*presented.state.camera, *state_.camera) << "Macula's own picture";
 }
 
-TEST_F(APresentation, theWindowOfAProjectionIsTheSame) {
+TEST_F(APresentation, TheWindowOfAProjectionIsTheSame) {
     for (const trace::Look look : {trace::Look::mip, trace::Look::minip}) {
         state_.settings.look = look;
         state_.windows.at(std::size_t(look)) =
@@ -245,7 +245,7 @@ TEST_F(APresentation, theWindowOfAProjectionIsTheSame) {
     }
 }
 
-TEST_F(APresentation, boxesAndPlanesAreTheSame) {
+TEST_F(APresentation, BoxesAndPlanesAreTheSame) {
     for (const std::string name : {"left-half", "front-open"}) {
         state_.clip = clip(name);
         for (const auto& volume : {straight_, oblique_}) {
@@ -269,7 +269,7 @@ TEST_F(APresentation, boxesAndPlanesAreTheSame) {
     }
 }
 
-TEST_F(APresentation, aBoxOfTurnedVoxelsIsAlongThem) {
+TEST_F(APresentation, ABoxOfTurnedVoxelsIsAlongThem) {
     const glm::dvec3 last = glm::dvec3(oblique_->size()) - 1.0;
     const auto at = [&](const glm::dvec3& voxel) {
         return transformPoint(oblique_->worldFromVoxel(), voxel);
@@ -318,7 +318,7 @@ TEST_F(APresentation, aBoxOfTurnedVoxelsIsAlongThem) {
     EXPECT_FALSE(clipOf(cropping, *straight_, {}).ok());
 }
 
-TEST_F(APresentation, shadingIsTheSameAndLightIsTold) {
+TEST_F(APresentation, ShadingIsTheSameAndLightIsTold) {
     const PresentedState shaded = again(said(*straight_, false), *straight_);
     EXPECT_EQ(shaded.state.settings.shading, trace::Shading::headlight);
     ASSERT_TRUE(shaded.state.preset);
@@ -349,7 +349,7 @@ TEST_F(APresentation, shadingIsTheSameAndLightIsTold) {
     EXPECT_EQ(said(*straight_, false).presentation.shading->ambient, 1.0);
 }
 
-TEST_F(APresentation, ofAnotherProgramHidesNothingThatIsHiddenNow) {
+TEST_F(APresentation, OfAnotherProgramHidesNothingThatIsHiddenNow) {
     const std::string digest(64, 'd');
     StudyState now;
     now.leavesTableOut = true;
@@ -371,7 +371,7 @@ TEST_F(APresentation, ofAnotherProgramHidesNothingThatIsHiddenNow) {
     EXPECT_EQ(own->state.segmentations, now.segmentations);
 }
 
-TEST_F(APresentation, ofAnotherSeriesIsRefused) {
+TEST_F(APresentation, OfAnotherSeriesIsRefused) {
     const dicom::PresentationState read = said(*straight_, true);
     auto presented = stateOf(read, StudyState{}, "a.dcm");
     ASSERT_TRUE(presented.ok());
@@ -381,7 +381,7 @@ TEST_F(APresentation, ofAnotherSeriesIsRefused) {
     EXPECT_NE(done.error().message.find("another series"), std::string::npos);
 }
 
-TEST_F(APresentation, whatIsNoCameraIsRefused) {
+TEST_F(APresentation, WhatIsNoCameraIsRefused) {
     dicom::PresentationState read = said(*straight_, false);
     read.presentation.view.up = read.presentation.view.lookAtMm - read.presentation.view.positionMm;
     EXPECT_FALSE(stateOf(read, StudyState{}, "a.dcm").ok());
@@ -395,7 +395,7 @@ TEST_F(APresentation, whatIsNoCameraIsRefused) {
     EXPECT_FALSE(presentationOf(state_, *straight_, 1.0).ok());
 }
 
-TEST_F(APresentation, deidentifiedHasNoWordsOfAPerson) {
+TEST_F(APresentation, DeidentifiedHasNoWordsOfAPerson) {
     TransferFunction named = *state_.preset;
     named.name = "doe-jane";
     named.title = "Doe, Jane";
@@ -424,7 +424,7 @@ TEST_F(APresentation, deidentifiedHasNoWordsOfAPerson) {
 }
 
 // UIDs can be guessed: a digest that anybody can make of one leads to the study.
-TEST_F(APresentation, deidentifiedHasNoDigestsOfUids) {
+TEST_F(APresentation, DeidentifiedHasNoDigestsOfUids) {
     state_.seriesDigest = sha256Hex(kSeries);
     state_.secondVolume.emplace().seriesDigest = sha256Hex("1.2.3");
     state_.segmentations = {{.digest = sha256Hex("1.2.4"), .isShown = true}};

@@ -18,11 +18,11 @@ segment::PatientMask found(double removedMl) {
 }
 
 // A mask of which nothing is outside would cost memory and show the same.
-TEST(MaskOfPatient, isNoneWhereNothingWasRemoved) {
+TEST(MaskOfPatient, IsNoneWhereNothingWasRemoved) {
     EXPECT_FALSE(maskOf(std::make_shared<const segment::PatientMask>(found(0.0))));
 }
 
-TEST(MaskOfPatient, sharesTheLifeOfWhatWasFound) {
+TEST(MaskOfPatient, SharesTheLifeOfWhatWasFound) {
     auto patient = std::make_shared<const segment::PatientMask>(found(3.5));
     const LabelMap* map = &patient->map;
     const std::optional<Mask> mask = maskOf(patient);
@@ -33,7 +33,7 @@ TEST(MaskOfPatient, sharesTheLifeOfWhatWasFound) {
     EXPECT_EQ(mask->numbers, (std::vector<std::uint16_t>{segment::PatientMask::kPatient}));
 }
 
-TEST(ShownClip, isTheClipAloneUnlessTheTableIsToGo) {
+TEST(ShownClip, IsTheClipAloneUnlessTheTableIsToGo) {
     const Volume volume = phantom::make({.size = {24, 20, 16}});
     Progress progress;
     const auto shown = shownClip(*chooseClip("left-half"), false, volume, progress);
@@ -44,7 +44,7 @@ TEST(ShownClip, isTheClipAloneUnlessTheTableIsToGo) {
 }
 
 // Nobody asked: it goes where it is sure, with a sentence that says how to have it back.
-TEST(ShownClip, leavesASureTableOutWhereNobodyAsked) {
+TEST(ShownClip, LeavesASureTableOutWhereNobodyAsked) {
     const segment::test::Made lying = segment::test::make({});
     Progress progress;
     const auto shown = shownClip(StudyState{}, lying.volume, progress, UnaskedTable::goesWhereSure);
@@ -61,7 +61,7 @@ TEST(ShownClip, leavesASureTableOutWhereNobodyAsked) {
     EXPECT_FALSE(stays->clip.mask);
 }
 
-TEST(ShownClip, keepsWhatIsNotSureAndSaysHowItGoes) {
+TEST(ShownClip, KeepsWhatIsNotSureAndSaysHowItGoes) {
     // Flattened by the table: it is found, and it touches the person in most slices.
     const segment::test::Made lying = segment::test::make({.gapMm = 0.0, .sunkMm = 8.0});
     ASSERT_EQ(segment::test::find(lying.volume).confidence, segment::Confidence::moderate);
@@ -74,7 +74,7 @@ TEST(ShownClip, keepsWhatIsNotSureAndSaysHowItGoes) {
     EXPECT_NE(shown->notes.front().find("--remove-table"), std::string::npos);
 }
 
-TEST(ShownClip, isQuietWhereThereIsNoTableAndOfWhatIsNoCt) {
+TEST(ShownClip, IsQuietWhereThereIsNoTableAndOfWhatIsNoCt) {
     Progress progress;
     for (const Unit unit : {Unit::hounsfield, Unit::raw}) {
         const auto volume =
@@ -87,7 +87,7 @@ TEST(ShownClip, isQuietWhereThereIsNoTableAndOfWhatIsNoCt) {
     }
 }
 
-TEST(ShownClip, thatIsStoppedWhileItLooksForATableIsNone) {
+TEST(ShownClip, ThatIsStoppedWhileItLooksForATableIsNone) {
     const segment::test::Made lying = segment::test::make({});
     const CancelToken token;
     token.cancel();

@@ -16,7 +16,7 @@ void expectSame(const ValueAxis& a, const ValueAxis& b) {
     EXPECT_EQ(a.lengthPx, b.lengthPx);
 }
 
-TEST(ValueAxis, goesFromLeftToRightAndBack) {
+TEST(ValueAxis, GoesFromLeftToRightAndBack) {
     const ValueAxis axis = ValueAxis::over({-1000.0, 3000.0}, 500.0);
     EXPECT_LT(axis.shown.low, -1000.0);
     EXPECT_GT(axis.shown.high, 3000.0);
@@ -27,7 +27,7 @@ TEST(ValueAxis, goesFromLeftToRightAndBack) {
     EXPECT_FALSE(axis.contains(1e5));
 }
 
-TEST(ValueAxis, zoomsAboutAValue) {
+TEST(ValueAxis, ZoomsAboutAValue) {
     const ValueAxis axis = ValueAxis::over({0.0, 100.0}, 400.0);
     const ValueAxis near = axis.zoomed(0.25, 30.0);
     EXPECT_NEAR(near.pxOf(30.0), axis.pxOf(30.0), 1e-9);
@@ -35,7 +35,7 @@ TEST(ValueAxis, zoomsAboutAValue) {
     EXPECT_NEAR(axis.panned(12.0).shown.low, axis.shown.low + 12.0, 1e-9);
 }
 
-TEST(ValueAxis, isNeverEmptyAndNeverEndless) {
+TEST(ValueAxis, IsNeverEmptyAndNeverEndless) {
     for (const double about : {0.0, -3024.0, 1e9}) {
         ValueAxis near = ValueAxis::over({-1024.0, 3071.0}, 400.0);
         ValueAxis far = near;
@@ -63,7 +63,7 @@ TEST(ValueAxis, isNeverEmptyAndNeverEndless) {
     expectSame(one.zoomed(-1.0, 7.0), one);
 }
 
-TEST(ValueAxis, hasRoundTicksThatAreFarEnoughApart) {
+TEST(ValueAxis, HasRoundTicksThatAreFarEnoughApart) {
     const ValueAxis axis{.shown = {-1100.0, 3100.0}, .lengthPx = 420.0};
     EXPECT_EQ(axis.tickStep(45.0), 500.0);
     EXPECT_EQ(axis.tickStep(60.0), 1000.0);
@@ -72,7 +72,7 @@ TEST(ValueAxis, hasRoundTicksThatAreFarEnoughApart) {
     EXPECT_NEAR(suv.tickStep(60.0), 0.2, 1e-12);
 }
 
-TEST(ValueMap, isThatOfTheFit) {
+TEST(ValueMap, IsThatOfTheFit) {
     const VolumeFit fit{.preset = {0.0, 1000.0}, .volume = {80.0, 330.0}};
     const ValueMap map = ValueMap::of(fit);
     for (const double value : {-50.0, 0.0, 420.0, 1000.0, 2000.0}) {

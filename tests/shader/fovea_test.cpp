@@ -35,7 +35,7 @@ class FoveaMap : public ::testing::Test {
 using Libs = ::testing::Types<ShaderLibSingle, ShaderLibTwofold>;
 TYPED_TEST_SUITE(FoveaMap, Libs);
 
-TYPED_TEST(FoveaMap, inverseIsExact) {
+TYPED_TEST(FoveaMap, InverseIsExact) {
     const double tolerance = sizeof(typename TestFixture::Real) == 4 ? 1e-5 : 1e-12;
     double largest = 0.0;
     for (int trial = 0; trial < 20000; ++trial) {
@@ -55,7 +55,7 @@ TYPED_TEST(FoveaMap, inverseIsExact) {
     EXPECT_LT(largest, tolerance);
 }
 
-TYPED_TEST(FoveaMap, gazeAndBorderStayAndTheFoveaIsMagnified) {
+TYPED_TEST(FoveaMap, GazeAndBorderStayAndTheFoveaIsMagnified) {
     using Point = typename TestFixture::vec2;
     for (int trial = 0; trial < 1000; ++trial) {
         const auto fovea = this->any();
@@ -70,7 +70,7 @@ TYPED_TEST(FoveaMap, gazeAndBorderStayAndTheFoveaIsMagnified) {
     }
 }
 
-TEST(Fovea, scaleHasNoStep) {
+TEST(Fovea, ScaleHasNoStep) {
     ShaderLibTwofold lib;
     const ShaderLibTwofold::Fovea fovea{{1.2, 0.7}, {0.3, -0.2}, 0.25, 2.5};
     const glm::dvec2 along(std::cos(0.7), std::sin(0.7));
@@ -90,7 +90,7 @@ TEST(Fovea, scaleHasNoStep) {
 }
 
 // The weights of the pixels are the solid angle of the picture, and each is the Jacobian of the map.
-TEST(Fovea, solidAnglesAddUpToThePicture) {
+TEST(Fovea, SolidAnglesAddUpToThePicture) {
     ShaderLibTwofold lib;
     for (const double magnification : {1.0, 1.5, 4.0}) {
         const ShaderLibTwofold::Fovea fovea{{1.2, 0.7}, {0.5, -0.3}, 0.2, magnification};

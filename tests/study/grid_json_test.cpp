@@ -8,7 +8,7 @@
 namespace macula::study {
 namespace {
 
-TEST(GridJson, saysWhereVoxelsLie) {
+TEST(GridJson, SaysWhereVoxelsLie) {
     const glm::dmat4 grid = affine({-0.5, 0.0, 0.0}, {0.0, 0.0, 2.0}, {0.0, 3.0, 0.0}, {7.0, 8.0, 9.0});
     const auto json = gridToJson({4, 5, 6}, grid);
     EXPECT_EQ(json["size"], (nlohmann::ordered_json{4, 5, 6}));
@@ -21,7 +21,7 @@ TEST(GridJson, saysWhereVoxelsLie) {
 }
 
 // 0.05 degrees are a cosine of 8.7e-4.
-TEST(GridJson, tellsATiltedGantry) {
+TEST(GridJson, TellsATiltedGantry) {
     const auto tilted = [](double degrees) {
         const double angle = degrees * std::acos(-1.0) / 180.0;
         return affine({1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 2.0 * std::sin(angle), 2.0 * std::cos(angle)},

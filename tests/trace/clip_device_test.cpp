@@ -15,7 +15,7 @@ namespace {
 using ClipOnDevice = DeviceTest;
 
 // The same random numbers, in float: the same paths, but for a few that rounding sends another way.
-TEST_F(ClipOnDevice, drawsTheSamplesOfTheReference) {
+TEST_F(ClipOnDevice, DrawsTheSamplesOfTheReference) {
     const auto volume =
         std::make_shared<const Volume>(phantom::make({.size = {96, 80, 64}, .spacingMm = {3.2, 3.2, 4.7}}));
     TransferFunction bone;
@@ -65,7 +65,7 @@ TEST_F(ClipOnDevice, drawsTheSamplesOfTheReference) {
 }
 
 // Grey goes through exposure and tone map and comes out as the window says, to one step of eight bits.
-TEST_F(ClipOnDevice, facesAreExactlyGrey) {
+TEST_F(ClipOnDevice, FacesAreExactlyGrey) {
     const auto volume =
         scenes::volumeOf({32, 32, 32}, affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-15.5, -15.5, -15.5}),
                          [](int i, int, int) { return std::uint16_t(100 + i); });
@@ -95,7 +95,7 @@ TEST_F(ClipOnDevice, facesAreExactlyGrey) {
 }
 
 // A ball of a label map, kept or hidden: on the device as in the reference, and as large as it should be.
-TEST_F(ClipOnDevice, masksAsTheReferenceDoes) {
+TEST_F(ClipOnDevice, MasksAsTheReferenceDoes) {
     const glm::ivec3 size(40, 36, 32);
     const glm::dmat4 grid = affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1.2}, {-19.5, -17.5, -18.6});
     const auto volume = scenes::volumeOf(size, grid, [](int, int, int) { return std::uint16_t(1); });

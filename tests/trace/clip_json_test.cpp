@@ -28,7 +28,7 @@ Clip builtIn(std::string_view name) {
     return {};
 }
 
-TEST(ClipJson, builtInOnesAreUsable) {
+TEST(ClipJson, BuiltInOnesAreUsable) {
     ASSERT_GE(presets::clipFiles().size(), 10u);
     for (const auto& file : presets::clipFiles()) {
         const Clip clip = builtIn(file.name);
@@ -38,7 +38,7 @@ TEST(ClipJson, builtInOnesAreUsable) {
     }
 }
 
-TEST(ClipJson, sidesAreThePatients) {
+TEST(ClipJson, SidesAreThePatients) {
     const glm::dvec3 centre = volume().worldBox().centre();
     const auto keeps = [&](std::string_view name, const glm::dvec3& direction) {
         const Clip clip = builtIn(name);
@@ -71,7 +71,7 @@ TEST(ClipJson, sidesAreThePatients) {
     EXPECT_FALSE(shows(ball, centre + glm::dvec3(0, 8.1, 0)));
 }
 
-TEST(ClipJson, errorsSayWhatWasExpected) {
+TEST(ClipJson, ErrorsSayWhatWasExpected) {
     const auto says = [](const std::string& fields) {
         const auto read =
             clipPresetFromJson("{\"version\":1,\"name\":\"a\",\"title\":\"A\"" + fields + "}", "a.json");

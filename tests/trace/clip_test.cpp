@@ -38,7 +38,7 @@ double shownLength(const Volume& volume, const Clip& clip, const glm::dvec3& ori
     return lengthMm * shown / kSteps;
 }
 
-TEST(Clip, raysAreShownExactlyWhereItsPointsAre) {
+TEST(Clip, RaysAreShownExactlyWhereItsPointsAre) {
     const auto volume = solid();
     const Box box = volume->worldBox();
     scenes::Chance chance(11);
@@ -74,7 +74,7 @@ TEST(Clip, raysAreShownExactlyWhereItsPointsAre) {
     EXPECT_GT(seen, 100);  // the trials must not be empty
 }
 
-TEST(Clip, bricksThatAreEmptiedHoldNothingShown) {
+TEST(Clip, BricksThatAreEmptiedHoldNothingShown) {
     const Box box = solid()->worldBox();
     scenes::Chance chance(12);
     int emptied = 0;
@@ -90,7 +90,7 @@ TEST(Clip, bricksThatAreEmptiedHoldNothingShown) {
     EXPECT_GT(emptied, 60);
 }
 
-TEST(Clip, everythingOrNothing) {
+TEST(Clip, EverythingOrNothing) {
     const auto volume = solid();
     const Box box = volume->worldBox();
     const View view{.camera = frameBox(box, ViewDirection::anterior, 30, 1.0), .width = 16, .height = 16};
@@ -126,7 +126,7 @@ TEST(Clip, everythingOrNothing) {
 
 // Left is left: an octant towards L, A, S is gone from the patient's left, front and top, and from nowhere
 // else.
-TEST(Clip, octantsAreOfThePatient) {
+TEST(Clip, OctantsAreOfThePatient) {
     const Octant octant{.pointMm = {10, 20, 30}, .towards = {1, -1, 1}};
     const Clip clip{.cut = octant};
     EXPECT_FALSE(shows(clip, {11, 19, 31}));
@@ -136,7 +136,7 @@ TEST(Clip, octantsAreOfThePatient) {
 }
 
 // A slab behind another: when the front one is removed it may or may not keep the light away.
-TEST(Clip, whatIsRemovedMayStillCastShadow) {
+TEST(Clip, WhatIsRemovedMayStillCastShadow) {
     const auto volume =
         scenes::volumeOf({32, 32, 32}, affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-15.5, -15.5, -15.5}),
                          [](int, int j, int) { return std::uint16_t(j < 4 || j > 27 ? 1 : 0); });
@@ -164,7 +164,7 @@ TEST(Clip, whatIsRemovedMayStillCastShadow) {
 }
 
 // The face of a cut shows the values, and what stands in front of it covers it.
-TEST(Clip, greyFacesShowTheWindow) {
+TEST(Clip, GreyFacesShowTheWindow) {
     const auto volume =
         scenes::volumeOf({32, 32, 32}, affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-15.5, -15.5, -15.5}),
                          [](int i, int, int) { return std::uint16_t(100 + i); });
@@ -211,7 +211,7 @@ TEST(Clip, greyFacesShowTheWindow) {
 }
 
 // At the window's low end and below a face is clear, or black and opaque where that is asked for.
-TEST(Clip, greyFacesBelowTheWindowAreBlackWhereThatIsAskedFor) {
+TEST(Clip, GreyFacesBelowTheWindowAreBlackWhereThatIsAskedFor) {
     const auto volume =
         scenes::volumeOf({32, 32, 32}, affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-15.5, -15.5, -15.5}),
                          [](int i, int, int) { return std::uint16_t(i < 16 ? 10 : 115); });
@@ -238,7 +238,7 @@ TEST(Clip, greyFacesBelowTheWindowAreBlackWhereThatIsAskedFor) {
 }
 
 // What a mask hides is no slice either.
-TEST(Clip, greyFacesShowNothingOfWhatAMaskHides) {
+TEST(Clip, GreyFacesShowNothingOfWhatAMaskHides) {
     const glm::ivec3 size(16, 16, 16);
     const glm::dmat4 grid = affine({1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-7.5, -7.5, -7.5});
     const auto volume = scenes::volumeOf(size, grid, [](int, int, int) { return std::uint16_t(100); });
@@ -266,7 +266,7 @@ TEST(Clip, greyFacesShowNothingOfWhatAMaskHides) {
     }
 }
 
-TEST(Clip, refusesWhatIsNone) {
+TEST(Clip, RefusesWhatIsNone) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(validate(Clip{}));
     EXPECT_FALSE(validate(Clip{.box = OrientedBox{.halfSizeMm = {1, 0, 1}}}));

@@ -8,7 +8,7 @@ namespace {
 
 using ExtremesOnDevice = DeviceTest;
 
-TEST_F(ExtremesOnDevice, areThoseOfTheReference) {
+TEST_F(ExtremesOnDevice, AreThoseOfTheReference) {
     constexpr std::uint32_t kSamples = 16;
     for (const scenes::ExtremeScene& scene : scenes::extremeScenes()) {
         SCOPED_TRACE(scene.name);
@@ -45,7 +45,7 @@ TEST_F(ExtremesOnDevice, areThoseOfTheReference) {
 // Every sample of a million counts as much as the first, in the mean and in the variance. The left pixel sees
 // a grey face, which is the same in all samples: where rounding adds up, it always adds up to one side. The
 // right one sees a slab; the one between sees both.
-TEST_F(ExtremesOnDevice, aMillionSamplesDoNotDrift) {
+TEST_F(ExtremesOnDevice, AMillionSamplesDoNotDrift) {
     auto [volume, view] = scenes::slab(10.0, 1);
     view.width = 3;
     Clip clip{.box = OrientedBox{.centreMm = {-19.9, -6, 0}, .halfSizeMm = {20, 4, 40}},

@@ -52,7 +52,7 @@ glm::dvec4 meanOf(const scenes::ExtremeScene& scene, Precision precision, std::u
     return sum / (double(samples) * scene.view.width * scene.view.height);
 }
 
-TEST_P(Extremes, coverageIsThatOfADenseMarch) {
+TEST_P(Extremes, CoverageIsThatOfADenseMarch) {
     const scenes::ExtremeScene& scene = GetParam();
     const Dense exact = denseCoverage(scene);
     // Where little is seen, little is traced.
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Extremes, ::testing::ValuesIn(scenes::extremeSc
 
 // Light of what differs only in its unit of length, its place, or the unit of its values; of light that is a
 // million times as strong; of none; and of matter so thin that all that it scatters gets out.
-TEST(Extremes, lightKeepsItsUnits) {
+TEST(Extremes, LightKeepsItsUnits) {
     const std::vector<scenes::ExtremeScene> all = scenes::extremeScenes();
     const auto light = [&](const std::string& name) {
         const auto scene =
@@ -116,7 +116,7 @@ TEST(Extremes, lightKeepsItsUnits) {
 }
 
 // How far float takes a ray off its way: where it meets the volume, at every distance and size of voxel.
-TEST(Extremes, raysMeetTheVolumeWhereTheyShould) {
+TEST(Extremes, RaysMeetTheVolumeWhereTheyShould) {
     const glm::ivec3 size(64, 64, 64);
     const Environment sky = Environment::constant(glm::vec3(1.0f));
     for (const double voxelMm : {0.01, 0.1, 1.0, 50.0}) {
@@ -153,7 +153,7 @@ TEST(Extremes, raysMeetTheVolumeWhereTheyShould) {
 }
 
 // The tables hold what the curve says at every value a voxel can have, up to float.
-TEST(Extremes, tablesFollowTheCurve) {
+TEST(Extremes, TablesFollowTheCurve) {
     for (const scenes::ExtremeScene& scene : scenes::extremeScenes()) {
         const Medium medium = makeMedium(*scene.volume, makeBrickGrid(*scene.volume), scene.function);
         const EntryMap map = entryMapOf(*scene.volume);

@@ -20,7 +20,7 @@ std::shared_ptr<const Volume> whiteBall() {
 }
 
 // White matter in a white sky stays white, however it is clipped and stored.
-TEST(Foveation, whiteFurnaceWithClips) {
+TEST(Foveation, WhiteFurnaceWithClips) {
     const auto volume = whiteBall();
     scenes::Chance chance(41);
     for (int trial = 0; trial < 6; ++trial) {
@@ -53,7 +53,7 @@ TEST(Foveation, whiteFurnaceWithClips) {
 }
 
 // Weighted with their solid angles, the pixels of both pictures show the same light.
-TEST(Foveation, showsTheSameLight) {
+TEST(Foveation, ShowsTheSameLight) {
     const auto volume = whiteBall();
     LightRig rig;
     rig.ambientHorizon = {0.2, 0.3, 0.4};
@@ -102,7 +102,7 @@ TEST(Foveation, showsTheSameLight) {
     }
 }
 
-TEST(Foveation, windowLooksWhereTheGazeIs) {
+TEST(Foveation, WindowLooksWhereTheGazeIs) {
     const View view{.camera = {.positionMm = {100, -500, 30}, .targetMm = {0, 0, 0}, .verticalFovDeg = 50},
                     .width = 800,
                     .height = 600};
@@ -127,7 +127,7 @@ TEST(Foveation, windowLooksWhereTheGazeIs) {
     EXPECT_FALSE(fovealWindow(up, {0, 0}));
 }
 
-TEST(Foveation, refusesWhatIsNone) {
+TEST(Foveation, RefusesWhatIsNone) {
     const auto volume = whiteBall();
     const Medium medium = makeMedium(*volume, makeBrickGrid(*volume), scenes::homogeneous(1.0));
     const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -29,7 +29,7 @@ std::shared_ptr<const Volume> volume() {
     return scenes::volumeOf({37, 29, 21}, kGrid, [](int, int, int) { return std::uint16_t(1); });
 }
 
-TEST(MaskBits, keepsOrHidesTheSegmentsNamed) {
+TEST(MaskBits, KeepsOrHidesTheSegmentsNamed) {
     const auto map = labels({37, 29, 21}, kGrid,
                             [](int i, int j, int k) { return std::uint16_t((i + 2 * j + 3 * k) % 4); });
     for (const bool outside : {false, true}) {
@@ -51,7 +51,7 @@ TEST(MaskBits, keepsOrHidesTheSegmentsNamed) {
 }
 
 // Twice as fine, shifted, and smaller than the volume.
-TEST(MaskBits, anotherGridIsReadWhereItIs) {
+TEST(MaskBits, AnotherGridIsReadWhereItIs) {
     const glm::dmat4 fine = kGrid * affine({0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}, {4, 5, 6});
     const auto map =
         labels({20, 20, 20}, fine, [](int i, int, int) { return std::uint16_t(i < 10 ? 1 : 2); });
@@ -63,7 +63,7 @@ TEST(MaskBits, anotherGridIsReadWhereItIs) {
     }
 }
 
-TEST(MaskBits, bricksAreEmptyOnlyWhenNothingOfThemIsShown) {
+TEST(MaskBits, BricksAreEmptyOnlyWhenNothingOfThemIsShown) {
     const auto v = volume();
     const auto map = labels({37, 29, 21}, kGrid, [](int i, int j, int k) {
         return std::uint16_t(i == 7 && j == 20 && k == 3 ? 1 : 0);

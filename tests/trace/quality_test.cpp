@@ -8,7 +8,7 @@
 namespace macula::trace {
 namespace {
 
-TEST(Quality, builtInOnesAreUsable) {
+TEST(Quality, BuiltInOnesAreUsable) {
     ASSERT_EQ(presets::qualityFiles().size(), 4u);
     for (const auto& file : presets::qualityFiles()) {
         const auto quality = qualityFromJson(file.text, std::string(file.name));
@@ -22,7 +22,7 @@ TEST(Quality, builtInOnesAreUsable) {
     }
 }
 
-TEST(Quality, errorsSayWhatWasExpected) {
+TEST(Quality, ErrorsSayWhatWasExpected) {
     const auto says = [](const std::string& fields) {
         const auto read =
             qualityFromJson("{\"version\":1,\"name\":\"a\",\"title\":\"A\"," + fields + "}", "a.json");

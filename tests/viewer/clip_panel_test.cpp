@@ -384,7 +384,7 @@ TEST_F(ClipPanelTest, AnotherStudyHasItsOwnFaces) {
     EXPECT_EQ(slider("clip-slider-left").value(), slider("clip-slider-left").maximum());
 }
 
-TEST(PatientText, isReadBack) {
+TEST(PatientText, IsReadBack) {
     const QLocale english(QLocale::English);
     for (int axis = 0; axis < 3; ++axis) {
         for (const double mm : {-1234.5, -0.1, 0.0, 0.3, 45.0}) {

@@ -36,7 +36,7 @@ using D27Speed = Pitfall;
 using Extremes = Pitfall;
 
 // Only the size at the detector is known: shown, and marked.
-TEST_F(D15UncalibratedPixels, imagerPixelSpacing) {
+TEST_F(D15UncalibratedPixels, ImagerPixelSpacing) {
     series.edits.push_back([](DcmItem& item) {
         erase(item, DCM_PixelSpacing);
         put(item, DCM_ImagerPixelSpacing, "1.1\\0.7");
@@ -50,7 +50,7 @@ TEST_F(D15UncalibratedPixels, imagerPixelSpacing) {
 }
 
 // Whoever has the volume knows it, whatever is done with its voxels.
-TEST_F(D15UncalibratedPixels, theVolumeSaysThatSizesAreEstimates) {
+TEST_F(D15UncalibratedPixels, TheVolumeSaysThatSizesAreEstimates) {
     for (const bool isCalibrated : {true, false}) {
         SCOPED_TRACE(isCalibrated);
         const TemporaryFolder own;
@@ -73,7 +73,7 @@ TEST_F(D15UncalibratedPixels, theVolumeSaysThatSizesAreEstimates) {
     }
 }
 
-TEST_F(D15UncalibratedPixels, magnificationIsTakenOut) {
+TEST_F(D15UncalibratedPixels, MagnificationIsTakenOut) {
     series.edits.push_back([](DcmItem& item) {
         erase(item, DCM_PixelSpacing);
         put(item, DCM_ImagerPixelSpacing, "1.65\\1.05");
@@ -85,7 +85,7 @@ TEST_F(D15UncalibratedPixels, magnificationIsTakenOut) {
     expectOnlyVolume(opened, series);
 }
 
-TEST_F(D15UncalibratedPixels, nominalScannedPixelSpacing) {
+TEST_F(D15UncalibratedPixels, NominalScannedPixelSpacing) {
     series.edits.push_back([](DcmItem& item) {
         erase(item, DCM_PixelSpacing);
         put(item, DCM_NominalScannedPixelSpacing, "1.1\\0.7");
@@ -96,7 +96,7 @@ TEST_F(D15UncalibratedPixels, nominalScannedPixelSpacing) {
     expectOnlyVolume(opened, series);
 }
 
-TEST_F(D15UncalibratedPixels, calibratedOnesWin) {
+TEST_F(D15UncalibratedPixels, CalibratedOnesWin) {
     series.edits.push_back([](DcmItem& item) { put(item, DCM_ImagerPixelSpacing, "9\\9"); });
     writeFiles(folder.path(), series);
     const Opened opened = open();
@@ -104,7 +104,7 @@ TEST_F(D15UncalibratedPixels, calibratedOnesWin) {
     expectOnlyVolume(opened, series);
 }
 
-TEST_F(D15UncalibratedPixels, noneIsNoVolume) {
+TEST_F(D15UncalibratedPixels, NoneIsNoVolume) {
     series.edits.push_back([](DcmItem& item) {
         erase(item, DCM_PixelSpacing);
         put(item, DCM_PixelAspectRatio, "11\\7");
@@ -116,7 +116,7 @@ TEST_F(D15UncalibratedPixels, noneIsNoVolume) {
 }
 
 // Headers are read up to the pixels: files that claim gigabytes cost nothing.
-TEST_F(D27Speed, pixelsAreNotRead) {
+TEST_F(D27Speed, PixelsAreNotRead) {
     series.size = {4, 4, 20};
     for (const fs::path& file : writeFiles(folder.path(), series)) {
         editFile(file, [](DcmItem& item) {
@@ -140,7 +140,7 @@ TEST_F(D27Speed, pixelsAreNotRead) {
     EXPECT_EQ(opened.volumes().size(), 1u) << opened.keys();
 }
 
-TEST_F(D27Speed, progressAtMostTenTimesASecond) {
+TEST_F(D27Speed, ProgressAtMostTenTimesASecond) {
     for (int n = 0; n < 40; ++n) {
         SyntheticSeries s;
         s.size = {2, 2, 12};
@@ -164,7 +164,7 @@ TEST_F(D27Speed, progressAtMostTenTimesASecond) {
 }
 
 // As the files begin to be read: after that only those are that were begun.
-TEST_F(D27Speed, cancelledInTheMiddle) {
+TEST_F(D27Speed, CancelledInTheMiddle) {
     for (int n = 0; n < 40; ++n) {
         SyntheticSeries s;
         s.size = {2, 2, 12};
@@ -197,13 +197,13 @@ TEST_F(D27Speed, cancelledInTheMiddle) {
     EXPECT_EQ(found.error().code, ErrorCode::cancelled);
 }
 
-TEST_F(Extremes, onePixelPerSlice) {
+TEST_F(Extremes, OnePixelPerSlice) {
     series.size = {1, 1, 12};
     writeFiles(folder.path(), series);
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(Extremes, oneRowOneColumnTwoSlices) {
+TEST_F(Extremes, OneRowOneColumnTwoSlices) {
     for (const glm::ivec3& size : {glm::ivec3{9, 1, 4}, glm::ivec3{1, 9, 4}, glm::ivec3{3, 3, 2}}) {
         const TemporaryFolder own;
         SyntheticSeries s;
@@ -213,7 +213,7 @@ TEST_F(Extremes, oneRowOneColumnTwoSlices) {
     }
 }
 
-TEST_F(Extremes, noPixelsAtAll) {
+TEST_F(Extremes, NoPixelsAtAll) {
     series.edits.push_back([](DcmItem& item) {
         putWord(item, DCM_Rows, 0);
         putWord(item, DCM_Columns, 0);
@@ -231,7 +231,7 @@ TEST_F(Extremes, noPixelsAtAll) {
     EXPECT_FALSE(opened.keys().empty());
 }
 
-TEST_F(Extremes, widestImageClaimedWithFewBytes) {
+TEST_F(Extremes, WidestImageClaimedWithFewBytes) {
     for (const char* syntax : {"1.2.840.10008.1.2.1", "1.2.840.10008.1.2.5", "1.2.840.10008.1.2.1.99"}) {
         SCOPED_TRACE(syntax);
         const TemporaryFolder own;
@@ -260,7 +260,7 @@ TEST_F(Extremes, widestImageClaimedWithFewBytes) {
     }
 }
 
-TEST_F(Extremes, pixelSpacingsThatAreNone) {
+TEST_F(Extremes, PixelSpacingsThatAreNone) {
     for (const char* text :
          {"0\\0", "-1\\1", "1\\-1", "NaN\\NaN", "abc\\1", "1", "", "inf\\1", "1e400\\1", "\\"}) {
         SCOPED_TRACE(text);
@@ -277,7 +277,7 @@ TEST_F(Extremes, pixelSpacingsThatAreNone) {
     }
 }
 
-TEST_F(Extremes, pixelSpacingsFromMicroscopeToTelescope) {
+TEST_F(Extremes, PixelSpacingsFromMicroscopeToTelescope) {
     for (const double scale : {1e-2, 1e3}) {
         SCOPED_TRACE(scale);
         const TemporaryFolder own;
@@ -296,7 +296,7 @@ TEST_F(Extremes, pixelSpacingsFromMicroscopeToTelescope) {
     }
 }
 
-TEST_F(Extremes, farFromTheOrigin) {
+TEST_F(Extremes, FarFromTheOrigin) {
     series.worldFromVoxel[3] = glm::dvec4(1e5, -1e5, 1e5, 1.0);
     writeFiles(folder.path(), series);
     const auto volume = open().onlyVolume();
@@ -305,7 +305,7 @@ TEST_F(Extremes, farFromTheOrigin) {
     expectRamp(*volume, series.rampOf(), 0.6);
 }
 
-TEST_F(Extremes, positionsThatAreNone) {
+TEST_F(Extremes, PositionsThatAreNone) {
     for (const char* text :
          {"NaN\\0\\0", "1\\2", "1e400\\0\\0", "left\\1\\2", "1\\2\\3\\4", "1e308\\1e308\\1e308"}) {
         SCOPED_TRACE(text);
@@ -321,7 +321,7 @@ TEST_F(Extremes, positionsThatAreNone) {
 }
 
 // Whole numbers with a point, blanks, plus signs, exponents: all of it occurs.
-TEST_F(Extremes, numbersAsPeopleWriteThem) {
+TEST_F(Extremes, NumbersAsPeopleWriteThem) {
     series.size = {2, 2, 3};
     series.worldFromVoxel = affine({0.5, 0, 0}, {0, 2, 0}, {0, 0, 3}, {-10, 20, 0});
     series.ramp = Ramp{.perMm = {11, 23, 47}};
@@ -339,7 +339,7 @@ TEST_F(Extremes, numbersAsPeopleWriteThem) {
 }
 
 // A few bytes that say they are 100 000 frames, in 30 files: they cost what a few bytes cost.
-TEST_F(Extremes, framesThatAreClaimedOnly) {
+TEST_F(Extremes, FramesThatAreClaimedOnly) {
     for (const char* syntax : {"1.2.840.10008.1.2.1", "1.2.840.10008.1.2.5"}) {
         SCOPED_TRACE(syntax);
         const TemporaryFolder own;
@@ -362,7 +362,7 @@ TEST_F(Extremes, framesThatAreClaimedOnly) {
 }
 
 // One file with 20 000 frames and as many offsets, as of a dose grid: read once, not once per frame.
-TEST_F(Extremes, manyFramesWithALongOffsetVector) {
+TEST_F(Extremes, ManyFramesWithALongOffsetVector) {
     series.size = {1, 1, 20000};
     series.intercept = 0.0;
     series.worldFromVoxel = affine({1, 0, 0}, {0, 1, 0}, {0, 0, 0.5}, {0, 0, 0});
@@ -384,7 +384,7 @@ TEST_F(Extremes, manyFramesWithALongOffsetVector) {
     expectOnlyVolume(opened, series);
 }
 
-TEST_F(Extremes, emptyFolderIsAnErrorWithAHint) {
+TEST_F(Extremes, EmptyFolderIsAnErrorWithAHint) {
     Progress progress;
     const auto found = scanFolder(folder.path(), progress);
     ASSERT_FALSE(found);

@@ -30,7 +30,7 @@ const std::vector<Shell> kShells{
     {UID_RawDataStorage, "MR", "2.25.37", "2.25.47", {}},
 };
 
-TEST_F(D16OtherObjects, areListedBesideImages) {
+TEST_F(D16OtherObjects, AreListedBesideImages) {
     writeFiles(folder.path(), series);
     for (const Shell& shell : kShells) writeShell(folder / shell.sopInstanceUid, shell);
     const Opened opened = open();
@@ -47,7 +47,7 @@ TEST_F(D16OtherObjects, areListedBesideImages) {
 }
 
 // A report in the series of the images it is about is still no image of it.
-TEST_F(D16OtherObjects, inTheSameSeries) {
+TEST_F(D16OtherObjects, InTheSameSeries) {
     writeFiles(folder.path(), series);
     Shell shell = kShells[0];
     shell.seriesUid = series.seriesUid;
@@ -57,7 +57,7 @@ TEST_F(D16OtherObjects, inTheSameSeries) {
     EXPECT_EQ(opened.others().size(), 1u);
 }
 
-TEST_F(D16OtherObjects, aloneAreNoError) {
+TEST_F(D16OtherObjects, AloneAreNoError) {
     writeShell(folder / "report", kShells[0]);
     const Opened opened = open();
     EXPECT_EQ(opened.others().size(), 1u);
@@ -65,7 +65,7 @@ TEST_F(D16OtherObjects, aloneAreNoError) {
     EXPECT_EQ(bestVolume(opened.scan()).stack, nullptr);
 }
 
-TEST_F(D17FileLayout, nothingInTheNameAndNothingInFront) {
+TEST_F(D17FileLayout, NothingInTheNameAndNothingInFront) {
     const auto files = writeFiles(folder.path(), series);
     for (std::size_t n = 0; n < files.size(); ++n) {
         if (n % 2) saveBare(files[n]);
@@ -84,7 +84,7 @@ TEST_F(D17FileLayout, nothingInTheNameAndNothingInFront) {
 }
 
 // `._` files are refused whatever they hold: those of a copied disc hold half of a DICOM file.
-TEST_F(D17FileLayout, appleDoubleIsNotRead) {
+TEST_F(D17FileLayout, AppleDoubleIsNotRead) {
     const auto files = writeFiles(folder.path(), series);
     fs::copy_file(files[0], folder / "._copy");
     const Opened opened = open();
@@ -92,7 +92,7 @@ TEST_F(D17FileLayout, appleDoubleIsNotRead) {
     EXPECT_FALSE(opened.says(key::kDuplicateFiles)) << opened.keys();
 }
 
-TEST_F(D17FileLayout, namesInAnyAlphabet) {
+TEST_F(D17FileLayout, NamesInAnyAlphabet) {
     const auto files = writeFiles(folder.path(), series);
     const fs::path deep = folder / "Ärztekammer" / "画像 データ" / "снимки\tи\nфото" / "a'b\"c;$(d)";
     fs::create_directories(deep);
@@ -100,7 +100,7 @@ TEST_F(D17FileLayout, namesInAnyAlphabet) {
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D17FileLayout, namesThatAreNoUtf8) {
+TEST_F(D17FileLayout, NamesThatAreNoUtf8) {
     const auto files = writeFiles(folder.path(), series);
     const fs::path latin = folder / "M\xFCller";
     fs::create_directories(latin);
@@ -108,7 +108,7 @@ TEST_F(D17FileLayout, namesThatAreNoUtf8) {
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D17FileLayout, linksThatLoopOrLeadOut) {
+TEST_F(D17FileLayout, LinksThatLoopOrLeadOut) {
     const TemporaryFolder outside;
     SyntheticSeries secret = series;
     secret.seriesUid = "2.25.666";
@@ -126,7 +126,7 @@ TEST_F(D17FileLayout, linksThatLoopOrLeadOut) {
 }
 
 // Zips are not opened; where one may hold the rest of a study, that is told. Programs on discs are zips too.
-TEST_F(D17FileLayout, archivesAreToldOf) {
+TEST_F(D17FileLayout, ArchivesAreToldOf) {
     writeFiles(folder.path(), series);
     const std::string zip = "PK\x03\x04" + std::string(200, 'x');
     std::ofstream(folder / "viewer.jar", std::ios::binary) << zip;
@@ -141,7 +141,7 @@ TEST_F(D17FileLayout, archivesAreToldOf) {
     EXPECT_EQ(opened.scan().notDicom, 4u);
 }
 
-TEST_F(D17FileLayout, directoryInTheWrongCase) {
+TEST_F(D17FileLayout, DirectoryInTheWrongCase) {
     const auto files = writeFiles(folder / "images", series);
     std::vector<std::string> ids;
     for (const fs::path& file : files) {
@@ -157,7 +157,7 @@ TEST_F(D17FileLayout, directoryInTheWrongCase) {
     EXPECT_TRUE(opened.scan().skipped.empty());
 }
 
-TEST_F(D17FileLayout, directoryThatListsMoreAndLessThanIsThere) {
+TEST_F(D17FileLayout, DirectoryThatListsMoreAndLessThanIsThere) {
     const auto files = writeFiles(folder / "IMAGES", series);
     std::vector<std::string> ids{"IMAGES\\GONE1", "ELSEWHERE\\GONE2"};
     for (std::size_t n = 0; n < 6; ++n) ids.push_back("IMAGES\\" + files[n].filename().string());
@@ -169,7 +169,7 @@ TEST_F(D17FileLayout, directoryThatListsMoreAndLessThanIsThere) {
     EXPECT_EQ(numberArgument(*told, "count"), 2.0);
 }
 
-TEST_F(D17FileLayout, directoryThatLeadsOut) {
+TEST_F(D17FileLayout, DirectoryThatLeadsOut) {
     const fs::path root = folder / "chosen";
     writeFiles(root / "IMAGES", series);
     SyntheticSeries secret = series;
@@ -193,14 +193,14 @@ TEST_F(D17FileLayout, directoryThatLeadsOut) {
     for (const Series* s : byFile.series()) EXPECT_NE(s->seriesInstanceUid, "2.25.666");
 }
 
-TEST_F(D17FileLayout, brokenDirectory) {
+TEST_F(D17FileLayout, BrokenDirectory) {
     writeFiles(folder / "IMAGES", series);
     writeDirectory(folder / "DICOMDIR", {"IMAGES\\A", "IMAGES\\B"});
     fs::resize_file(folder / "DICOMDIR", fs::file_size(folder / "DICOMDIR") - 100);
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D18Damage, truncatedSliceIsAGapAndSaid) {
+TEST_F(D18Damage, TruncatedSliceIsAGapAndSaid) {
     const auto files = writeFiles(folder.path(), series);
     truncate(files[4], 30);
     const Opened opened = open();
@@ -213,7 +213,7 @@ TEST_F(D18Damage, truncatedSliceIsAGapAndSaid) {
 }
 
 // The magic of DICOM in front makes no patient of what follows.
-TEST_F(D18Damage, garbageWithTheMagicIsDamageAndNoPatient) {
+TEST_F(D18Damage, GarbageWithTheMagicIsDamageAndNoPatient) {
     writeFiles(folder.path(), series);
     const std::string begin = std::string(128, '\0') + "DICM";
     std::ofstream(folder / "a.dcm", std::ios::binary) << begin;
@@ -235,7 +235,7 @@ TEST_F(D18Damage, garbageWithTheMagicIsDamageAndNoPatient) {
 }
 
 // Cut at any place: no crash, the rest of the series is a volume, and a slice that is not whole is not in it.
-TEST_F(D18Damage, cutAnywhere) {
+TEST_F(D18Damage, CutAnywhere) {
     series.size = {4, 4, 5};
     const auto files = writeFiles(folder.path(), series);
     const auto whole = fs::file_size(files[2]);
@@ -255,7 +255,7 @@ TEST_F(D18Damage, cutAnywhere) {
 }
 
 // Elements in the way of a strict reader (PS3.5 7.1.1 wants even lengths; 6.2.2, UN of undefined length).
-TEST_F(D18Damage, oddAndUndefinedLengths) {
+TEST_F(D18Damage, OddAndUndefinedLengths) {
     const std::string odd = bytesOf(0x00110010, 4) + "LO" + bytesOf(7, 2) + "MACULA!" +
                             bytesOf(0x10010011, 4) + "SH" + bytesOf(3, 2) + "odd";
     const std::string unknown = longElement({0x0013, 0x1001}, "UN", kUndefined) + kItem +
@@ -283,7 +283,7 @@ TEST_F(D18Damage, oddAndUndefinedLengths) {
 }
 
 // The file meta information says explicit, the data set is implicit, as after a careless export.
-TEST_F(D18Damage, wrongTransferSyntax) {
+TEST_F(D18Damage, WrongTransferSyntax) {
     const auto replaceSyntax = [](const fs::path& file, const std::string& from, const std::string& to) {
         std::ifstream in(file, std::ios::binary);
         std::string bytes((std::istreambuf_iterator<char>(in)), {});
@@ -303,7 +303,7 @@ TEST_F(D18Damage, wrongTransferSyntax) {
     expectVolumeOf(*volume, series);
 }
 
-TEST_F(D19TransferSyntaxes, unknownOnesAreNamed) {
+TEST_F(D19TransferSyntaxes, UnknownOnesAreNamed) {
     const auto files = writeFiles(folder.path(), series);
     for (const fs::path& file : files) {
         std::ifstream in(file, std::ios::binary);
@@ -320,7 +320,7 @@ TEST_F(D19TransferSyntaxes, unknownOnesAreNamed) {
     EXPECT_TRUE(opened.volumes().empty());
 }
 
-TEST_F(D19TransferSyntaxes, anotherOneInEverySlice) {
+TEST_F(D19TransferSyntaxes, AnotherOneInEverySlice) {
     auto slices = slicesOf(series);
     const char* syntaxes[] = {"1.2.840.10008.1.2", "1.2.840.10008.1.2.1", "1.2.840.10008.1.2.2",
                               "1.2.840.10008.1.2.1.99", "1.2.840.10008.1.2.5"};

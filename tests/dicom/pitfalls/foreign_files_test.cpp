@@ -22,7 +22,7 @@ std::string contents(const fs::path& file) {
 }
 
 // Some writers give the file meta information without value representations.
-TEST_F(ForeignFiles, implicitFileMetaInformation) {
+TEST_F(ForeignFiles, ImplicitFileMetaInformation) {
     for (const fs::path& file : writeFiles(folder.path(), series)) {
         const std::string bytes = contents(file);
         std::size_t at = 132;
@@ -42,7 +42,7 @@ TEST_F(ForeignFiles, implicitFileMetaInformation) {
 }
 
 // ACR-NEMA knew greyscale only.
-TEST_F(ForeignFiles, withoutPhotometricInterpretation) {
+TEST_F(ForeignFiles, WithoutPhotometricInterpretation) {
     series.edits.push_back([](DcmItem& item) { erase(item, DCM_PhotometricInterpretation); });
     writeFiles(folder.path(), series);
     const Opened opened = open();
@@ -50,7 +50,7 @@ TEST_F(ForeignFiles, withoutPhotometricInterpretation) {
     EXPECT_TRUE(opened.says(key::kGreyscaleAssumed)) << opened.keys();
 }
 
-TEST_F(ForeignFiles, spectroscopyIsNamed) {
+TEST_F(ForeignFiles, SpectroscopyIsNamed) {
     Shell shell{.sopClassUid = "1.2.840.10008.5.1.4.1.1.4.2", .modality = "MR"};
     shell.edits.push_back([](DcmItem& item) {
         putWord(item, DCM_Rows, 1);
@@ -67,7 +67,7 @@ TEST_F(ForeignFiles, spectroscopyIsNamed) {
     EXPECT_FALSE(opened.says(key::kNoPixelData)) << opened.keys();
 }
 
-TEST_F(ForeignFiles, aPreambleIsNoPatient) {
+TEST_F(ForeignFiles, APreambleIsNoPatient) {
     writeFiles(folder.path(), series);
     std::ofstream(folder / "empty", std::ios::binary) << std::string(128, '\0') << "DICM";
     const Opened opened = open();
@@ -76,7 +76,7 @@ TEST_F(ForeignFiles, aPreambleIsNoPatient) {
     EXPECT_TRUE(opened.says(key::kDamagedFile)) << opened.keys();
 }
 
-TEST_F(ForeignFiles, mosaicsAreNamed) {
+TEST_F(ForeignFiles, MosaicsAreNamed) {
     series.modality = "MR";
     series.imageType = "ORIGINAL\\PRIMARY\\M\\ND\\MOSAIC";
     writeFiles(folder.path(), series);
@@ -86,7 +86,7 @@ TEST_F(ForeignFiles, mosaicsAreNamed) {
     EXPECT_EQ(opened.stacks().size(), 1u);
 }
 
-TEST_F(ForeignFiles, aDoseSaysSoAndItsUnit) {
+TEST_F(ForeignFiles, ADoseSaysSoAndItsUnit) {
     series.modality = "RTDOSE";
     series.sopClassUid = UID_RTDoseStorage;
     series.writeRescale = false;
@@ -105,7 +105,7 @@ TEST_F(ForeignFiles, aDoseSaysSoAndItsUnit) {
     EXPECT_EQ(told->severity, Severity::warning);
 }
 
-TEST_F(ForeignFiles, aRelativeDoseSaysWhatItIsRelativeTo) {
+TEST_F(ForeignFiles, ARelativeDoseSaysWhatItIsRelativeTo) {
     series.modality = "RTDOSE";
     series.sopClassUid = UID_RTDoseStorage;
     series.writeRescale = false;
@@ -121,7 +121,7 @@ TEST_F(ForeignFiles, aRelativeDoseSaysWhatItIsRelativeTo) {
               "These values are a dose distribution (unit: × reference dose), and no anatomy.");
 }
 
-TEST_F(ForeignFiles, withoutTheDictionaryNothingIsReadAndItIsSaid) {
+TEST_F(ForeignFiles, WithoutTheDictionaryNothingIsReadAndItIsSaid) {
     writeFiles(folder.path(), series);
     dcmDataDict.wrlock().clear();
     dcmDataDict.wrunlock();

@@ -50,7 +50,7 @@ void putPrivateItem(DcmItem& groups, Uint16 group) {
 
 // What is in private sequences means what their owner says (PS3.5 7.8). Those of Philips and Siemens stand
 // before the shared functional groups, and by their tags before some of the frame's own.
-TEST_F(FrameLists, privateSequencesAreNoFunctionalGroups) {
+TEST_F(FrameLists, PrivateSequencesAreNoFunctionalGroups) {
     for (const Uint16 group : {Uint16{0x0021}, Uint16{0x2005}}) {
         for (const bool shared : {true, false}) {
             SCOPED_TRACE(fmt::format("{:04x} {}", group, shared));
@@ -77,7 +77,7 @@ TEST_F(FrameLists, privateSequencesAreNoFunctionalGroups) {
 
 // Diffusion (PS3.3 C.8.13.5.9): one image without, and three directions at each of two strengths. The
 // direction is in a sequence of the macro.
-TEST_F(FrameLists, gradientsOfSeveralStrengths) {
+TEST_F(FrameLists, GradientsOfSeveralStrengths) {
     series.phases = 7;
     auto slices = shuffled();
     for (Slice& slice : slices) {
@@ -98,7 +98,7 @@ TEST_F(FrameLists, gradientsOfSeveralStrengths) {
 }
 
 // PS3.3 C.7.6.17: indices by dimension tell frames apart where no attribute that is known does.
-TEST_F(FrameLists, dimensionsThatNothingElseTellsOf) {
+TEST_F(FrameLists, DimensionsThatNothingElseTellsOf) {
     series.phases = 3;
     const auto slices = shuffledWithoutTimes();
     writeMultiFrame(folder / "enhanced", series, slices);
@@ -110,7 +110,7 @@ TEST_F(FrameLists, dimensionsThatNothingElseTellsOf) {
 }
 
 // What is the same in all frames, or says where they lie, changes no order: the tenth comes after the second.
-TEST_F(FrameLists, phasesOfSeveralDimensionsAreInTheirOrder) {
+TEST_F(FrameLists, PhasesOfSeveralDimensionsAreInTheirOrder) {
     series.phases = 11;
     series.size.z = 3;
     for (const DcmTagKey& ofPlace : {DCM_InStackPositionNumber, DCM_PlanePositionVolumeSequence}) {
@@ -141,7 +141,7 @@ TEST_F(FrameLists, phasesOfSeveralDimensionsAreInTheirOrder) {
 }
 
 // Without pointers nobody knows which of the indices is the place.
-TEST_F(FrameLists, indicesWithoutDimensionsSayNothing) {
+TEST_F(FrameLists, IndicesWithoutDimensionsSayNothing) {
     series.phases = 2;
     const auto slices = shuffledWithoutTimes();
     writeMultiFrame(folder / "enhanced", series, slices,
@@ -194,7 +194,7 @@ class Nuclear : public FrameLists {
     }
 };
 
-TEST_F(Nuclear, partsOfTheHeartbeat) {
+TEST_F(Nuclear, PartsOfTheHeartbeat) {
     series.phases = 4;
     write(DCM_TimeSlotVector);
     const Opened opened = open();
@@ -203,14 +203,14 @@ TEST_F(Nuclear, partsOfTheHeartbeat) {
     EXPECT_TRUE(opened.says(key::kPhases)) << opened.keys();
 }
 
-TEST_F(Nuclear, energyWindows) {
+TEST_F(Nuclear, EnergyWindows) {
     series.phases = 2;
     write(DCM_EnergyWindowVector);
     expectPhases(open(), series);
 }
 
 // A list that is too short says nothing for sure of any frame.
-TEST_F(Nuclear, aListThatIsTooShort) {
+TEST_F(Nuclear, AListThatIsTooShort) {
     series.phases = 2;
     write(DCM_TimeSlotVector, 1);
     const Opened opened = open();

@@ -8,7 +8,7 @@ namespace {
 
 using D04Gaps = Pitfall;
 
-TEST_F(D04Gaps, missingSlicesAreInterpolatedAndSaid) {
+TEST_F(D04Gaps, MissingSlicesAreInterpolatedAndSaid) {
     auto slices = slicesOf(series);
     slices.erase(slices.begin() + 7, slices.begin() + 9);
     slices.erase(slices.begin() + 3);
@@ -26,7 +26,7 @@ TEST_F(D04Gaps, missingSlicesAreInterpolatedAndSaid) {
     EXPECT_EQ(volume->provenance().interpolatedSlices, (std::vector<SliceRange>{{3, 3}, {7, 8}}));
 }
 
-TEST_F(D04Gaps, withoutGapsNothingIsInterpolated) {
+TEST_F(D04Gaps, WithoutGapsNothingIsInterpolated) {
     writeFiles(folder.path(), series);
     const Opened opened = open();
     const auto volume = opened.onlyVolume();
@@ -39,7 +39,7 @@ TEST_F(D04Gaps, withoutGapsNothingIsInterpolated) {
 }
 
 // Every other slice is a spacing of its own, and no gap.
-TEST_F(D04Gaps, twiceTheDistanceIsNoGap) {
+TEST_F(D04Gaps, TwiceTheDistanceIsNoGap) {
     series.places = {0, 2, 4, 6, 8, 10};
     writeFiles(folder.path(), series);
     const Opened opened = open();
@@ -51,7 +51,7 @@ TEST_F(D04Gaps, twiceTheDistanceIsNoGap) {
 }
 
 // What is interpolated between even positions is no longer what was measured, but on a linear ramp it is.
-TEST_F(D04Gaps, irregularSpacingIsResampledEvenly) {
+TEST_F(D04Gaps, IrregularSpacingIsResampledEvenly) {
     series.places = {0, 1, 2.4, 3.1, 4.5, 5, 6.2, 7, 8.7, 9.5, 10, 11};
     writeFiles(folder.path(), series);
     const Opened opened = open();
@@ -73,7 +73,7 @@ TEST_F(D04Gaps, irregularSpacingIsResampledEvenly) {
 }
 
 // Two spacings in one series, as in a chest with thin slices in the middle.
-TEST_F(D04Gaps, thinSlicesInTheMiddle) {
+TEST_F(D04Gaps, ThinSlicesInTheMiddle) {
     series.places = {0, 2, 4, 5, 6, 7, 8, 9, 11};
     writeFiles(folder.path(), series);
     const Opened opened = open();
@@ -83,7 +83,7 @@ TEST_F(D04Gaps, thinSlicesInTheMiddle) {
 }
 
 // A slice may be away from where it is drawn by what the message says, and no more.
-TEST_F(D04Gaps, smallUnevennessIsToldWithItsSize) {
+TEST_F(D04Gaps, SmallUnevennessIsToldWithItsSize) {
     series.places = {0, 1, 2.03, 3, 3.97, 5, 6, 7.03, 8, 9, 10, 11};
     const auto slices = slicesOf(series);
     writeFiles(folder.path(), series, slices);
@@ -102,7 +102,7 @@ TEST_F(D04Gaps, smallUnevennessIsToldWithItsSize) {
 }
 
 // Scanners round positions to a few digits: a tenth of a percent is noise.
-TEST_F(D04Gaps, roundedPositionsAreNotUneven) {
+TEST_F(D04Gaps, RoundedPositionsAreNotUneven) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) slice.positionMm = glm::round(slice.positionMm * 1e3) * 1e-3;
     writeFiles(folder.path(), series, slices);
@@ -117,7 +117,7 @@ TEST_F(D04Gaps, roundedPositionsAreNotUneven) {
 
 // Head and pelvis in one series: nearly all of the volume would be made up. Whatever becomes of it, it is
 // said, and it costs no memory to speak of.
-TEST_F(D04Gaps, aGapOfAKilometreIsNotFilled) {
+TEST_F(D04Gaps, AGapOfAKilometreIsNotFilled) {
     series.places = {0, 1, 2, 3, 4, 5};
     auto slices = slicesOf(series);
     slices.back().positionMm += 1e6 * slices.back().normal();
@@ -135,7 +135,7 @@ TEST_F(D04Gaps, aGapOfAKilometreIsNotFilled) {
 }
 
 // Values are interpolated, not stored numbers: each slice has its own slope.
-TEST_F(D04Gaps, betweenSlicesOfDifferentSlopes) {
+TEST_F(D04Gaps, BetweenSlicesOfDifferentSlopes) {
     series.modality = "PT";
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
@@ -150,7 +150,7 @@ TEST_F(D04Gaps, betweenSlicesOfDifferentSlopes) {
     expectRamp(*volume, series.rampOf(), 0.2);
 }
 
-TEST_F(D04Gaps, headAndPelvisAreTwoBlocks) {
+TEST_F(D04Gaps, HeadAndPelvisAreTwoBlocks) {
     series.places = {0, 1, 2, 3, 4, 5, 130.4, 131.4, 132.4, 133.4, 134.4, 135.4};
     series.ramp =
         Ramp{.value = 2000, .throughMm = glm::dvec3(series.worldFromVoxel[3]), .perMm = {11, 23, 17}};
@@ -169,7 +169,7 @@ TEST_F(D04Gaps, headAndPelvisAreTwoBlocks) {
 
 // The coarse picture of a stack with a gap must not differ from the fine one's geometry: every slice of the
 // grid names the frames it is made of.
-TEST_F(D04Gaps, gridNamesItsFrames) {
+TEST_F(D04Gaps, GridNamesItsFrames) {
     auto slices = slicesOf(series);
     slices.erase(slices.begin() + 3);
     writeFiles(folder.path(), series, slices);

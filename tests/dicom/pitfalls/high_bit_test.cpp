@@ -26,7 +26,7 @@ struct Case {
     const char* transferSyntaxUid;
 };
 
-TEST_F(HighBit, ofAllImagesThatValuesContradictIsNotBelieved) {
+TEST_F(HighBit, OfAllImagesThatValuesContradictIsNotBelieved) {
     const Case cases[]{
         {{16, 12, 11, false}, 15, "1.2.840.10008.1.2.1"}, {{16, 12, 11, true}, 15, "1.2.840.10008.1.2.1"},
         {{16, 12, 11, false}, 13, "1.2.840.10008.1.2.1"}, {{16, 8, 7, false}, 15, "1.2.840.10008.1.2.1"},
@@ -61,7 +61,7 @@ TEST_F(HighBit, ofAllImagesThatValuesContradictIsNotBelieved) {
 }
 
 // Signed values of less than the stored bits fill the whole cell with their sign.
-TEST_F(HighBit, ofSignedValuesWhoseSignFillsTheCell) {
+TEST_F(HighBit, OfSignedValuesWhoseSignFillsTheCell) {
     series.size = {16, 14, 12};
     series.format = {16, 16, 15, true};
     series.slope = 4.0;
@@ -81,7 +81,7 @@ TEST_F(HighBit, ofSignedValuesWhoseSignFillsTheCell) {
 }
 
 // One image of many: its neighbours say what it is, and it is a gap.
-TEST_F(HighBit, ofOneImageIsAGap) {
+TEST_F(HighBit, OfOneImageIsAGap) {
     series.shuffleNumbers = false;
     series.format = {16, 12, 11, false};
     series.intercept = -24.0;
@@ -98,7 +98,7 @@ TEST_F(HighBit, ofOneImageIsAGap) {
 }
 
 // Values that do lie at the high end, as the images say, with nothing or an overlay below.
-TEST_F(HighBit, thatIsRightIsBelieved) {
+TEST_F(HighBit, ThatIsRightIsBelieved) {
     for (const unsigned noise : {0u, 0x0004u, 0x000Fu}) {
         for (const bool declared : {false, true}) {
             SCOPED_TRACE(std::to_string(noise) + (declared ? " declared" : ""));
@@ -120,7 +120,7 @@ TEST_F(HighBit, thatIsRightIsBelieved) {
 }
 
 // An overlay of one bit is no excuse for others.
-TEST_F(HighBit, ofAnOverlayCountsForThatBitAlone) {
+TEST_F(HighBit, OfAnOverlayCountsForThatBitAlone) {
     series.format = {16, 12, 11, false};
     series.intercept = -24.0;
     series.cellNoise = 0x5000;
@@ -132,7 +132,7 @@ TEST_F(HighBit, ofAnOverlayCountsForThatBitAlone) {
 }
 
 // Fewer bits up to HighBit than are stored: nobody knows where the value lies.
-TEST_F(HighBit, belowTheStoredBitsIsNoFormat) {
+TEST_F(HighBit, BelowTheStoredBitsIsNoFormat) {
     for (const auto& file : writeFiles(folder.path(), series)) editFile(file, saysHighBit(11));
     const Opened opened = open();
     EXPECT_TRUE(opened.volumes().empty());

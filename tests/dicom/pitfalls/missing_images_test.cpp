@@ -73,7 +73,7 @@ class D27MissingImages : public Pitfall {
     }
 };
 
-TEST_F(D27MissingImages, numbersThatBeginLateAreTold) {
+TEST_F(D27MissingImages, NumbersThatBeginLateAreTold) {
     write(folder.path(), series, [](auto& slices) { dropFirst(slices, 7); });
     const Opened opened = open();
     expectMissing(opened, 7, "feet");
@@ -90,7 +90,7 @@ TEST_F(D27MissingImages, numbersThatBeginLateAreTold) {
         assumptions.end());
 }
 
-TEST_F(D27MissingImages, numbersMayRunTheOtherWay) {
+TEST_F(D27MissingImages, NumbersMayRunTheOtherWay) {
     write(folder.path(), series, [](auto& slices) {
         for (Slice& slice : slices) slice.instanceNumber = kSlices - slice.place;
         dropLast(slices, 5);
@@ -98,13 +98,13 @@ TEST_F(D27MissingImages, numbersMayRunTheOtherWay) {
     expectMissing(open(), 5, "head");
 }
 
-TEST_F(D27MissingImages, aCopyThatStoppedFallsShortOfTheAcquisition) {
+TEST_F(D27MissingImages, ACopyThatStoppedFallsShortOfTheAcquisition) {
     series.edits.push_back(says(DCM_ImagesInAcquisition, kSlices));
     write(folder.path(), series, [](auto& slices) { dropLast(slices, 5); });
     expectMissing(open(), 5, "head");
 }
 
-TEST_F(D27MissingImages, theSeriesSaysHowManyItHas) {
+TEST_F(D27MissingImages, TheSeriesSaysHowManyItHas) {
     series.edits.push_back(says(DCM_NumberOfSeriesRelatedInstances, kSlices));
     write(folder.path(), series, [](auto& slices) {
         dropLast(slices, 4);
@@ -120,7 +120,7 @@ TEST_F(D27MissingImages, theSeriesSaysHowManyItHas) {
     EXPECT_EQ(told, (std::map<std::string, double>{{"feet", 3.0}, {"head", 4.0}}));
 }
 
-TEST_F(D27MissingImages, aVolumeOfPetSaysHowManySlicesItHas) {
+TEST_F(D27MissingImages, AVolumeOfPetSaysHowManySlicesItHas) {
     series.modality = "PT";
     series.edits.push_back([](DcmItem& item) { putWord(item, DCM_NumberOfSlices, kSlices); });
     write(folder.path(), series, [](auto& slices) { dropLast(slices, 6); });
@@ -128,7 +128,7 @@ TEST_F(D27MissingImages, aVolumeOfPetSaysHowManySlicesItHas) {
 }
 
 // What is missing between slices is told as that, and not again.
-TEST_F(D27MissingImages, gapsAreNoMissingEnds) {
+TEST_F(D27MissingImages, GapsAreNoMissingEnds) {
     series.edits.push_back(says(DCM_NumberOfSeriesRelatedInstances, kSlices));
     write(folder.path(), series, [](auto& slices) { slices.erase(slices.begin() + 9, slices.begin() + 11); });
     const Opened opened = open();
@@ -136,7 +136,7 @@ TEST_F(D27MissingImages, gapsAreNoMissingEnds) {
     EXPECT_TRUE(opened.says(key::kMissingSlices)) << opened.keys();
 }
 
-TEST_F(D27MissingImages, withoutAnOrderOfNumbersNoEndIsNamed) {
+TEST_F(D27MissingImages, WithoutAnOrderOfNumbersNoEndIsNamed) {
     series.shuffleNumbers = true;
     series.edits.push_back(says(DCM_NumberOfSeriesRelatedInstances, kSlices));
     write(folder.path(), series, [](auto& slices) { dropLast(slices, 5); });
@@ -149,7 +149,7 @@ TEST_F(D27MissingImages, withoutAnOrderOfNumbersNoEndIsNamed) {
 }
 
 // The records are under a series, as those of every real medium.
-TEST_F(D27MissingImages, aMediumListsMoreImagesOfTheSeries) {
+TEST_F(D27MissingImages, AMediumListsMoreImagesOfTheSeries) {
     const auto slices = slicesOf(series);
     std::vector<DirectoryEntry> entries;
     for (const Slice& slice : slices) {
@@ -167,7 +167,7 @@ TEST_F(D27MissingImages, aMediumListsMoreImagesOfTheSeries) {
 }
 
 // The same files under other names are all there.
-TEST_F(D27MissingImages, filesOfAMediumMayHaveOtherNames) {
+TEST_F(D27MissingImages, FilesOfAMediumMayHaveOtherNames) {
     std::vector<DirectoryEntry> entries;
     for (const Slice& slice : slicesOf(series))
         entries.push_back({"DISC\\D" + std::to_string(slice.place), slice.sopInstanceUid, series.seriesUid,
@@ -180,7 +180,7 @@ TEST_F(D27MissingImages, filesOfAMediumMayHaveOtherNames) {
 }
 
 // Each of these is a way of numbering, and nothing is missing.
-TEST_F(D27MissingImages, otherNumberingsAreNoLoss) {
+TEST_F(D27MissingImages, OtherNumberingsAreNoLoss) {
     const std::vector<std::pair<std::string, std::function<int(const Slice&)>>> numberings{
         {"from 0", [](const Slice& s) { return s.place; }},
         {"from 1001", [](const Slice& s) { return 1001 + s.place; }},
@@ -203,12 +203,12 @@ TEST_F(D27MissingImages, otherNumberingsAreNoLoss) {
 }
 
 // Localizers were 1 and 2 before somebody deleted them: that may be, and so it is a note.
-TEST_F(D27MissingImages, twoNumbersMayHaveBeenThoseOfLocalizers) {
+TEST_F(D27MissingImages, TwoNumbersMayHaveBeenThoseOfLocalizers) {
     write(folder.path(), series, [](auto& slices) { dropFirst(slices, 2); });
     expectMissing(open(), 2, "feet", Severity::info);
 }
 
-TEST_F(D27MissingImages, localizersOfTheSeriesHaveTheNumbersBefore) {
+TEST_F(D27MissingImages, LocalizersOfTheSeriesHaveTheNumbersBefore) {
     SyntheticSeries localizer = series;
     localizer.imageType = "ORIGINAL\\PRIMARY\\LOCALIZER";
     localizer.size.z = 3;
@@ -228,7 +228,7 @@ TEST_F(D27MissingImages, localizersOfTheSeriesHaveTheNumbersBefore) {
 }
 
 // A report or a picture of the screen that was stored in the series has some number of its own.
-TEST_F(D27MissingImages, aReportOfTheSeriesMayHaveAnyNumber) {
+TEST_F(D27MissingImages, AReportOfTheSeriesMayHaveAnyNumber) {
     write(folder.path(), series);
     SyntheticSeries report = series;
     report.imageType = "DERIVED\\SECONDARY\\SCREEN SAVE";
@@ -243,7 +243,7 @@ TEST_F(D27MissingImages, aReportOfTheSeriesMayHaveAnyNumber) {
     EXPECT_FALSE(opened.says(key::kMissingImages));
 }
 
-TEST_F(D27MissingImages, numbersMayGoOnFromSeriesToSeries) {
+TEST_F(D27MissingImages, NumbersMayGoOnFromSeriesToSeries) {
     write(folder.path(), series);
     SyntheticSeries next = series;
     next.seriesUid = "2.25.1777";
@@ -255,7 +255,7 @@ TEST_F(D27MissingImages, numbersMayGoOnFromSeriesToSeries) {
 }
 
 // Phases that are stored in turns, or one by one: no other has numbers that one lacks.
-TEST_F(D27MissingImages, phasesHaveEachOthersNumbers) {
+TEST_F(D27MissingImages, PhasesHaveEachOthersNumbers) {
     for (const bool inTurns : {true, false}) {
         SCOPED_TRACE(inTurns);
         const TemporaryFolder own;
@@ -276,7 +276,7 @@ TEST_F(D27MissingImages, phasesHaveEachOthersNumbers) {
     }
 }
 
-TEST_F(D27MissingImages, phasesThatLackTheirFirstPositionsSayHowMany) {
+TEST_F(D27MissingImages, PhasesThatLackTheirFirstPositionsSayHowMany) {
     series.phases = 3;
     write(folder.path(), series, [&](auto& slices) {
         for (Slice& slice : slices) {
@@ -298,7 +298,7 @@ TEST_F(D27MissingImages, phasesThatLackTheirFirstPositionsSayHowMany) {
 }
 
 // Two regions of one series: the numbers between them are of images that neither has.
-TEST_F(D27MissingImages, whatIsMissingBetweenTwoRegionsIsBeyondAnEndOfEach) {
+TEST_F(D27MissingImages, WhatIsMissingBetweenTwoRegionsIsBeyondAnEndOfEach) {
     write(folder.path(), series, [](auto& slices) {
         for (Slice& slice : slices) {
             if (slice.place >= 12) slice.positionMm.z += 300.0;
@@ -318,14 +318,14 @@ TEST_F(D27MissingImages, whatIsMissingBetweenTwoRegionsIsBeyondAnEndOfEach) {
     EXPECT_EQ(sides, (std::vector<std::string>{"head", "feet"}));
 }
 
-TEST_F(D27MissingImages, threeTimesAsManyMayCountOtherSeries) {
+TEST_F(D27MissingImages, ThreeTimesAsManyMayCountOtherSeries) {
     series.edits.push_back(says(DCM_ImagesInAcquisition, 4 * kSlices));
     write(folder.path(), series);
     expectMissing(open(), 3 * kSlices, "head", Severity::info);
 }
 
 // Two reconstructions of one acquisition, which counts the images of both.
-TEST_F(D27MissingImages, anAcquisitionMayBeSeveralSeries) {
+TEST_F(D27MissingImages, AnAcquisitionMayBeSeveralSeries) {
     series.edits.push_back(says(DCM_ImagesInAcquisition, 2 * kSlices));
     write(folder.path(), series);
     SyntheticSeries second = series;
@@ -335,7 +335,7 @@ TEST_F(D27MissingImages, anAcquisitionMayBeSeveralSeries) {
     expectNothing(open());
 }
 
-TEST_F(D27MissingImages, aSeriesBesideItThatReachesFartherIsNoted) {
+TEST_F(D27MissingImages, ASeriesBesideItThatReachesFartherIsNoted) {
     write(folder.path(), series);
     SyntheticSeries stopped = series;
     stopped.seriesUid = "2.25.1999";
@@ -354,7 +354,7 @@ TEST_F(D27MissingImages, aSeriesBesideItThatReachesFartherIsNoted) {
     EXPECT_EQ(times, 1u) << "the longer one lacks nothing";
 }
 
-TEST_F(D27MissingImages, aLocalizerThatReachesFarFartherIsNoted) {
+TEST_F(D27MissingImages, ALocalizerThatReachesFarFartherIsNoted) {
     SyntheticSeries localizer = series;
     localizer.imageType = "ORIGINAL\\PRIMARY\\LOCALIZER";
     localizer.seriesUid = "2.25.1555";
@@ -376,7 +376,7 @@ TEST_F(D27MissingImages, aLocalizerThatReachesFarFartherIsNoted) {
     EXPECT_EQ(textOf(*told, "other"), "The localizer");
 }
 
-TEST_F(D27MissingImages, theStudySaysHowManyObjectsItHas) {
+TEST_F(D27MissingImages, TheStudySaysHowManyObjectsItHas) {
     series.edits.push_back(says(DCM_NumberOfStudyRelatedInstances, kSlices + 100));
     write(folder.path(), series);
     const Opened opened = open();
@@ -387,7 +387,7 @@ TEST_F(D27MissingImages, theStudySaysHowManyObjectsItHas) {
     EXPECT_EQ(told->severity, Severity::info);
 }
 
-TEST_F(D27MissingImages, multiFrameFilesHaveNumbersOfFiles) {
+TEST_F(D27MissingImages, MultiFrameFilesHaveNumbersOfFiles) {
     std::vector<Slice> slices = slicesOf(series);
     for (Slice& slice : slices) slice.instanceNumber = 9;
     writeMultiFrame(folder / "enhanced", series, slices);

@@ -46,7 +46,7 @@ void expectTwo(const Opened& opened, const SyntheticSeries& a, const SyntheticSe
     expectVolumeOf(swapped ? *first : *second, b);
 }
 
-TEST_F(D07MixedSeries, localizerInFront) {
+TEST_F(D07MixedSeries, LocalizerInFront) {
     SyntheticSeries scout = sibling(series, 2);
     scout.size = {16, 20, 1};
     scout.worldFromVoxel = affine({0, 1, 0}, {0, 0, -1}, {-1, 0, 0}, {0, -50, 100});
@@ -59,7 +59,7 @@ TEST_F(D07MixedSeries, localizerInFront) {
 }
 
 // The same matrix, spacing and orientation as the slices: only ImageType tells.
-TEST_F(D07MixedSeries, localizerThatLooksLikeASlice) {
+TEST_F(D07MixedSeries, LocalizerThatLooksLikeASlice) {
     auto slices = slicesOf(series);
     Slice scout = slices[5];
     scout.positionMm += scout.normal() * 0.7;
@@ -74,7 +74,7 @@ TEST_F(D07MixedSeries, localizerThatLooksLikeASlice) {
     EXPECT_EQ(opened.frames(), 13u);
 }
 
-TEST_F(D07MixedSeries, threeLocalizersAreNoVolume) {
+TEST_F(D07MixedSeries, ThreeLocalizersAreNoVolume) {
     series.size.z = 3;
     series.imageType = "ORIGINAL\\PRIMARY\\LOCALIZER";
     writeFiles(folder.path(), series);
@@ -84,7 +84,7 @@ TEST_F(D07MixedSeries, threeLocalizersAreNoVolume) {
     EXPECT_EQ(opened.frames(), 3u);
 }
 
-TEST_F(D07MixedSeries, twoKernels) {
+TEST_F(D07MixedSeries, TwoKernels) {
     SyntheticSeries sharp = sibling(series, 2);
     sharp.ramp = series.rampOf(1);
     const auto kernel = [](const char* name) {
@@ -97,7 +97,7 @@ TEST_F(D07MixedSeries, twoKernels) {
     expectTwo(open(), series, sharp);
 }
 
-TEST_F(D07MixedSeries, twoOrientations) {
+TEST_F(D07MixedSeries, TwoOrientations) {
     SyntheticSeries coronal = sibling(series, 2);
     coronal.worldFromVoxel =
         affine(series.worldFromVoxel[0], series.worldFromVoxel[2], series.worldFromVoxel[1], {1, 2, 3});
@@ -108,7 +108,7 @@ TEST_F(D07MixedSeries, twoOrientations) {
     EXPECT_TRUE(opened.says(key::kInconsistentOrientation)) << opened.keys();
 }
 
-TEST_F(D07MixedSeries, twoMatrixSizes) {
+TEST_F(D07MixedSeries, TwoMatrixSizes) {
     SyntheticSeries other = sibling(series, 2);
     other.size = {10, 6, 4};
     writeFiles(folder.path(), series);
@@ -118,7 +118,7 @@ TEST_F(D07MixedSeries, twoMatrixSizes) {
     EXPECT_TRUE(opened.says(key::kInconsistentSize)) << opened.keys();
 }
 
-TEST_F(D07MixedSeries, twoPixelSpacings) {
+TEST_F(D07MixedSeries, TwoPixelSpacings) {
     SyntheticSeries zoomed = sibling(series, 2);
     for (int axis : {0, 1}) zoomed.worldFromVoxel[axis] *= 0.5;
     writeFiles(folder.path(), series);
@@ -129,7 +129,7 @@ TEST_F(D07MixedSeries, twoPixelSpacings) {
 }
 
 // The patient moved between the two: their coordinates have nothing to do with each other.
-TEST_F(D07MixedSeries, twoFramesOfReference) {
+TEST_F(D07MixedSeries, TwoFramesOfReference) {
     series.size.z = 6;
     SyntheticSeries moved = sibling(series, 2);
     moved.frameOfReferenceUid = "2.25.77";
@@ -143,7 +143,7 @@ TEST_F(D07MixedSeries, twoFramesOfReference) {
 }
 
 // What varies along a whole volume does not split it.
-TEST_F(D07MixedSeries, whatVariesFromSliceToSliceDoesNotSplit) {
+TEST_F(D07MixedSeries, WhatVariesFromSliceToSliceDoesNotSplit) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
         slice.edits.push_back([n = slice.place](DcmItem& item) {
@@ -167,7 +167,7 @@ TEST_F(D07MixedSeries, whatVariesFromSliceToSliceDoesNotSplit) {
 }
 
 // A dose report as a colour picture, at the end of a CT series.
-TEST_F(D07MixedSeries, colourPictureInTheSeries) {
+TEST_F(D07MixedSeries, ColourPictureInTheSeries) {
     SyntheticSeries picture = sibling(series, 2);
     picture.size = {6, 5, 1};
     picture.sopClassUid = "1.2.840.10008.5.1.4.1.1.7";
@@ -193,7 +193,7 @@ TEST_F(D07MixedSeries, colourPictureInTheSeries) {
     EXPECT_TRUE(opened.says(key::kColourImage)) << opened.keys();
 }
 
-TEST_F(D08SpreadSeries, twoSeriesThatAbutArePointedOut) {
+TEST_F(D08SpreadSeries, TwoSeriesThatAbutArePointedOut) {
     SyntheticSeries next = series;
     next.seriesUid = "2.25.1009";
     next.number = 2;
@@ -209,7 +209,7 @@ TEST_F(D08SpreadSeries, twoSeriesThatAbutArePointedOut) {
     expectVolumeOf(*opened.load(*opened.volumes()[1]), next);
 }
 
-TEST_F(D08SpreadSeries, whatOverlapsOrLiesApartDoesNotAbut) {
+TEST_F(D08SpreadSeries, WhatOverlapsOrLiesApartDoesNotAbut) {
     for (const double steps : {5.0, 13.5, 40.0}) {
         SCOPED_TRACE(steps);
         const TemporaryFolder own;
@@ -234,7 +234,7 @@ SyntheticSeries numbered(int number, int slices, const char* imageType) {
 }
 
 // Larger ones that are derived, and shorter ones, lose; and it is said why.
-TEST_F(D25BestVolume, originalOfTwentySlicesComesFirst) {
+TEST_F(D25BestVolume, OriginalOfTwentySlicesComesFirst) {
     writeFiles(folder.path(), numbered(1, 3, "ORIGINAL\\PRIMARY\\LOCALIZER"));
     writeFiles(folder.path(), numbered(2, 60, "DERIVED\\SECONDARY\\MPR"));
     writeFiles(folder.path(), numbered(3, 21, "ORIGINAL\\PRIMARY\\AXIAL"));
@@ -249,7 +249,7 @@ TEST_F(D25BestVolume, originalOfTwentySlicesComesFirst) {
     EXPECT_FALSE(best.why.empty());
 }
 
-TEST_F(D25BestVolume, aDerivedVolumeIsBetterThanNone) {
+TEST_F(D25BestVolume, ADerivedVolumeIsBetterThanNone) {
     writeFiles(folder.path(), numbered(1, 3, "ORIGINAL\\PRIMARY\\LOCALIZER"));
     writeFiles(folder.path(), numbered(2, 5, "DERIVED\\SECONDARY\\MPR"));
     const Opened opened = open();
@@ -258,7 +258,7 @@ TEST_F(D25BestVolume, aDerivedVolumeIsBetterThanNone) {
     EXPECT_EQ(best.series->number, 2);
 }
 
-TEST_F(D25BestVolume, whyThereIsNone) {
+TEST_F(D25BestVolume, WhyThereIsNone) {
     writeFiles(folder.path(), numbered(1, 3, "ORIGINAL\\PRIMARY\\LOCALIZER"));
     const Opened opened = open();
     const ChosenStack best = bestVolume(opened.scan());

@@ -23,7 +23,7 @@ class D13MultiFrame : public Pitfall {
 using D14SecondaryCapture = Pitfall;
 using D08Concatenation = Pitfall;
 
-TEST_F(D13MultiFrame, sharedOrPerFrameAnyOrder) {
+TEST_F(D13MultiFrame, SharedOrPerFrameAnyOrder) {
     for (const char* modality : {"CT", "MR", "PT"}) {
         for (int where = 0; where < 8; ++where) {
             SCOPED_TRACE(fmt::format("{} {}", modality, where));
@@ -41,7 +41,7 @@ TEST_F(D13MultiFrame, sharedOrPerFrameAnyOrder) {
 }
 
 // The top level has geometry too, left over from a conversion: the functional groups are the truth.
-TEST_F(D13MultiFrame, functionalGroupsOverTopLevel) {
+TEST_F(D13MultiFrame, FunctionalGroupsOverTopLevel) {
     writeMultiFrame(folder / "enhanced", series, shuffled(),
                     {.edits = {[](DcmItem& item) {
                          put(item, DCM_ImagePositionPatient, "1\\2\\3");
@@ -53,7 +53,7 @@ TEST_F(D13MultiFrame, functionalGroupsOverTopLevel) {
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D13MultiFrame, perFrameOverShared) {
+TEST_F(D13MultiFrame, PerFrameOverShared) {
     auto slices = shuffled();
     writeMultiFrame(folder / "enhanced", series, slices,
                     {.sharedMeasures = false,
@@ -69,7 +69,7 @@ TEST_F(D13MultiFrame, perFrameOverShared) {
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D13MultiFrame, slopePerFrame) {
+TEST_F(D13MultiFrame, SlopePerFrame) {
     auto slices = shuffled();
     for (Slice& slice : slices) {
         slice.slope = 0.5 + 0.125 * slice.place;
@@ -87,13 +87,13 @@ TEST_F(D13MultiFrame, slopePerFrame) {
     }
 }
 
-TEST_F(D13MultiFrame, temporalPositions) {
+TEST_F(D13MultiFrame, TemporalPositions) {
     series.phases = 3;
     writeMultiFrame(folder / "enhanced", series, shuffled());
     expectPhases(open(), series);
 }
 
-TEST_F(D13MultiFrame, effectiveEchoTimes) {
+TEST_F(D13MultiFrame, EffectiveEchoTimes) {
     series.phases = 2;
     auto slices = shuffled();
     for (Slice& slice : slices) {
@@ -105,7 +105,7 @@ TEST_F(D13MultiFrame, effectiveEchoTimes) {
     expectPhases(open(), series);
 }
 
-TEST_F(D13MultiFrame, bValues) {
+TEST_F(D13MultiFrame, BValues) {
     series.phases = 2;
     auto slices = shuffled();
     for (Slice& slice : slices) {
@@ -117,7 +117,7 @@ TEST_F(D13MultiFrame, bValues) {
     expectPhases(open(), series);
 }
 
-TEST_F(D13MultiFrame, frameTypes) {
+TEST_F(D13MultiFrame, FrameTypes) {
     series.phases = 2;
     auto slices = shuffled();
     for (Slice& slice : slices) {
@@ -136,7 +136,7 @@ TEST_F(D13MultiFrame, frameTypes) {
 }
 
 // Two frames at every place, and nothing says which belong together.
-TEST_F(D13MultiFrame, duplicatePositionsAreAQuestion) {
+TEST_F(D13MultiFrame, DuplicatePositionsAreAQuestion) {
     series.phases = 2;
     writeMultiFrame(folder / "enhanced", series, shuffled(), {.dimensions = false});
     const Opened opened = open();
@@ -145,7 +145,7 @@ TEST_F(D13MultiFrame, duplicatePositionsAreAQuestion) {
     EXPECT_TRUE(opened.says(key::kDuplicatePositions)) << opened.keys();
 }
 
-TEST_F(D13MultiFrame, cardiacPhases) {
+TEST_F(D13MultiFrame, CardiacPhases) {
     series.phases = 3;
     auto slices = shuffled();
     for (Slice& slice : slices) {
@@ -159,7 +159,7 @@ TEST_F(D13MultiFrame, cardiacPhases) {
 }
 
 // Two reconstructions with another zoom in one object.
-TEST_F(D13MultiFrame, pixelMeasuresThatDiffer) {
+TEST_F(D13MultiFrame, PixelMeasuresThatDiffer) {
     series.ramp = series.rampOf();
     SyntheticSeries zoomed = series;
     for (const int axis : {0, 1}) zoomed.worldFromVoxel[axis] *= 0.5;
@@ -179,7 +179,7 @@ TEST_F(D13MultiFrame, pixelMeasuresThatDiffer) {
 }
 
 // One object with an axial and a coronal stack.
-TEST_F(D13MultiFrame, stacks) {
+TEST_F(D13MultiFrame, Stacks) {
     SyntheticSeries coronal = series;
     coronal.worldFromVoxel =
         affine(series.worldFromVoxel[0], series.worldFromVoxel[2], series.worldFromVoxel[1], {1, 2, 3});
@@ -206,7 +206,7 @@ TEST_F(D13MultiFrame, stacks) {
 }
 
 // Stacks that make one even volume end to end are one, and said; with a gap between them they are two.
-TEST_F(D13MultiFrame, stacksEndToEndAreOne) {
+TEST_F(D13MultiFrame, StacksEndToEndAreOne) {
     for (const bool apart : {false, true}) {
         const TemporaryFolder own;
         auto slices = slicesOf(series);
@@ -228,7 +228,7 @@ TEST_F(D13MultiFrame, stacksEndToEndAreOne) {
     }
 }
 
-TEST_F(D13MultiFrame, legacyConverted) {
+TEST_F(D13MultiFrame, LegacyConverted) {
     series.modality = "CT";
     series.sopClassUid = "1.2.840.10008.5.1.4.1.1.2.2";
     auto slices = shuffled();
@@ -242,13 +242,13 @@ TEST_F(D13MultiFrame, legacyConverted) {
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D13MultiFrame, runLengthEncoded) {
+TEST_F(D13MultiFrame, RunLengthEncoded) {
     series.transferSyntaxUid = "1.2.840.10008.1.2.5";
     writeMultiFrame(folder / "enhanced", series, shuffled());
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D13MultiFrame, bigEndianAndDeflated) {
+TEST_F(D13MultiFrame, BigEndianAndDeflated) {
     for (const char* syntax : {"1.2.840.10008.1.2.2", "1.2.840.10008.1.2.1.99", "1.2.840.10008.1.2"}) {
         SCOPED_TRACE(syntax);
         const TemporaryFolder own;
@@ -258,7 +258,7 @@ TEST_F(D13MultiFrame, bigEndianAndDeflated) {
     }
 }
 
-TEST_F(D13MultiFrame, whatIsMissingIsNamed) {
+TEST_F(D13MultiFrame, WhatIsMissingIsNamed) {
     struct Case {
         std::string_view key;
         Edit spoil;
@@ -287,7 +287,7 @@ TEST_F(D13MultiFrame, whatIsMissingIsNamed) {
 }
 
 // The file says 12 frames and describes 8: the other four have no place.
-TEST_F(D13MultiFrame, fewerDescriptionsThanFrames) {
+TEST_F(D13MultiFrame, FewerDescriptionsThanFrames) {
     series.phases = 1;
     auto slices = slicesOf(series);
     writeMultiFrame(folder / "enhanced", series, slices,
@@ -309,7 +309,7 @@ TEST_F(D13MultiFrame, fewerDescriptionsThanFrames) {
 }
 
 // NumberOfFrames is more than the pixel data hold: the rest is a loss, and is told.
-TEST_F(D13MultiFrame, moreFramesClaimedThanThere) {
+TEST_F(D13MultiFrame, MoreFramesClaimedThanThere) {
     writeMultiFrame(folder / "enhanced", series, slicesOf(series));
     std::filesystem::resize_file(folder / "enhanced",
                                  std::filesystem::file_size(folder / "enhanced") - 2 * 8 * 7 * 2 - 10);
@@ -326,7 +326,7 @@ TEST_F(D13MultiFrame, moreFramesClaimedThanThere) {
     expectRamp(*volume, series.rampOf());
 }
 
-TEST_F(D13MultiFrame, tenThousandFrames) {
+TEST_F(D13MultiFrame, TenThousandFrames) {
     series.size = {2, 2, 10000};
     series.worldFromVoxel = affine({1, 0, 0}, {0, 1, 0}, {0, 0, 0.1}, {0, 0, -500});
     series.ramp = Ramp{.value = 30000, .throughMm = {0, 0, 0}, .perMm = {100, 300, 50}};
@@ -336,7 +336,7 @@ TEST_F(D13MultiFrame, tenThousandFrames) {
 
 // Frames of a nuclear medicine reconstruction: one place and direction, and a spacing whose sign says where
 // the slices go (PS3.3 C.8.4.14).
-TEST_F(D13MultiFrame, nuclearMedicineDetectors) {
+TEST_F(D13MultiFrame, NuclearMedicineDetectors) {
     for (const double sign : {1.0, -1.0}) {
         SCOPED_TRACE(sign);
         const TemporaryFolder own;
@@ -369,7 +369,7 @@ TEST_F(D13MultiFrame, nuclearMedicineDetectors) {
 }
 
 // SliceVector says which slice a frame is: here the last comes first.
-TEST_F(D13MultiFrame, nuclearMedicineInReverse) {
+TEST_F(D13MultiFrame, NuclearMedicineInReverse) {
     series.modality = "NM";
     series.sopClassUid = "1.2.840.10008.5.1.4.1.1.20";
     series.size = {6, 5, 9};
@@ -398,7 +398,7 @@ TEST_F(D13MultiFrame, nuclearMedicineInReverse) {
 }
 
 // One position, one orientation and one distance for all frames, as some cone-beam scanners write volumes.
-TEST_F(D13MultiFrame, framesThatFollowTheFirstAreAVolumeAndItIsSaid) {
+TEST_F(D13MultiFrame, FramesThatFollowTheFirstAreAVolumeAndItIsSaid) {
     series.modality = "CT";
     series.sopClassUid = UID_CTImageStorage;
     series.worldFromVoxel = glm::dmat4(1.0);
@@ -436,7 +436,7 @@ TEST_F(D13MultiFrame, framesThatFollowTheFirstAreAVolumeAndItIsSaid) {
 }
 
 // Ultrasound: positions and orientation in the frame of the volume.
-TEST_F(D13MultiFrame, ultrasoundLiesInAFrameOfItsOwn) {
+TEST_F(D13MultiFrame, UltrasoundLiesInAFrameOfItsOwn) {
     series.modality = "US";
     series.sopClassUid = UID_EnhancedUSVolumeStorage;
     series.imageType = "ORIGINAL\\PRIMARY\\VOLUME\\NONE";
@@ -475,7 +475,7 @@ TEST_F(D13MultiFrame, ultrasoundLiesInAFrameOfItsOwn) {
         << "and not that of the patient";
 }
 
-TEST_F(D13MultiFrame, ofOtherProgramsInOneFile) {
+TEST_F(D13MultiFrame, OfOtherProgramsInOneFile) {
     SKIP_WITHOUT_SHARED_DATA();
     for (const auto& [name, key] :
          {std::pair("us-volume", key::kSidesUnknown), std::pair("cbct-single-spacing", key::kFramesInARow)}) {
@@ -491,7 +491,7 @@ TEST_F(D13MultiFrame, ofOtherProgramsInOneFile) {
     }
 }
 
-TEST_F(D14SecondaryCapture, withGeometryIsAVolume) {
+TEST_F(D14SecondaryCapture, WithGeometryIsAVolume) {
     series.modality = "OT";
     series.imageType = "DERIVED\\SECONDARY";
     series.intercept = 0.0;
@@ -499,7 +499,7 @@ TEST_F(D14SecondaryCapture, withGeometryIsAVolume) {
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D14SecondaryCapture, withoutGeometryIsPictures) {
+TEST_F(D14SecondaryCapture, WithoutGeometryIsPictures) {
     series.modality = "OT";
     series.imageType = "DERIVED\\SECONDARY";
     series.intercept = 0.0;
@@ -513,7 +513,7 @@ TEST_F(D14SecondaryCapture, withoutGeometryIsPictures) {
         << opened.keys();
 }
 
-TEST_F(D14SecondaryCapture, singleFramesWithGeometry) {
+TEST_F(D14SecondaryCapture, SingleFramesWithGeometry) {
     series.modality = "OT";
     series.sopClassUid = "1.2.840.10008.5.1.4.1.1.7";
     series.imageType = "DERIVED\\SECONDARY";
@@ -532,7 +532,7 @@ Edit part(int number, int total, std::size_t offset) {
     };
 }
 
-TEST_F(D08Concatenation, filesOfOneImageAreOneVolume) {
+TEST_F(D08Concatenation, FilesOfOneImageAreOneVolume) {
     series.modality = "CT";
     const auto slices = slicesOf(series);
     const std::vector<Slice> first(slices.begin(), slices.begin() + 5);
@@ -545,7 +545,7 @@ TEST_F(D08Concatenation, filesOfOneImageAreOneVolume) {
     EXPECT_FALSE(opened.says(key::kIncompleteConcatenation));
 }
 
-TEST_F(D08Concatenation, aFileThatIsMissingIsTold) {
+TEST_F(D08Concatenation, AFileThatIsMissingIsTold) {
     const auto slices = slicesOf(series);
     writeMultiFrame(folder / "a", series, {slices.begin(), slices.begin() + 4},
                     {.sopInstanceUid = "2.25.6002", .edits = {part(1, 3, 0)}});

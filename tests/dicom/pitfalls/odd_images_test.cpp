@@ -45,7 +45,7 @@ void expectGapAtFive(const Opened& opened, const SyntheticSeries& series, std::s
     EXPECT_NE(std::ranges::find(assumed, told->sentence), assumed.end());
 }
 
-TEST_F(OddRescale, isAGapAndNamed) {
+TEST_F(OddRescale, IsAGapAndNamed) {
     const std::pair<const char*, Edit> odd[]{
         {"no intercept", [](DcmItem& item) { erase(item, DCM_RescaleIntercept); }},
         {"no slope", [](DcmItem& item) { erase(item, DCM_RescaleSlope); }},
@@ -76,7 +76,7 @@ TEST_F(OddRescale, isAGapAndNamed) {
 }
 
 // Where all others have 1 and 0, a missing rescale means the same.
-TEST_F(OddRescale, missingWhereOthersHaveOneAndZeroIsTheSame) {
+TEST_F(OddRescale, MissingWhereOthersHaveOneAndZeroIsTheSame) {
     series.modality = "MR";
     series.intercept = 0.0;
     const auto slices = withOddSlice(series, [](DcmItem& item) {
@@ -91,7 +91,7 @@ TEST_F(OddRescale, missingWhereOthersHaveOneAndZeroIsTheSame) {
 }
 
 // Half of the images without: neither half is mixed into the other.
-TEST_F(OddRescale, halfOfThemWithoutAreAStackOfTheirOwn) {
+TEST_F(OddRescale, HalfOfThemWithoutAreAStackOfTheirOwn) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
         if (slice.place < 7) continue;
@@ -106,7 +106,7 @@ TEST_F(OddRescale, halfOfThemWithoutAreAStackOfTheirOwn) {
 }
 
 // MR needs no rescale (PS3.3 A.4.3): magnitude without one and phase with one are two volumes, and no fault.
-TEST_F(OddRescale, magnitudeWithoutAndPhaseWith) {
+TEST_F(OddRescale, MagnitudeWithoutAndPhaseWith) {
     series.modality = "MR";
     series.phases = 2;
     auto slices = slicesOf(series);
@@ -128,7 +128,7 @@ TEST_F(OddRescale, magnitudeWithoutAndPhaseWith) {
 }
 
 // Slopes of PET differ from slice to slice, by far: that is no fault.
-TEST_F(OddRescale, slopesOfPetMayDifferByThousands) {
+TEST_F(OddRescale, SlopesOfPetMayDifferByThousands) {
     series.modality = "PT";
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
@@ -141,7 +141,7 @@ TEST_F(OddRescale, slopesOfPetMayDifferByThousands) {
     EXPECT_EQ(opened.volumes().size(), 1u);
 }
 
-TEST_F(OddPosition, isAGapAndNamed) {
+TEST_F(OddPosition, IsAGapAndNamed) {
     const std::pair<const char*, Edit> odd[]{
         {"no number", [](DcmItem& item) { put(item, DCM_ImagePositionPatient, "nan\\0\\0"); }},
         {"infinite", [](DcmItem& item) { put(item, DCM_ImagePositionPatient, "0\\inf\\0"); }},
@@ -161,7 +161,7 @@ TEST_F(OddPosition, isAGapAndNamed) {
 }
 
 // Whatever stackPlanes would refuse the whole stack for: more than a tenth of the distance of slices.
-TEST_F(OddPosition, shiftedBesideTheStack) {
+TEST_F(OddPosition, ShiftedBesideTheStack) {
     const std::vector<Slice> straight = withOddSlice(series, {});
     const double stepMm = glm::distance(straight[0].positionMm, straight[1].positionMm);
     for (const double mm : {0.15 * stepMm, 40.0}) {
@@ -174,20 +174,20 @@ TEST_F(OddPosition, shiftedBesideTheStack) {
     }
 }
 
-TEST_F(OddPosition, farBeyondTheEndOfTheStack) {
+TEST_F(OddPosition, FarBeyondTheEndOfTheStack) {
     auto slices = withOddSlice(series, {});
     slices[5].positionMm = slices[11].positionMm + 10.0 * (slices[11].positionMm - slices[10].positionMm);
     writeFiles(folder.path(), series, slices);
     expectGapAtFive(open(), series, key::kOddPosition);
 }
 
-TEST_F(OddBits, pixelsThatCannotBeReadAreAGap) {
+TEST_F(OddBits, PixelsThatCannotBeReadAreAGap) {
     auto slices = withOddSlice(series, [](DcmItem& item) { putWord(item, DCM_HighBit, 20); });
     writeFiles(folder.path(), series, slices);
     expectGapAtFive(open(), series, key::kOddEncoding);
 }
 
-TEST_F(OddBits, onePrivateTransferSyntaxIsAGap) {
+TEST_F(OddBits, OnePrivateTransferSyntaxIsAGap) {
     const auto files = writeFiles(folder.path(), series, withOddSlice(series, {}));
     std::ostringstream text;
     text << std::ifstream(files[5], std::ios::binary).rdbuf();
@@ -201,7 +201,7 @@ TEST_F(OddBits, onePrivateTransferSyntaxIsAGap) {
 }
 
 // The same patient's CT with a slice that says 8 bits, and whose values need more.
-TEST_F(OddBits, fewerBitsThanTheValuesNeedIsAGap) {
+TEST_F(OddBits, FewerBitsThanTheValuesNeedIsAGap) {
     series.format = {16, 12, 11, false};
     const auto slices = withOddSlice(series, [](DcmItem& item) {
         putWord(item, DCM_BitsStored, 8);
@@ -212,7 +212,7 @@ TEST_F(OddBits, fewerBitsThanTheValuesNeedIsAGap) {
 }
 
 // All say 12; one has values beyond.
-TEST_F(OddBits, valuesBeyondTheBitsOfAllAreAGap) {
+TEST_F(OddBits, ValuesBeyondTheBitsOfAllAreAGap) {
     series.format = {16, 12, 11, false};
     const auto slices = withOddSlice(series, [&](DcmItem& item) {
         const std::vector<Uint16> cells(std::size_t(series.size.x) * std::size_t(series.size.y), 5000);
@@ -223,7 +223,7 @@ TEST_F(OddBits, valuesBeyondTheBitsOfAllAreAGap) {
 }
 
 // Overlays in the bits above the stored ones are no values: said where nothing declares them.
-TEST_F(OddBits, overlaysInAllImagesAreDropped) {
+TEST_F(OddBits, OverlaysInAllImagesAreDropped) {
     series.format = {16, 12, 11, false};
     series.cellNoise = 0x8000;
     for (const bool declared : {false, true}) {
@@ -241,7 +241,7 @@ TEST_F(OddBits, overlaysInAllImagesAreDropped) {
     }
 }
 
-TEST_F(NonFinite, floatPixelsAreCountedAndPadding) {
+TEST_F(NonFinite, FloatPixelsAreCountedAndPadding) {
     series.modality = "MR";
     series.size = {8, 7, 3};
     auto slices = slicesOf(series);

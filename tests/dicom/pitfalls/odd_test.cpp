@@ -66,7 +66,7 @@ const Opened& everything() {
     return opened;
 }
 
-TEST(Odd, foldersWithATruthFile) {
+TEST(Odd, FoldersWithATruthFile) {
     SKIP_WITHOUT_SHARED_DATA();
     for (const char* name : {"gantry_tilt_4slices", "nonisotropic_perslice_slope", "signed12bit_hitachi"}) {
         SCOPED_TRACE(name);
@@ -84,7 +84,7 @@ TEST(Odd, foldersWithATruthFile) {
     }
 }
 
-TEST(Odd, tiltIsTold) {
+TEST(Odd, TiltIsTold) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("gantry_tilt_4slices"));
     const Message* told = opened.find(key::kTiltedStack);
@@ -92,12 +92,12 @@ TEST(Odd, tiltIsTold) {
     EXPECT_NEAR(numberArgument(*told, "degrees"), 14.0, 0.01);
 }
 
-TEST(Odd, slopesPerSliceAreTold) {
+TEST(Odd, SlopesPerSliceAreTold) {
     SKIP_WITHOUT_SHARED_DATA();
     EXPECT_TRUE(Opened(odd("nonisotropic_perslice_slope")).says(key::kPerSliceRescale));
 }
 
-TEST(Odd, legacyConvertedPairIsOneVolumeBothWays) {
+TEST(Odd, LegacyConvertedPairIsOneVolumeBothWays) {
     SKIP_WITHOUT_SHARED_DATA();
     const Json truth = truthOf("legacy_enhanced_pair");
     const Opened opened(odd("legacy_enhanced_pair"));
@@ -117,7 +117,7 @@ TEST(Odd, legacyConvertedPairIsOneVolumeBothWays) {
 }
 
 // By hand from the dump: orientation -1 0 0 0 1 0, so that the normal points down; frame 2 (z -149) is first.
-TEST(Odd, enhancedCt) {
+TEST(Odd, EnhancedCt) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("enhanced_ct_2frame.dcm"));
     const auto volume = opened.onlyVolume();
@@ -141,7 +141,7 @@ TEST(Odd, enhancedCt) {
 }
 
 // Its functional groups were removed: ten pictures without a place.
-TEST(Odd, enhancedMrWithoutFunctionalGroups) {
+TEST(Odd, EnhancedMrWithoutFunctionalGroups) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("enhanced_mr_10frame.dcm"));
     EXPECT_TRUE(opened.volumes().empty());
@@ -149,7 +149,7 @@ TEST(Odd, enhancedMrWithoutFunctionalGroups) {
     EXPECT_TRUE(opened.says(key::kMultiFrameNoPosition)) << opened.keys();
 }
 
-TEST(Odd, mixedFlatFolder) {
+TEST(Odd, MixedFlatFolder) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("mixed_flat_folder"));
     EXPECT_EQ(opened.series().size() - (opened.series().size() > opened.stacks().size() ? 1 : 0), 2u);
@@ -170,7 +170,7 @@ TEST(Odd, mixedFlatFolder) {
 }
 
 // Seven copies of one image in seven syntaxes: they decode alike (../truth_test.cpp), and are no volume.
-TEST(Odd, transferSyntaxesAreOnePosition) {
+TEST(Odd, TransferSyntaxesAreOnePosition) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("transfer_syntaxes"));
     EXPECT_TRUE(opened.volumes().empty());
@@ -182,7 +182,7 @@ TEST(Odd, transferSyntaxesAreOnePosition) {
 }
 
 // Made into a volume by giving each a place of its own: all seven give the same values.
-TEST(Odd, transferSyntaxesSideBySideAreOneVolume) {
+TEST(Odd, TransferSyntaxesSideBySideAreOneVolume) {
     SKIP_WITHOUT_SHARED_DATA();
     const Json truth = truthOf("transfer_syntaxes");
     const TemporaryFolder folder;
@@ -210,7 +210,7 @@ TEST(Odd, transferSyntaxesSideBySideAreOneVolume) {
     }
 }
 
-TEST(Odd, colourIsListedAndNoVolume) {
+TEST(Odd, ColourIsListedAndNoVolume) {
     SKIP_WITHOUT_SHARED_DATA();
     for (const auto& [name, frames] : {std::pair{"rgb_series_j2k", 4u}, {"rgb_secondary_capture.dcm", 1u}}) {
         SCOPED_TRACE(name);
@@ -221,7 +221,7 @@ TEST(Odd, colourIsListedAndNoVolume) {
     }
 }
 
-TEST(Odd, projectionWithLowValuesBright) {
+TEST(Odd, ProjectionWithLowValuesBright) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("monochrome1_dx.dcm"));
     EXPECT_TRUE(opened.volumes().empty());
@@ -230,7 +230,7 @@ TEST(Odd, projectionWithLowValuesBright) {
     EXPECT_TRUE(opened.says(key::kNoPosition) || opened.says(key::kUnsupportedSeries)) << opened.keys();
 }
 
-TEST(Odd, mediaWithADirectory) {
+TEST(Odd, MediaWithADirectory) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("dicomdir_media"));
     EXPECT_FALSE(opened.says(key::kDicomdirMissingFiles));
@@ -260,7 +260,7 @@ TEST(Odd, mediaWithADirectory) {
 
 // Four of 165 slices were kept: -99.48 and then 103.02, 104.27, 105.52. Whatever is shown, it is said that
 // 161 are missing, or that they are not there.
-TEST(Odd, mediaWithAGapOfTwentyCentimetres) {
+TEST(Odd, MediaWithAGapOfTwentyCentimetres) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("dicomdir_media/77654033/CT2"));
     EXPECT_EQ(opened.frames(), 4u);
@@ -270,7 +270,7 @@ TEST(Odd, mediaWithAGapOfTwentyCentimetres) {
     for (const Stack* stack : opened.volumes()) EXPECT_LE(stack->slices.size(), 20u) << "made of nothing";
 }
 
-TEST(Odd, truncatedIsNamed) {
+TEST(Odd, TruncatedIsNamed) {
     SKIP_WITHOUT_SHARED_DATA();
     EXPECT_EQ(std::count_if(everything().scan().skipped.begin(), everything().scan().skipped.end(),
                             [](const SkippedFile& s) {
@@ -280,7 +280,7 @@ TEST(Odd, truncatedIsNamed) {
               1);
 }
 
-TEST(Odd, withoutPreamble) {
+TEST(Odd, WithoutPreamble) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("no_preamble_ct.dcm"));
     EXPECT_EQ(opened.frames(), 1u);
@@ -289,14 +289,14 @@ TEST(Odd, withoutPreamble) {
     EXPECT_EQ(opened.series()[0]->transferSyntaxUids, std::vector<std::string>{"1.2.840.10008.1.2"});
 }
 
-TEST(Odd, localizer) {
+TEST(Odd, Localizer) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("ct_localizer_scout.dcm"));
     EXPECT_TRUE(opened.volumes().empty());
     EXPECT_TRUE(opened.says(key::kLocalizer)) << opened.keys();
 }
 
-TEST(Odd, objectsThatAreNoImages) {
+TEST(Odd, ObjectsThatAreNoImages) {
     SKIP_WITHOUT_SHARED_DATA();
     const auto listed = [](const char* name) {
         for (const OtherObject& other : everything().others()) {
@@ -311,7 +311,7 @@ TEST(Odd, objectsThatAreNoImages) {
 }
 
 // Every series once, every frame in it, and whatever is no volume says why.
-TEST(Odd, nothingIsLostAndNothingIsSilent) {
+TEST(Odd, NothingIsLostAndNothingIsSilent) {
     SKIP_WITHOUT_SHARED_DATA();
     std::vector<std::string> uids;
     for (const Series* series : everything().series()) {
@@ -331,7 +331,7 @@ TEST(Odd, nothingIsLostAndNothingIsSilent) {
     EXPECT_EQ(std::adjacent_find(uids.begin(), uids.end()), uids.end());
 }
 
-TEST(Odd, namesInOtherAlphabets) {
+TEST(Odd, NamesInOtherAlphabets) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(odd("charsets"));
     std::vector<std::string> names;

@@ -15,14 +15,14 @@ using D03Spacing = Pitfall;
 using D06GantryTilt = Pitfall;
 using D24PatientPosition = Pitfall;
 
-TEST_F(D01SliceOrder, positionsDecideNotNamesNorNumbers) {
+TEST_F(D01SliceOrder, PositionsDecideNotNamesNorNumbers) {
     writeFiles(folder.path(), series);
     const Opened opened = open();
     expectOnlyVolume(opened, series);
     EXPECT_EQ(opened.series().size(), 1u);
 }
 
-TEST_F(D01SliceOrder, sliceLocationAndNumberRunTheOtherWay) {
+TEST_F(D01SliceOrder, SliceLocationAndNumberRunTheOtherWay) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
         slice.instanceNumber = 100 - slice.place;
@@ -33,7 +33,7 @@ TEST_F(D01SliceOrder, sliceLocationAndNumberRunTheOtherWay) {
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D01SliceOrder, withoutPositionsBySliceLocation) {
+TEST_F(D01SliceOrder, WithoutPositionsBySliceLocation) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
         slice.edits.push_back([n = slice.place](DcmItem& item) {
@@ -52,7 +52,7 @@ TEST_F(D01SliceOrder, withoutPositionsBySliceLocation) {
         EXPECT_EQ(frames[n].instance->sopInstanceUid, slices[slices.size() - 1 - n].sopInstanceUid);
 }
 
-TEST_F(D01SliceOrder, withoutPositionsAndLocationsByNumber) {
+TEST_F(D01SliceOrder, WithoutPositionsAndLocationsByNumber) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices)
         slice.edits.push_back([](DcmItem& item) { erase(item, DCM_ImagePositionPatient); });
@@ -67,7 +67,7 @@ TEST_F(D01SliceOrder, withoutPositionsAndLocationsByNumber) {
 }
 
 // Some of the slices have lost their position: they cannot be in the volume, and that is said.
-TEST_F(D01SliceOrder, oneSliceWithoutPosition) {
+TEST_F(D01SliceOrder, OneSliceWithoutPosition) {
     auto slices = slicesOf(series);
     slices[5].edits.push_back([](DcmItem& item) { erase(item, DCM_ImagePositionPatient); });
     writeFiles(folder.path(), series, slices);
@@ -78,7 +78,7 @@ TEST_F(D01SliceOrder, oneSliceWithoutPosition) {
     expectOnlyVolume(opened, series);  // slice 5 interpolated: the ramp again
 }
 
-TEST_F(D02Directions, gridThatRunsAgainstTheNormal) {
+TEST_F(D02Directions, GridThatRunsAgainstTheNormal) {
     series.worldFromVoxel =
         affine(obliqueAffine()[0], obliqueAffine()[1], -glm::dvec3(obliqueAffine()[2]), {12.5, -40.25, 77.0});
     ASSERT_LT(glm::determinant(glm::dmat3(series.worldFromVoxel)), 0.0);
@@ -86,7 +86,7 @@ TEST_F(D02Directions, gridThatRunsAgainstTheNormal) {
     expectOnlyVolume(open(), series);
 }
 
-TEST_F(D02Directions, fiveDecimalsAreOneOrientation) {
+TEST_F(D02Directions, FiveDecimalsAreOneOrientation) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
         // Each slice off by its own last digit.
@@ -107,7 +107,7 @@ TEST_F(D02Directions, fiveDecimalsAreOneOrientation) {
     expectRamp(*volume, series.rampOf(), 0.5 + 47 * 8 * 2e-5);
 }
 
-TEST_F(D02Directions, notQuiteARightAngleIsSetRight) {
+TEST_F(D02Directions, NotQuiteARightAngleIsSetRight) {
     const double off = 4e-4;
     for (Slice slice : slicesOf(series)) {
         const glm::dvec3 c = std::cos(off) * slice.columnDirection + std::sin(off) * slice.rowDirection;
@@ -125,7 +125,7 @@ TEST_F(D02Directions, notQuiteARightAngleIsSetRight) {
     EXPECT_LT(affineError(m, series.expectedAffine()), 1.1 * off);
 }
 
-TEST_F(D02Directions, nonsenseIsNoVolume) {
+TEST_F(D02Directions, NonsenseIsNoVolume) {
     const char* nonsense[] = {"1\\0\\0\\1\\0\\0",     "0\\0\\0\\0\\0\\0",   "1\\0\\0\\0.1\\1\\0",
                               "2\\0\\0\\0\\2\\0",     "NaN\\0\\0\\0\\1\\0", "1\\0\\0\\0\\1",
                               "1e300\\0\\0\\0\\1\\0", "inf\\0\\0\\0\\1\\0"};
@@ -144,7 +144,7 @@ TEST_F(D02Directions, nonsenseIsNoVolume) {
 }
 
 // SliceThickness is wrong in all files of the writer; the series says yet another distance.
-TEST_F(D03Spacing, positionsDecide) {
+TEST_F(D03Spacing, PositionsDecide) {
     series.modality = "MR";
     series.edits = {[](DcmItem& item) { put(item, DCM_SpacingBetweenSlices, "9.5"); }};
     writeFiles(folder.path(), series);
@@ -158,7 +158,7 @@ TEST_F(D03Spacing, positionsDecide) {
     EXPECT_NEAR(spacing.z, 2.3, 1e-6);
 }
 
-TEST_F(D03Spacing, veryThinAndVeryThickSlices) {
+TEST_F(D03Spacing, VeryThinAndVeryThickSlices) {
     for (const double spacing : {0.01, 50.0}) {
         SCOPED_TRACE(spacing);
         const TemporaryFolder own;
@@ -172,7 +172,7 @@ TEST_F(D03Spacing, veryThinAndVeryThickSlices) {
     }
 }
 
-TEST_F(D03Spacing, oneSliceIsNoVolume) {
+TEST_F(D03Spacing, OneSliceIsNoVolume) {
     auto slices = slicesOf(series);
     slices.resize(1);
     writeFiles(folder.path(), series, slices);
@@ -191,7 +191,7 @@ SyntheticSeries tilted(double degrees) {
     return series;
 }
 
-TEST_F(D06GantryTilt, shearedAffineWithoutResampling) {
+TEST_F(D06GantryTilt, ShearedAffineWithoutResampling) {
     for (const double degrees : {-25.0, 3.0, 14.0, 45.0}) {
         SCOPED_TRACE(degrees);
         const TemporaryFolder own;
@@ -205,7 +205,7 @@ TEST_F(D06GantryTilt, shearedAffineWithoutResampling) {
     }
 }
 
-TEST_F(D06GantryTilt, theTiltTagPlaysNoPart) {
+TEST_F(D06GantryTilt, TheTiltTagPlaysNoPart) {
     SyntheticSeries straight;
     straight.edits = {[](DcmItem& item) { put(item, DCM_GantryDetectorTilt, "20"); }};
     writeFiles(folder.path(), straight);
@@ -214,7 +214,7 @@ TEST_F(D06GantryTilt, theTiltTagPlaysNoPart) {
     expectOnlyVolume(opened, straight);
 }
 
-TEST_F(D06GantryTilt, missingSliceOfATiltedStack) {
+TEST_F(D06GantryTilt, MissingSliceOfATiltedStack) {
     const SyntheticSeries s = tilted(14.0);
     auto slices = slicesOf(s);
     slices.erase(slices.begin() + 4);
@@ -225,7 +225,7 @@ TEST_F(D06GantryTilt, missingSliceOfATiltedStack) {
 }
 
 // The gantry was set upright half way: two directions, two volumes.
-TEST_F(D06GantryTilt, twoTiltsAreTwoVolumes) {
+TEST_F(D06GantryTilt, TwoTiltsAreTwoVolumes) {
     SyntheticSeries lower = tilted(0.0);
     SyntheticSeries upper = tilted(18.0);
     lower.size.z = upper.size.z = 6;
@@ -250,7 +250,7 @@ TEST_F(D06GantryTilt, twoTiltsAreTwoVolumes) {
     }
 }
 
-TEST_F(D06GantryTilt, slicesShiftedSidewaysAreNoVolume) {
+TEST_F(D06GantryTilt, SlicesShiftedSidewaysAreNoVolume) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) slice.positionMm += slice.rowDirection * (slice.place % 3 == 0 ? 3.0 : 0.0);
     writeFiles(folder.path(), series, slices);
@@ -261,7 +261,7 @@ TEST_F(D06GantryTilt, slicesShiftedSidewaysAreNoVolume) {
 }
 
 // The letters of the sides may say otherwise (PS3.3 C.7.6.1.1.1): geometry counts, and it is told.
-TEST_F(D24PatientPosition, lettersThatSayTheOppositeAreToldOf) {
+TEST_F(D24PatientPosition, LettersThatSayTheOppositeAreToldOf) {
     struct Case {
         const char* letters;
         const char* kind;
@@ -289,7 +289,7 @@ TEST_F(D24PatientPosition, lettersThatSayTheOppositeAreToldOf) {
     }
 }
 
-TEST_F(D24PatientPosition, lettersComeFromTheDirectionsOnly) {
+TEST_F(D24PatientPosition, LettersComeFromTheDirectionsOnly) {
     struct Case {
         glm::dvec3 row, column;
         const char* letters;

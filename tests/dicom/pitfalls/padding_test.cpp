@@ -17,7 +17,7 @@ constexpr bool inCorner(int i, int j) {
     return i + j < 4;
 }
 
-TEST_F(D11Padding, signedValueBeforeRescale) {
+TEST_F(D11Padding, SignedValueBeforeRescale) {
     series.format = {16, 16, 15, true};
     series.rawInstead = [](const Slice&, int i, int j) -> std::optional<int> {
         return inCorner(i, j) ? std::optional(-2000) : std::nullopt;
@@ -41,7 +41,7 @@ TEST_F(D11Padding, signedValueBeforeRescale) {
     EXPECT_GT(least, 0.0);
 }
 
-TEST_F(D11Padding, rangeInEitherOrder) {
+TEST_F(D11Padding, RangeInEitherOrder) {
     for (const bool reversed : {false, true}) {
         SCOPED_TRACE(reversed);
         const TemporaryFolder own;
@@ -65,7 +65,7 @@ TEST_F(D11Padding, rangeInEitherOrder) {
 
 // 63536 (-2000) cannot be in 12 bits: it is compared with whole cells. Masked it would be 2096, a value of
 // the ramp: that is tissue, where a cell holds just it.
-TEST_F(D11Padding, outsideTheStoredBits) {
+TEST_F(D11Padding, OutsideTheStoredBits) {
     series.format = {16, 12, 11, false};
     series.intercept = 0.0;
     series.edits.push_back([](DcmItem& item) {
@@ -94,7 +94,7 @@ TEST_F(D11Padding, outsideTheStoredBits) {
     }
 }
 
-TEST_F(D11Padding, withSlopesThatDiffer) {
+TEST_F(D11Padding, WithSlopesThatDiffer) {
     series.modality = "PT";
     series.rawInstead = [](const Slice&, int i, int j) -> std::optional<int> {
         return inCorner(i, j) ? std::optional(7) : std::nullopt;
@@ -123,7 +123,7 @@ TEST_F(D11Padding, withSlopesThatDiffer) {
     EXPECT_GT(volume->valueRange()->low, 1000.0);
 }
 
-TEST_F(D11Padding, aMissingSliceBetweenPaddingIsPadding) {
+TEST_F(D11Padding, AMissingSliceBetweenPaddingIsPadding) {
     series.rawInstead = [](const Slice&, int i, int j) -> std::optional<int> {
         return inCorner(i, j) ? std::optional(0) : std::nullopt;
     };
@@ -139,7 +139,7 @@ TEST_F(D11Padding, aMissingSliceBetweenPaddingIsPadding) {
     }
 }
 
-TEST_F(D12Photometric, monochromeOneKeepsItsValues) {
+TEST_F(D12Photometric, MonochromeOneKeepsItsValues) {
     series.edits.push_back([](DcmItem& item) { put(item, DCM_PhotometricInterpretation, "MONOCHROME1"); });
     writeFiles(folder.path(), series);
     const Opened opened = open();
@@ -147,7 +147,7 @@ TEST_F(D12Photometric, monochromeOneKeepsItsValues) {
     expectOnlyVolume(opened, series);
 }
 
-TEST_F(D12Photometric, colourIsNoVolume) {
+TEST_F(D12Photometric, ColourIsNoVolume) {
     for (const char* photometric : {"RGB", "YBR_FULL", "YBR_FULL_422", "PALETTE COLOR"}) {
         SCOPED_TRACE(photometric);
         const TemporaryFolder own;
@@ -172,7 +172,7 @@ TEST_F(D12Photometric, colourIsNoVolume) {
 }
 
 // Metal on the extended CT scale: no value is clipped.
-TEST_F(D23HugeValues, allSixteenBits) {
+TEST_F(D23HugeValues, AllSixteenBits) {
     series.rawInstead = [](const Slice& slice, int i, int j) {
         if (i == 0 && j == 0) return 0;
         if (i == 7 && j == 6) return 65535;
@@ -189,7 +189,7 @@ TEST_F(D23HugeValues, allSixteenBits) {
     EXPECT_EQ(*volume->valueRange(), (ValueRange{-1024.0, 64511.0}));
 }
 
-TEST_F(D23HugeValues, extendedScaleOfTen) {
+TEST_F(D23HugeValues, ExtendedScaleOfTen) {
     series.slope = 10.0;
     series.intercept = -10240.0;
     series.rawInstead = [](const Slice&, int i, int j) { return 4000 - 100 * i - j; };

@@ -49,7 +49,7 @@ void putBValueOfGe(DcmItem& item, const std::string& values) {
     ASSERT_TRUE(item.putAndInsertString(DcmTag(0x0043, 0x1039, EVR_IS), values.c_str()).good());
 }
 
-TEST_F(D05DuplicatePositions, temporalPosition) {
+TEST_F(D05DuplicatePositions, TemporalPosition) {
     series.modality = "MR";
     expectSplitBy(series, "TemporalPosition", [](DcmItem& item, int phase, int) {
         put(item, DCM_TemporalPositionIdentifier, std::to_string(phase + 1));
@@ -57,27 +57,27 @@ TEST_F(D05DuplicatePositions, temporalPosition) {
 }
 
 // Times of a gated acquisition are not equal at any two positions.
-TEST_F(D05DuplicatePositions, jitteredTriggerTime) {
+TEST_F(D05DuplicatePositions, JitteredTriggerTime) {
     series.modality = "MR";
     expectSplitBy(series, "TriggerTime", [](DcmItem& item, int phase, int place) {
         putNumber(item, DCM_TriggerTime, 100.0 + 250.0 * phase + 7.25 * ((place * 5) % 6));
     });
 }
 
-TEST_F(D05DuplicatePositions, echoTime) {
+TEST_F(D05DuplicatePositions, EchoTime) {
     series.modality = "MR";
     expectSplitBy(series, "EchoTime",
                   [](DcmItem& item, int phase, int) { putNumber(item, DCM_EchoTime, 4.6 + 2.3 * phase); });
 }
 
-TEST_F(D05DuplicatePositions, bValue) {
+TEST_F(D05DuplicatePositions, BValue) {
     series.modality = "MR";
     expectSplitBy(series, "DiffusionBValue",
                   [](DcmItem& item, int phase, int) { putNumber(item, DCM_DiffusionBValue, 500.0 * phase); });
 }
 
 // GE keeps it in a private element, with 1e9 added where a series has several, and with other numbers behind.
-TEST_F(D05DuplicatePositions, privateBValueOfGeIsWithoutWhatWasAdded) {
+TEST_F(D05DuplicatePositions, PrivateBValueOfGeIsWithoutWhatWasAdded) {
     series.modality = "MR";
     series.phases = 3;
     series.size.z = 6;
@@ -99,7 +99,7 @@ TEST_F(D05DuplicatePositions, privateBValueOfGeIsWithoutWhatWasAdded) {
 }
 
 // One image has the standard's attribute, another only that of GE: the same b-value is the same.
-TEST_F(D05DuplicatePositions, bValueOfGeIsComparedWithThatOfTheStandard) {
+TEST_F(D05DuplicatePositions, BValueOfGeIsComparedWithThatOfTheStandard) {
     series.modality = "MR";
     expectSplitBy(series, "DiffusionBValue", [](DcmItem& item, int phase, int place) {
         if (place % 2 == 0) {
@@ -110,13 +110,13 @@ TEST_F(D05DuplicatePositions, bValueOfGeIsComparedWithThatOfTheStandard) {
     });
 }
 
-TEST_F(D05DuplicatePositions, acquisitionNumber) {
+TEST_F(D05DuplicatePositions, AcquisitionNumber) {
     expectSplitBy(series, "AcquisitionNumber", [](DcmItem& item, int phase, int) {
         put(item, DCM_AcquisitionNumber, std::to_string(phase + 1));
     });
 }
 
-TEST_F(D05DuplicatePositions, imageType) {
+TEST_F(D05DuplicatePositions, ImageType) {
     series.modality = "MR";
     expectSplitBy(series, "ImageType", [](DcmItem& item, int phase, int) {
         const char* types[] = {"ORIGINAL\\PRIMARY\\F_FFE", "ORIGINAL\\PRIMARY\\M_FFE",
@@ -126,26 +126,26 @@ TEST_F(D05DuplicatePositions, imageType) {
 }
 
 // A perfusion scan: each slice has the time at which it was taken.
-TEST_F(D05DuplicatePositions, acquisitionTime) {
+TEST_F(D05DuplicatePositions, AcquisitionTime) {
     expectSplitBy(series, "Time", [](DcmItem& item, int phase, int place) {
         put(item, DCM_AcquisitionTime, clock(30.0 * phase + 0.4 * place));
     });
 }
 
-TEST_F(D05DuplicatePositions, contentTime) {
+TEST_F(D05DuplicatePositions, ContentTime) {
     expectSplitBy(series, "ContentTime", [](DcmItem& item, int phase, int place) {
         put(item, DCM_ContentTime, clock(30.0 * phase + 0.4 * place));
     });
 }
 
-TEST_F(D05DuplicatePositions, cardiacPhase) {
+TEST_F(D05DuplicatePositions, CardiacPhase) {
     expectSplitBy(series, "CardiacPhase", [](DcmItem& item, int phase, int) {
         putNumber(item, DCM_NominalPercentageOfCardiacPhase, 10.0 + 30.0 * phase);
     });
 }
 
 // Two properties at once: every combination is a volume.
-TEST_F(D05DuplicatePositions, echoesAndTimes) {
+TEST_F(D05DuplicatePositions, EchoesAndTimes) {
     series.modality = "MR";
     series.phases = 4;
     series.size.z = 5;
@@ -161,7 +161,7 @@ TEST_F(D05DuplicatePositions, echoesAndTimes) {
 }
 
 // Diffusion: one image without weighting, and six directions of one b-value.
-TEST_F(D05DuplicatePositions, diffusionDirections) {
+TEST_F(D05DuplicatePositions, DiffusionDirections) {
     series.modality = "MR";
     series.phases = 7;
     series.size.z = 5;
@@ -183,7 +183,7 @@ TEST_F(D05DuplicatePositions, diffusionDirections) {
 }
 
 // Magnitude and phase images of two echoes: two attributes, four volumes.
-TEST_F(D05DuplicatePositions, imageTypesOfTwoEchoes) {
+TEST_F(D05DuplicatePositions, ImageTypesOfTwoEchoes) {
     series.modality = "MR";
     series.phases = 4;
     series.size.z = 5;
@@ -201,7 +201,7 @@ TEST_F(D05DuplicatePositions, imageTypesOfTwoEchoes) {
 }
 
 // What is found does not depend on how the files are called, nor in which order they lie.
-TEST_F(D05DuplicatePositions, namesDecideNothing) {
+TEST_F(D05DuplicatePositions, NamesDecideNothing) {
     series.modality = "MR";
     series.phases = 3;
     auto slices = slicesOf(series);
@@ -231,7 +231,7 @@ TEST_F(D05DuplicatePositions, namesDecideNothing) {
 }
 
 // Nothing tells them apart but the order of the numbers: shown, with a warning.
-TEST_F(D05DuplicatePositions, onlyBlocksOfInstanceNumbers) {
+TEST_F(D05DuplicatePositions, OnlyBlocksOfInstanceNumbers) {
     series.phases = 2;
     series.shuffleNumbers = false;
     writeFiles(folder.path(), series);
@@ -246,7 +246,7 @@ TEST_F(D05DuplicatePositions, onlyBlocksOfInstanceNumbers) {
 }
 
 // Numbers position by position: 1 2 for the first, 3 4 for the second.
-TEST_F(D05DuplicatePositions, interleavedInstanceNumbers) {
+TEST_F(D05DuplicatePositions, InterleavedInstanceNumbers) {
     series.phases = 2;
     auto slices = slicesOf(series);
     for (Slice& slice : slices) slice.instanceNumber = slice.place * 2 + slice.phase + 1;
@@ -258,7 +258,7 @@ TEST_F(D05DuplicatePositions, interleavedInstanceNumbers) {
 }
 
 // Numbers without any order: either a question, or an assumption that is said.
-TEST_F(D05DuplicatePositions, nothingTellsThemApart) {
+TEST_F(D05DuplicatePositions, NothingTellsThemApart) {
     series.phases = 2;
     auto slices = slicesOf(series);
     for (Slice& slice : slices) slice.edits.push_back([](DcmItem& item) { erase(item, DCM_InstanceNumber); });
@@ -272,7 +272,7 @@ TEST_F(D05DuplicatePositions, nothingTellsThemApart) {
     EXPECT_EQ(numberArgument(*question, "total"), 24.0);
 }
 
-TEST_F(D05DuplicatePositions, theSameFileTwiceIsDropped) {
+TEST_F(D05DuplicatePositions, TheSameFileTwiceIsDropped) {
     const auto files = writeFiles(folder.path(), series);
     fs::create_directories(folder / "backup");
     for (const fs::path& file : files) fs::copy_file(file, folder / "backup" / file.filename());
@@ -285,7 +285,7 @@ TEST_F(D05DuplicatePositions, theSameFileTwiceIsDropped) {
 }
 
 // One UID, other bytes: one of them is wrong, and nobody can say which.
-TEST_F(D05DuplicatePositions, oneUidWithOtherPixelsIsKept) {
+TEST_F(D05DuplicatePositions, OneUidWithOtherPixelsIsKept) {
     auto slices = slicesOf(series);
     Slice twin = slices[4];
     twin.phase = 1;  // other values
@@ -299,7 +299,7 @@ TEST_F(D05DuplicatePositions, oneUidWithOtherPixelsIsKept) {
 }
 
 // Slice 4 was taken again: the volume is whole, and the second image is not lost.
-TEST_F(D05DuplicatePositions, oneRepeatedSlice) {
+TEST_F(D05DuplicatePositions, OneRepeatedSlice) {
     auto slices = slicesOf(series);
     Slice again = slices[4];
     again.phase = 1;
@@ -317,7 +317,7 @@ TEST_F(D05DuplicatePositions, oneRepeatedSlice) {
 }
 
 // The last phase was stopped half way: the whole ones are volumes of their own.
-TEST_F(D05DuplicatePositions, lastPhaseIncomplete) {
+TEST_F(D05DuplicatePositions, LastPhaseIncomplete) {
     series.modality = "MR";
     series.phases = 3;
     auto slices = slicesOf(series);
@@ -341,7 +341,7 @@ TEST_F(D05DuplicatePositions, lastPhaseIncomplete) {
 }
 
 // A film at one position: pictures, no volume.
-TEST_F(D05DuplicatePositions, cineAtOnePositionIsNoVolume) {
+TEST_F(D05DuplicatePositions, CineAtOnePositionIsNoVolume) {
     series.modality = "MR";
     series.phases = 20;
     series.size.z = 1;

@@ -52,7 +52,7 @@ TEST_F(D28Separators, AreReadWhereThereIsOneReading) {
     }
 }
 
-TEST_F(D28Separators, decimalCommasAreReadBetweenBackslashes) {
+TEST_F(D28Separators, DecimalCommasAreReadBetweenBackslashes) {
     series.edits = {rewritten({DCM_PixelSpacing}, [](const std::string&) { return "0,75\\0,5"; })};
     series.worldFromVoxel = glm::dmat4(1.0);
     series.worldFromVoxel[0] = {0.5, 0, 0, 0};
@@ -63,7 +63,7 @@ TEST_F(D28Separators, decimalCommasAreReadBetweenBackslashes) {
     EXPECT_TRUE(opened.says(key::kRepairedNumbers)) << opened.keys();
 }
 
-TEST_F(D28Separators, whatHasSeveralReadingsIsNamed) {
+TEST_F(D28Separators, WhatHasSeveralReadingsIsNamed) {
     series.edits = {rewritten({DCM_PixelSpacing}, [](const std::string&) { return "1,5"; })};
     writeFiles(folder.path(), series);
     const Opened opened = open();
@@ -74,7 +74,7 @@ TEST_F(D28Separators, whatHasSeveralReadingsIsNamed) {
     EXPECT_FALSE(opened.says(key::kNoPixelSpacing)) << "they do say it";
 }
 
-TEST_F(D28Separators, ofAnotherProgram) {
+TEST_F(D28Separators, OfAnotherProgram) {
     SKIP_WITHOUT_SHARED_DATA();
     const Opened opened(sharedData() / "failures/other/spacing-comma-separated");
     const auto volumes = opened.volumes();

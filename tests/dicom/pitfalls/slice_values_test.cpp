@@ -115,7 +115,7 @@ void expectValues(const Volume& volume, int firstPlace, const std::function<doub
     }
 }
 
-TEST_F(OddValues, aFewSlicesThatAreReadWronglyAreGapsAndNamed) {
+TEST_F(OddValues, AFewSlicesThatAreReadWronglyAreGapsAndNamed) {
     const std::pair<const char*, Edit> faults[]{
         {"sign", takeOtherSign}, {"bytes", swapBytes}, {"blank", blankFrom(0.0)}, {"cut", blankFrom(0.6)}};
     const std::vector<int> places[]{{9}, {9, 10}, {4, 15}, {0}, {23}};
@@ -157,7 +157,7 @@ TEST_F(OddValues, aFewSlicesThatAreReadWronglyAreGapsAndNamed) {
 }
 
 // Signed by mistake: bright values become negative.
-TEST_F(OddValues, oneSliceOfUnsignedPixelsThatSaysSigned) {
+TEST_F(OddValues, OneSliceOfUnsignedPixelsThatSaysSigned) {
     Kind bright = kUnsignedCt;
     bright.offset = 32768.0;
     const SyntheticSeries s = seriesOf(bright);
@@ -171,7 +171,7 @@ TEST_F(OddValues, oneSliceOfUnsignedPixelsThatSaysSigned) {
 }
 
 // The sign of values that none of the pixels needs is no fault.
-TEST_F(OddValues, anotherSignThatChangesNoValueIsNone) {
+TEST_F(OddValues, AnotherSignThatChangesNoValueIsNone) {
     const SyntheticSeries s = seriesOf(kUnsignedCt);
     auto slices = slicesOf(s, kUnsignedCt);
     slices[7].edits.push_back(takeOtherSign);
@@ -182,7 +182,7 @@ TEST_F(OddValues, anotherSignThatChangesNoValueIsNone) {
     expectValues(*volume, 0, [](int i, int j, int k) { return anatomy(i, j, k) + 1024.0; });
 }
 
-TEST_F(OddValues, blankSlicesAtAnEndMayBeReal) {
+TEST_F(OddValues, BlankSlicesAtAnEndMayBeReal) {
     const SyntheticSeries s = seriesOf(kCt);
     auto slices = slicesOf(s, kCt);
     for (const std::size_t place : {0u, 1u, 23u}) slices[place].edits.push_back(blankFrom(0.0));
@@ -194,7 +194,7 @@ TEST_F(OddValues, blankSlicesAtAnEndMayBeReal) {
 }
 
 // Where many are wrong nobody knows what to interpolate from: they stay, and it is said.
-TEST_F(OddValues, ofManyIsSaid) {
+TEST_F(OddValues, OfManyIsSaid) {
     for (const int count : {10, 24}) {
         SCOPED_TRACE(count);
         const TemporaryFolder own;
@@ -212,7 +212,7 @@ TEST_F(OddValues, ofManyIsSaid) {
     }
 }
 
-TEST_F(OddValues, twiceTheValuesOfBothNeighboursAreShownAndSaid) {
+TEST_F(OddValues, TwiceTheValuesOfBothNeighboursAreShownAndSaid) {
     for (const bool two : {false, true}) {
         SCOPED_TRACE(two);
         const TemporaryFolder own;
@@ -234,7 +234,7 @@ TEST_F(OddValues, twiceTheValuesOfBothNeighboursAreShownAndSaid) {
     }
 }
 
-TEST_F(RescaleSteps, anInterceptThatChangesHalfwayWithTheSameStoredValues) {
+TEST_F(RescaleSteps, AnInterceptThatChangesHalfwayWithTheSameStoredValues) {
     for (const double added : {1024.0, 100.0}) {
         SCOPED_TRACE(added);
         const TemporaryFolder own;
@@ -260,7 +260,7 @@ TEST_F(RescaleSteps, anInterceptThatChangesHalfwayWithTheSameStoredValues) {
 }
 
 // A slope for one half, as of another scanner, whose stored values do not go with it.
-TEST_F(RescaleSteps, aSlopeThatChangesHalfwayWithTheSameStoredValues) {
+TEST_F(RescaleSteps, ASlopeThatChangesHalfwayWithTheSameStoredValues) {
     const SyntheticSeries s = seriesOf(kUnsignedCt);
     auto slices = slicesOf(s, kUnsignedCt);
     for (Slice& slice : slices) {
@@ -272,7 +272,7 @@ TEST_F(RescaleSteps, aSlopeThatChangesHalfwayWithTheSameStoredValues) {
     EXPECT_NE(messageOf(*volume, key::kRescaleStep), nullptr);
 }
 
-TEST_F(RescaleSteps, aScannerThatStoresOtherNumbersAlongWithItHasNone) {
+TEST_F(RescaleSteps, AScannerThatStoresOtherNumbersAlongWithItHasNone) {
     const SyntheticSeries s = seriesOf(kCt);
     auto slices = slicesOf(s, kCt);
     for (Slice& slice : slices) slice.intercept = slice.place < 12 ? 0.0 : -1024.0;
@@ -286,7 +286,7 @@ TEST_F(RescaleSteps, aScannerThatStoresOtherNumbersAlongWithItHasNone) {
 }
 
 // HU in one half and a concentration in the other are never one volume.
-TEST_F(RescaleSteps, anotherUnitIsAnotherVolume) {
+TEST_F(RescaleSteps, AnotherUnitIsAnotherVolume) {
     const SyntheticSeries s = seriesOf(kCt);
     auto slices = slicesOf(s, kCt);
     for (Slice& slice : slices) {
@@ -311,7 +311,7 @@ TEST_F(RescaleSteps, anotherUnitIsAnotherVolume) {
 }
 
 // Every second slice without a type is no other unit, where HU is the definition.
-TEST_F(RescaleSteps, aTypeThatSomeDoNotNameIsNoOtherUnit) {
+TEST_F(RescaleSteps, ATypeThatSomeDoNotNameIsNoOtherUnit) {
     const SyntheticSeries s = seriesOf(kCt);
     auto slices = slicesOf(s, kCt);
     for (Slice& slice : slices) {
@@ -325,7 +325,7 @@ TEST_F(RescaleSteps, aTypeThatSomeDoNotNameIsNoOtherUnit) {
     EXPECT_FALSE(opened.says(key::kInconsistentUnits)) << opened.keys();
 }
 
-TEST_F(NoFalseAlarm, ofSeriesThatAreRight) {
+TEST_F(NoFalseAlarm, OfSeriesThatAreRight) {
     struct Right {
         const char* name;
         Kind kind;
@@ -364,7 +364,7 @@ TEST_F(NoFalseAlarm, ofSeriesThatAreRight) {
 }
 
 // Real series of CT, MR and PET: none of them has any of these faults.
-TEST_F(NoFalseAlarm, ofRealSeries) {
+TEST_F(NoFalseAlarm, OfRealSeries) {
     SKIP_WITHOUT_SHARED_DATA();
     for (const char* name : {"ct_chest_ricord", "ct_cta_rider", "mr_head_sag_hfs", "odd"}) {
         SCOPED_TRACE(name);

@@ -61,7 +61,7 @@ void expectSurplus(const Opened& opened, double files, const char* frames) {
         << told->sentence;
 }
 
-TEST_F(Surplus, framesBeyondTheirNumberAreCounted) {
+TEST_F(Surplus, FramesBeyondTheirNumberAreCounted) {
     const auto all = slicesOf(series);
     writeMultiFrame(folder / "enhanced", series, all);
     editFile(folder / "enhanced", [](DcmItem& item) { put(item, DCM_NumberOfFrames, "9"); });
@@ -73,7 +73,7 @@ TEST_F(Surplus, framesBeyondTheirNumberAreCounted) {
     expectRamp(*volume, series.rampOf());
 }
 
-TEST_F(Surplus, functionalGroupsWithoutPixelsAndPixelsWithoutGroups) {
+TEST_F(Surplus, FunctionalGroupsWithoutPixelsAndPixelsWithoutGroups) {
     const auto all = slicesOf(series);
     for (const bool groups : {true, false}) {
         SCOPED_TRACE(groups);
@@ -96,7 +96,7 @@ TEST_F(Surplus, functionalGroupsWithoutPixelsAndPixelsWithoutGroups) {
     }
 }
 
-TEST_F(Surplus, pixelsOfSingleImages) {
+TEST_F(Surplus, PixelsOfSingleImages) {
     const auto slices = slicesOf(series);
     for (const auto& [times, frames] : {std::pair(2.0, "12"), std::pair(1.5, "6")}) {
         SCOPED_TRACE(times);
@@ -114,7 +114,7 @@ TEST_F(Surplus, pixelsOfSingleImages) {
 }
 
 // A byte or a few of padding are none.
-TEST_F(Surplus, paddingIsNone) {
+TEST_F(Surplus, PaddingIsNone) {
     const auto slices = slicesOf(series);
     const auto files = writeFiles(folder.path(), series, slices);
     for (std::size_t n = 0; n < files.size(); ++n) {
@@ -127,7 +127,7 @@ TEST_F(Surplus, paddingIsNone) {
     expectOnlyVolume(opened, series);
 }
 
-TEST_F(Surplus, streamsOfSingleImages) {
+TEST_F(Surplus, StreamsOfSingleImages) {
     const auto slices = slicesOf(series);
     for (const char* uid : {kJpegLossless, kJpegLs, kJpeg2000}) {
         SCOPED_TRACE(uid);
@@ -145,7 +145,7 @@ TEST_F(Surplus, streamsOfSingleImages) {
     }
 }
 
-TEST_F(Surplus, bytesAfterThePixelsAreMeasured) {
+TEST_F(Surplus, BytesAfterThePixelsAreMeasured) {
     const auto files = writeFiles(folder.path(), series);
     const std::size_t pixels = 2 * 8 * 7;
     for (const std::size_t bytes : {std::size_t{7}, pixels, std::size_t{3} << 20}) {
@@ -164,7 +164,7 @@ TEST_F(Surplus, bytesAfterThePixelsAreMeasured) {
 }
 
 // Raw pixels behind those of the file may look like an element that comes last.
-TEST_F(Surplus, pixelsAfterThePixelsAreNoElement) {
+TEST_F(Surplus, PixelsAfterThePixelsAreNoElement) {
     const auto files = writeFiles(folder.path(), series);
     std::string more;
     for (int n = 0; n < 56; ++n) more += bytesOf(0xFC18, 2);
@@ -179,7 +179,7 @@ TEST_F(Surplus, pixelsAfterThePixelsAreNoElement) {
 }
 
 // NumberOfFrames says more than there are: those that are there are shown, the first ones.
-TEST_F(Surplus, fewerStreamsThanFrames) {
+TEST_F(Surplus, FewerStreamsThanFrames) {
     auto all = slicesOf(series);
     for (const std::size_t fragmentsEach : {1u, 2u}) {
         for (const char* uid : {kJpegLossless, kJpeg2000, kRle}) {
@@ -207,7 +207,7 @@ TEST_F(Surplus, fewerStreamsThanFrames) {
 // --- encoding ---
 
 // The file names one encoding, and its pixels are in another: read as what they are, and told.
-TEST_F(Encoding, isWhatThePixelsAreAndNotWhatTheFileNames) {
+TEST_F(Encoding, IsWhatThePixelsAreAndNotWhatTheFileNames) {
     const auto slices = slicesOf(series);
     for (const char* uid : {kJpegLossless, kJpegLosslessFirstOrder, kJpegLs, kJpeg2000, kRle}) {
         SCOPED_TRACE(uid);
@@ -240,7 +240,7 @@ void repeat(const fs::path& file, Tag tag, const std::string& vr, const std::str
     write(file, bytes);
 }
 
-TEST_F(Repeated, elementsWithOtherValuesAreNamed) {
+TEST_F(Repeated, ElementsWithOtherValuesAreNamed) {
     struct Case {
         Tag tag;
         const char* vr;
@@ -273,7 +273,7 @@ TEST_F(Repeated, elementsWithOtherValuesAreNamed) {
     }
 }
 
-TEST_F(Repeated, elementsWithTheSameValueAreNoMatter) {
+TEST_F(Repeated, ElementsWithTheSameValueAreNoMatter) {
     const auto files = writeFiles(folder.path(), series);
     for (const auto& file : files) {
         repeat(file, {0x0028, 0x1052}, "DS", "-1024.0");
@@ -286,7 +286,7 @@ TEST_F(Repeated, elementsWithTheSameValueAreNoMatter) {
     expectOnlyVolume(opened, series);
 }
 
-TEST_F(Repeated, pixelData) {
+TEST_F(Repeated, PixelData) {
     const auto files = writeFiles(folder.path(), series);
     for (const auto& file : files)
         write(file, contentOf(file) + nativePixels(std::vector<std::uint16_t>(56, 9)));
@@ -299,7 +299,7 @@ TEST_F(Repeated, pixelData) {
 }
 
 // In the functional groups of one frame.
-TEST_F(Repeated, elementsOfAFrame) {
+TEST_F(Repeated, ElementsOfAFrame) {
     const auto all = slicesOf(series);
     writeMultiFrame(folder / "enhanced", series, all, {.sharedTransformation = false});
     // DCMTK writes no tag twice: another attribute of that macro, with a value of the same length, takes its
@@ -331,7 +331,7 @@ void putAs(DcmItem& item, const DcmTagKey& tag, const DcmEVR vr, int value) {
 }
 
 // What is listed as a volume can be loaded.
-TEST_F(TextNumbers, areReadAlikeWhenListedAndWhenLoaded) {
+TEST_F(TextNumbers, AreReadAlikeWhenListedAndWhenLoaded) {
     series.size = {64, 64, 12};
     series.worldFromVoxel = affine({0.1, 0, 0}, {0, 0.1, 0}, {0, 0, 1}, {-3, -2, 4});
     for (const DcmEVR vr : {EVR_IS, EVR_DS, EVR_UL}) {
@@ -352,7 +352,7 @@ TEST_F(TextNumbers, areReadAlikeWhenListedAndWhenLoaded) {
     }
 }
 
-TEST_F(TextNumbers, ofPaddingToo) {
+TEST_F(TextNumbers, OfPaddingToo) {
     series.rawInstead = [](const Slice&, int i, int) { return i == 0 ? std::optional(63) : std::nullopt; };
     series.edits.push_back([](DcmItem& item) { putAs(item, DCM_PixelPaddingValue, EVR_IS, 63); });
     writeFiles(folder.path(), series);
@@ -362,7 +362,7 @@ TEST_F(TextNumbers, ofPaddingToo) {
     EXPECT_FALSE(volume->isPadding(1, 3, 2));
 }
 
-TEST_F(TextNumbers, codeStringsInSmallLettersAreTheSame) {
+TEST_F(TextNumbers, CodeStringsInSmallLettersAreTheSame) {
     series.edits.push_back([](DcmItem& item) {
         put(item, DCM_PhotometricInterpretation, "monochrome2");
         put(item, DCM_Modality, "ct");

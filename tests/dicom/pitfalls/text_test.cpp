@@ -25,7 +25,7 @@ Opened named(const TemporaryFolder& folder, const char* declared, const std::str
 }
 
 // PS3.5 annexes H to K have these names, and PS3.3 C.12.1.1.2 the terms.
-TEST_F(D20CharacterSets, toUtf8) {
+TEST_F(D20CharacterSets, ToUtf8) {
     struct Case {
         const char* declared;
         std::string bytes;
@@ -77,7 +77,7 @@ bool isUtf8(const std::string& text) {
 }
 
 // Undeclared, wrongly declared, unheard of: something readable comes out, it is UTF-8, and it is marked.
-TEST_F(D20CharacterSets, wrongDeclarationsAreMarked) {
+TEST_F(D20CharacterSets, WrongDeclarationsAreMarked) {
     struct Case {
         const char* declared;
         std::string bytes;
@@ -107,7 +107,7 @@ TEST_F(D20CharacterSets, wrongDeclarationsAreMarked) {
 }
 
 // Undeclared UTF-8 is UTF-8: nothing else makes sense of these bytes.
-TEST_F(D20CharacterSets, undeclaredUtf8) {
+TEST_F(D20CharacterSets, UndeclaredUtf8) {
     const TemporaryFolder own;
     const Opened opened = named(own, nullptr, "Müller^Jürgen");
     ASSERT_EQ(opened.scan().studies.size(), 1u);
@@ -131,7 +131,7 @@ void petTimes(DcmItem& item) {
     put(drug, DCM_RadionuclideHalfLife, "6000");
 }
 
-TEST_F(D21Times, decayOverMidnight) {
+TEST_F(D21Times, DecayOverMidnight) {
     series.modality = "PT";
     series.edits.push_back(petTimes);
     writeFiles(folder.path(), series);
@@ -143,7 +143,7 @@ TEST_F(D21Times, decayOverMidnight) {
     EXPECT_NEAR(*opened.volumes()[0]->suvFactor, 70000.0 / dose, 1e-9 * 70000.0 / dose);
 }
 
-TEST_F(D21Times, noUptakeValuesWithoutAllOfTheTags) {
+TEST_F(D21Times, NoUptakeValuesWithoutAllOfTheTags) {
     const DcmTagKey needed[] = {DCM_Units, DCM_PatientWeight};
     const DcmTagKey neededOfDrug[] = {DCM_RadiopharmaceuticalStartTime, DCM_RadionuclideTotalDose,
                                       DCM_RadionuclideHalfLife};
@@ -183,7 +183,7 @@ TEST_F(D21Times, noUptakeValuesWithoutAllOfTheTags) {
 }
 
 // A newborn and a mouse are given less, and more of it for each gram.
-TEST_F(D21Times, uptakeValuesOfTheSmallest) {
+TEST_F(D21Times, UptakeValuesOfTheSmallest) {
     const std::pair<const char*, const char*> given[]{{"0.5", "150000"}, {"0.02", "10000000"}};
     for (const auto& [weight, dose] : given) {
         SCOPED_TRACE(weight);
@@ -203,7 +203,7 @@ TEST_F(D21Times, uptakeValuesOfTheSmallest) {
     }
 }
 
-TEST_F(D22Windows, allOfThemWithTheirNames) {
+TEST_F(D22Windows, AllOfThemWithTheirNames) {
     series.edits.push_back([](DcmItem& item) {
         put(item, DCM_WindowCenter, "40\\-600");
         put(item, DCM_WindowWidth, "400\\1500");
@@ -219,7 +219,7 @@ TEST_F(D22Windows, allOfThemWithTheirNames) {
 }
 
 // VR LO counts characters, of which UTF-8 has up to four bytes each.
-TEST_F(D22Windows, aLongNameIsCutBetweenCharacters) {
+TEST_F(D22Windows, ALongNameIsCutBetweenCharacters) {
     series.edits.push_back([](DcmItem& item) {
         std::string name = "a";
         for (int i = 0; i < 40; ++i) name += "ä";
@@ -237,7 +237,7 @@ TEST_F(D22Windows, aLongNameIsCutBetweenCharacters) {
     EXPECT_TRUE(name.ends_with("ä"));
 }
 
-TEST_F(D22Windows, brokenOnesAreNoWindowAndStopNothing) {
+TEST_F(D22Windows, BrokenOnesAreNoWindowAndStopNothing) {
     const Edit breaks[] = {
         [](DcmItem& item) {
             put(item, DCM_WindowCenter, "40");
@@ -268,7 +268,7 @@ TEST_F(D22Windows, brokenOnesAreNoWindowAndStopNothing) {
 }
 
 // A VOI LUT (PS3.3 C.11.2.1.1) is left out, and that is told.
-TEST_F(D22Windows, tablesAreToldOf) {
+TEST_F(D22Windows, TablesAreToldOf) {
     series.edits.push_back([](DcmItem& item) {
         DcmItem& table = nested(item, DCM_VOILUTSequence);
         const std::vector<Uint16> descriptor{4, 1000, 16};
@@ -285,7 +285,7 @@ TEST_F(D22Windows, tablesAreToldOf) {
 }
 
 // The window of the middle slice is that of the volume.
-TEST_F(D22Windows, ofTheMiddleSlice) {
+TEST_F(D22Windows, OfTheMiddleSlice) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
         slice.edits.push_back([n = slice.place](DcmItem& item) {
@@ -301,7 +301,7 @@ TEST_F(D22Windows, ofTheMiddleSlice) {
 }
 
 // Two patients, anonymised with the same UIDs.
-TEST_F(D26Identity, sameUidsOfTwoPatients) {
+TEST_F(D26Identity, SameUidsOfTwoPatients) {
     SyntheticSeries other = series;
     other.patientId = "SYN2";
     other.patientName = "SYNTHETIC^TWO";
@@ -321,7 +321,7 @@ TEST_F(D26Identity, sameUidsOfTwoPatients) {
 }
 
 // Missing PatientID is legal; two names are still two patients.
-TEST_F(D26Identity, withoutPatientId) {
+TEST_F(D26Identity, WithoutPatientId) {
     SyntheticSeries other = series;
     series.patientId = other.patientId = "";
     other.patientName = "SYNTHETIC^TWO";
@@ -335,7 +335,7 @@ TEST_F(D26Identity, withoutPatientId) {
     EXPECT_EQ(opened.volumes().size(), 2u);
 }
 
-TEST_F(D26Identity, nothingSaidNamesThePatient) {
+TEST_F(D26Identity, NothingSaidNamesThePatient) {
     series.patientName = "XYZZY^PATIENT";
     series.patientId = "PLUGH77";
     series.phases = 2;
@@ -352,7 +352,7 @@ TEST_F(D26Identity, nothingSaidNamesThePatient) {
 }
 
 // A name where only terms should stand: RescaleType, Units, DoseUnits, the code of a mapping.
-TEST_F(D26Identity, noTextThatShouldBeATermIsRepeated) {
+TEST_F(D26Identity, NoTextThatShouldBeATermIsRepeated) {
     for (const char* modality : {"CT", "MR", "PT", "RTDOSE"}) {
         SCOPED_TRACE(modality);
         const TemporaryFolder own;

@@ -16,7 +16,7 @@ using D09Rescale = Pitfall;
 using D10Cells = Pitfall;
 
 // Each slice uses its whole range, as PET does: the coarsest slope decides nothing for the others.
-TEST_F(D09Rescale, slopePerSliceIsExactInEverySlice) {
+TEST_F(D09Rescale, SlopePerSliceIsExactInEverySlice) {
     series.modality = "PT";
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
@@ -41,7 +41,7 @@ TEST_F(D09Rescale, slopePerSliceIsExactInEverySlice) {
     }
 }
 
-TEST_F(D09Rescale, oneIntegralSlopeStaysSixteenBits) {
+TEST_F(D09Rescale, OneIntegralSlopeStaysSixteenBits) {
     writeFiles(folder.path(), series);
     const Opened opened = open();
     const auto volume = opened.onlyVolume();
@@ -54,7 +54,7 @@ TEST_F(D09Rescale, oneIntegralSlopeStaysSixteenBits) {
 }
 
 // Different intercepts, one slope: still whole numbers, still exact.
-TEST_F(D09Rescale, interceptPerSlice) {
+TEST_F(D09Rescale, InterceptPerSlice) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) slice.intercept = slice.place % 2 ? -1024.0 : 0.0;
     writeFiles(folder.path(), series, slices);
@@ -65,7 +65,7 @@ TEST_F(D09Rescale, interceptPerSlice) {
         EXPECT_EQ(volume->value(3, 2, slice.place), rawAt(series, slice, 3, 2) + slice.intercept);
 }
 
-TEST_F(D09Rescale, missingTagsAreOneAndZeroAndSaid) {
+TEST_F(D09Rescale, MissingTagsAreOneAndZeroAndSaid) {
     series.writeRescale = false;
     series.intercept = 0.0;
     writeFiles(folder.path(), series);
@@ -82,7 +82,7 @@ TEST_F(D09Rescale, missingTagsAreOneAndZeroAndSaid) {
     EXPECT_FALSE(Opened(mr.path()).says(key::kMissingRescale));
 }
 
-TEST_F(D09Rescale, negativeSlope) {
+TEST_F(D09Rescale, NegativeSlope) {
     series.slope = -1.0;
     series.intercept = 5000.0;
     writeFiles(folder.path(), series);
@@ -93,7 +93,7 @@ TEST_F(D09Rescale, negativeSlope) {
     EXPECT_EQ(volume->unit(), Unit::hounsfield);
 }
 
-TEST_F(D09Rescale, tinyAndHugeSlopes) {
+TEST_F(D09Rescale, TinyAndHugeSlopes) {
     for (const double slope : {1e-6, 1e6}) {
         SCOPED_TRACE(slope);
         const TemporaryFolder own;
@@ -114,7 +114,7 @@ TEST_F(D09Rescale, tinyAndHugeSlopes) {
     }
 }
 
-TEST_F(D09Rescale, nonsenseIsNoValue) {
+TEST_F(D09Rescale, NonsenseIsNoValue) {
     for (const char* text : {"0", "NaN", "many", "1e999", "inf"}) {
         SCOPED_TRACE(text);
         const TemporaryFolder own;
@@ -130,7 +130,7 @@ TEST_F(D09Rescale, nonsenseIsNoValue) {
 }
 
 // A CT image object is of CT, whether it says so or not: its values follow the rules of CT, and it is told.
-TEST_F(D09Rescale, ctImagesWithoutModalityAreCtAndToldSo) {
+TEST_F(D09Rescale, CtImagesWithoutModalityAreCtAndToldSo) {
     for (const bool isEmpty : {true, false}) {
         SCOPED_TRACE(isEmpty);
         const TemporaryFolder own;
@@ -157,7 +157,7 @@ TEST_F(D09Rescale, ctImagesWithoutModalityAreCtAndToldSo) {
 }
 
 // The class says CT, and not that values are HU: a type that says otherwise, and a missing rescale, count.
-TEST_F(D09Rescale, ctImagesWithoutModalityAreNotHounsfieldWhereNothingSaysSo) {
+TEST_F(D09Rescale, CtImagesWithoutModalityAreNotHounsfieldWhereNothingSaysSo) {
     for (const bool hasRescale : {true, false}) {
         SCOPED_TRACE(hasRescale);
         const TemporaryFolder own;
@@ -180,7 +180,7 @@ TEST_F(D09Rescale, ctImagesWithoutModalityAreNotHounsfieldWhereNothingSaysSo) {
 }
 
 // A capture may be of any device: it is told, and values are HU only where their type says so.
-TEST_F(D09Rescale, capturesWithoutModalityAreOfAnUnknownDevice) {
+TEST_F(D09Rescale, CapturesWithoutModalityAreOfAnUnknownDevice) {
     for (const auto& [type, unit] : {std::pair("", Unit::raw), std::pair("HU", Unit::hounsfield)}) {
         SCOPED_TRACE(type);
         const TemporaryFolder own;
@@ -203,14 +203,14 @@ TEST_F(D09Rescale, capturesWithoutModalityAreOfAnUnknownDevice) {
     }
 }
 
-TEST_F(D09Rescale, imagesThatSayTheirModalityAreNotToldOf) {
+TEST_F(D09Rescale, ImagesThatSayTheirModalityAreNotToldOf) {
     writeFiles(folder.path(), series);
     const Opened opened = open();
     EXPECT_FALSE(opened.says(key::kMissingModality)) << opened.keys();
 }
 
 // Only who asks for it gets SUV; values and windows then have one factor.
-TEST_F(D09Rescale, petInSuvHasOneFactorForAll) {
+TEST_F(D09Rescale, PetInSuvHasOneFactorForAll) {
     series = petSeries();
     writeFiles(folder.path(), series);
     const Opened opened = open();
@@ -236,7 +236,7 @@ TEST_F(D09Rescale, petInSuvHasOneFactorForAll) {
 }
 
 // In floats too, where slopes differ, and as every fourth slice; without a dose it stays what it is.
-TEST_F(D09Rescale, petOfFloatsInSuv) {
+TEST_F(D09Rescale, PetOfFloatsInSuv) {
     for (const bool hasDose : {true, false}) {
         const TemporaryFolder there;
         SyntheticSeries pet = petSeries(hasDose);
@@ -266,7 +266,7 @@ TEST_F(D09Rescale, petOfFloatsInSuv) {
 }
 
 // SUVbw by the file's own word: the mapping takes stored values, not rescaled ones.
-TEST_F(D09Rescale, realWorldValuesOfPet) {
+TEST_F(D09Rescale, RealWorldValuesOfPet) {
     series.modality = "PT";
     series.slope = 2.0;
     series.intercept = 0.0;
@@ -298,7 +298,7 @@ TEST_F(D09Rescale, realWorldValuesOfPet) {
 }
 
 // A parametric map (PS3.3 A.75) is worth what its mapping says; that of an MR image is for display.
-TEST_F(D09Rescale, realWorldValuesOfParametricMaps) {
+TEST_F(D09Rescale, RealWorldValuesOfParametricMaps) {
     for (const bool isMap : {true, false}) {
         SCOPED_TRACE(isMap);
         const TemporaryFolder own;
@@ -332,7 +332,7 @@ TEST_F(D09Rescale, realWorldValuesOfParametricMaps) {
 
 // Entry n of the table is worth 3 n^2 + 10; raw values below the first are worth the first entry, those above
 // the last the last (PS3.3 C.11.1.1).
-TEST_F(D09Rescale, modalityLookupTable) {
+TEST_F(D09Rescale, ModalityLookupTable) {
     series.writeRescale = false;
     series.size.z = 3;
     series.rawInstead = [](const Slice& slice, int i, int j) { return 90 + i + 8 * j + slice.place; };
@@ -361,7 +361,7 @@ TEST_F(D09Rescale, modalityLookupTable) {
     }
 }
 
-TEST_F(D09Rescale, brokenLookupTableIsNoValue) {
+TEST_F(D09Rescale, BrokenLookupTableIsNoValue) {
     series.writeRescale = false;
     series.intercept = 0.0;
     series.edits.push_back([](DcmItem& item) {
@@ -378,7 +378,7 @@ TEST_F(D09Rescale, brokenLookupTableIsNoValue) {
 }
 
 // PS3.3 C.8.8.3: the value is the stored one times DoseGridScaling. Raw numbers must not pass for a dose.
-TEST_F(D09Rescale, doseGrid) {
+TEST_F(D09Rescale, DoseGrid) {
     series.modality = "RTDOSE";
     series.sopClassUid = "1.2.840.10008.5.1.4.1.1.481.2";
     series.writeRescale = false;
@@ -406,7 +406,7 @@ TEST_F(D09Rescale, doseGrid) {
         EXPECT_EQ(volume->value(3, 2, slice.place), rawAt(series, slice, 3, 2) * 0.125);
 }
 
-TEST_F(D09Rescale, floatPixelDataAreTheValues) {
+TEST_F(D09Rescale, FloatPixelDataAreTheValues) {
     series.size.z = 4;
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
@@ -434,7 +434,7 @@ TEST_F(D09Rescale, floatPixelDataAreTheValues) {
     }
 }
 
-TEST_F(D10Cells, everyFormat) {
+TEST_F(D10Cells, EveryFormat) {
     const CellFormat formats[] = {
         {16, 12, 11, false}, {16, 12, 11, true},  {16, 12, 15, false}, {16, 12, 15, true},
         {16, 16, 15, true},  {16, 16, 15, false}, {16, 10, 11, false}, {16, 15, 14, true},
@@ -453,7 +453,7 @@ TEST_F(D10Cells, everyFormat) {
     }
 }
 
-TEST_F(D10Cells, eightBits) {
+TEST_F(D10Cells, EightBits) {
     for (const bool isSigned : {false, true}) {
         const TemporaryFolder own;
         SyntheticSeries s;
@@ -466,7 +466,7 @@ TEST_F(D10Cells, eightBits) {
 }
 
 // Some exporters decide on sign and bits slice by slice.
-TEST_F(D10Cells, anotherFormatInEverySlice) {
+TEST_F(D10Cells, AnotherFormatInEverySlice) {
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {
         slice.format.isSigned = slice.place % 2 == 1;
@@ -481,7 +481,7 @@ TEST_F(D10Cells, anotherFormatInEverySlice) {
     EXPECT_EQ(opened.stacks().size(), 1u);
 }
 
-TEST_F(D10Cells, thirtyTwoBitWholeNumbers) {
+TEST_F(D10Cells, ThirtyTwoBitWholeNumbers) {
     series.size.z = 3;
     auto slices = slicesOf(series);
     for (Slice& slice : slices) {

@@ -27,7 +27,7 @@ bool doAlternate(std::size_t count, double noise, const ValueAt& valueAt) {
     return alternates(std::span<const std::span<const float>>(slices));
 }
 
-TEST(Alternation, isSeenInAllPixelsAndInFew) {
+TEST(Alternation, IsSeenInAllPixelsAndInFew) {
     const ValueAt all = [](std::size_t k, std::size_t) { return k % 2 ? 100.0 : 0.0; };
     EXPECT_TRUE(doAlternate(8, 0.0, all));
     EXPECT_TRUE(doAlternate(12, 30.0, all));
@@ -36,7 +36,7 @@ TEST(Alternation, isSeenInAllPixelsAndInFew) {
                             [](std::size_t k, std::size_t p) { return k % 2 && p % 50 == 0 ? 150.0 : 0.0; }));
 }
 
-TEST(Alternation, isNothingElse) {
+TEST(Alternation, IsNothingElse) {
     const ValueAt none = [](std::size_t, std::size_t) { return 0.0; };
     for (const std::size_t count : {8u, 9u, 40u, 200u}) {
         SCOPED_TRACE(count);
@@ -55,7 +55,7 @@ TEST(Alternation, isNothingElse) {
 }
 
 // Noise of every other slice alone: of a sharp kernel among soft ones.
-TEST(Alternation, ofNoiseIsSeenToo) {
+TEST(Alternation, OfNoiseIsSeenToo) {
     const auto doesNoise = [](std::size_t count, const std::function<double(std::size_t)>& noiseOf) {
         std::mt19937 random(7);
         std::normal_distribution<double> normal(0.0, 1.0);
@@ -84,7 +84,7 @@ TEST(Alternation, ofNoiseIsSeenToo) {
     EXPECT_FALSE(doesNoise(7, [](std::size_t k) { return k % 2 ? 30.0 : 12.0; }));
 }
 
-TEST(Alternation, needsEightSlices) {
+TEST(Alternation, NeedsEightSlices) {
     EXPECT_FALSE(doAlternate(7, 0.0, [](std::size_t k, std::size_t) { return k % 2 ? 100.0 : 0.0; }));
 }
 

@@ -33,16 +33,16 @@ double valueOf(const IntensityPlan& plan, std::size_t slice, std::uint16_t unpac
     return plan.unitsFromStored(voxel[0]);
 }
 
-TEST(Intensity, unsignedTwelveBitsDropsOverlayBits) {
+TEST(Intensity, UnsignedTwelveBitsDropsOverlayBits) {
     EXPECT_EQ(unpacked({16, 12, 11, false}, {0x0FFF, 0xF123, 0x0000}),
               (std::vector<std::uint16_t>{0x0FFF, 0x0123, 0}));
 }
 
-TEST(Intensity, storedBitsMayBeHigh) {
+TEST(Intensity, StoredBitsMayBeHigh) {
     EXPECT_EQ(unpacked({16, 12, 15, false}, {0xABCF}), (std::vector<std::uint16_t>{0x0ABC}));
 }
 
-TEST(Intensity, signExtension) {
+TEST(Intensity, SignExtension) {
     EXPECT_EQ(unpacked({16, 12, 11, true}, {0x0FFF, 0x0800, 0x07FF, 0xF000}),
               (std::vector<std::uint16_t>{32767, 32768 - 2048, 32768 + 2047, 32768}));
     EXPECT_EQ(unpacked({16, 16, 15, true}, {0x8000, 0xFFFF, 0x7FFF}),
@@ -50,7 +50,7 @@ TEST(Intensity, signExtension) {
     EXPECT_EQ(unpacked({8, 8, 7, true}, {0xFF, 0x7F}), (std::vector<std::uint16_t>{32767, 32768 + 127}));
 }
 
-TEST(Intensity, formatsThatMakeNoSense) {
+TEST(Intensity, FormatsThatMakeNoSense) {
     EXPECT_TRUE(isUsable({16, 16, 15, true}));
     EXPECT_TRUE(isUsable({8, 8, 7, false}));
     EXPECT_TRUE(isUsable({1, 1, 0, false}));
@@ -66,13 +66,13 @@ TEST(Intensity, formatsThatMakeNoSense) {
     EXPECT_FALSE(isUsable({16, 0, -1, false}));
 }
 
-TEST(Intensity, paddingWordsAreReadWithThePixelsSign) {
+TEST(Intensity, PaddingWordsAreReadWithThePixelsSign) {
     EXPECT_EQ(paddingRange({16, 16, 15, true}, 0xF830, {}), (RawRange{-2000, -2000}));
     EXPECT_EQ(paddingRange({16, 16, 15, false}, 0xF830, {}), (RawRange{63536, 63536}));
     EXPECT_EQ(paddingRange({16, 16, 15, true}, 0, std::uint16_t{0xFFF0}), (RawRange{-16, 0}));
 }
 
-TEST(Intensity, signedCtIsExact) {
+TEST(Intensity, SignedCtIsExact) {
     const IntensityPlan plan =
         planOf(std::vector(3, slice(1.0, -1024.0, {16, 16, 15, true}, RawRange{-2000, -2000})));
     EXPECT_EQ(plan.format, VoxelFormat::stored16);
@@ -82,7 +82,7 @@ TEST(Intensity, signedCtIsExact) {
     EXPECT_EQ(plan.unitsFromStored(plan.padding->low), -3024.0);
 }
 
-TEST(Intensity, negativeSlopeIsExactAndKeepsThePositiveSlopeOfTheVolume) {
+TEST(Intensity, NegativeSlopeIsExactAndKeepsThePositiveSlopeOfTheVolume) {
     const IntensityPlan plan = planOf(std::vector(2, slice(-2.0, 100.0, {}, RawRange{7, 9})));
     EXPECT_GT(plan.unitsFromStored.slope, 0.0);
     for (const std::uint16_t raw : {0, 1, 8, 40000, 65535})
@@ -92,7 +92,7 @@ TEST(Intensity, negativeSlopeIsExactAndKeepsThePositiveSlopeOfTheVolume) {
     EXPECT_EQ(plan.unitsFromStored(plan.padding->high), 100.0 - 2.0 * 7);
 }
 
-TEST(Intensity, slicesWithoutPaddingGetThatOfTheOthersAndSaySo) {
+TEST(Intensity, SlicesWithoutPaddingGetThatOfTheOthersAndSaySo) {
     std::vector<SliceIntensity> slices(3);
     EXPECT_FALSE(completePadding(slices));
     slices[0].padding = RawRange{0, 0};
@@ -108,7 +108,7 @@ TEST(Intensity, slicesWithoutPaddingGetThatOfTheOthersAndSaySo) {
 }
 
 // Each slice's own padding, and only that, is padding; a true 5 of the first and 0 of the second are not.
-TEST(Intensity, slicesMayDisagreeOnPadding) {
+TEST(Intensity, SlicesMayDisagreeOnPadding) {
     const std::vector<SliceIntensity> slices{slice(1.0, 0.0, kTwelveBits, RawRange{0, 0}),
                                              slice(1.0, 0.0, kTwelveBits, RawRange{5, 5}),
                                              slice(1.0, 0.0, kTwelveBits)};
@@ -129,7 +129,7 @@ TEST(Intensity, slicesMayDisagreeOnPadding) {
 }
 
 // Pitfall D11: unsigned, 12 bits stored, and -2000 as the padding word.
-TEST(Intensity, paddingThatTheStoredBitsCannotHoldIsRecognisedBeforeMasking) {
+TEST(Intensity, PaddingThatTheStoredBitsCannotHoldIsRecognisedBeforeMasking) {
     const RawRange padding = paddingRange(kTwelveBits, 63536, {});
     EXPECT_EQ(unpacked(kTwelveBits, {63536, 0x0830, 0xF831, 7}, padding),
               (std::vector<std::uint16_t>{63536, 0x0830, 0x0831, 7}));
@@ -147,7 +147,7 @@ TEST(Intensity, paddingThatTheStoredBitsCannotHoldIsRecognisedBeforeMasking) {
 }
 
 // An overlay in the bits above: only the stored bits count.
-TEST(Intensity, paddingThatTheStoredBitsHoldIsRecognisedAfterMasking) {
+TEST(Intensity, PaddingThatTheStoredBitsHoldIsRecognisedAfterMasking) {
     const RawRange padding{0, 3};
     const auto cells = unpacked(kTwelveBits, {0xF000, 0x1003, 0x1004}, padding);
     EXPECT_EQ(cells, (std::vector<std::uint16_t>{0, 3, 4}));
@@ -155,7 +155,7 @@ TEST(Intensity, paddingThatTheStoredBitsHoldIsRecognisedAfterMasking) {
     EXPECT_EQ(unpacked(high, {0xF830}, RawRange{63536, 63536}), (std::vector<std::uint16_t>{0x0F83}));
 }
 
-TEST(Intensity, mixedSlopesWithACommonStepAreExactIn16Bits) {
+TEST(Intensity, MixedSlopesWithACommonStepAreExactIn16Bits) {
     const std::vector<SliceIntensity> slices{slice(0.5, -10.0, kTwelveBits), slice(0.75, 4.0, kTwelveBits),
                                              slice(-1.0, 0.0, kSignedTwelveBits)};
     const IntensityPlan plan = planOf(slices);
@@ -169,7 +169,7 @@ TEST(Intensity, mixedSlopesWithACommonStepAreExactIn16Bits) {
     EXPECT_EQ(valueOf(plan, 2, 32768 + 2047), -2047.0);
 }
 
-TEST(Intensity, decimalSlopesShareTheirLastDigit) {
+TEST(Intensity, DecimalSlopesShareTheirLastDigit) {
     const std::vector<SliceIntensity> slices{slice(0.1, 0.0, kTwelveBits), slice(0.3, -0.7, kTwelveBits)};
     const IntensityPlan plan = planOf(slices);
     ASSERT_EQ(plan.format, VoxelFormat::stored16);
@@ -179,7 +179,7 @@ TEST(Intensity, decimalSlopesShareTheirLastDigit) {
     }
 }
 
-TEST(Intensity, whereTheFormatsDoNotTellThePixelsDo) {
+TEST(Intensity, WhereTheFormatsDoNotTellThePixelsDo) {
     const IntensityPlan plan = planOf({slice(1.0, 0.0), slice(2.0, -0.5, {}, RawRange{0, 0})});
     ASSERT_EQ(plan.format, VoxelFormat::float32);
     ASSERT_TRUE(plan.steps);
@@ -198,7 +198,7 @@ TEST(Intensity, whereTheFormatsDoNotTellThePixelsDo) {
     EXPECT_TRUE(narrowed(std::vector<float>{kNan, kNan}, *plan.steps));
 }
 
-TEST(Intensity, wideIntegersMayFit16BitsAfterAll) {
+TEST(Intensity, WideIntegersMayFit16BitsAfterAll) {
     const IntensityPlan plan = planOf(std::vector(2, slice(0.5, -7.0, {32, 32, 31, true})));
     ASSERT_EQ(plan.format, VoxelFormat::float32);
     ASSERT_TRUE(plan.steps);
@@ -208,7 +208,7 @@ TEST(Intensity, wideIntegersMayFit16BitsAfterAll) {
 }
 
 // Float has rounded them already; 16 bits with a step of 1 would look exact.
-TEST(Intensity, integersThatFloatCannotHoldStayFloat) {
+TEST(Intensity, IntegersThatFloatCannotHoldStayFloat) {
     const IntensityPlan plan = planOf(std::vector(2, slice(1.0, 0.0, {32, 32, 31, false})));
     ASSERT_TRUE(plan.steps);
     constexpr float kLast = 1 << 24;
@@ -216,7 +216,7 @@ TEST(Intensity, integersThatFloatCannotHoldStayFloat) {
     EXPECT_FALSE(narrowed(std::vector<float>{kLast, kLast + 2}, *plan.steps));
 }
 
-TEST(Intensity, narrowingManyPortionsAndCancelling) {
+TEST(Intensity, NarrowingManyPortionsAndCancelling) {
     const UnitsFromStored steps{0.5, -3.0};
     std::vector<float> values(3'000'000);
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.5F * static_cast<float>(i % 50'000);
@@ -234,14 +234,14 @@ TEST(Intensity, narrowingManyPortionsAndCancelling) {
     EXPECT_FALSE(narrowed(values, steps, cancel));
 }
 
-TEST(Intensity, mixedSlopesWithoutACommonStepNeedFloat) {
+TEST(Intensity, MixedSlopesWithoutACommonStepNeedFloat) {
     EXPECT_EQ(planOf({slice(0.0123457, 0.0), slice(0.0346987, 0.0)}).format, VoxelFormat::float32);
     EXPECT_FALSE(planOf({slice(0.0123457, 0.0), slice(0.0346987, 0.0)}).steps);
     EXPECT_EQ(planOf({slice(1e300, 0.0), slice(1e-300, 1e300)}).format, VoxelFormat::float32);
     EXPECT_EQ(planOf({slice(1.0, 0.0), slice(1.0, 1e18)}).format, VoxelFormat::float32);
 }
 
-TEST(Intensity, floatValuesAreComputedInDouble) {
+TEST(Intensity, FloatValuesAreComputedInDouble) {
     SliceIntensity s = slice(0.0123457, -3.25, kSignedTwelveBits, RawRange{-2000, -1990});
     const std::vector<std::uint16_t> raw{32768 - 2000, 32768 - 1990, 32768 - 1989, 32768, 32768 + 2047};
     std::vector<float> values(raw.size());
@@ -257,7 +257,7 @@ TEST(Intensity, floatValuesAreComputedInDouble) {
     EXPECT_EQ(values[3], -3.25F);
 }
 
-TEST(Intensity, wideCellsAreFloat) {
+TEST(Intensity, WideCellsAreFloat) {
     const SliceIntensity wide = slice(0.5, 1.0, {32, 32, 31, false}, RawRange{7, 7});
     EXPECT_EQ(planOf({wide, wide}).format, VoxelFormat::float32);
     std::vector<float> values(3);
@@ -274,7 +274,7 @@ TEST(Intensity, wideCellsAreFloat) {
     EXPECT_TRUE(std::isnan(values[2]));
 }
 
-TEST(ModalityLut, clampsOutsideItsEntries) {
+TEST(ModalityLut, ClampsOutsideItsEntries) {
     const auto lut = readModalityLut({3, 10, 16}, std::vector<std::uint16_t>{500, 100, 65535}, false);
     ASSERT_NE(lut, nullptr);
     EXPECT_EQ((*lut)(0), 500);
@@ -285,13 +285,13 @@ TEST(ModalityLut, clampsOutsideItsEntries) {
     EXPECT_EQ((*lut)(-4'000'000'000), 500);
 }
 
-TEST(ModalityLut, firstValueHasThePixelsSign) {
+TEST(ModalityLut, FirstValueHasThePixelsSign) {
     const std::vector<std::uint16_t> data{1, 2};
     EXPECT_EQ(readModalityLut({2, 0xFFFF, 16}, data, true)->firstMapped, -1);
     EXPECT_EQ(readModalityLut({2, 0xFFFF, 16}, data, false)->firstMapped, 65535);
 }
 
-TEST(ModalityLut, noEntriesMeans65536) {
+TEST(ModalityLut, NoEntriesMeans65536) {
     std::vector<std::uint16_t> data(65536, 3);
     data.back() = 4;
     const auto lut = readModalityLut({0, 0, 16}, data, false);
@@ -301,7 +301,7 @@ TEST(ModalityLut, noEntriesMeans65536) {
     EXPECT_EQ(readModalityLut({0, 0, 16}, data, false), nullptr);
 }
 
-TEST(ModalityLut, entriesOfEightBitsMayBePackedInWords) {
+TEST(ModalityLut, EntriesOfEightBitsMayBePackedInWords) {
     const auto packed = readModalityLut({3, 0, 8}, std::vector<std::uint16_t>{0x0201, 0x0003}, false);
     ASSERT_NE(packed, nullptr);
     EXPECT_EQ(packed->entries, (std::vector<std::uint16_t>{1, 2, 3}));
@@ -313,7 +313,7 @@ TEST(ModalityLut, entriesOfEightBitsMayBePackedInWords) {
 }
 
 // With and without a table, padding apart, and a table of its own in each slice.
-TEST(ModalityLut, volumeIsExact) {
+TEST(ModalityLut, VolumeIsExact) {
     SliceIntensity first = slice(1.0, 0.0, kSignedTwelveBits, RawRange{-2048, -2048});
     first.modalityLut = readModalityLut({4, 0xFFFE, 16}, std::vector<std::uint16_t>{9, 20, 31, 60000}, true);
     SliceIntensity second = slice(2.0, -1.0, kTwelveBits);

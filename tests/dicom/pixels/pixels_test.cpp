@@ -80,13 +80,13 @@ std::vector<std::string> streams(const char* uid, int frames, int bits = 12) {
 
 constexpr std::array kLossless{kRle, kJpegLossless, kJpegLosslessFirstOrder, kJpegLs, kJpeg2000};
 
-TEST(Pixels, nativeFrames) {
+TEST(Pixels, NativeFrames) {
     const TemporaryFolder folder;
     const std::string pixels = words(cellsOf(0)) + words(cellsOf(1)) + words(cellsOf(2));
     expectFrames(save(folder, imageHeader(layoutOf(kExplicit, 3)) + native(pixels)), layoutOf(kExplicit, 3));
 }
 
-TEST(Pixels, deflatedFrames) {
+TEST(Pixels, DeflatedFrames) {
     const TemporaryFolder folder;
     const PixelLayout layout = layoutOf(kDeflated, 3);
     const std::string header = imageHeader(layout);
@@ -97,7 +97,7 @@ TEST(Pixels, deflatedFrames) {
 }
 
 // Of 8 bits: one byte after the other, where the VR is OB; pairs are swapped where it is OW.
-TEST(Pixels, bigEndian) {
+TEST(Pixels, BigEndian) {
     const char* const uid = "1.2.840.10008.1.2.2";
     const auto swapped = [](std::string bytes) {
         for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) std::swap(bytes[i], bytes[i + 1]);
@@ -135,7 +135,7 @@ TEST(Pixels, bigEndian) {
     expectFrames(save(folder, file(kEightBits, "OW", swapped(bytes))), layoutOf(uid, 3, kEightBits), 8);
 }
 
-TEST(Pixels, singleBitsRunOnFromFrameToFrame) {
+TEST(Pixels, SingleBitsRunOnFromFrameToFrame) {
     const CellFormat oneBit{1, 1, 0, false};
     std::string bits((3 * kCells + 7) / 8, '\0');
     std::size_t at = 0;
@@ -150,7 +150,7 @@ TEST(Pixels, singleBitsRunOnFromFrameToFrame) {
     expectFrames(save(folder, imageHeader(layout) + native(bits, "OB")), layout, 1);
 }
 
-TEST(Pixels, wideIntegersKeepTheirSign) {
+TEST(Pixels, WideIntegersKeepTheirSign) {
     std::string pixels;
     for (std::size_t i = 0; i < kCells; ++i) pixels += bytesOf(0xFFFFFFFF - i, 4);
     const TemporaryFolder folder;
@@ -168,7 +168,7 @@ TEST(Pixels, wideIntegersKeepTheirSign) {
     }
 }
 
-TEST(Pixels, floatingPoint) {
+TEST(Pixels, FloatingPoint) {
     const TemporaryFolder folder;
     std::vector<double> numbers(kCells);
     const auto bytesOfDouble = [](auto value) {
@@ -201,7 +201,7 @@ TEST(Pixels, floatingPoint) {
     check(CellKind::float64, {0x7FE0, 0x0009}, "OD", doubles, 1e300, 2e300);
 }
 
-TEST(Pixels, narrowCellsAsNumbers) {
+TEST(Pixels, NarrowCellsAsNumbers) {
     const TemporaryFolder folder;
     const CellFormat format{16, 12, 11, true};
     const PixelLayout layout = layoutOf(kExplicit, 1, format);
@@ -213,7 +213,7 @@ TEST(Pixels, narrowCellsAsNumbers) {
     EXPECT_EQ(numbers[7], -1.0);
 }
 
-TEST(Pixels, oneFragmentPerFrame) {
+TEST(Pixels, OneFragmentPerFrame) {
     const TemporaryFolder folder;
     for (const char* uid : kLossless) {
         SCOPED_TRACE(uid);
@@ -227,7 +227,7 @@ TEST(Pixels, oneFragmentPerFrame) {
 
 // Encapsulated Uncompressed Explicit VR Little Endian: PS3.5 A.4.11. Frames of 8 bits are of an odd length
 // here, and padded.
-TEST(Pixels, encapsulatedWithoutCompression) {
+TEST(Pixels, EncapsulatedWithoutCompression) {
     const TemporaryFolder folder;
     for (const int bits : {8, 12}) {
         SCOPED_TRACE(bits);
@@ -242,7 +242,7 @@ TEST(Pixels, encapsulatedWithoutCompression) {
     }
 }
 
-TEST(Pixels, severalFragmentsPerFrameByTheBasicOffsetTable) {
+TEST(Pixels, SeveralFragmentsPerFrameByTheBasicOffsetTable) {
     const TemporaryFolder folder;
     for (const char* uid : kLossless) {
         SCOPED_TRACE(uid);
@@ -253,7 +253,7 @@ TEST(Pixels, severalFragmentsPerFrameByTheBasicOffsetTable) {
     }
 }
 
-TEST(Pixels, severalFragmentsPerFrameByTheExtendedOffsetTable) {
+TEST(Pixels, SeveralFragmentsPerFrameByTheExtendedOffsetTable) {
     const TemporaryFolder folder;
     for (const char* uid : kLossless) {
         SCOPED_TRACE(uid);
@@ -269,7 +269,7 @@ TEST(Pixels, severalFragmentsPerFrameByTheExtendedOffsetTable) {
     }
 }
 
-TEST(Pixels, severalFragmentsPerFrameByMarkers) {
+TEST(Pixels, SeveralFragmentsPerFrameByMarkers) {
     const TemporaryFolder folder;
     for (const char* uid : {kJpegLossless, kJpegLosslessFirstOrder, kJpegLs, kJpeg2000}) {
         SCOPED_TRACE(uid);
@@ -283,7 +283,7 @@ TEST(Pixels, severalFragmentsPerFrameByMarkers) {
     }
 }
 
-TEST(Pixels, allFramesInOneFragment) {
+TEST(Pixels, AllFramesInOneFragment) {
     const TemporaryFolder folder;
     for (const char* uid : {kJpegLosslessFirstOrder, kJpegLs, kJpeg2000}) {
         SCOPED_TRACE(uid);
@@ -294,7 +294,7 @@ TEST(Pixels, allFramesInOneFragment) {
     }
 }
 
-TEST(Pixels, oneFrameInManyFragments) {
+TEST(Pixels, OneFrameInManyFragments) {
     const TemporaryFolder folder;
     for (const char* uid : kLossless) {
         SCOPED_TRACE(uid);
@@ -303,7 +303,7 @@ TEST(Pixels, oneFrameInManyFragments) {
     }
 }
 
-TEST(Pixels, framesThatCannotBeToldApart) {
+TEST(Pixels, FramesThatCannotBeToldApart) {
     const TemporaryFolder folder;
     const Fragments parts = cut(streams(kRle, 3), 2);
     const PixelLayout layout = layoutOf(kRle, 3);
@@ -311,7 +311,7 @@ TEST(Pixels, framesThatCannotBeToldApart) {
         PixelReader::open(save(folder, imageHeader(layout) + encapsulated(parts.fragments)), layout));
 }
 
-TEST(Pixels, eightBitsInEverySyntax) {
+TEST(Pixels, EightBitsInEverySyntax) {
     const TemporaryFolder folder;
     for (const char* uid : kLossless) {
         for (const CellFormat& format : {kEightBits, CellFormat{16, 8, 7, false}}) {
@@ -323,7 +323,7 @@ TEST(Pixels, eightBitsInEverySyntax) {
     }
 }
 
-TEST(Pixels, sixteenBitsInEverySyntax) {
+TEST(Pixels, SixteenBitsInEverySyntax) {
     const TemporaryFolder folder;
     for (const char* uid : kLossless) {
         SCOPED_TRACE(uid);
@@ -333,7 +333,7 @@ TEST(Pixels, sixteenBitsInEverySyntax) {
     }
 }
 
-TEST(Pixels, lossyJpegIsCloseToTheImage) {
+TEST(Pixels, LossyJpegIsCloseToTheImage) {
     const TemporaryFolder folder;
     for (const auto& [uid, bits] : {std::pair(kJpegBaseline, 8), std::pair(kJpegExtended, 12)}) {
         const PixelLayout layout = layoutOf(uid, 1, bits == 8 ? kEightBits : kTwelveBits);
@@ -350,7 +350,7 @@ TEST(Pixels, lossyJpegIsCloseToTheImage) {
     }
 }
 
-TEST(Pixels, nativeInSpiteOfACompressedName) {
+TEST(Pixels, NativeInSpiteOfACompressedName) {
     const TemporaryFolder folder;
     const PixelLayout layout = layoutOf(kJpegLs, 2);
     const std::string pixels = words(cellsOf(0)) + words(cellsOf(1));
@@ -359,7 +359,7 @@ TEST(Pixels, nativeInSpiteOfACompressedName) {
 }
 
 // Those before are read, and those after said to be cut off; wherever the file ends, nothing else happens.
-TEST(Pixels, cutOffAnywhere) {
+TEST(Pixels, CutOffAnywhere) {
     const TemporaryFolder folder;
     constexpr int kFrames = 3;
     std::vector<std::pair<PixelLayout, std::string>> files;
@@ -400,7 +400,7 @@ TEST(Pixels, cutOffAnywhere) {
 
 // Whatever bytes of its first frame are damaged: the second one is read as it is, nothing is written beyond
 // the cells that were asked for, and what cannot be decoded is said. A sanitizer sees what is read beyond.
-TEST(Pixels, damagedAnywhere) {
+TEST(Pixels, DamagedAnywhere) {
     const TemporaryFolder folder;
     std::uint32_t state = 12345;
     const auto random = [&] { return state = state * 1664525u + 1013904223u, state >> 8; };
@@ -441,7 +441,7 @@ TEST(Pixels, damagedAnywhere) {
 }
 
 // Of the items and of the table of offsets: what is read all the same is what was written.
-TEST(Pixels, damagedBetweenTheFrames) {
+TEST(Pixels, DamagedBetweenTheFrames) {
     const TemporaryFolder folder;
     std::uint32_t state = 54321;
     const auto random = [&] { return state = state * 1664525u + 1013904223u, state >> 8; };
@@ -477,7 +477,7 @@ TEST(Pixels, damagedBetweenTheFrames) {
     }
 }
 
-TEST(Pixels, fileThatChangedSinceTheScan) {
+TEST(Pixels, FileThatChangedSinceTheScan) {
     const TemporaryFolder folder;
     const PixelLayout layout = layoutOf(kExplicit);
     const std::string pixels = native(words(cellsOf(0)));
@@ -501,7 +501,7 @@ TEST(Pixels, fileThatChangedSinceTheScan) {
     EXPECT_FALSE(PixelReader::open(save(folder, imageHeader(layout)), layout));
 }
 
-TEST(Pixels, claimsOfTheHeaderCostNothing) {
+TEST(Pixels, ClaimsOfTheHeaderCostNothing) {
     const TemporaryFolder folder;
     for (const char* uid : {kExplicit, kRle, kJpegLs}) {
         PixelLayout layout = layoutOf(uid, 2'000'000'000, {16, 16, 15, false});
@@ -515,7 +515,7 @@ TEST(Pixels, claimsOfTheHeaderCostNothing) {
 }
 
 // A decoder that fills a lost tile with zeros shows a hole in the patient.
-TEST(Jpeg2000, aMissingTileIsNoImage) {
+TEST(Jpeg2000, AMissingTileIsNoImage) {
     constexpr int kSize = 64;
     std::vector<std::uint16_t> cells(kSize * kSize);
     for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = static_cast<std::uint16_t>(1000 + i % 997);

@@ -132,7 +132,7 @@ class PresentationStateTest : public testing::Test {
     PresentationOwner owner_;
 };
 
-TEST_F(PresentationStateTest, isReadToTheLastBit) {
+TEST_F(PresentationStateTest, IsReadToTheLastBit) {
     PresentationState state = readBack();
     EXPECT_EQ(state.presentation, said_);
     EXPECT_TRUE(state.messages.empty());
@@ -159,7 +159,7 @@ TEST_F(PresentationStateTest, isReadToTheLastBit) {
     EXPECT_EQ(readBack().presentation, said_);
 }
 
-TEST_F(PresentationStateTest, anIntervalThatTextCannotHoldIsNearAndStillMaculasOwn) {
+TEST_F(PresentationStateTest, AnIntervalThatTextCannotHoldIsNearAndStillMaculasOwn) {
     said_.palette.values = {-1000.0 / 3.0, 2000.0 / 7.0};
     const PresentationState state = readBack();
     EXPECT_NEAR(state.presentation.palette.values.low, said_.palette.values.low, 1e-9);
@@ -167,7 +167,7 @@ TEST_F(PresentationStateTest, anIntervalThatTextCannotHoldIsNearAndStillMaculasO
     EXPECT_EQ(state.presentation.ownState, said_.ownState);
 }
 
-TEST_F(PresentationStateTest, belongsToTheStudyAndRefersToItsImages) {
+TEST_F(PresentationStateTest, BelongsToTheStudyAndRefersToItsImages) {
     readBack();
     DcmFileFormat original;
     DcmFileFormat written;
@@ -201,7 +201,7 @@ TEST_F(PresentationStateTest, belongsToTheStudyAndRefersToItsImages) {
     EXPECT_FALSE(hasMessage(*series, key::kUnsupportedSopClass));
 }
 
-TEST_F(PresentationStateTest, ofNobodyOnlyWhoHasTheSeriesKnowsIt) {
+TEST_F(PresentationStateTest, OfNobodyOnlyWhoHasTheSeriesKnowsIt) {
     owner_.isDeidentified = true;
     owner_.image.reset();
     const PresentationState state = readBack();
@@ -220,7 +220,7 @@ TEST_F(PresentationStateTest, ofNobodyOnlyWhoHasTheSeriesKnowsIt) {
 }
 
 // Types 1 and 2 of the modules of A.80.2-1, as PS3.3 lists them.
-TEST_F(PresentationStateTest, hasWhatItsModulesAskFor) {
+TEST_F(PresentationStateTest, HasWhatItsModulesAskFor) {
     readBack();
     DcmFileFormat file;
     ASSERT_TRUE(file.loadFile(path_.c_str()).good());
@@ -285,7 +285,7 @@ TEST_F(PresentationStateTest, hasWhatItsModulesAskFor) {
     EXPECT_EQ(number, 2);
 }
 
-TEST_F(PresentationStateTest, dcmtkOpensIt) {
+TEST_F(PresentationStateTest, DcmtkOpensIt) {
     for (const bool isDeidentified : {false, true}) {
         owner_.isDeidentified = isDeidentified;
         readBack();
@@ -293,7 +293,7 @@ TEST_F(PresentationStateTest, dcmtkOpensIt) {
     }
 }
 
-TEST_F(PresentationStateTest, theCheckerFindsNoError) {
+TEST_F(PresentationStateTest, TheCheckerFindsNoError) {
     if (std::system("command -v dciodvfy >/dev/null 2>&1") != 0)
         GTEST_SKIP() << "dciodvfy is not installed: packaging/bootstrap";
     for (const bool isDeidentified : {false, true}) {
@@ -313,7 +313,7 @@ TEST_F(PresentationStateTest, theCheckerFindsNoError) {
     }
 }
 
-TEST_F(PresentationStateTest, theProfileIsWhole) {
+TEST_F(PresentationStateTest, TheProfileIsWhole) {
     const std::vector<std::uint8_t> profile = srgbProfile();
     const auto word = [&](std::size_t at) {
         return std::size_t{profile[at]} << 24 | std::size_t{profile[at + 1]} << 16 |
@@ -341,7 +341,7 @@ TEST_F(PresentationStateTest, theProfileIsWhole) {
     EXPECT_NEAR(white[2], 0.8249, 1e-3);
 }
 
-TEST_F(PresentationStateTest, whatDoesNotFitIsRefusedAndWritesNothing) {
+TEST_F(PresentationStateTest, WhatDoesNotFitIsRefusedAndWritesNothing) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const std::vector<std::function<void(VolumePresentation&, PresentationOwner&)>> wrongs{
         [](auto& p, auto&) { p.label = "lower case"; },
@@ -386,7 +386,7 @@ TEST_F(PresentationStateTest, whatDoesNotFitIsRefusedAndWritesNothing) {
     EXPECT_FALSE(fs::exists(path_));
 }
 
-TEST_F(PresentationStateTest, whatAnotherProgramChangedIsNoLongerMaculasOwn) {
+TEST_F(PresentationStateTest, WhatAnotherProgramChangedIsNoLongerMaculasOwn) {
     readBack();
     change([](DcmDataset& is) { setPoint(is, DCM_ViewpointPosition, {500.0, 1.0, 2.0}); });
     const PresentationState state = read();
@@ -396,7 +396,7 @@ TEST_F(PresentationStateTest, whatAnotherProgramChangedIsNoLongerMaculasOwn) {
     EXPECT_EQ(state.presentation.view.positionMm.x, 500.0);
 }
 
-TEST_F(PresentationStateTest, whatCannotBeShownIsTold) {
+TEST_F(PresentationStateTest, WhatCannotBeShownIsTold) {
     struct Case {
         std::function<void(DcmDataset&)> edit;
         std::string_view key;
@@ -460,7 +460,7 @@ TEST_F(PresentationStateTest, whatCannotBeShownIsTold) {
     }
 }
 
-TEST_F(PresentationStateTest, whatAPictureCannotBeMadeWithoutIsAnError) {
+TEST_F(PresentationStateTest, WhatAPictureCannotBeMadeWithoutIsAnError) {
     struct Case {
         std::function<void(DcmDataset&)> edit;
         std::string words;
@@ -510,7 +510,7 @@ TEST_F(PresentationStateTest, whatAPictureCannotBeMadeWithoutIsAnError) {
     }
 }
 
-TEST_F(PresentationStateTest, whatMayNotBeReadAndWhatIsNoDicomAreToldApart) {
+TEST_F(PresentationStateTest, WhatMayNotBeReadAndWhatIsNoDicomAreToldApart) {
     std::ofstream(path_) << "a letter to somebody, and no presentation state at all";
     expectRefused("not a DICOM presentation state");
     readBack();
@@ -521,7 +521,7 @@ TEST_F(PresentationStateTest, whatMayNotBeReadAndWhatIsNoDicomAreToldApart) {
     EXPECT_EQ(readPresentationState(folder_ / "gone.dcm").error().message, "The file cannot be read.");
 }
 
-TEST_F(PresentationStateTest, aCutFileIsASentence) {
+TEST_F(PresentationStateTest, ACutFileIsASentence) {
     readBack();
     const std::string whole = bytesOf(path_);
     const fs::path cut = folder_ / "cut.dcm";
@@ -548,7 +548,7 @@ TEST_F(PresentationStateTest, aCutFileIsASentence) {
     EXPECT_FALSE(readPresentationState(source_).ok()) << "a CT image";
 }
 
-TEST_F(PresentationStateTest, ofOtherProgramsTheWindowAndThePlanesCountAsTheyAreMeant) {
+TEST_F(PresentationStateTest, OfOtherProgramsTheWindowAndThePlanesCountAsTheyAreMeant) {
     said_.cropping.planes = {{{0.0, 0.0, 1.0}, -4.5}};
     readBack();
     change([](DcmDataset& is) {
@@ -572,7 +572,7 @@ TEST_F(PresentationStateTest, ofOtherProgramsTheWindowAndThePlanesCountAsTheyAre
     EXPECT_EQ(read().presentation.palette.values, (ValueRange{0.0, 256.0})) << "the entries themselves";
 }
 
-TEST(PaletteSegments, areExpandedAndNeverTrusted) {
+TEST(PaletteSegments, AreExpandedAndNeverTrusted) {
     using Words = std::vector<std::uint16_t>;
     // Two entries, a line to 100 over four, and both once more by their place.
     const Words words{0, 2, 0, 20, 1, 4, 100, 2, 2, 0, 0};
@@ -590,7 +590,7 @@ TEST(PaletteSegments, areExpandedAndNeverTrusted) {
     EXPECT_FALSE(expandSegments(Words{}, 2));
 }
 
-TEST(Uids, areTheSameOfATextAndOfItsDigest) {
+TEST(Uids, AreTheSameOfATextAndOfItsDigest) {
     EXPECT_EQ(uidFromSha256(sha256Hex("1.2.3")), uidFrom("1.2.3"));
     EXPECT_NE(uidFrom("1.2.3"), uidFrom("1.2.4"));
     EXPECT_LE(uidFromSha256(std::string(64, 'f')).size(), 64u);

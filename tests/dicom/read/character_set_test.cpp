@@ -22,7 +22,7 @@ void expectName(const Case& c) {
     EXPECT_TRUE(isValidUtf8(text.utf8));
 }
 
-TEST(CharacterSet, singleByte) {
+TEST(CharacterSet, SingleByte) {
     for (const char* prefix : {"ISO_IR ", "ISO 2022 IR "}) {
         const auto is = [&](const char* number) { return prefix + std::string(number); };
         expectName({is("100"), "Buc^J\xE9r\xF4me", "Buc^Jérôme"});
@@ -55,7 +55,7 @@ TEST(CharacterSet, singleByte) {
     expectName({"ISO_IR 101", "KR\xD3\xA3", "KRÓŁ"});
 }
 
-TEST(CharacterSet, manyBytesWithoutEscapes) {
+TEST(CharacterSet, ManyBytesWithoutEscapes) {
     expectName({"ISO_IR 192", "Wang^XiaoDong=王^小東=", "Wang^XiaoDong=王^小東="});
     expectName({"GB18030", "Wang^XiaoDong=\xCD\xF5^\xD0\xA1\xB6\xAB=", "Wang^XiaoDong=王^小东="});
     expectName({"GBK", "Wang^XiaoDong=\xCD\xF5^\xD0\xA1\xB6\xAB=", "Wang^XiaoDong=王^小东="});
@@ -63,7 +63,7 @@ TEST(CharacterSet, manyBytesWithoutEscapes) {
     expectName({"GB18030", "\x81\x30\x81\x30", ""});  // U+0080, which is a control character
 }
 
-TEST(CharacterSet, escapesAndTheirResets) {
+TEST(CharacterSet, EscapesAndTheirResets) {
     expectName({"\\ISO 2022 IR 87",
                 "Yamada^Tarou=\x1B$B;3ED\x1B(B^\x1B$BB@O:\x1B(B=\x1B$B$d$^$@\x1B(B^\x1B$B$?$m$&\x1B(B",
                 "Yamada^Tarou=山田^太郎=やまだ^たろう"});
@@ -89,7 +89,7 @@ TEST(CharacterSet, escapesAndTheirResets) {
     EXPECT_EQ(decodeText("\x1B-L\xBB^\xE9", declared, Delimiters::betweenValues).utf8, "Л^щ");
 }
 
-TEST(CharacterSet, wrongOrMissingDeclarations) {
+TEST(CharacterSet, WrongOrMissingDeclarations) {
     // UTF-8 that is not declared, or declared as what everybody declares.
     for (const char* declared : {"", "ISO_IR 6", "ISO_IR 100", "NONSENSE", "\\ISO 2022 IR 87", "ISO_IR 13"})
         expectName({declared, "Müller^Jürgen=王", "Müller^Jürgen=王", true});
@@ -118,7 +118,7 @@ TEST(CharacterSet, wrongOrMissingDeclarations) {
         expectName({declared, "DOE^JOHN", "DOE^JOHN"});
 }
 
-TEST(CharacterSet, cutOffInACharacter) {
+TEST(CharacterSet, CutOffInACharacter) {
     const std::string name = "王小東";
     expectName({"ISO_IR 192", name.substr(0, 8), "王小\xEF\xBF\xBD", true});
     expectName({"ISO_IR 192", name.substr(0, 7), "王小\xEF\xBF\xBD", true});
@@ -129,7 +129,7 @@ TEST(CharacterSet, cutOffInACharacter) {
 }
 
 // No escape sequence of a file reaches a terminal.
-TEST(CharacterSet, controlCharactersAreDropped) {
+TEST(CharacterSet, ControlCharactersAreDropped) {
     expectName({"ISO_IR 192",
                 "a\xC2\x9B"
                 "31mb",
@@ -143,7 +143,7 @@ TEST(CharacterSet, controlCharactersAreDropped) {
     EXPECT_EQ(decodeText("a\tb\r\nc\fd", "", Delimiters::none).utf8, "a\tb\r\nc\fd");
 }
 
-TEST(CharacterSet, anyBytesGiveValidUtf8) {
+TEST(CharacterSet, AnyBytesGiveValidUtf8) {
     std::uint32_t state = 1;
     const auto random = [&] { return state = state * 1664525u + 1013904223u, state >> 16; };
     const std::vector<std::string> all{"",
@@ -177,7 +177,7 @@ TEST(CharacterSet, anyBytesGiveValidUtf8) {
     }
 }
 
-TEST(CharacterSet, validUtf8) {
+TEST(CharacterSet, ValidUtf8) {
     for (const char* good : {"", "a", "é", "王", "\xF0\x9F\x98\x80", "\xF4\x8F\xBF\xBF", "\xED\x9F\xBF"})
         EXPECT_TRUE(isValidUtf8(good)) << good;
     for (const char* bad :
@@ -191,7 +191,7 @@ HeaderFile read(const TemporaryFolder& folder, const std::string& elements) {
     return readHeader(folder / "f");
 }
 
-TEST(CharacterSet, ofAHeader) {
+TEST(CharacterSet, OfAHeader) {
     const TemporaryFolder folder;
     const auto declared = [](const char* set) { return shortElement(tag::kSpecificCharacterSet, "CS", set); };
     const auto name = [](const char* bytes) { return shortElement(tag::kPatientName, "PN", bytes); };
@@ -223,7 +223,7 @@ TEST(CharacterSet, ofAHeader) {
     EXPECT_EQ(values.header->texts(tag::kSeriesDescription), (std::vector<std::string>{"乗", "b"}));
 }
 
-TEST(CharacterSet, realFiles) {
+TEST(CharacterSet, RealFiles) {
     SKIP_WITHOUT_SHARED_DATA();
     struct Real {
         const char* file;

@@ -33,7 +33,7 @@ Dataset headerOf(const fs::path& file) {
 
 using Numbers = std::vector<double>;
 
-TEST(Dataset, framesOfEnhancedCt) {
+TEST(Dataset, FramesOfEnhancedCt) {
     SKIP_WITHOUT_SHARED_DATA();
     const Dataset header = headerOf(sharedData() / "odd/enhanced_ct_2frame.dcm");
     EXPECT_FALSE(header.has(tag::kImagePositionPatient));
@@ -62,7 +62,7 @@ TEST(Dataset, framesOfEnhancedCt) {
     EXPECT_FALSE(first.has({0x0008, 0x0100})) << "a code is no attribute of the frame";
 }
 
-TEST(Dataset, framesOfLegacyConvertedCt) {
+TEST(Dataset, FramesOfLegacyConvertedCt) {
     SKIP_WITHOUT_SHARED_DATA();
     const Dataset header = headerOf(sharedData() / "odd/legacy_enhanced_pair/mf.dcm");
     ASSERT_EQ(header.frameCount(), 3);
@@ -81,7 +81,7 @@ TEST(Dataset, framesOfLegacyConvertedCt) {
     EXPECT_TRUE(header.items({0x0040, 0x0555}).empty()) << "empty sequence";
 }
 
-TEST(Dataset, framesWithoutFunctionalGroups) {
+TEST(Dataset, FramesWithoutFunctionalGroups) {
     SKIP_WITHOUT_SHARED_DATA();
     const Dataset header = headerOf(sharedData() / "odd/enhanced_mr_10frame.dcm");
     ASSERT_EQ(header.frameCount(), 10);
@@ -91,7 +91,7 @@ TEST(Dataset, framesWithoutFunctionalGroups) {
 }
 
 // A macro of the frame, an attribute of the frame's item itself, of a shared macro, of the top level.
-TEST(Dataset, theNearestValueIsTaken) {
+TEST(Dataset, TheNearestValueIsTaken) {
     const TemporaryFolder folder;
     const auto thickness = [](const char* value) { return shortElement({0x0018, 0x0050}, "DS", value); };
     const auto number = [](const char* value) { return shortElement(tag::kInstanceNumber, "IS", value); };
@@ -123,7 +123,7 @@ TEST(Dataset, theNearestValueIsTaken) {
     EXPECT_EQ(header.items(tag::kPerFrameFunctionalGroups)[0].frame(1).integer(tag::kInstanceNumber), 32);
 }
 
-TEST(Dataset, tenThousandFrames) {
+TEST(Dataset, TenThousandFrames) {
     const TemporaryFolder folder;
     constexpr int kFrames = 10000;
     std::vector<std::string> frames;
@@ -158,7 +158,7 @@ TEST(Dataset, tenThousandFrames) {
     RecordProperty("seconds", std::to_string(seconds.count()));
 }
 
-TEST(Dataset, binaryNumbers) {
+TEST(Dataset, BinaryNumbers) {
     const TemporaryFolder folder;
     const std::string negative = bytesOf(0xFFFE, 2);
     const Dataset header =
@@ -199,7 +199,7 @@ TEST(Dataset, binaryNumbers) {
     EXPECT_TRUE(header.words(tag::kModality).empty());
 }
 
-TEST(Dataset, numbersInText) {
+TEST(Dataset, NumbersInText) {
     const TemporaryFolder folder;
     const Dataset header =
         headerOf(folder, preamble(kExplicit) + sopClass() + shortElement({0x0018, 0x0050}, "DS", "1\\x\\3") +
@@ -217,7 +217,7 @@ TEST(Dataset, numbersInText) {
 }
 
 // Implicit VR: the dictionary knows, also private elements by their creator.
-TEST(Dataset, implicitElements) {
+TEST(Dataset, ImplicitElements) {
     const TemporaryFolder folder;
     const auto element = [](Tag tag, const std::string& value) {
         return bytesOf(tag.group, 2) + bytesOf(tag.element, 2) + bytesOf(value.size(), 4) + value;
@@ -244,7 +244,7 @@ TEST(Dataset, implicitElements) {
 }
 
 // What archives make that know no functional groups.
-TEST(Dataset, sequencesOfUnknownVr) {
+TEST(Dataset, SequencesOfUnknownVr) {
     const TemporaryFolder folder;
     const auto file = [&](const std::string& position) {
         const std::string inner = kItem + bytesOf(position.size(), 4) + position;
@@ -260,7 +260,7 @@ TEST(Dataset, sequencesOfUnknownVr) {
     }
 }
 
-TEST(Dataset, transferSyntaxThatIsNotTheOneUsed) {
+TEST(Dataset, TransferSyntaxThatIsNotTheOneUsed) {
     const TemporaryFolder folder;
     const Dataset header = headerOf(folder, preamble(kImplicit) + sopClass());
     EXPECT_EQ(header.text(tag::kModality), "CT");
@@ -269,7 +269,7 @@ TEST(Dataset, transferSyntaxThatIsNotTheOneUsed) {
     EXPECT_EQ(headerOf(folder, preamble(kExplicit) + implicit).text(tag::kModality), "MR");
 }
 
-TEST(Dataset, copiesShareTheFileAndOutliveIt) {
+TEST(Dataset, CopiesShareTheFileAndOutliveIt) {
     const TemporaryFolder folder;
     std::vector<Dataset> items;
     {
@@ -285,7 +285,7 @@ TEST(Dataset, copiesShareTheFileAndOutliveIt) {
     EXPECT_EQ(copy.transferSyntaxUid(), kExplicit);
 }
 
-TEST(Dataset, largeValuesAreNotKept) {
+TEST(Dataset, LargeValuesAreNotKept) {
     const TemporaryFolder folder;
     const std::uint32_t size = 300 << 10;
     const Dataset header =
@@ -296,7 +296,7 @@ TEST(Dataset, largeValuesAreNotKept) {
     EXPECT_EQ(header.integer(tag::kInstanceNumber), 5);
 }
 
-TEST(Dataset, filesThatAreElsewhere) {
+TEST(Dataset, FilesThatAreElsewhere) {
     for (const int error : {ENODATA, EREMOTEIO, ENXIO, ESTALE, ETIMEDOUT, EHOSTDOWN})
         EXPECT_EQ(stateOfFailure(error), FileState::offline) << error;
     EXPECT_EQ(stateOfFailure(EIO), FileState::mediumError);
@@ -308,7 +308,7 @@ TEST(Dataset, filesThatAreElsewhere) {
     EXPECT_EQ(readHeader(folder.path()).state, FileState::unreadable);
 }
 
-TEST(Dataset, tagsByKeyword) {
+TEST(Dataset, TagsByKeyword) {
     EXPECT_EQ(tagOfKeyword("SliceThickness"), (Tag{0x0018, 0x0050}));
     EXPECT_EQ(tagOfKeyword("EffectiveEchoTime"), (Tag{0x0018, 0x9082}));
     EXPECT_EQ(tagOfKeyword("DiffusionBValue"), (Tag{0x0018, 0x9087}));
@@ -316,7 +316,7 @@ TEST(Dataset, tagsByKeyword) {
     EXPECT_FALSE(tagOfKeyword(""));
 }
 
-TEST(Dataset, whereThePixelsAre) {
+TEST(Dataset, WhereThePixelsAre) {
     const TemporaryFolder folder;
     const std::string head = preamble(kExplicit) + sopClass() + longElement(tag::kPixelData, "OW", 100);
     const auto extent = [&](std::size_t bytes) {

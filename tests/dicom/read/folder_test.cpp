@@ -31,7 +31,7 @@ std::vector<std::string> namesIn(const fs::path& folder) {
 
 using Names = std::vector<std::string>;
 
-TEST(Folder, linksInsideAddNothing) {
+TEST(Folder, LinksInsideAddNothing) {
     const TemporaryFolder folder;
     touch(folder / "a/one");
     touch(folder / "b/two");
@@ -45,7 +45,7 @@ TEST(Folder, linksInsideAddNothing) {
     EXPECT_EQ(list(folder.path()).linksOutside, 0u);
 }
 
-TEST(Folder, linksOutsideAreRefusedAndCounted) {
+TEST(Folder, LinksOutsideAreRefusedAndCounted) {
     const TemporaryFolder folder, elsewhere;
     touch(elsewhere / "secret");
     touch(elsewhere / "more/secret");
@@ -65,7 +65,7 @@ TEST(Folder, linksOutsideAreRefusedAndCounted) {
     fs::remove_all(sibling);
 }
 
-TEST(Folder, mayItselfBeALink) {
+TEST(Folder, MayItselfBeALink) {
     const TemporaryFolder folder, elsewhere;
     touch(elsewhere / "a/one");
     fs::create_symlink("a/one", elsewhere / "toOne");
@@ -79,7 +79,7 @@ TEST(Folder, mayItselfBeALink) {
     EXPECT_EQ(list(folder.path()).linksOutside, 2u);
 }
 
-TEST(Folder, whatMacOsLeaves) {
+TEST(Folder, WhatMacOsLeaves) {
     const TemporaryFolder folder;
     touch(folder / "one");
     touch(folder / "._one");
@@ -94,7 +94,7 @@ TEST(Folder, whatMacOsLeaves) {
     EXPECT_EQ(listing.linksOutside, 0u);
 }
 
-TEST(Folder, namesInAnyEncoding) {
+TEST(Folder, NamesInAnyEncoding) {
     const TemporaryFolder folder;
     const Names names{"\xE9t\xE9", "Größe/Дом", "山田", "line\nbreak", " "};
     for (const std::string& name : names) touch(folder.path() / name);
@@ -112,7 +112,7 @@ TEST(Folder, namesInAnyEncoding) {
     EXPECT_NE(loadFolder(folder.path()), nullptr);
 }
 
-TEST(Folder, whatIsNoFile) {
+TEST(Folder, WhatIsNoFile) {
     const TemporaryFolder folder;
     ASSERT_EQ(std::system(("mkfifo '" + (folder / "pipe").string() + "'").c_str()), 0);
     touch(folder / "one");
@@ -123,7 +123,7 @@ TEST(Folder, whatIsNoFile) {
     EXPECT_FALSE(listFiles(folder / "missing", progress));
 }
 
-TEST(Folder, listingCanBeCancelled) {
+TEST(Folder, ListingCanBeCancelled) {
     const TemporaryFolder folder;
     touch(folder / "one");
     const CancelToken token;
@@ -134,7 +134,7 @@ TEST(Folder, listingCanBeCancelled) {
     EXPECT_EQ(listing.error().code, ErrorCode::cancelled);
 }
 
-TEST(Folder, inside) {
+TEST(Folder, Inside) {
     EXPECT_TRUE(liesInside("/a/b/c", "/a/b"));
     EXPECT_TRUE(liesInside("/a/b", "/a/b"));
     EXPECT_TRUE(liesInside("/a", "/"));

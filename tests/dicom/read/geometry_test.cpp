@@ -27,7 +27,7 @@ bool has(const StackGeometry& stack, std::string_view key) {
                        [&](const Message& message) { return message.key == key; });
 }
 
-TEST(Geometry, spacingIsBetweenColumnsThenRows) {
+TEST(Geometry, SpacingIsBetweenColumnsThenRows) {
     const StackGeometry stack = stackPlanes(evenStack(4, 2.0));
     ASSERT_TRUE(stack.worldFromVoxel);
     EXPECT_TRUE(stack.messages.empty());
@@ -35,7 +35,7 @@ TEST(Geometry, spacingIsBetweenColumnsThenRows) {
     EXPECT_EQ(affineError(*stack.worldFromVoxel, expected), 0.0);
 }
 
-TEST(Geometry, sortsAlongTheNormalNotByInstanceNumber) {
+TEST(Geometry, SortsAlongTheNormalNotByInstanceNumber) {
     auto planes = evenStack(4, 2.0);
     std::swap(planes[0], planes[2]);
     for (int k = 0; k < 4; ++k) planes[static_cast<std::size_t>(k)].instanceNumber = 100 - k;
@@ -43,7 +43,7 @@ TEST(Geometry, sortsAlongTheNormalNotByInstanceNumber) {
     EXPECT_EQ(stack.order, (std::vector<std::size_t>{2, 1, 0, 3}));
 }
 
-TEST(Geometry, sagittalNormalPointsToTheRight) {
+TEST(Geometry, SagittalNormalPointsToTheRight) {
     // As in mr_head_sag_hfs: rows run to posterior, columns to inferior, so slices ascend towards the
     // patient's right.
     std::vector<StackedPlane> planes;
@@ -59,7 +59,7 @@ TEST(Geometry, sagittalNormalPointsToTheRight) {
     EXPECT_NEAR((*stack.worldFromVoxel)[2][0], -4.8, 1e-12);
 }
 
-TEST(Geometry, tiltedStackStaysSheared) {
+TEST(Geometry, TiltedStackStaysSheared) {
     auto planes = evenStack(5, 2.0);
     for (std::size_t k = 0; k < planes.size(); ++k)
         planes[k].plane.positionMm.y += 0.5 * static_cast<double>(k);
@@ -69,7 +69,7 @@ TEST(Geometry, tiltedStackStaysSheared) {
     EXPECT_EQ(glm::dvec3((*stack.worldFromVoxel)[2]), glm::dvec3(0, 0.5, 2.0));
 }
 
-TEST(Geometry, aGapIsMissingSlicesNotAStretch) {
+TEST(Geometry, AGapIsMissingSlicesNotAStretch) {
     auto planes = evenStack(10, 2.0);
     planes.erase(planes.begin() + 4, planes.begin() + 6);
     const StackGeometry stack = stackPlanes(planes);
@@ -84,7 +84,7 @@ TEST(Geometry, aGapIsMissingSlicesNotAStretch) {
     EXPECT_EQ(stack.slices[6], (SliceSource{4, 4, 0.0}));
 }
 
-TEST(Geometry, moreMissingThanThereIsNoVolume) {
+TEST(Geometry, MoreMissingThanThereIsNoVolume) {
     auto planes = evenStack(20, 2.0);
     planes.erase(planes.begin() + 3, planes.begin() + 15);
     const StackGeometry stack = stackPlanes(planes);
@@ -93,7 +93,7 @@ TEST(Geometry, moreMissingThanThereIsNoVolume) {
     EXPECT_EQ(stack.messages[0].severity, Severity::blocksVolume);
 }
 
-TEST(Geometry, oneMissingSliceInManyIsSeen) {
+TEST(Geometry, OneMissingSliceInManyIsSeen) {
     auto planes = evenStack(300, 1.0);
     planes.erase(planes.begin() + 150);
     const StackGeometry stack = stackPlanes(planes);
@@ -103,7 +103,7 @@ TEST(Geometry, oneMissingSliceInManyIsSeen) {
 }
 
 // At 0, 2, 4, 6, 8 and 11 mm: resampled to the smallest distance, each slice from the two planes around it.
-TEST(Geometry, unevenStepsAreResampledToTheSmallest) {
+TEST(Geometry, UnevenStepsAreResampledToTheSmallest) {
     auto planes = evenStack(6, 2.0);
     planes[5].plane.positionMm.z += 1.0;
     const StackGeometry stack = stackPlanes(planes);
@@ -117,7 +117,7 @@ TEST(Geometry, unevenStepsAreResampledToTheSmallest) {
     }
 }
 
-TEST(Geometry, twoAlmostEqualPositionsMakeNoHugeVolume) {
+TEST(Geometry, TwoAlmostEqualPositionsMakeNoHugeVolume) {
     auto planes = evenStack(10, 5.0);
     planes[4].plane.positionMm.z = planes[3].plane.positionMm.z + 0.01;
     const StackGeometry stack = stackPlanes(planes);
@@ -125,7 +125,7 @@ TEST(Geometry, twoAlmostEqualPositionsMakeNoHugeVolume) {
     EXPECT_LE(stack.slices.size(), 4u * 9u + 1u);
 }
 
-TEST(Geometry, aGapThatIsNoMultipleIsNotFilledWithMeltedSlices) {
+TEST(Geometry, AGapThatIsNoMultipleIsNotFilledWithMeltedSlices) {
     auto planes = evenStack(6, 2.3);
     planes[5].plane.positionMm.z += 1e6;
     const StackGeometry stack = stackPlanes(planes);
@@ -133,7 +133,7 @@ TEST(Geometry, aGapThatIsNoMultipleIsNotFilledWithMeltedSlices) {
     EXPECT_EQ(onlyKey(stack), key::kSpacingTooIrregular);
 }
 
-TEST(Geometry, aSkewedOrientationIsSetRight) {
+TEST(Geometry, ASkewedOrientationIsSetRight) {
     auto planes = evenStack(4, 2.0);
     for (auto& p : planes) p.plane.columnDirection = glm::normalize(glm::dvec3(5e-4, 1.0, 0.0));
     const StackGeometry stack = stackPlanes(planes);
@@ -142,7 +142,7 @@ TEST(Geometry, aSkewedOrientationIsSetRight) {
     EXPECT_NEAR(glm::dot((*stack.worldFromVoxel)[0], (*stack.worldFromVoxel)[1]), 0.0, 1e-12);
 }
 
-TEST(Geometry, positionsThatAreNoNumbers) {
+TEST(Geometry, PositionsThatAreNoNumbers) {
     for (const double bad : {double(NAN), double(INFINITY), -double(INFINITY), 1e308}) {
         auto planes = evenStack(4, 2.0);
         planes[1].plane.positionMm.x = bad;
@@ -153,7 +153,7 @@ TEST(Geometry, positionsThatAreNoNumbers) {
 }
 
 // Found by fuzz_series: the slices between lost their place beside a distance of 1e92 mm.
-TEST(Geometry, positionsAndSpacingsNoPatientCanHave) {
+TEST(Geometry, PositionsAndSpacingsNoPatientCanHave) {
     const auto makesVolume = [](auto change) {
         auto planes = evenStack(4, 2.0);
         for (auto& p : planes) change(p.plane);
@@ -168,7 +168,7 @@ TEST(Geometry, positionsAndSpacingsNoPatientCanHave) {
 }
 
 // Found by fuzz_series: the last slice was the plane before the last.
-TEST(Geometry, ofTwoPlanesThatLieCloseTheNearerIsTheSlice) {
+TEST(Geometry, OfTwoPlanesThatLieCloseTheNearerIsTheSlice) {
     auto planes = evenStack(3, 240.0);
     planes[2].plane.positionMm.z = planes[1].plane.positionMm.z + 0.3;
     const StackGeometry stack = stackPlanes(planes);
@@ -178,7 +178,7 @@ TEST(Geometry, ofTwoPlanesThatLieCloseTheNearerIsTheSlice) {
 }
 
 // Found by fuzz_series: a volume whose slices go along its rows.
-TEST(Geometry, slicesBesideEachOther) {
+TEST(Geometry, SlicesBesideEachOther) {
     auto planes = evenStack(4, 0.01);
     for (std::size_t k = 0; k < planes.size(); ++k) planes[k].plane.positionMm.x = 1e5 * double(k);
     const StackGeometry stack = stackPlanes(planes);
@@ -187,7 +187,7 @@ TEST(Geometry, slicesBesideEachOther) {
     EXPECT_TRUE(stack.slices.empty());
 }
 
-TEST(Geometry, aSlowDriftOfTheStepIsSeenToo) {
+TEST(Geometry, ASlowDriftOfTheStepIsSeenToo) {
     auto planes = evenStack(100, 2.0);
     for (std::size_t k = 0; k < planes.size(); ++k) {
         planes[k].plane.positionMm.z +=
@@ -197,7 +197,7 @@ TEST(Geometry, aSlowDriftOfTheStepIsSeenToo) {
     EXPECT_TRUE(has(stack, key::kIrregularSpacing));
 }
 
-TEST(Geometry, smallUnevennessIsToldWithItsSize) {
+TEST(Geometry, SmallUnevennessIsToldWithItsSize) {
     auto planes = evenStack(6, 1.0);
     planes[3].plane.positionMm.z += 0.05;
     const StackGeometry stack = stackPlanes(planes);
@@ -206,13 +206,13 @@ TEST(Geometry, smallUnevennessIsToldWithItsSize) {
     EXPECT_NEAR(stack.largestErrorMm, 0.05, 1e-12);
 }
 
-TEST(Geometry, decimalNoiseIsNoUnevenness) {
+TEST(Geometry, DecimalNoiseIsNoUnevenness) {
     auto planes = evenStack(50, 1.25);
     for (auto& p : planes) p.plane.positionMm.z = std::round(p.plane.positionMm.z * 1000.0) / 1000.0;
     EXPECT_TRUE(stackPlanes(planes).messages.empty());
 }
 
-TEST(Geometry, slicesShiftedSideways) {
+TEST(Geometry, SlicesShiftedSideways) {
     auto planes = evenStack(6, 2.0);
     planes[3].plane.positionMm.x += 3.0;
     EXPECT_EQ(onlyKey(stackPlanes(planes)), key::kNotReconstructable);
@@ -220,7 +220,7 @@ TEST(Geometry, slicesShiftedSideways) {
 
 // Slices that drift off their line, as those of a patient who breathes: up to a tenth of their distance. A
 // drift in one direction is a tilted gantry, however far it goes.
-TEST(Geometry, slicesDriftSidewaysByATenthOfTheirDistance) {
+TEST(Geometry, SlicesDriftSidewaysByATenthOfTheirDistance) {
     const auto drifted = [](double mm) {
         auto planes = evenStack(7, 2.0);
         for (int k = 0; k < 7; ++k) {
@@ -235,7 +235,7 @@ TEST(Geometry, slicesDriftSidewaysByATenthOfTheirDistance) {
     EXPECT_FALSE(drifted(-0.21).worldFromVoxel);
 }
 
-TEST(Geometry, duplicatePositionsAreOrderedByInstanceNumberAndRefused) {
+TEST(Geometry, DuplicatePositionsAreOrderedByInstanceNumberAndRefused) {
     auto planes = evenStack(4, 2.0);
     planes[1].plane.positionMm = planes[0].plane.positionMm;
     planes[0].instanceNumber = 9;
@@ -244,7 +244,7 @@ TEST(Geometry, duplicatePositionsAreOrderedByInstanceNumberAndRefused) {
     EXPECT_EQ(stack.order[0], 1u);
 }
 
-TEST(Geometry, differingOrientationSpacingAndBadDirections) {
+TEST(Geometry, DifferingOrientationSpacingAndBadDirections) {
     auto planes = evenStack(4, 2.0);
     planes[2].plane.rowDirection = {0, 1, 0};
     planes[2].plane.columnDirection = {0, 0, -1};

@@ -79,7 +79,7 @@ void compareItem(DcmItem& theirs, const Dataset& ours, Comparison& done) {
     for (unsigned long i = 0; i < theirs.card(); ++i) compareElement(*theirs.getElement(i), ours, done);
 }
 
-TEST(HeaderAgainstDcmtk, everyElementOfEveryRealFile) {
+TEST(HeaderAgainstDcmtk, EveryElementOfEveryRealFile) {
     SKIP_WITHOUT_SHARED_DATA();
     silenceToolkit();
     Progress progress;

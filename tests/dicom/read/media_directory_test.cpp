@@ -49,7 +49,7 @@ Paths missingIn(const MediaDirectory& directory) {
     return paths;
 }
 
-TEST(MediaDirectory, ofARealDisc) {
+TEST(MediaDirectory, OfARealDisc) {
     SKIP_WITHOUT_SHARED_DATA();
     const fs::path disc = sharedData() / "odd/dicomdir_media";
     const auto directory = readMediaDirectory(disc / "DICOMDIR");
@@ -63,7 +63,7 @@ TEST(MediaDirectory, ofARealDisc) {
     EXPECT_EQ(directory->files.front(), disc / "77654033/CR1/6154");
 }
 
-TEST_F(MediaDirectoryTest, missingFilesAreTold) {
+TEST_F(MediaDirectoryTest, MissingFilesAreTold) {
     touch("A/IM1");
     const auto directory =
         read({record("A\\IM1"), record("A\\IM2"), record("B\\IM1"), record(""), record("A\\IM2")});
@@ -72,7 +72,7 @@ TEST_F(MediaDirectoryTest, missingFilesAreTold) {
     EXPECT_EQ(directory.outside, 0u);
 }
 
-TEST_F(MediaDirectoryTest, namesAsDiscsChangeThem) {
+TEST_F(MediaDirectoryTest, NamesAsDiscsChangeThem) {
     for (const char* name : {"dicom/im1", "dicom/im2.;1", "dicom/IM3;1", "dicom/IM4", "dicom/im4"})
         touch(name);
     const auto directory =
@@ -84,7 +84,7 @@ TEST_F(MediaDirectoryTest, namesAsDiscsChangeThem) {
 }
 
 // Programs that copy media add endings, or take them off.
-TEST_F(MediaDirectoryTest, endingsMayComeAndGo) {
+TEST_F(MediaDirectoryTest, EndingsMayComeAndGo) {
     for (const char* name :
          {"A/IM1.dcm", "A/im2.DCM;1", "A/IM3", "A/IM4.txt", "A/IM4.dcm", "A/IM5.txt", "A/IM5"})
         touch(name);
@@ -96,7 +96,7 @@ TEST_F(MediaDirectoryTest, endingsMayComeAndGo) {
 }
 
 // Records of two series, stored in turns: only offsets say which image is of which.
-TEST_F(MediaDirectoryTest, anImageIsOfTheSeriesThatLeadsToIt) {
+TEST_F(MediaDirectoryTest, AnImageIsOfTheSeriesThatLeadsToIt) {
     const auto item = [](const std::string& type, std::uint32_t next, std::uint32_t lower,
                          const std::string& more) {
         return shortElement({0x0004, 0x1400}, "UL", bytesOf(next, 4)) +
@@ -138,7 +138,7 @@ TEST_F(MediaDirectoryTest, anImageIsOfTheSeriesThatLeadsToIt) {
     EXPECT_EQ(directory.missing[2].instanceNumber, 31);
 }
 
-TEST_F(MediaDirectoryTest, whatLiesOutsideIsNeverLookedAt) {
+TEST_F(MediaDirectoryTest, WhatLiesOutsideIsNeverLookedAt) {
     const TemporaryFolder elsewhere;
     std::ofstream(elsewhere / "secret") << 'x';
     touch("A/IM1");
@@ -154,18 +154,18 @@ TEST_F(MediaDirectoryTest, whatLiesOutsideIsNeverLookedAt) {
     EXPECT_EQ(directory.outside, 10u);
 }
 
-TEST_F(MediaDirectoryTest, recordsNotInUseAreNone) {
+TEST_F(MediaDirectoryTest, RecordsNotInUseAreNone) {
     const auto directory = read({record("IM1", 0)});
     EXPECT_TRUE(directory.missing.empty());
 }
 
-TEST_F(MediaDirectoryTest, foldersAreNoFiles) {
+TEST_F(MediaDirectoryTest, FoldersAreNoFiles) {
     touch("A/IM1");
     const auto directory = read({record("A"), record("A\\IM1\\IM2")});
     EXPECT_EQ(missingIn(directory), (Paths{folder / "A", folder / "A/IM1/IM2"}));
 }
 
-TEST_F(MediaDirectoryTest, whatIsNoDirectory) {
+TEST_F(MediaDirectoryTest, WhatIsNoDirectory) {
     EXPECT_FALSE(readMediaDirectory(folder / "DICOMDIR"));
     const auto files = write(smallVolume(), folder / "in");
     EXPECT_FALSE(readMediaDirectory(files[0]));

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-TEST(Patient, namesThatAreOne) {
+TEST(Patient, NamesThatAreOne) {
     EXPECT_EQ(normalisedName("DOE^JOHN^^^"), "doe^john");
     EXPECT_EQ(normalisedName("Doe ^ John  "), "doe^john");
     EXPECT_EQ(normalisedName("Wang^XiaoDong=王^小東="), "wang^xiaodong");
@@ -27,7 +27,7 @@ TEST(Patient, namesThatAreOne) {
 }
 
 // All slices share every UID; only what the second half says of the patient differs.
-TEST(Patient, eachDifferenceSeparates) {
+TEST(Patient, EachDifferenceSeparates) {
     struct Case {
         Tag tag;
         std::string first, second;
@@ -67,7 +67,7 @@ TEST(Patient, eachDifferenceSeparates) {
 }
 
 // A program has written the same words for both.
-TEST(Patient, twoStudiesOfNobodyAreOfTwo) {
+TEST(Patient, TwoStudiesOfNobodyAreOfTwo) {
     const auto studiesOf = [](const char* name, const char* id, bool isOneStudy) {
         const TemporaryFolder folder;
         for (int n = 0; n < 2; ++n) {
@@ -106,7 +106,7 @@ TEST(Patient, twoStudiesOfNobodyAreOfTwo) {
     }
 }
 
-TEST(Patient, spellingDoesNotSeparate) {
+TEST(Patient, SpellingDoesNotSeparate) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     for (std::size_t k = 0; k < files.size(); ++k)
@@ -133,7 +133,7 @@ void makeUnreachableFolder(const fs::path& at) {
     close(folder);
 }
 
-TEST(Patient, unreadableFolderStopsNothingAndIsToldOf) {
+TEST(Patient, UnreadableFolderStopsNothingAndIsToldOf) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder / "m");
     for (const char* name : {"a", "z"}) {
@@ -157,7 +157,7 @@ TEST(Patient, unreadableFolderStopsNothingAndIsToldOf) {
     EXPECT_LT(found->skipped[0].file, found->skipped[1].file);
 }
 
-TEST(Patient, onlyAnUnreadableFolder) {
+TEST(Patient, OnlyAnUnreadableFolder) {
     const TemporaryFolder folder;
     makeUnreachableFolder(folder.path());
     Progress progress;
@@ -169,7 +169,7 @@ TEST(Patient, onlyAnUnreadableFolder) {
 }
 
 // Many copies of one file: each is read once, and a cancellation is noticed while they are.
-TEST(Patient, comparingCopiesCanBeCancelled) {
+TEST(Patient, ComparingCopiesCanBeCancelled) {
     const TemporaryFolder folder;
     const auto files = write(smallVolume(), folder.path());
     for (int copy = 0; copy < 40; ++copy) fs::copy_file(files[2], folder / fmt::format("copy{:02}", copy));

@@ -64,7 +64,7 @@ std::vector<int> numbersOf(const Segmentation& segmentation) {
 }
 
 // 0 is a segment like others where 255 is said to be none (PS3.3 C.8.20.2).
-TEST_F(LabelMapTest, aLabelMapsBackgroundIsItsPadding) {
+TEST_F(LabelMapTest, ALabelMapsBackgroundIsItsPadding) {
     Drawing d = labelMapOf(std::string("\xFF\x00\x01\xFF\x00\x00", 6));
     d.segments = {0, 1};
     d.labels = {{0, "Liver"}, {1, "Tumour"}};
@@ -91,7 +91,7 @@ TEST_F(LabelMapTest, aLabelMapsBackgroundIsItsPadding) {
     EXPECT_NE(map->messages()[0].sentence.find("256"), std::string::npos);
 }
 
-TEST_F(LabelMapTest, otherBackgroundsOfLabelMaps) {
+TEST_F(LabelMapTest, OtherBackgroundsOfLabelMaps) {
     const auto labels = [this](const Drawing& d) {
         const auto map = mapOf(d);
         EXPECT_TRUE(map) << (map ? "" : map.error().message);
@@ -122,7 +122,7 @@ TEST_F(LabelMapTest, otherBackgroundsOfLabelMaps) {
     EXPECT_EQ(labels(d), (Labels{255, 0, 1, 254, 2, 0})) << "not in the pixels: 0 is still none";
 }
 
-TEST_F(LabelMapTest, aLabelMapOf16BitsHasASegment0Too) {
+TEST_F(LabelMapTest, ALabelMapOf16BitsHasASegment0Too) {
     Drawing d = labelMapOf(word(65535) + word(0) + word(1) + word(300), 16);
     d.segments = {0, 1, 65534};
     d.padding = paddedWith(65535);
@@ -132,7 +132,7 @@ TEST_F(LabelMapTest, aLabelMapOf16BitsHasASegment0Too) {
     EXPECT_EQ(map->segment(65535)->label, "label 0");
 }
 
-TEST_F(LabelMapTest, aSegmentUnderTheNumberOfThePaddingIsTold) {
+TEST_F(LabelMapTest, ASegmentUnderTheNumberOfThePaddingIsTold) {
     Drawing d = labelMapOf(std::string("\x01\x02\x00\x01", 4));
     d.padding = paddedWith(2);
     const auto header = read(d);
@@ -147,7 +147,7 @@ TEST_F(LabelMapTest, aSegmentUnderTheNumberOfThePaddingIsTold) {
 
 // A file of another writer, of 24 frames: numpy counts 379, 1099 and 72 cells of 0, 2 and 3, and 12058 of
 // 255.
-TEST(LabelMapOfAnotherWriter, hasItsSegment0) {
+TEST(LabelMapOfAnotherWriter, HasItsSegment0) {
     const auto file = sharedData() / "failures/other/seg-labelmap-pad255/seg/s.dcm";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << "no " << file;
     const auto header = readSegmentation(file);

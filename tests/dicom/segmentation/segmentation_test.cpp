@@ -79,7 +79,7 @@ Drawing twoSlices() {
     return d;
 }
 
-TEST_F(SegmentationTest, binaryFramesThatDoNotBeginAtAByte) {
+TEST_F(SegmentationTest, BinaryFramesThatDoNotBeginAtAByte) {
     const auto map = on(twoSlices(), kGrid, {5, 3, 2});
     ASSERT_TRUE(map) << map.error().message;
     Labels expected(30);
@@ -100,7 +100,7 @@ TEST_F(SegmentationTest, binaryFramesThatDoNotBeginAtAByte) {
 
 // The loader takes slices up to a tenth of their distance off for even (geometry.h), and what was drawn on
 // them lies where they lie.
-TEST_F(SegmentationTest, onSlicesThatAreNotQuiteEven) {
+TEST_F(SegmentationTest, OnSlicesThatAreNotQuiteEven) {
     const std::vector<glm::dvec3> positionsMm{{10, 20, 30}, {10, 20, 32.18}, {10, 20, 34}};
     Drawing d = twoSlices();
     d.frames = {{{10, 20, 30}, 1}, {{10, 20, 32.18}, 1}, {{10, 20, 32.18}, 2}};
@@ -124,7 +124,7 @@ TEST_F(SegmentationTest, onSlicesThatAreNotQuiteEven) {
     EXPECT_FALSE(loadSegmentation(*between, kGrid, {5, 3, 3}, progress, positionsMm));
 }
 
-TEST_F(SegmentationTest, summary) {
+TEST_F(SegmentationTest, Summary) {
     const auto s = readSegmentation(write(twoSlices()));
     ASSERT_TRUE(s);
     EXPECT_EQ(s->type, SegmentationType::binary);
@@ -135,7 +135,7 @@ TEST_F(SegmentationTest, summary) {
     EXPECT_EQ(s->spacingMm, 2.0);
 }
 
-TEST_F(SegmentationTest, deflated) {
+TEST_F(SegmentationTest, Deflated) {
     Drawing d = twoSlices();
     const auto plain = on(d, kGrid, {5, 3, 2});
     d.transferSyntax = kDeflated;
@@ -145,7 +145,7 @@ TEST_F(SegmentationTest, deflated) {
 }
 
 // The grid is larger, and begins elsewhere by whole voxels.
-TEST_F(SegmentationTest, offsetByWholeVoxels) {
+TEST_F(SegmentationTest, OffsetByWholeVoxels) {
     const glm::dmat4 larger = affine({0.25, 0, 0}, {0, 0.5, 0}, {0, 0, 2}, {9.5, 19, 26});
     const auto map = on(twoSlices(), larger, {10, 8, 6});
     ASSERT_TRUE(map);
@@ -155,7 +155,7 @@ TEST_F(SegmentationTest, offsetByWholeVoxels) {
     EXPECT_EQ(countOf(*map, 1) + countOf(*map, 2), 5u);
 }
 
-TEST_F(SegmentationTest, axesOfTheGridInAnyOrderAndDirection) {
+TEST_F(SegmentationTest, AxesOfTheGridInAnyOrderAndDirection) {
     // i downwards, j to the front, k to the right; the frames are axial.
     const glm::dmat4 other = affine({0, 0, -2}, {0, -0.5, 0}, {-0.25, 0, 0}, {11, 21, 32});
     const auto map = on(twoSlices(), other, {2, 3, 5});
@@ -167,7 +167,7 @@ TEST_F(SegmentationTest, axesOfTheGridInAnyOrderAndDirection) {
     EXPECT_EQ(map->label(0, 0, 0), 2);
 }
 
-TEST_F(SegmentationTest, aShearedGrid) {
+TEST_F(SegmentationTest, AShearedGrid) {
     const glm::dmat4 sheared = affine({0.25, 0, 0}, {0, 0.5, 0}, {0, 0.7, 2}, {10, 20, 30});
     Drawing d{.frames = {{{10, 20, 30}, 1}, {{10, 20.7, 32}, 1}, {{10, 22.1, 36}, 2}}};
     d.pixels = dots(d, {{0, 0, 0}, {1, 1, 1}, {2, 4, 2}});
@@ -181,7 +181,7 @@ TEST_F(SegmentationTest, aShearedGrid) {
     EXPECT_EQ(labelsOf(*own), labelsOf(*map));
 }
 
-TEST_F(SegmentationTest, betweenTheVoxelsIsAnError) {
+TEST_F(SegmentationTest, BetweenTheVoxelsIsAnError) {
     const std::vector<glm::dmat4> off{
         affine({0.25, 0, 0}, {0, 0.5, 0}, {0, 0, 2}, {10, 20, 30.03}),
         affine({0.25, 0, 0}, {0, 0.5, 0}, {0, 0, 2}, {10.1, 20, 30}),
@@ -201,7 +201,7 @@ TEST_F(SegmentationTest, betweenTheVoxelsIsAnError) {
     EXPECT_NE(on(twoSlices(), off[5], {5, 3, 4}).error().message.find("Frame 2 "), std::string::npos);
 }
 
-TEST_F(SegmentationTest, overlapsAndVoxelsOutsideAreCounted) {
+TEST_F(SegmentationTest, OverlapsAndVoxelsOutsideAreCounted) {
     Drawing d{.frames = {{{10, 20, 30}, 1}, {{10, 20, 30}, 2}}};
     d.pixels = dots(d, {{0, 0, 0}, {0, 1, 0}, {0, 2, 0}, {1, 1, 0}, {1, 2, 0}, {1, 4, 2}});
     const auto map = on(d, kGrid, {5, 2, 1});
@@ -214,7 +214,7 @@ TEST_F(SegmentationTest, overlapsAndVoxelsOutsideAreCounted) {
     EXPECT_EQ(map->messages()[1].arguments.at(0).value, MessageValue(std::int64_t{1}));
 }
 
-TEST_F(SegmentationTest, fractionalIsFromHalfOn) {
+TEST_F(SegmentationTest, FractionalIsFromHalfOn) {
     Drawing d{.type = "FRACTIONAL", .columns = 6, .rows = 1, .bits = 8, .frames = {{{10, 20, 30}, 2}}};
     d.more = shortElement({0x0062, 0x000E}, "US", word(200));
     d.pixels = std::string("\x00\x63\x64\x65\xC8\x01", 6);  // 0 99 100 101 200 1
@@ -225,7 +225,7 @@ TEST_F(SegmentationTest, fractionalIsFromHalfOn) {
     EXPECT_FALSE(on(d, kGrid, {6, 1, 1}));
 }
 
-TEST_F(SegmentationTest, labelMaps) {
+TEST_F(SegmentationTest, LabelMaps) {
     Drawing d{.type = "LABELMAP",
               .sopClass = "1.2.840.10008.5.1.4.1.1.66.7",
               .columns = 4,
@@ -248,7 +248,7 @@ TEST_F(SegmentationTest, labelMaps) {
     EXPECT_FALSE(on(d, kGrid, {4, 1, 2}));
 }
 
-TEST_F(SegmentationTest, compressed) {
+TEST_F(SegmentationTest, Compressed) {
     Drawing d{.type = "LABELMAP",
               .sopClass = "1.2.840.10008.5.1.4.1.1.66.7",
               .columns = 4,
@@ -274,7 +274,7 @@ TEST_F(SegmentationTest, compressed) {
 }
 
 // Slices without any segment have no frame: the grid has them all the same.
-TEST_F(SegmentationTest, ownGridKeepsEmptySlices) {
+TEST_F(SegmentationTest, OwnGridKeepsEmptySlices) {
     for (const char* stated : {"2", "1", "", "2.0000001", "7"}) {
         SCOPED_TRACE(stated);
         Drawing d{.sliceSpacing = stated,
@@ -301,7 +301,7 @@ TEST_F(SegmentationTest, ownGridKeepsEmptySlices) {
     EXPECT_LT(affineError(single->worldFromVoxel(), kGrid), 1e-9);
 }
 
-TEST_F(SegmentationTest, hostileHeaders) {
+TEST_F(SegmentationTest, HostileHeaders) {
     const glm::ivec3 size{5, 3, 2};
     const auto refused = [&](const Drawing& d) {
         const auto map = on(d, kGrid, size);
@@ -354,7 +354,7 @@ TEST_F(SegmentationTest, hostileHeaders) {
 }
 
 // A grid of its own may not be larger than memory, however far apart two frames are.
-TEST_F(SegmentationTest, framesFarApart) {
+TEST_F(SegmentationTest, FramesFarApart) {
     Drawing d{.columns = 3000, .rows = 3000, .frames = {{{0, 0, 0}, 1}, {{0, 0, 2e6}, 1}}};
     d.pixels = std::string(3000u * 3000u / 4, '\0');
     const auto map = alone(d);
@@ -362,7 +362,7 @@ TEST_F(SegmentationTest, framesFarApart) {
     EXPECT_EQ(map.error().code, ErrorCode::inputNotUsable);
 }
 
-TEST_F(SegmentationTest, canBeCancelled) {
+TEST_F(SegmentationTest, CanBeCancelled) {
     const auto segmentation = readSegmentation(write(twoSlices()));
     ASSERT_TRUE(segmentation);
     const CancelToken token;
@@ -373,7 +373,7 @@ TEST_F(SegmentationTest, canBeCancelled) {
     EXPECT_EQ(map.error().code, ErrorCode::cancelled);
 }
 
-TEST_F(SegmentationTest, badGrids) {
+TEST_F(SegmentationTest, BadGrids) {
     for (const glm::ivec3 size : {glm::ivec3(0, 3, 2), glm::ivec3(5, -3, 2)})
         EXPECT_FALSE(on(twoSlices(), kGrid, size));
     EXPECT_FALSE(on(twoSlices(), glm::dmat4(0.0), {5, 3, 2}));
@@ -381,7 +381,7 @@ TEST_F(SegmentationTest, badGrids) {
     EXPECT_FALSE(on(twoSlices(), affine({nan, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}), {5, 3, 2}));
 }
 
-TEST(GridPlacement, columnsAndRows) {
+TEST(GridPlacement, ColumnsAndRows) {
     const glm::dmat4 inverse = glm::inverse(kGrid);
     const ImagePlane plane{.positionMm = {10.5, 22, 34}, .columnSpacingMm = 0.25, .rowSpacingMm = 0.5};
     EXPECT_EQ(placeOnGrid(inverse, plane, 5, 3), (GridPlacement{{2, 4, 2}, {1, 0, 0}, {0, 1, 0}}));
@@ -399,7 +399,7 @@ TEST(GridPlacement, columnsAndRows) {
     EXPECT_FALSE(placeOnGrid(inverse, far, 5, 3));
 }
 
-TEST(Segmentation, realOnTheGridOfItsSeries) {
+TEST(Segmentation, RealOnTheGridOfItsSeries) {
     SKIP_WITHOUT_SHARED_DATA();
     const fs::path pair = sharedData() / "odd/legacy_enhanced_pair";
     const auto segmentation = readSegmentation(pair / "label.seg");
@@ -440,7 +440,7 @@ TEST(Segmentation, realOnTheGridOfItsSeries) {
     EXPECT_LT(countOf(*map, 1), 24u * 38 * 3 / 2);
 }
 
-TEST(Segmentation, realWithoutItsSeries) {
+TEST(Segmentation, RealWithoutItsSeries) {
     SKIP_WITHOUT_SHARED_DATA();
     const auto segmentation = readSegmentation(sharedData() / "odd/seg_1frame.dcm");
     ASSERT_TRUE(segmentation) << segmentation.error().message;

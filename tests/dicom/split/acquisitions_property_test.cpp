@@ -198,7 +198,7 @@ std::map<int, int> acquisitionsIn(const Stack& stack, const Frames& made, const 
     return counts;
 }
 
-TEST(AcquisitionsMadeByChance, noVolumeMixesTwoWithoutAWarning) {
+TEST(AcquisitionsMadeByChance, NoVolumeMixesTwoWithoutAWarning) {
     int mixed = 0;
     int volumes = 0;
     for (unsigned seed = 1; seed <= 2000; ++seed) {
@@ -229,7 +229,7 @@ TEST(AcquisitionsMadeByChance, noVolumeMixesTwoWithoutAWarning) {
 }
 
 // What nobody disturbed comes apart into its acquisitions, whole and without a warning, where times tell.
-TEST(AcquisitionsMadeByChance, undisturbedOnesAreToldApart) {
+TEST(AcquisitionsMadeByChance, UndisturbedOnesAreToldApart) {
     int tried = 0;
     for (unsigned seed = 1; seed <= 1000; ++seed) {
         Chance chance(seed);

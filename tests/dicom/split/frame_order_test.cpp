@@ -26,7 +26,7 @@ Values timesOf(const std::vector<std::string>& texts) {
     return orderValues(made.frames, splitRules(), attribute("AcquisitionTime"));
 }
 
-TEST(Moment, hasAnOffsetADateAndATimeOfDay) {
+TEST(Moment, HasAnOffsetADateAndATimeOfDay) {
     EXPECT_DOUBLE_EQ(momentOf("193059.25")->seconds, 70259.25);
     EXPECT_FALSE(momentOf("193059.25")->day);
     EXPECT_DOUBLE_EQ(momentOf("19700102000001")->seconds, 86401.0);
@@ -42,7 +42,7 @@ TEST(Moment, hasAnOffsetADateAndATimeOfDay) {
         EXPECT_FALSE(secondsOfOffset(none)) << none;
 }
 
-TEST(OrderValues, runAcrossMidnightWithoutADateOrOnOneDay) {
+TEST(OrderValues, RunAcrossMidnightWithoutADateOrOnOneDay) {
     for (const std::string day : {"", "20200101"}) {
         const Values values = timesOf({day + "235930", day + "000010", day + "000050"});
         EXPECT_DOUBLE_EQ(*values[1] - *values[0], 40.0);
@@ -53,13 +53,13 @@ TEST(OrderValues, runAcrossMidnightWithoutADateOrOnOneDay) {
     EXPECT_DOUBLE_EQ(*values[1] - *values[0], 39600.0);
 }
 
-TEST(OrderValues, thatCannotBeComparedAreNone) {
+TEST(OrderValues, ThatCannotBeComparedAreNone) {
     for (const auto& value : timesOf({"20200101100000", "100001"})) EXPECT_FALSE(value);
     const Values some = timesOf({"100000", "", "100002"});
     EXPECT_TRUE(some[0] && !some[1] && some[2]);
 }
 
-TEST(PlaceTolerance, isThatOfADriftAndOfNothingElse) {
+TEST(PlaceTolerance, IsThatOfADriftAndOfNothingElse) {
     const auto toleranceOf = [](const std::vector<double>& alongMm) {
         Frames made;
         for (const double z : alongMm) made.add(z);
@@ -92,7 +92,7 @@ std::optional<Phases> ranked(const std::vector<Values>& phases, bool numbered = 
     return phasesByRank(made.frames, all);
 }
 
-TEST(PhasesByRank, countOnlyWhereTheOrderIsTheSameAlongTheStack) {
+TEST(PhasesByRank, CountOnlyWhereTheOrderIsTheSameAlongTheStack) {
     const auto good = ranked({{0, 1, 2, 3, 4, 5, 6, 7}, {30, 31, 32, 33, 34, 35, 36, 37}});
     ASSERT_TRUE(good);
     EXPECT_EQ(good->parts[0].frames, (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7}));
@@ -102,7 +102,7 @@ TEST(PhasesByRank, countOnlyWhereTheOrderIsTheSameAlongTheStack) {
 
 // Two phases: the image of the first at place 3 comes as much after the second one as that after it, so that
 // the distances are the usual ones, and only what is beside it tells.
-TEST(PhasesByRank, aSwapThatLooksLikeTheUsualDistanceIsSeen) {
+TEST(PhasesByRank, ASwapThatLooksLikeTheUsualDistanceIsSeen) {
     for (const bool numbered : {false, true}) {
         const auto phases = ranked({{0, 1, 2, 63, 4, 5, 6, 7}, {30, 31, 32, 33, 34, 35, 36, 37}}, numbered);
         ASSERT_TRUE(phases);
@@ -117,7 +117,7 @@ TEST(PhasesByRank, aSwapThatLooksLikeTheUsualDistanceIsSeen) {
     }
 }
 
-TEST(PhasesByRank, ofExtremeValuesAreRightOrNone) {
+TEST(PhasesByRank, OfExtremeValuesAreRightOrNone) {
     const double inf = std::numeric_limits<double>::infinity();
     const double denormal = std::numeric_limits<double>::denorm_min();
     EXPECT_FALSE(ranked({}));

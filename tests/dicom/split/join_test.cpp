@@ -28,7 +28,7 @@ class Join : public ::testing::Test {
     SyntheticSeries series;
 };
 
-TEST_F(Join, asksAndDoesNothingByItself) {
+TEST_F(Join, AsksAndDoesNothingByItself) {
     for (const char* name : {"series-uid-per-slice", "study-uid-per-slice", "patient-id-per-slice"}) {
         SCOPED_TRACE(name);
         std::filesystem::remove_all(folder.path());
@@ -42,7 +42,7 @@ TEST_F(Join, asksAndDoesNothingByItself) {
     }
 }
 
-TEST_F(Join, makesOneSeriesWhenAskedTo) {
+TEST_F(Join, MakesOneSeriesWhenAskedTo) {
     for (const char* name : {"series-uid-per-slice", "study-uid-per-slice", "patient-id-per-slice"}) {
         SCOPED_TRACE(name);
         std::filesystem::remove_all(folder.path());
@@ -61,7 +61,7 @@ TEST_F(Join, makesOneSeriesWhenAskedTo) {
 }
 
 // Three images that continue each other, of two patients: no identifier for each, and none for all.
-TEST_F(Join, twoPatientsAreNeverJoined) {
+TEST_F(Join, TwoPatientsAreNeverJoined) {
     auto slices = slicesOf(series);
     for (std::size_t n = 0; n < slices.size(); ++n) {
         slices[n].edits.push_back([n](DcmItem& item) {
@@ -78,7 +78,7 @@ TEST_F(Join, twoPatientsAreNeverJoined) {
 }
 
 // Slices that do not make a stack are single images, and nobody is asked.
-TEST_F(Join, singleImagesAreNoSeries) {
+TEST_F(Join, SingleImagesAreNoSeries) {
     series.places = {0, 1.3, 5, 5.4, 17, 40};
     auto slices = slicesOf(series);
     for (std::size_t n = 0; n < slices.size(); ++n) {

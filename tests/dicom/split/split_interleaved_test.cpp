@@ -17,7 +17,7 @@ void setFrameOfReference(Frames& made, const std::string& uid) {
 }
 
 // That two slices share one says that it means something.
-TEST(Split, framesOfReferenceThatSlicesShareAreNeverJoined) {
+TEST(Split, FramesOfReferenceThatSlicesShareAreNeverJoined) {
     Frames made;
     for (int k = 0; k < 12; ++k) {
         made.add(2.0 * k);
@@ -26,7 +26,7 @@ TEST(Split, framesOfReferenceThatSlicesShareAreNeverJoined) {
     for (const Stack& stack : splitOf(made).stacks) EXPECT_LE(stack.frames.size(), 2u);
 }
 
-TEST(Split, aFrameOfReferencePerSliceIsNone) {
+TEST(Split, AFrameOfReferencePerSliceIsNone) {
     Frames made;
     for (int k = 0; k < 12; ++k) {
         made.add(2.0 * k);
@@ -39,7 +39,7 @@ TEST(Split, aFrameOfReferencePerSliceIsNone) {
     for (const Frame& frame : split.stacks[0].frames) EXPECT_TRUE(frame.frameOfReferenceUid.empty());
 }
 
-TEST(Split, aFrameOfReferencePerSliceOfAnUnevenStackIsTakenAtItsWord) {
+TEST(Split, AFrameOfReferencePerSliceOfAnUnevenStackIsTakenAtItsWord) {
     Frames made;
     for (int k = 0; k < 12; ++k) {
         made.add(2.0 * k + (k % 3 == 0 ? 0.7 : 0.0));
@@ -48,7 +48,7 @@ TEST(Split, aFrameOfReferencePerSliceOfAnUnevenStackIsTakenAtItsWord) {
     for (const Stack& stack : splitOf(made).stacks) EXPECT_FALSE(stack.canBeVolume());
 }
 
-TEST(Split, aFrameOfReferenceThatSomeSlicesLackIsTheirs) {
+TEST(Split, AFrameOfReferenceThatSomeSlicesLackIsTheirs) {
     Frames made;
     for (int k = 0; k < 12; ++k) {
         made.add(2.0 * k);
@@ -60,7 +60,7 @@ TEST(Split, aFrameOfReferenceThatSomeSlicesLackIsTheirs) {
 }
 
 // Every other slice names one, and together they are even: a writer that forgot, and said.
-TEST(Split, aFrameOfReferenceInEveryOtherSliceIsTheirs) {
+TEST(Split, AFrameOfReferenceInEveryOtherSliceIsTheirs) {
     Frames made;
     for (int k = 0; k < 12; ++k) {
         made.add(2.0 * k);
@@ -71,7 +71,7 @@ TEST(Split, aFrameOfReferenceInEveryOtherSliceIsTheirs) {
     EXPECT_TRUE(has(split.stacks[0].messages, key::kFrameOfReferenceMissing));
 }
 
-TEST(Split, stacksEndToEndAreOneVolumeAndInterleavedOnesAreNot) {
+TEST(Split, StacksEndToEndAreOneVolumeAndInterleavedOnesAreNot) {
     for (const bool interleaved : {false, true}) {
         Frames made;
         for (int k = 0; k < 24; ++k) {
@@ -85,7 +85,7 @@ TEST(Split, stacksEndToEndAreOneVolumeAndInterleavedOnesAreNot) {
 }
 
 // 16 pixels of 1 mm: 0.002 rad move a corner by 0.04 mm, 0.01 by 0.2 mm, and 0.1 by 2 mm.
-TEST(Split, directionsThatDriftAreOneWhileNoVoxelMoves) {
+TEST(Split, DirectionsThatDriftAreOneWhileNoVoxelMoves) {
     for (const auto& [radians, stacks] : {std::pair(0.002, 1), std::pair(0.01, 1), std::pair(0.1, 12)}) {
         Frames made;
         for (int k = 0; k < 12; ++k) {
@@ -111,7 +111,7 @@ TEST(Split, directionsThatDriftAreOneWhileNoVoxelMoves) {
 }
 
 // Slices of 2D MR that do not overlap, odd and even ones in passes of their own.
-TEST(Split, anInterleavedAcquisitionStaysWhole) {
+TEST(Split, AnInterleavedAcquisitionStaysWhole) {
     for (const bool overlap : {false, true}) {
         Frames made;
         for (int k = 0; k < 12; ++k) {
@@ -123,7 +123,7 @@ TEST(Split, anInterleavedAcquisitionStaysWhole) {
     }
 }
 
-TEST(Split, oneOfTwoInterleavedAcquisitionsLacksASlice) {
+TEST(Split, OneOfTwoInterleavedAcquisitionsLacksASlice) {
     Frames made;
     for (int k = 0; k < 24; ++k) {
         if (k == 7) continue;
@@ -137,7 +137,7 @@ TEST(Split, oneOfTwoInterleavedAcquisitionsLacksASlice) {
 
 // A step: kernel in a block in the middle, acquisitions one above the other. Many acquisitions are a table
 // that moves between them.
-TEST(Split, changesAlongAStackAreWarnedOf) {
+TEST(Split, ChangesAlongAStackAreWarnedOf) {
     Frames made;
     for (int k = 0; k < 12; ++k) {
         made.add(2.0 * k);
@@ -158,7 +158,7 @@ TEST(Split, changesAlongAStackAreWarnedOf) {
 }
 
 // A volume that lacks slices is not taken for two.
-TEST(Split, missingSlicesAreNoSecondLattice) {
+TEST(Split, MissingSlicesAreNoSecondLattice) {
     for (const int missing : {1, 6, 11}) {
         Frames made;
         for (int k = 0; k < 14; ++k) {

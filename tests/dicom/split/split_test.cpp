@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-TEST(Split, everyAttributeOfTheRulesHasItsTagsAndMessages) {
+TEST(Split, EveryAttributeOfTheRulesHasItsTagsAndMessages) {
     const SplitRules& rules = splitRules();
     EXPECT_GE(rules.hard.size(), 10u);
     EXPECT_GE(rules.soft.size(), 15u);
@@ -29,7 +29,7 @@ TEST(Split, everyAttributeOfTheRulesHasItsTagsAndMessages) {
     EXPECT_TRUE(rules.phases.back().assumed);  // the image number comes last
 }
 
-TEST(Split, aVolumeIsKeptWholeWhateverItsAttributes) {
+TEST(Split, AVolumeIsKeptWholeWhateverItsAttributes) {
     Frames made;
     for (int k = 0; k < 12; ++k) {
         made.add(2.0 * k);
@@ -41,7 +41,7 @@ TEST(Split, aVolumeIsKeptWholeWhateverItsAttributes) {
     EXPECT_TRUE(split.messages.empty());
 }
 
-TEST(Split, halvesOfAVolumeWithAGapAreOneVolume) {
+TEST(Split, HalvesOfAVolumeWithAGapAreOneVolume) {
     Frames made;
     for (int k = 0; k < 20; ++k) {
         if (k == 9) continue;
@@ -53,7 +53,7 @@ TEST(Split, halvesOfAVolumeWithAGapAreOneVolume) {
     EXPECT_TRUE(has(split.stacks[0].messages, key::kMissingSlices));
 }
 
-TEST(Split, twoKernelsAtTheSamePositions) {
+TEST(Split, TwoKernelsAtTheSamePositions) {
     Frames made;
     for (int k = 0; k < 10; ++k) {
         for (const char* kernel : {"B30f", "B70f"}) {
@@ -69,7 +69,7 @@ TEST(Split, twoKernelsAtTheSamePositions) {
     EXPECT_TRUE(split.stacks[0].isEven() && split.stacks[1].isEven());
 }
 
-TEST(Split, twoKernelsAtInterleavedPositions) {
+TEST(Split, TwoKernelsAtInterleavedPositions) {
     Frames made;
     for (int k = 0; k < 10; ++k) {
         made.add(5.0 * k);
@@ -83,7 +83,7 @@ TEST(Split, twoKernelsAtInterleavedPositions) {
 }
 
 // Together they would be even slices 2.5 mm apart that alternate between two kernels.
-TEST(Split, interleavedKernelsThatMakeAnEvenVolume) {
+TEST(Split, InterleavedKernelsThatMakeAnEvenVolume) {
     Frames made;
     for (int k = 0; k < 12; ++k) {
         made.add(2.5 * k);
@@ -95,7 +95,7 @@ TEST(Split, interleavedKernelsThatMakeAnEvenVolume) {
 }
 
 // Three volumes of ten slices, one slice a second, across midnight.
-TEST(Split, phasesByTimeAcrossMidnight) {
+TEST(Split, PhasesByTimeAcrossMidnight) {
     Frames made;
     for (int phase = 0; phase < 3; ++phase) {
         for (int k = 0; k < 10; ++k) {
@@ -112,7 +112,7 @@ TEST(Split, phasesByTimeAcrossMidnight) {
     EXPECT_EQ(*split.stacks[2].frames.front().instance->instanceNumber, 21);
 }
 
-TEST(Split, temporalPositionsArePhasesWhateverElseDiffers) {
+TEST(Split, TemporalPositionsArePhasesWhateverElseDiffers) {
     Frames made;
     for (int phase = 1; phase <= 4; ++phase) {
         for (int k = 0; k < (phase == 3 ? 7 : 10); ++k) {
@@ -128,7 +128,7 @@ TEST(Split, temporalPositionsArePhasesWhateverElseDiffers) {
     EXPECT_TRUE(has(split.messages, key::kIncompletePhases));
 }
 
-TEST(Split, regionsWithTheirOwnTimesAreNoPhases) {
+TEST(Split, RegionsWithTheirOwnTimesAreNoPhases) {
     Frames made;
     for (int region = 0; region < 2; ++region) {
         for (int k = 0; k < 10; ++k) {
@@ -142,7 +142,7 @@ TEST(Split, regionsWithTheirOwnTimesAreNoPhases) {
     EXPECT_FALSE(has(split.messages, key::kPhases));
 }
 
-TEST(Split, ofARepeatedPositionTheLowestNumberStays) {
+TEST(Split, OfARepeatedPositionTheLowestNumberStays) {
     Frames made;
     for (int k = 0; k < 20; ++k) made.add(2.0 * k);
     made.add(9.9995);
@@ -152,7 +152,7 @@ TEST(Split, ofARepeatedPositionTheLowestNumberStays) {
 }
 
 // Eleven attributes that differ in every frame: tried for a while, and not for minutes.
-TEST(Split, framesThatDifferInEverything) {
+TEST(Split, FramesThatDifferInEverything) {
     Frames made;
     std::mt19937 random(3);
     for (int n = 0; n < 3000; ++n) {
@@ -168,7 +168,7 @@ TEST(Split, framesThatDifferInEverything) {
     EXPECT_EQ(total, 3000u);
 }
 
-TEST(Split, magnitudeAndPhaseOfTwoEchoes) {
+TEST(Split, MagnitudeAndPhaseOfTwoEchoes) {
     Frames made;
     for (const char* echo : {"2.46", "4.92"}) {
         for (const char* component : {"ORIGINAL\\PRIMARY\\M", "ORIGINAL\\PRIMARY\\P"}) {
@@ -186,7 +186,7 @@ TEST(Split, magnitudeAndPhaseOfTwoEchoes) {
     }
 }
 
-TEST(Split, phasesByValue) {
+TEST(Split, PhasesByValue) {
     Frames made;
     for (int phase = 10; phase >= 1; --phase) {
         for (int k = 0; k < 6; ++k) {
@@ -206,7 +206,7 @@ TEST(Split, phasesByValue) {
 }
 
 // A cardiac cine: each slice has its own heart beats, so no value is shared by two slices.
-TEST(Split, phasesByRankOfJitteredTriggerTimes) {
+TEST(Split, PhasesByRankOfJitteredTriggerTimes) {
     Frames made;
     for (int k = 0; k < 7; ++k) {
         for (int phase = 0; phase < 20; ++phase) {
@@ -223,7 +223,7 @@ TEST(Split, phasesByRankOfJitteredTriggerTimes) {
     }
 }
 
-TEST(Split, phasesByNumberOnlyAreSaidToBeAssumed) {
+TEST(Split, PhasesByNumberOnlyAreSaidToBeAssumed) {
     Frames made;
     for (int phase = 0; phase < 3; ++phase) {
         for (int k = 0; k < 6; ++k) made.add(2.0 * k);
@@ -234,7 +234,7 @@ TEST(Split, phasesByNumberOnlyAreSaidToBeAssumed) {
     for (const Stack& stack : split.stacks) EXPECT_FALSE(stack.assumptions.empty());
 }
 
-TEST(Split, phasesInEachOfTwoKernels) {
+TEST(Split, PhasesInEachOfTwoKernels) {
     Frames made;
     for (const char* kernel : {"soft", "sharp"}) {
         for (int phase = 1; phase <= 4; ++phase) {
@@ -253,7 +253,7 @@ TEST(Split, phasesInEachOfTwoKernels) {
     }
 }
 
-TEST(Split, aFewRepeatedSlicesAreSetApartAndSaid) {
+TEST(Split, AFewRepeatedSlicesAreSetApartAndSaid) {
     Frames made;
     for (int k = 0; k < 20; ++k) made.add(2.0 * k);
     made.add(10.0);
@@ -266,7 +266,7 @@ TEST(Split, aFewRepeatedSlicesAreSetApartAndSaid) {
 }
 
 // Half of the positions twice, and nothing says why: that is a question, and no guess.
-TEST(Split, manyRepeatedSlicesAreAQuestion) {
+TEST(Split, ManyRepeatedSlicesAreAQuestion) {
     Frames made;
     for (int k = 0; k < 10; ++k) made.add(2.0 * k);
     for (int k = 0; k < 5; ++k) made.add(2.0 * k);
@@ -276,7 +276,7 @@ TEST(Split, manyRepeatedSlicesAreAQuestion) {
     EXPECT_NE(split.stacks[0].whyNoVolume()->action.find('?'), std::string::npos);
 }
 
-TEST(Split, anIncompleteLastPhaseSpoilsNoneOfTheOthers) {
+TEST(Split, AnIncompleteLastPhaseSpoilsNoneOfTheOthers) {
     Frames made;
     for (int phase = 1; phase <= 5; ++phase) {
         for (int k = 0; k < (phase == 5 ? 2 : 8); ++k) {
@@ -290,7 +290,7 @@ TEST(Split, anIncompleteLastPhaseSpoilsNoneOfTheOthers) {
         EXPECT_TRUE(split.stacks[static_cast<std::size_t>(phase)].isEven());
 }
 
-TEST(Split, chestAndPelvisInOneSeries) {
+TEST(Split, ChestAndPelvisInOneSeries) {
     Frames made;
     for (int k = 0; k < 12; ++k) made.add(2.0 * k);
     for (int k = 0; k < 10; ++k) made.add(400.9 + 2.0 * k);
@@ -300,7 +300,7 @@ TEST(Split, chestAndPelvisInOneSeries) {
     EXPECT_TRUE(has(split.messages, key::kSeparateBlocks));
 }
 
-TEST(Split, whatDiffersInKindIsNeverInOneStack) {
+TEST(Split, WhatDiffersInKindIsNeverInOneStack) {
     struct Case {
         const char* attribute;
         const char* value;
@@ -324,7 +324,7 @@ TEST(Split, whatDiffersInKindIsNeverInOneStack) {
     }
 }
 
-TEST(Split, orientationsWithinTheNoiseOfDecimalsAreOne) {
+TEST(Split, OrientationsWithinTheNoiseOfDecimalsAreOne) {
     Frames made;
     for (int k = 0; k < 10; ++k) {
         made.add(2.0 * k);
@@ -334,7 +334,7 @@ TEST(Split, orientationsWithinTheNoiseOfDecimalsAreOne) {
     EXPECT_EQ(splitOf(made).stacks.size(), 1u);
 }
 
-TEST(Split, aRotationOfProjectionsIsOneStackAndNoVolume) {
+TEST(Split, ARotationOfProjectionsIsOneStackAndNoVolume) {
     Frames made;
     for (int k = 0; k < 24; ++k) {
         Frame& frame = made.add(0.0);
@@ -349,7 +349,7 @@ TEST(Split, aRotationOfProjectionsIsOneStackAndNoVolume) {
     EXPECT_EQ(split.stacks[0].whyNoVolume()->key, key::kNotParallel);
 }
 
-TEST(Split, sameIdentifierInFilesThatDiffer) {
+TEST(Split, SameIdentifierInFilesThatDiffer) {
     Frames made;
     for (int k = 0; k < 8; ++k) made.add(2.0 * k);
     for (int k = 0; k < 8; ++k) {
@@ -363,7 +363,7 @@ TEST(Split, sameIdentifierInFilesThatDiffer) {
     EXPECT_EQ(split.stacks[1].splitBy, (std::vector<StackLabel>{{"Copy", "2"}}));
 }
 
-TEST(Split, nothingAndOneFrame) {
+TEST(Split, NothingAndOneFrame) {
     EXPECT_TRUE(splitSeries({}, "CT", splitRules()).stacks.empty());
     Frames made;
     made.add(1.0);
@@ -373,7 +373,7 @@ TEST(Split, nothingAndOneFrame) {
 }
 
 // Numbers as text, with the padding and signs of real files.
-TEST(Split, valuesOfAttributes) {
+TEST(Split, ValuesOfAttributes) {
     const Attribute number{
         .name = "n", .tags = {}, .kind = Attribute::Kind::number, .relativeTolerance = 1e-4};
     EXPECT_TRUE(sameValue(number, "4.60", "4.6 "));
@@ -388,7 +388,7 @@ TEST(Split, valuesOfAttributes) {
 
 // A thousand phases of a thousand slices would be a million frames; this many still takes no time to speak
 // of.
-TEST(Split, manyFramesOfManyPhases) {
+TEST(Split, ManyFramesOfManyPhases) {
     Frames made;
     for (int phase = 0; phase < 60; ++phase) {
         for (int k = 0; k < 60; ++k) {
