@@ -31,7 +31,7 @@ LiveModel::LiveModel(const std::shared_ptr<gpu::Device>& device, trace::PathTrac
                      const LiveModelOptions& options)
     : options_(options),
       tracer_(std::move(tracer)),
-      keeper_(std::move(shelf), std::move(store), options),
+      archive_(std::move(shelf), std::move(store), options),
       taught_(device, options) {}
 
 Result<LiveModel> LiveModel::create(const std::shared_ptr<gpu::Device>& device,
@@ -63,19 +63,19 @@ Result<void> LiveModel::show(const std::string& key, const trace::Settings& sett
 Result<void> LiveModel::tryShow() {
     MACULA_TRY_VOID(tracer_.setSettings(settings_));
     stage_ = ModelStage::searching;
-    if (const std::shared_ptr<const PeripheralState> kept = keeper_.shelved(key_))
+    if (const std::shared_ptr<const PeripheralState> kept = archive_.shelved(key_))
         return goOnWith(*kept, ModelOrigin::shelf);
     origin_ = ModelOrigin::points;
-    if (!keeper_.hasStore()) return {};
-    keeper_.beginAsking();
+    if (!archive_.hasStore()) return {};
+    archive_.beginAsking();
     // Where the answer is here already, the first picture is of the model.
-    const StoredModel stored = keeper_.stored(key_);
+    const StoredModel stored = archive_.stored(key_);
     return stored.answer == StoredModel::Answer::pending ? Result<void>() : takeFromStore(stored);
 }
 
 Result<void> LiveModel::goOnWith(const PeripheralState& state, ModelOrigin origin) {
     MACULA_TRY_VOID(taught_.resume(state));
-    keeper_.noteResumed(taught_.model(), state.gain);
+    archive_.noteResumed(taught_.model(), state.gain);
     origin_ = origin;
     stage_ = ModelStage::learning;
     return {};
@@ -91,14 +91,14 @@ void LiveModel::beginWithPoints(ModelOrigin origin) {
 Result<void> LiveModel::askStore(const std::function<bool()>& goesOn) {
     const TimelineStage stage("model: store");
     const auto stored =
-        keeper_.answer(key_, taught_.drawn().canDraw(), stage_ == ModelStage::searching, goesOn);
+        archive_.answer(key_, taught_.drawn().canDraw(), stage_ == ModelStage::searching, goesOn);
     return stored ? takeFromStore(*stored) : Result<void>();
 }
 
 Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
     using Answer = StoredModel::Answer;
     if (stored.answer != Answer::drawable && stored.answer != Answer::whole) {
-        keeper_.endAsking();
+        archive_.endAsking();
         // What is drawn has gone from the store since, or the rest of it could not be read.
         if (stage_ == ModelStage::resuming) beginWithPoints(ModelOrigin::points);
     }
@@ -117,12 +117,12 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
         case Answer::drawable:
             return drawStored(stored);
         case Answer::whole: {
-            keeper_.holdWhole(stored);                                  // the store gives it once
+            archive_.holdWhole(stored);                                  // the store gives it once
             if (!taught_.drawn().canDraw()) return drawStored(stored);  // first it is shown
             Result<void> done = goOnWith(*stored.state, ModelOrigin::stored);
             if (!done && done.error().code != ErrorCode::inputNotUsable) return done;
-            keeper_.dropWhole();
-            keeper_.endAsking();
+            archive_.dropWhole();
+            archive_.endAsking();
             if (done) return done;
             log::warning("The stored peripheral model cannot be gone on with.");
             beginWithPoints(ModelOrigin::damagedPoints);
@@ -137,7 +137,7 @@ Result<void> LiveModel::drawStored(const StoredModel& stored) {
     stepsOfStored_ = stored.steps;
     origin_ = ModelOrigin::stored;
     stage_ = ModelStage::resuming;
-    if (!keeper_.isAsking()) keeper_.beginAsking();
+    if (!archive_.isAsking()) archive_.beginAsking();
     return {};
 }
 
@@ -149,20 +149,20 @@ void LiveModel::hide() {
 
 // Only a model that has taken its first steps goes on the shelf: less is soon found again.
 void LiveModel::putAway() {
-    keeper_.putWholeOnShelf();
+    archive_.putWholeOnShelf();
     if (!taught_.exists() || !canBeDrawn()) return;
     Result<PeripheralState> state = taught_.model().state();
-    keeper_.put(state ? *std::move(state) : taught_.model().lastGood(), gain());
+    archive_.put(state ? *std::move(state) : taught_.model().lastGood(), gain());
 }
 
 void LiveModel::save() {
-    keeper_.putWholeOnShelf();
-    if (taught_.exists() && canBeDrawn()) keeper_.put(taught_.model().lastGood(), gain());
+    archive_.putWholeOnShelf();
+    if (taught_.exists() && canBeDrawn()) archive_.put(taught_.model().lastGood(), gain());
 }
 
 Result<std::shared_ptr<const PeripheralState>> LiveModel::state() const {
     using State = std::shared_ptr<const PeripheralState>;
-    if (keeper_.whole()) return State(keeper_.whole()->state);
+    if (archive_.whole()) return State(archive_.whole()->state);
     if (!taught_.exists() || !canBeDrawn()) return State();
     MACULA_TRY(PeripheralState state, taught_.model().state());
     state.gain = gain();
@@ -177,7 +177,7 @@ void LiveModel::giveUp(ModelStage stage) {
 void LiveModel::end(ModelStage stage) {
     taught_.forget();
     search_.forget();
-    keeper_.forget();
+    archive_.forget();
     origin_ = ModelOrigin::none;
     stage_ = stage;
 }
@@ -186,7 +186,7 @@ Result<void> LiveModel::work(double budgetMs, const std::function<bool()>& keepG
     MACULA_CHECK(hasWork());
     const auto start = Clock::now();
     const auto goesOn = [&] { return msSince(start) < budgetMs && keepGoing(); };
-    return withoutRoom(keeper_.isAsking()                ? askStore(goesOn)
+    return withoutRoom(archive_.isAsking()                ? askStore(goesOn)
                        : stage_ == ModelStage::searching ? searchSome(budgetMs, goesOn)
                                                          : learnSome(goesOn));
 }
@@ -232,13 +232,13 @@ Result<void> LiveModel::learnSome(const std::function<bool()>& goesOn) {
         stage_ = ModelStage::resting;
         putAway();
     }
-    keeper_.putSometimes(taught_.model(), gain());
+    archive_.putSometimes(taught_.model(), gain());
     return {};
 }
 
 Result<void> LiveModel::workWithin(double leftMs, const std::function<bool()>& keepGoing) {
     MACULA_CHECK(hasWork());
-    if (stage_ == ModelStage::learning && !keeper_.isAsking())
+    if (stage_ == ModelStage::learning && !archive_.isAsking())
         return withoutRoom(taught_.learnWithin(leftMs, tracer_, settings_, keepGoing));
     taught_.refuseStep();
     return {};

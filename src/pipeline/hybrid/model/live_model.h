@@ -17,7 +17,7 @@
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
 #include "pipeline/hybrid/model/live_model_options.h"
-#include "pipeline/hybrid/model/model_keeper.h"
+#include "pipeline/hybrid/model/model_archive.h"
 #include "pipeline/hybrid/model/model_news.h"
 #include "pipeline/hybrid/model/model_search.h"
 #include "pipeline/hybrid/model/model_shelf.h"
@@ -112,7 +112,7 @@ class LiveModel {
 
     LiveModelOptions options_;
     trace::PathTracer tracer_;
-    ModelKeeper keeper_;
+    ModelArchive archive_;
     std::string key_;  // empty: nothing is shown
     trace::Settings settings_;
     ModelStage stage_ = ModelStage::none;

@@ -16,11 +16,11 @@
 namespace macula::hybrid {
 
 // Used by one thread at a time.
-class ModelKeeper {
+class ModelArchive {
   public:
     // The store may be null.
-    ModelKeeper(std::shared_ptr<ModelShelf> shelf, std::shared_ptr<ModelStore> store,
-                const LiveModelOptions& options);
+    ModelArchive(std::shared_ptr<ModelShelf> shelf, std::shared_ptr<ModelStore> store,
+                 const LiveModelOptions& options);
 
     std::shared_ptr<const PeripheralState> shelved(const std::string& key) { return shelf_->find(key); }
     bool hasStore() const { return store_ != nullptr; }
