@@ -13,7 +13,7 @@ namespace {
 
 using namespace dicom::test;
 
-class StudyInputTest : public testing::Test {
+class LoadedStudyTest : public testing::Test {
   protected:
     void SetUp() override {
         write(smallVolume(), folder_ / "a");
@@ -31,7 +31,7 @@ class StudyInputTest : public testing::Test {
     std::vector<const dicom::Series*> inOrder_;  // as macula info lists them
 };
 
-TEST_F(StudyInputTest, IsMeantByItsPlaceOrItsUid) {
+TEST_F(LoadedStudyTest, IsMeantByItsPlaceOrItsUid) {
     EXPECT_EQ(seriesMeant(*scan_, "1"), inOrder_[0]);
     EXPECT_EQ(seriesMeant(*scan_, "2"), inOrder_[1]);
     EXPECT_EQ(seriesMeant(*scan_, "2.1"), inOrder_[1]);
@@ -40,7 +40,7 @@ TEST_F(StudyInputTest, IsMeantByItsPlaceOrItsUid) {
         EXPECT_EQ(seriesMeant(*scan_, nothing), nullptr) << nothing;
 }
 
-TEST_F(StudyInputTest, IsChosenWithItsStack) {
+TEST_F(LoadedStudyTest, IsChosenWithItsStack) {
     const auto chosen = chooseVolume(*scan_, "2.1");
     ASSERT_TRUE(chosen) << chosen.error().message;
     EXPECT_EQ(chosen->series, inOrder_[1]);
@@ -52,7 +52,7 @@ TEST_F(StudyInputTest, IsChosenWithItsStack) {
     }
 }
 
-TEST_F(StudyInputTest, OneFileThatIsLeftOutIsNotToldAsSeveral) {
+TEST_F(LoadedStudyTest, OneFileThatIsLeftOutIsNotToldAsSeveral) {
     const auto noteOf = [&] {
         Progress progress;
         const auto input = loadStudy(folder_.path(), "1", progress);
