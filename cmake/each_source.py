@@ -51,7 +51,9 @@ def write_each():
         units = json.load(file)
     sources = {}
     for unit in units:
-        command = unit["command"].replace(" -Wno-subobject-linkage", "")  # of units alone, and clang does not know it
+        command = unit["command"]
+        for unknown_to_clang in (" -Wno-subobject-linkage", " -Wno-maybe-uninitialized"):
+            command = command.replace(unknown_to_clang, "")
         holds = quoted(unit["file"]) if unit["file"].endswith("_cxx.cxx") else [unit["file"]]
         for source in holds:
             if source.startswith(project + os.sep) and not source.startswith(build + os.sep):

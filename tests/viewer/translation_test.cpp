@@ -276,7 +276,7 @@ QStringList sentencesOf(const char* source) {
 
 TEST_F(GermanTest, MessagesWithKeysHaveOne) {
     const std::set<QString> known = coreTexts();
-    for (const char* source : {"src/dicom/stack/messages.cpp", "src/segment/messages.cpp"}) {
+    for (const char* source : {"src/dicom/messages/messages.cpp", "src/segment/messages.cpp"}) {
         const QStringList sentences = sentencesOf(source);
         EXPECT_GT(sentences.size(), 8) << source;
         for (const QString& sentence : sentences)

@@ -210,7 +210,7 @@ Result<void> LiveModel::searchSome(double budgetMs, const std::function<bool()>&
     MACULA_TRY(const bool isMeasured, taught_.traceGauge(search_.seenMm(), tracer_, settings_, goesOn));
     if (!isMeasured) return {};
     const TimelineStage stage("model: begin");
-    const Result<void> begun = taught_.begin(search_.start(key_));
+    Result<void> begun = taught_.begin(search_.start(key_));
     if (taught_.exists()) search_.forgetStart();
     return begun;
 }
