@@ -117,7 +117,7 @@ Result<void> LiveModel::takeFromStore(const StoredModel& stored) {
         case Answer::drawable:
             return drawStored(stored);
         case Answer::whole: {
-            archive_.holdWhole(stored);                                  // the store gives it once
+            archive_.holdWhole(stored);                                 // the store gives it once
             if (!taught_.drawn().canDraw()) return drawStored(stored);  // first it is shown
             Result<void> done = goOnWith(*stored.state, ModelOrigin::stored);
             if (!done && done.error().code != ErrorCode::inputNotUsable) return done;
@@ -186,7 +186,7 @@ Result<void> LiveModel::work(double budgetMs, const std::function<bool()>& keepG
     MACULA_CHECK(hasWork());
     const auto start = Clock::now();
     const auto goesOn = [&] { return msSince(start) < budgetMs && keepGoing(); };
-    return withoutRoom(archive_.isAsking()                ? askStore(goesOn)
+    return withoutRoom(archive_.isAsking()               ? askStore(goesOn)
                        : stage_ == ModelStage::searching ? searchSome(budgetMs, goesOn)
                                                          : learnSome(goesOn));
 }
