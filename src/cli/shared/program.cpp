@@ -26,7 +26,7 @@ namespace macula::cli {
 namespace {
 
 // A file that is opened must not get the number of a stream that is closed: what is printed would be written
-// into it. What stands in takes nothing, so that it is told where that matters.
+// into it. A write to the stand-in fails, and whoever needs the write reports that.
 void occupyStandardStreams() {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {
         if (fcntl(stream, F_GETFD) < 0) static_cast<void>(open("/dev/null", O_RDONLY));

@@ -27,7 +27,8 @@ struct TransferLayout {
     static TransferLayout of(const QSize& size, const QFontMetrics& metrics);
 };
 
-// Shown values are the volume's; the function has its own (scene::ValueMap). Places are those of the layout.
+// The axis shows values of the volume; scene::ValueMap maps them to those of the function. Places are in the
+// layout's pixels.
 class TransferPlot : public QObject {
     Q_OBJECT
 

@@ -28,7 +28,7 @@ class PictureCamera : public QObject {
     }
     ViewDirection firstFrom() const { return firstFrom_; }  // the side from which the study was shown first
 
-    // Begins another study, whose visible part is not known yet. Null: none.
+    // Begins another study, or none if it is null. Its visible part is not known yet.
     void setVolume(std::shared_ptr<const Volume> volume);
     void setProjection(bool isProjection) { isProjection_ = isProjection; }  // which shows all of the volume
     // The visible part. The first one of a study moves a camera that nobody has touched. Later ones, of other

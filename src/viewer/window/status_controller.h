@@ -1,4 +1,4 @@
-// What the status line tells: of the picture on screen, and of what comes from the render thread.
+// Fills the status line: with the state of the picture on screen, and with events of the render thread.
 #pragma once
 
 #include <QObject>
@@ -17,8 +17,8 @@ class ElidingLabel;
 class FidelityBadge;
 class PanesController;
 
-// What is told of the picture in 3D is told only while that is shown, and of no other study. Lives on the UI
-// thread.
+// The line describes the 3D picture only while a pane shows it, and never that of another study. Lives on the
+// UI thread.
 class StatusController : public QObject {
     Q_OBJECT
 
