@@ -16,7 +16,8 @@ if(Python3_FOUND)
     list(APPEND MACULA_WARNINGS $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>)
 endif()
 
-# A line `directory;target;file` for each source in C++ of `folder` and below. Examples in C are each a program's.
+# A line `directory;target;file` for each source in C++ of `folder` and below. Examples in C are each a program's. What the build
+# makes is compiled by itself: where nothing is built yet, there is no such file to read.
 function(macula_list_sources folder list)
     get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
     get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
@@ -25,8 +26,9 @@ function(macula_list_sources folder list)
         get_target_property(place ${target} SOURCE_DIR)
         set_target_properties(${target} PROPERTIES UNITY_BUILD_MODE GROUP)
         foreach(source IN LISTS sources)
-            if(source MATCHES "\\.cpp$")
-                cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${place} NORMALIZE OUTPUT_VARIABLE file)
+            cmake_path(ABSOLUTE_PATH source BASE_DIRECTORY ${place} NORMALIZE OUTPUT_VARIABLE file)
+            cmake_path(IS_PREFIX PROJECT_BINARY_DIR ${file} is_made)
+            if(file MATCHES "\\.cpp$" AND NOT is_made)
                 file(APPEND ${list} "${place};${target};${file}\n")
             endif()
         endforeach()
