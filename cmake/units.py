@@ -39,6 +39,7 @@ class Source:
             text = file.read()
         self.path, self.lines = path, text.count("\n")
         self.declared, self.functions, self.others, self.aliases, self.includes = set(), set(), set(), {}, []
+        self.opens_namespace = False  # to what stands behind it, which then finds other names than alone
         tokens = self._tokens(text)
         before = [""] + tokens
         behind = tokens[1:] + [""]
@@ -104,6 +105,9 @@ class Source:
         words = self._without_template(words)
         if not words:
             return
+        if words[:2] == ["using", "namespace"]:
+            self.opens_namespace = self.opens_namespace or not words[-1].endswith("literals")
+            return
         if words[0] in ("using", "namespace"):
             if "=" in words or len(words) > 2:
                 name = words[1] if "=" in words else words[-1]
@@ -153,7 +157,7 @@ class Source:
 
     def _is_in_the_way_of(self, other):
         return bool(
-            self.functions & (other.functions | other.called) or self.others & (other.used | declared_for(other.path))
+            self.opens_namespace or self.functions & (other.functions | other.called) or self.others & (other.used | declared_for(other.path))
             or any(other.aliases.get(name) != text for name, text in self.aliases.items() if name in other.used))
 
 

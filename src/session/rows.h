@@ -39,17 +39,11 @@ extern const Table kAudit;
 
 // Indices of the columns.
 namespace column {
-enum Study : std::size_t { studyIdentity, studyReadable, studyFirstOpened, studyLastOpened };
-enum Series : std::size_t {
-    seriesIdentity,
-    seriesStudy,
-    seriesReadable,
-    seriesFirstOpened,
-    seriesLastOpened
-};
-enum Volume : std::size_t { volumeDigest, volumeFirstOpened, volumeLastOpened };
-enum Link : std::size_t { linkSeries, linkVolume };
-enum Model : std::size_t {
+enum : std::size_t { studyIdentity, studyReadable, studyFirstOpened, studyLastOpened };
+enum : std::size_t { seriesIdentity, seriesStudy, seriesReadable, seriesFirstOpened, seriesLastOpened };
+enum : std::size_t { volumeDigest, volumeFirstOpened, volumeLastOpened };
+enum : std::size_t { linkSeries, linkVolume };
+enum : std::size_t {
     modelId,
     modelKey,
     modelVolume,
@@ -62,7 +56,7 @@ enum Model : std::size_t {
     modelUsed,
     modelAside
 };
-enum Document : std::size_t {
+enum : std::size_t {
     documentId,
     documentKind,
     documentStudy,
@@ -73,7 +67,7 @@ enum Document : std::size_t {
     documentChanged,
     documentAside
 };
-enum Audit : std::size_t { auditId, auditAt, auditAction, auditKind, auditSubject, auditAmount };
+enum : std::size_t { auditId, auditAt, auditAction, auditKind, auditSubject, auditAmount };
 }  // namespace column
 
 // Parents before children.
