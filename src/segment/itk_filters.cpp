@@ -5,12 +5,6 @@
 #include <itkConnectedComponentImageFilter.h>
 #include <itkImage.h>
 #include <itkImportImageFilter.h>
-#include <itkSignedMaurerDistanceMapImageFilter.h>
-
-#include <algorithm>
-#include <limits>
-
-#include "base/parallel.h"
 
 namespace macula::segment {
 
@@ -52,24 +46,6 @@ Result<Labels> connectedParts(const Grid& grid, const Mask& mask, bool corners) 
     filter->Update();
     const std::uint32_t* labels = filter->GetOutput()->GetBufferPointer();
     return Labels{{labels, labels + mask.size()}, filter->GetObjectCount()};
-} catch (const itk::ExceptionObject&) {
-    return itkFailed();
-}
-
-Result<std::vector<float>> distanceTo(const Grid& grid, const Mask& mask) try {
-    if (std::all_of(mask.begin(), mask.end(), [](std::uint8_t in) { return in == 0; }))
-        return std::vector<float>(mask.size(), std::numeric_limits<float>::infinity());
-    using Filter = itk::SignedMaurerDistanceMapImageFilter<MaskImage, itk::Image<float, 3>>;
-    const auto filter = Filter::New();
-    filter->SetInput(imageOf(grid, mask));
-    filter->SetSquaredDistance(false);
-    filter->SetUseImageSpacing(true);
-    filter->SetNumberOfWorkUnits(static_cast<itk::ThreadIdType>(coreCount()));
-    filter->Update();
-    const float* signedMm = filter->GetOutput()->GetBufferPointer();  // negative within
-    std::vector<float> mm(mask.size());
-    std::transform(signedMm, signedMm + mask.size(), mm.begin(), [](float d) { return std::max(d, 0.0f); });
-    return mm;
 } catch (const itk::ExceptionObject&) {
     return itkFailed();
 }

@@ -1,4 +1,4 @@
-// The ITK filters of this folder. Only itk_filters.cpp includes ITK, and turns its exceptions into errors.
+// Connected parts, by ITK. Only itk_filters.cpp includes it, and turns its exceptions into errors.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +16,5 @@ struct Labels {
 // Labels of the connected parts of a mask: over faces, edges and corners when `corners`, else over faces
 // only.
 Result<Labels> connectedParts(const Grid& grid, const Mask& mask, bool corners);
-
-// The distance of each block to the nearest one in the mask, mm; 0 within, infinite where the mask is empty.
-Result<std::vector<float>> distanceTo(const Grid& grid, const Mask& mask);
 
 }  // namespace macula::segment

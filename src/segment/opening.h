@@ -1,7 +1,8 @@
 // Morphology by distances in mm: exact on anisotropic grids.
 #pragma once
 
-#include "base/result.h"
+#include <vector>
+
 #include "segment/coarse_grid.h"
 
 namespace macula::segment {
@@ -12,7 +13,7 @@ struct Opened {
 };
 
 // Morphological opening: the part of the mask that a ball of this radius covers without leaving it. The mask
-// counts as continuing beyond the edge of the grid.
-Result<Opened> opened(const Grid& grid, const Mask& mask, double radiusMm);
+// counts as continuing beyond the edge of the grid. May throw std::bad_alloc.
+Opened opened(const Grid& grid, const Mask& mask, double radiusMm);
 
 }  // namespace macula::segment

@@ -7,8 +7,8 @@
 #include "base/parallel.h"
 #include "segment/coarse_grid.h"
 #include "segment/components.h"
+#include "segment/distance.h"
 #include "segment/enclosed.h"
-#include "segment/itk_filters.h"
 #include "segment/messages.h"
 #include "segment/opening.h"
 #include "segment/table_surface.h"
@@ -39,7 +39,7 @@ struct Thick {
 };
 
 Result<Thick> thickOf(const CoarseGrid& coarse, const Mask& dense, const CancelToken& token) {
-    MACULA_TRY(Opened thick, opened(coarse.grid, dense, kThickMm));
+    Opened thick = opened(coarse.grid, dense, kThickMm);
     MACULA_TRY_VOID(fillEnclosed(coarse.grid, coarse.outside, thick.mask, token));
     MACULA_TRY(Parts parts, partsOf(coarse.grid, thick.mask, false, thick.depthMm));
     return Thick{std::move(thick.mask), std::move(parts)};
@@ -116,7 +116,7 @@ Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mas
         return solid[n] != 0 && patient[n] == 0 && (beyond.empty() || beyond[n] == 0);
     };
     // The patient's edge is connected to the rest; a cover that lies close to the skin is not.
-    MACULA_TRY(const std::vector<float> toCore, distanceTo(coarse.grid, patient));
+    const std::vector<float> toCore = distanceTo(coarse.grid, patient);
     Mask withRim = patient;
     for (std::size_t n = 0; n < patient.size(); ++n) {
         if (isFree(n) && toCore[n] <= float(kRimMm)) withRim[n] = 1;
@@ -129,7 +129,7 @@ Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mas
         patient[n] = joined.labels[n] != 0 && joined.parts[joined.labels[n] - 1].touches ? 1 : 0;
 
     const double besideMm = 1.5 * std::min(coarse.grid.spacingMm.x, coarse.grid.spacingMm.y);
-    MACULA_TRY(const std::vector<float> toPatient, distanceTo(coarse.grid, patient));
+    const std::vector<float> toPatient = distanceTo(coarse.grid, patient);
     Mask thin(patient.size());
     for (std::size_t n = 0; n < patient.size(); ++n) thin[n] = isFree(n) ? 1 : 0;
     MACULA_TRY(Parts parts, partsOf(coarse.grid, thin, true, {}));
@@ -146,10 +146,10 @@ Result<void> addThinParts(const CoarseGrid& coarse, const Mask& solid, const Mas
 }
 
 // Widens the patient into the air around, up to half way to anything else. What is half way is the patient's,
-// however ITK rounds both distances.
-Result<Mask> withSkin(const CoarseGrid& coarse, const Mask& patient, const Mask& other, const Mask& beyond) {
-    MACULA_TRY(const std::vector<float> toPatient, distanceTo(coarse.grid, patient));
-    MACULA_TRY(const std::vector<float> toOther, distanceTo(coarse.grid, other));
+// however both distances are rounded.
+Mask withSkin(const CoarseGrid& coarse, const Mask& patient, const Mask& other, const Mask& beyond) {
+    const std::vector<float> toPatient = distanceTo(coarse.grid, patient);
+    const std::vector<float> toOther = distanceTo(coarse.grid, other);
     constexpr float kRoundingMm = 1e-4f;
     Mask mask(patient.size());
     for (std::size_t n = 0; n < mask.size(); ++n) {
@@ -253,7 +253,7 @@ class Search {
             const Part& part = thick.parts.parts[n];
             isBody[n] = part.depthMm >= kBodyDepthMm && 10 * part.blocks >= largest->blocks ? 1 : 0;
         }
-        MACULA_TRY(const std::vector<float> toThick, distanceTo(coarse_.grid, thick.mask));
+        const std::vector<float> toThick = distanceTo(coarse_.grid, thick.mask);
         MACULA_TRY_VOID(step());
         surface_ = findTableSurface(coarse_.grid, faint_, maskOf(thick.parts, isBody), toThick, token());
         if (!surface_.found()) {
@@ -272,7 +272,7 @@ class Search {
             other[n] = solid_[n] != 0 && patient[n] == 0 ? 1 : 0;
             patientBlocks += patient[n];
         }
-        MACULA_TRY(const Mask mask, withSkin(coarse_, patient, other, surface_.beyond));
+        const Mask mask = withSkin(coarse_, patient, other, surface_.beyond);
         MACULA_TRY_VOID(step());
         // The reported volume is what is removed: solid, and not in the mask.
         std::transform(other.begin(), other.end(), mask.begin(), other.begin(),
