@@ -65,7 +65,7 @@ void QuitSignals::onReadable() {
     std::array<char, 8> read{};
     while (::read(readEnd, read.data(), read.size()) > 0) {
     }
-    emit asked();
+    Q_EMIT asked();
 }
 
 }  // namespace macula::viewer

@@ -15,7 +15,7 @@ class QuitSignals : public QObject {
     explicit QuitSignals(QObject* parent = nullptr);
     ~QuitSignals() override;  // restores the earlier handlers
 
-  signals:
+  Q_SIGNALS:
     void asked();
 
   private:

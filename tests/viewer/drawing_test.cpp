@@ -210,7 +210,7 @@ TEST_F(DrawingTest, AClipAndAWindowAreUndoneToTheSamePicture) {
 
     // A preset that somebody chooses gives its range: of this one, 150 to 1500 HU.
     QComboBox& presets = box("Preset");
-    emit presets.activated(presets.findData(QStringLiteral("cinematic-bone"), Qt::ToolTipRole));
+    Q_EMIT presets.activated(presets.findData(QStringLiteral("cinematic-bone"), Qt::ToolTipRole));
     EXPECT_TRUE(waitUntil([&] { return says("W 1350 L 825 HU"); }));
     action("clip-left-half").trigger();
     window_->showStudy(personOnATable());

@@ -142,7 +142,7 @@ class KeysPageTest : public test::OffscreenTest {
     static void take(KeysPage& page, const char* wanted) {
         auto* edit = page.findChild<QKeySequenceEdit*>(QStringLiteral("keys-key"));
         edit->setKeySequence(key(wanted));
-        emit edit->editingFinished();
+        Q_EMIT edit->editingFinished();
     }
 };
 

@@ -195,7 +195,7 @@ TEST_F(LightsPanelTest, LightsKeepToTheCamera) {
     auto& frames = find<QComboBox>("lights-frame");
     const glm::dvec2 before = placeOf(0);
     frames.setCurrentIndex(1);
-    emit frames.activated(1);
+    Q_EMIT frames.activated(1);
     EXPECT_EQ(rig().frame, LightFrame::camera);
     EXPECT_LT(glm::length(placeOf(0) - before), 1e-9);
 }

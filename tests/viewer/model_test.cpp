@@ -56,7 +56,7 @@ class ModelTest : public WindowTest {
     void choosePreset(const char* name) {
         for (QComboBox* box : window_->findChildren<QComboBox*>()) {
             if (box->accessibleName() == QLatin1String("Preset"))
-                emit box->activated(box->findData(QString::fromLatin1(name), Qt::ToolTipRole));
+                Q_EMIT box->activated(box->findData(QString::fromLatin1(name), Qt::ToolTipRole));
         }
     }
     // "Preview sharpening, 130 steps", or "Preview sharp" when it has learnt all.

@@ -33,7 +33,7 @@ class OpeningTest : public WindowTest {
         const int index = presets->findData(QString::fromLatin1(name), Qt::ToolTipRole);
         ASSERT_GE(index, 0) << name;
         presets->setCurrentIndex(index);
-        emit presets->activated(index);
+        Q_EMIT presets->activated(index);
     }
     static study::OpenedStudy ofUnit(Unit unit, const char* modality) {
         std::vector<std::uint16_t> values(512);
@@ -165,7 +165,7 @@ TEST_F(OpeningTest, TheWindowOfAProjectionDoesNotDependOnHowThePresetWasChosen) 
     const QString found = window_->fidelity();
     pictureOf("look-cinematic");
     QComboBox* presets = box("Preset");
-    emit presets->activated(presets->currentIndex());  // the same once more
+    Q_EMIT presets->activated(presets->currentIndex());  // the same once more
     pictureOf("look-mip");
     EXPECT_EQ(window_->fidelity(), found);
 }
@@ -221,7 +221,7 @@ TEST_F(OpeningTest, OfSeveralVolumesAnotherOneCanBeChosen) {
     const QString title = window_->windowTitle();
     // As a person does; until it is open, the list names what is on screen.
     volumes->setCurrentIndex(1 - first);
-    emit volumes->activated(1 - first);
+    Q_EMIT volumes->activated(1 - first);
     EXPECT_EQ(volumes->currentIndex(), first);
     ASSERT_TRUE(waitUntil([&] { return !window_->loading(); }));
     EXPECT_EQ(window_->message(), QString());

@@ -130,7 +130,7 @@ TEST_F(PanesTest, ADrivenSessionIsFoundAgain) {
     for (QComboBox* box : window_->findChildren<QComboBox*>()) {
         if (box->accessibleName() != QLatin1String("Preset")) continue;
         box->setCurrentIndex(box->findText(QStringLiteral("Cinematic bone")));
-        emit box->activated(box->currentIndex());
+        Q_EMIT box->activated(box->currentIndex());
     }
     ASSERT_NE(window_->state().preset->name, first.preset->name);
 

@@ -109,7 +109,7 @@ class PresetGalleryTest : public test::OffscreenTest {
     }
     void press(Qt::Key key) { QTest::keyClick(list_, key); }
     void fromMenu(const QString& title, const char* action) {
-        emit list_->customContextMenuRequested(middleOf(preset(title)));
+        Q_EMIT list_->customContextMenuRequested(middleOf(preset(title)));
         auto* menu = gallery_->findChild<QMenu*>(QStringLiteral("preset-menu"));
         ASSERT_NE(menu, nullptr);
         auto* found = menu->findChild<QAction*>(QLatin1String(action));
@@ -121,7 +121,7 @@ class PresetGalleryTest : public test::OffscreenTest {
         EXPECT_TRUE(isEnabled) << action;
     }
     bool isInMenu(const QString& title, const char* action) {
-        emit list_->customContextMenuRequested(middleOf(preset(title)));
+        Q_EMIT list_->customContextMenuRequested(middleOf(preset(title)));
         const std::unique_ptr<QMenu> menu(gallery_->findChild<QMenu*>(QStringLiteral("preset-menu")));
         return menu && menu->findChild<QAction*>(QLatin1String(action))->isEnabled();
     }
@@ -443,13 +443,13 @@ TEST_F(PresetGalleryTest, TheBoxOffersWhatFitsAndNamesWhatWasChosenElsewhere) {
     box.choose(&edited);
     EXPECT_EQ(box.currentIndex(), -1);
     EXPECT_EQ(box.placeholderText(), QStringLiteral("Edited"));
-    emit box.activated(row("ct-lung"));
+    Q_EMIT box.activated(row("ct-lung"));
     EXPECT_EQ(chosen, std::vector<live::PresetRef>{"ct-lung"});
 
     keepCurve("Mine");
     box.fillAnew();
     EXPECT_EQ(box.itemText(0), QStringLiteral("Mine"));
-    emit box.activated(1);  // the line below one's own
+    Q_EMIT box.activated(1);  // the line below one's own
     EXPECT_EQ(chosen.size(), 1u);
 }
 

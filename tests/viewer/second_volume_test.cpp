@@ -251,7 +251,7 @@ TEST_F(SecondVolumeTest, TheBarShowsTheStateAndProposesOthers) {
     EXPECT_FALSE(state().secondVolume->window) << "showing proposes nothing";
     int left = 0;  // letters would choose from the list that was left
     QObject::connect(&bar, &SecondVolumeBar::listLeft, &bar, [&left] { ++left; });
-    emit views->activated(int(SecondVolumePlace::over));
+    Q_EMIT views->activated(int(SecondVolumePlace::over));
     EXPECT_EQ(left, 1);
     EXPECT_EQ(state().secondVolume->view, SecondVolumePlace::over);
     opacity->setValue(25);
@@ -263,7 +263,7 @@ TEST_F(SecondVolumeTest, TheBarShowsTheStateAndProposesOthers) {
     EXPECT_DOUBLE_EQ(state().secondVolume->window->width, 800.0);
     white->setValue(-5000.0);  // below black
     EXPECT_DOUBLE_EQ(state().secondVolume->window->width, 800.0);
-    emit links->activated(int(SecondVolumeLink::byHand));
+    Q_EMIT links->activated(int(SecondVolumeLink::byHand));
     EXPECT_EQ(state().secondVolume->view, SecondVolumePlace::beside) << "nothing is laid over by hand";
     EXPECT_EQ(views->currentIndex(), int(SecondVolumePlace::beside));
     for (QWidget* control : bar.findChildren<QWidget*>(QRegularExpression("^beside-")))

@@ -69,7 +69,7 @@ TEST_F(SecondWindowTest, ARowOfTheListIsOfTheFolderThatTheListShows) {
     auto* browser = window_->findChild<StudyBrowser*>();
     ASSERT_NE(browser, nullptr);
     browser->setFound(study::test::twoPatients(), std::nullopt);
-    emit browser->secondAsked(0);
+    Q_EMIT browser->secondAsked(0);
     EXPECT_TRUE(window_->secondVolume().isWorking());
     window_->secondVolume().cancel();
 }

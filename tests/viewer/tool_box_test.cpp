@@ -116,7 +116,7 @@ TEST_F(ToolBoxTest, StepsOfTheSlabAreOneUntilTheyEnd) {
     showStudy();
     for (int i = 0; i < 3; ++i) thickness().stepUp();
     EXPECT_EQ(slices().slab.thicknessMm, 3.0);
-    emit thickness().editingFinished();
+    Q_EMIT thickness().editingFinished();
     thickness().stepUp();
     EXPECT_EQ(slices().slab.thicknessMm, 4.0);
     EXPECT_EQ(undoAll(), 2);
@@ -166,7 +166,7 @@ TEST_F(ToolBoxTest, ASlabThatIsThickerOrFinerThanItsStepsIsShownAndKept) {
         state.slices.slab.thicknessMm = mm;
         showStudy(state);
         EXPECT_NEAR(thickness().value(), mm, 0.05);
-        emit thickness().editingFinished();
+        Q_EMIT thickness().editingFinished();
         EXPECT_EQ(slices().slab.thicknessMm, mm);
         EXPECT_FALSE(session_->canUndo());
     }

@@ -68,7 +68,7 @@ TEST_F(TroubleTest, AFolderThatVanishesIsToldAndTheStudyOnScreenStays) {
     const auto volume = window_->session().study().volume;
 
     std::filesystem::remove_all(folder);
-    emit window_->findChild<StudyBrowser*>()->chosen(1 - shown);
+    Q_EMIT window_->findChild<StudyBrowser*>()->chosen(1 - shown);
     ASSERT_TRUE(waitUntil([&] { return !window_->loading() && !window_->message().isEmpty(); }));
     EXPECT_TRUE(window_->message().contains(QLatin1String("still of the study")))
         << window_->message().toStdString();

@@ -61,7 +61,7 @@ void RecentMenu::fill() {
         ++number;
         const QString digit = number <= kDigits ? QStringLiteral("&%1  ").arg(number) : QString();
         QAction* action = addAction(digit + titleOfPath(path), this,
-                                    [this, path] { emit chosen(QString::fromStdString(path.string())); });
+                                    [this, path] { Q_EMIT chosen(QString::fromStdString(path.string())); });
         action->setToolTip(shownPath(path));
     }
     addSeparator();

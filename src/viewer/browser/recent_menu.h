@@ -18,7 +18,7 @@ class RecentMenu : public QMenu {
     void clearAll();
     void showNames(bool shown);  // the menu is disabled while names are hidden
 
-  signals:
+  Q_SIGNALS:
     void chosen(const QString& path);
 
   private:

@@ -102,7 +102,7 @@ void StudyBrowser::makeTree() {
     beside->setObjectName(QStringLiteral("open-beside-row"));
     beside->setToolTip(tr("Show this volume beside the study that is open"));
     connect(beside, &QAction::triggered, this, [this] {
-        if (const auto other = selectedOther()) emit secondAsked(*other);
+        if (const auto other = selectedOther()) Q_EMIT secondAsked(*other);
     });
     tree_->addAction(beside);
     tree_->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -249,11 +249,11 @@ void StudyBrowser::openRow(const QModelIndex& index) {
     if (!index.isValid()) return;
     const study::StudyRow& row = model_->tree().rows[StudyTreeModel::rowOf(index)];
     // Copies: who hears of it may give the browser another folder.
-    if (const auto presentation = row.presentation) return emit presentationChosen(*presentation);
+    if (const auto presentation = row.presentation) return Q_EMIT presentationChosen(*presentation);
     if (row.kind == study::StudyRow::Kind::presentation)
-        return emit presentationRefused(std::string(row.whyNot));
+        return Q_EMIT presentationRefused(std::string(row.whyNot));
     if (!row.volume) return tree_->setExpanded(index, !tree_->isExpanded(index));
-    if (row.volume != model_->open()) emit chosen(*row.volume);
+    if (row.volume != model_->open()) Q_EMIT chosen(*row.volume);
 }
 
 void StudyBrowser::tellWhatIsMissing() {

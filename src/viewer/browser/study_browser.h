@@ -45,7 +45,7 @@ class StudyBrowser : public QWidget {
     void focusSearch();
     std::optional<std::size_t> selectedOther() const;  // a volume other than the open one
 
-  signals:
+  Q_SIGNALS:
     void chosen(std::size_t index);       // a volume other than the open one
     void secondAsked(std::size_t index);  // the same, to show beside the open one
     // A person chose the presentation state of that row; its volume may not be open.

@@ -71,7 +71,7 @@ template <class Which>
 void StudyTreeModel::tellChanged(Which which) {
     for (std::size_t row = 0; row < tree_.rows.size(); ++row) {
         if (!which(row)) continue;
-        if (const QModelIndex index = indexOf(row); index.isValid()) emit dataChanged(index, index);
+        if (const QModelIndex index = indexOf(row); index.isValid()) Q_EMIT dataChanged(index, index);
     }
 }
 

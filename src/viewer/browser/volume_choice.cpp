@@ -21,7 +21,7 @@ VolumeChoice::VolumeChoice(QWidget* parent) : QComboBox(parent) {
     setMinimumContentsLength(kLettersAtLeast);
     connect(this, &QComboBox::activated, this, [this](int index) {
         setCurrentIndex(shown_);
-        if (index != shown_) emit chosen(std::size_t(index));
+        if (index != shown_) Q_EMIT chosen(std::size_t(index));
     });
 }
 

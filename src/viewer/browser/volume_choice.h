@@ -17,7 +17,7 @@ class VolumeChoice : public QComboBox {
 
     void setVolumes(const std::vector<std::string>& titles, std::size_t shown);
 
-  signals:
+  Q_SIGNALS:
     void chosen(std::size_t index);
 
   protected:

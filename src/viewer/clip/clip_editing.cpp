@@ -33,15 +33,15 @@ ClipEditing::ClipEditing(StudyEditor& session, QObject* parent) : QObject(parent
 }
 
 void ClipEditing::setShowsOnSlices(bool shows) {
-    if (std::exchange(showsOnSlices_, shows) != shows) emit changed();
+    if (std::exchange(showsOnSlices_, shows) != shows) Q_EMIT changed();
 }
 
 void ClipEditing::setPanelOpen(bool open) {
-    if (std::exchange(isPanelOpen_, open) != open) emit changed();
+    if (std::exchange(isPanelOpen_, open) != open) Q_EMIT changed();
 }
 
 void ClipEditing::setHandlesAskedFor(bool asked) {
-    if (std::exchange(areAskedFor_, asked) != asked) emit changed();
+    if (std::exchange(areAskedFor_, asked) != asked) Q_EMIT changed();
 }
 
 void ClipEditing::drag(const scene::ClipHandle& handle, const glm::dvec3& mm) {

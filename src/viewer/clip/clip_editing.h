@@ -42,7 +42,7 @@ class ClipEditing : public QObject {
     Result<void> addScissorCut(scene::ScissorCut cut);
     void removeScissorCuts();
 
-  signals:
+  Q_SIGNALS:
     void changed();  // what the pictures show of the clip
 
   private:

@@ -145,7 +145,7 @@ void ClipHandlesTool::giveUp() {
 std::optional<Qt::CursorShape> ClipHandlesTool::point(const PicturePlace& place) {
     const auto handle = handleAt(place);
     const auto pointed = handle ? std::optional(handle->handle) : std::nullopt;
-    if (std::exchange(pointed_, pointed) != pointed) emit editing_.changed();
+    if (std::exchange(pointed_, pointed) != pointed) Q_EMIT editing_.changed();
     if (!handle) return std::nullopt;
     if (movesAnywhere(*handle)) return Qt::SizeAllCursor;
     const auto rays = scene::PictureRays::of(place.picture.camera, place.picture.aspect);

@@ -21,7 +21,7 @@ class CutTools : public QWidget {
 
     void setScissorsOut(bool out);
 
-  signals:
+  Q_SIGNALS:
     void scissorsAsked(bool out);
 
   private:

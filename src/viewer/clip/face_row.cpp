@@ -62,7 +62,7 @@ FaceRow::FaceRow(scene::Face face, QWidget* parent)
     row->addWidget(open_);
 
     connect(slider_, &QSlider::sliderPressed, this, &FaceRow::moveBegan);
-    connect(slider_, &QSlider::valueChanged, this, [this] { emit moved(mmOfSlider()); });
+    connect(slider_, &QSlider::valueChanged, this, [this] { Q_EMIT moved(mmOfSlider()); });
     connect(slider_, &QSlider::sliderReleased, this, &FaceRow::moveEnded);
     connect(number_, &QDoubleSpinBox::valueChanged, this, &FaceRow::moved);
     connect(number_, &QDoubleSpinBox::editingFinished, this, &FaceRow::moveEnded);
@@ -121,11 +121,11 @@ void FaceRow::setUsable(bool usable, const QString& whyNot) {
 bool FaceRow::eventFilter(QObject* watched, QEvent* event) {
     switch (event->type()) {
         case QEvent::KeyRelease:
-            if (!static_cast<QKeyEvent*>(event)->isAutoRepeat()) emit moveEnded();
+            if (!static_cast<QKeyEvent*>(event)->isAutoRepeat()) Q_EMIT moveEnded();
             break;
         case QEvent::MouseButtonRelease:
         case QEvent::FocusOut:
-            emit moveEnded();
+            Q_EMIT moveEnded();
             break;
         default:
             break;

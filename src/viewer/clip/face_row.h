@@ -25,7 +25,7 @@ class FaceRow : public QWidget {
     void showMm(double mm);
     void setUsable(bool usable, const QString& whyNot);
 
-  signals:
+  Q_SIGNALS:
     void moveBegan();
     void moved(double mm);  // patient LPS, while a person drags or types
     void moveEnded();

@@ -40,7 +40,7 @@ glm::dvec2 ScissorTool::halfHeights(const PicturePlace& place) {
 void ScissorTool::setOut(bool out) {
     if (std::exchange(isOut_, out) == out) return;
     giveUp();
-    emit taken(out);
+    Q_EMIT taken(out);
 }
 
 bool ScissorTool::isOver(const PictureGeometry& picture) const {
@@ -51,7 +51,7 @@ bool ScissorTool::isOver(const PictureGeometry& picture) const {
 bool ScissorTool::press(const PicturePlace& place) {
     if (!isOut_) return false;
     outline_ = Outline{.picture = place.picture, .points = {halfHeights(place)}};
-    emit drawn();
+    Q_EMIT drawn();
     return true;
 }
 
@@ -63,26 +63,26 @@ void ScissorTool::move(const PicturePlace& place) {
     const double awayPx = glm::distance(outline_->points.back(), at) * pixelsPerHalfHeight(place.picture);
     if (!(awayPx >= kLeastStepPx) || outline_->points.size() >= kMostPoints) return;
     outline_->points.push_back(at);
-    emit drawn();
+    Q_EMIT drawn();
 }
 
 void ScissorTool::release(const PicturePlace& place) {
     move(place);
     if (!outline_) return;
     const Outline made = *std::exchange(outline_, std::nullopt);
-    emit drawn();
+    Q_EMIT drawn();
     const double scale = pixelsPerHalfHeight(made.picture);
     if (extentOf(made.points) * scale < kLeastExtentPx) return;
     const auto added = editing_.addScissorCut({.camera = made.picture.camera,
                                                .outline = scene::simplified(made.points, kOffPx / scale),
                                                .removesOutside = place.withShift});
-    if (!added) emit refused(added.error());
+    if (!added) Q_EMIT refused(added.error());
 }
 
 void ScissorTool::giveUp() {
     if (!outline_) return;
     outline_.reset();
-    emit drawn();
+    Q_EMIT drawn();
 }
 
 std::optional<Qt::CursorShape> ScissorTool::point(const PicturePlace&) {

@@ -33,7 +33,7 @@ class ScissorTool : public QObject, public PictureTool {
     bool turnWheel(double, const PictureGeometry&) override { return false; }
     std::vector<ToolMark> marks(const PictureGeometry& picture) const override;
 
-  signals:
+  Q_SIGNALS:
     void drawn();  // the outline has changed
     void taken(bool out);
     void refused(const macula::Error& error);

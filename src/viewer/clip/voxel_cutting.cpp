@@ -12,7 +12,7 @@ VoxelCutting::VoxelCutting(QObject* parent)
     : QObject(parent),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
+                          Q_EMIT progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const Result<std::optional<Mask>>& outcome) { onEnded(outcome); }}) {}
 
@@ -20,17 +20,17 @@ void VoxelCutting::setVolume(std::shared_ptr<const Volume> volume) {
     volume_ = std::move(volume);
     wanted_ = {};
     made_ = {};
-    if (job_.cancel()) emit ended();
+    if (job_.cancel()) Q_EMIT ended();
 }
 
 void VoxelCutting::want(const std::vector<scene::ScissorCut>& scissors) {
     if (!volume_ || scissors == wanted_) return;
     wanted_ = scissors;
-    if (job_.cancel()) emit ended();
+    if (job_.cancel()) Q_EMIT ended();
     if (wanted_ == made_.of) return;
     if (wanted_.empty()) {
         made_ = {};
-        emit changed();
+        Q_EMIT changed();
         return;
     }
     // What the first cuts left is gone on with.
@@ -42,24 +42,24 @@ void VoxelCutting::want(const std::vector<scene::ScissorCut>& scissors) {
     job_.start([volume = volume_, from = std::move(from), cuts = std::move(cuts)](Progress& progress) {
         return scene::scissorMask(from, cuts, *volume, progress);
     });
-    emit began();
+    Q_EMIT began();
 }
 
 void VoxelCutting::cancel() {
     if (!job_.cancel()) return;
-    emit ended();
-    emit refused(made_.of);
+    Q_EMIT ended();
+    Q_EMIT refused(made_.of);
 }
 
 void VoxelCutting::onEnded(const Result<std::optional<Mask>>& outcome) {
-    emit ended();
+    Q_EMIT ended();
     if (!outcome) {
-        if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());
-        emit refused(made_.of);
+        if (outcome.error().code != ErrorCode::cancelled) Q_EMIT failed(outcome.error());
+        Q_EMIT refused(made_.of);
         return;
     }
     made_ = {.of = wanted_, .mask = *outcome};
-    emit changed();
+    Q_EMIT changed();
 }
 
 }  // namespace macula::viewer

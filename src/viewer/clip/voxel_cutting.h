@@ -31,7 +31,7 @@ class VoxelCutting : public QObject {
     // Refuses the cuts being computed: see `refused`.
     void cancel();
 
-  signals:
+  Q_SIGNALS:
     void began();
     void progressed(const QString& stage, double fraction);
     void ended();

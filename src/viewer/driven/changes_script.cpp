@@ -149,7 +149,7 @@ void ChangesScript::chooseIn(const char* accessibleName) {
         ++changes_[accessibleName];
         const int index = below(box->count());
         box->setCurrentIndex(index);
-        emit box->activated(index);
+        Q_EMIT box->activated(index);
     }
 }
 
@@ -203,7 +203,7 @@ void ChangesScript::finish(int exitCode) {
     next_.stop();
     hand_.stop();
     silence_.stop();
-    emit finished(exitCode);
+    Q_EMIT finished(exitCode);
 }
 
 }  // namespace macula::viewer

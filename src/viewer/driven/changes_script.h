@@ -37,7 +37,7 @@ class ChangesScript : public QObject {
 
     void start();
 
-  signals:
+  Q_SIGNALS:
     void finished(int exitCode);
 
   private:

@@ -38,7 +38,7 @@ void DrivenSteps::stop() {
 
 void DrivenSteps::next() {
     if (isStopped_) return;
-    if (at_ >= steps_.size()) return emit finished();
+    if (at_ >= steps_.size()) return Q_EMIT finished();
     doneAtMs_ = -1;
     heartbeat_.start();
     since_.start();
@@ -70,7 +70,7 @@ void DrivenSteps::end(bool isDone) {
     measured.ownWorkInItMs = heartbeat_.ownWorkInItMs();
     measured.isDone = isDone;
     measured_.push_back(measured);
-    emit ended(measured);
+    Q_EMIT ended(measured);
     ++at_;
     QTimer::singleShot(0, this, &DrivenSteps::next);
 }

@@ -40,7 +40,7 @@ class DrivenSteps : public QObject {
     void stop();   // no signal follows
     const std::vector<MeasuredStep>& measured() const { return measured_; }
 
-  signals:
+  Q_SIGNALS:
     void ended(const macula::viewer::MeasuredStep& step);
     void finished();
 

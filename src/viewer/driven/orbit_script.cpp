@@ -275,7 +275,7 @@ void OrbitScript::finish(int exitCode) {
     phase_ = Phase::done;
     hand_.stop();
     deadline_.stop();
-    emit finished(exitCode);
+    Q_EMIT finished(exitCode);
 }
 
 }  // namespace macula::viewer

@@ -39,7 +39,7 @@ class OrbitScript : public QObject {
 
     void start();  // before the window is shown, so that showing it is measured too
 
-  signals:
+  Q_SIGNALS:
     void finished(int exitCode);
 
   private:

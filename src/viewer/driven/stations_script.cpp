@@ -244,7 +244,7 @@ void StationsScript::end() {
 void StationsScript::finish(int exitCode) {
     if (std::exchange(isDone_, true)) return;
     if (steps_) steps_->stop();
-    emit finished(exitCode);
+    Q_EMIT finished(exitCode);
 }
 
 }  // namespace macula::viewer

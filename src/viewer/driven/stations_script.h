@@ -33,7 +33,7 @@ class StationsScript : public QObject {
 
     void start();  // before the window is shown and the study opened
 
-  signals:
+  Q_SIGNALS:
     void finished(int exitCode);
 
   private:

@@ -108,7 +108,7 @@ void WorkdayScript::fail(const Error& error) {
 void WorkdayScript::finish(int exitCode) {
     if (std::exchange(isDone_, true)) return;
     steps_->stop();
-    emit finished(exitCode);
+    Q_EMIT finished(exitCode);
 }
 
 }  // namespace macula::viewer

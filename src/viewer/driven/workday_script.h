@@ -39,7 +39,7 @@ class WorkdayScript : public QObject {
     // "orbit" (OrbitGauge), "steps" (DrivenSteps), "longestUiStallMs", "missing" (DrivenHand).
     QJsonObject report() const;
 
-  signals:
+  Q_SIGNALS:
     void finished(int exitCode);
 
   private:

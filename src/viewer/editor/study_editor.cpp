@@ -13,7 +13,7 @@ StudyEditor::StudyEditor(scene::Catalogue catalogue, QObject* parent)
 void StudyEditor::setOwnPresets(std::span<const std::shared_ptr<const TransferFunction>> own) {
     catalogue_.presets.resize(builtInPresets_);
     catalogue_.presets.insert(catalogue_.presets.end(), own.begin(), own.end());
-    emit presetsChanged();
+    Q_EMIT presetsChanged();
 }
 
 std::span<const std::shared_ptr<const TransferFunction>> StudyEditor::builtInPresets() const {
@@ -24,7 +24,7 @@ void StudyEditor::show(study::OpenedStudy study, scene::StudyState state) {
     keepsPlace_ = study::staysInPlace(study_, study);
     study_ = std::move(study);
     history_.begin(std::move(state));
-    emit studyShown();
+    Q_EMIT studyShown();
 }
 
 void StudyEditor::show(study::OpenedStudy study) {
@@ -75,7 +75,7 @@ void StudyEditor::redo() {
 // A listener may propose a change of its own: what it is told as `before` stays as it is.
 void StudyEditor::tellOfChange(const std::function<bool()>& change) {
     const scene::StudyState before = state();
-    if (change()) emit changed(before);
+    if (change()) Q_EMIT changed(before);
 }
 
 }  // namespace macula::viewer

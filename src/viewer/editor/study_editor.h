@@ -63,7 +63,7 @@ class StudyEditor : public QObject {
     void undo();
     void redo();
 
-  signals:
+  Q_SIGNALS:
     void studyShown();  // another study, with its state
     // A change of the same study's state. `before` is valid during the signal.
     void changed(const macula::scene::StudyState& before);

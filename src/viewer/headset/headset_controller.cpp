@@ -50,7 +50,7 @@ void HeadsetController::connectShow() {
         isMirrored_ = false;
         mirror_->setRunning(false);
         mirror_->setNote(figures);
-        emit ended();
+        Q_EMIT ended();
     });
 }
 

@@ -28,7 +28,7 @@ class HeadsetController : public QObject {
     void addAction(QMenu& view);
     void begin();
 
-  signals:
+  Q_SIGNALS:
     void ended();  // or could not begin
 
   private:

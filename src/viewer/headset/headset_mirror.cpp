@@ -68,9 +68,9 @@ HeadsetMirror::HeadsetMirror(QWidget* parent)
     connect(names_, &QCheckBox::toggled, this, &HeadsetMirror::showTexts);
     connect(button_, &QPushButton::clicked, this, [this] {
         if (runs_) {
-            emit stopAsked();
+            Q_EMIT stopAsked();
         } else {
-            emit startAsked();
+            Q_EMIT startAsked();
         }
     });
     showTexts();

@@ -28,7 +28,7 @@ class HeadsetMirror : public QWidget {
     bool showsNames() const;
     QSize sizeHint() const override { return {360, 420}; }
 
-  signals:
+  Q_SIGNALS:
     void startAsked();
     void stopAsked();
 

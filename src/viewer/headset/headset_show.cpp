@@ -75,8 +75,8 @@ HeadsetShow::HeadsetShow(QObject* parent)
       job_(this, {.progressed = [](const ProgressUpdate&) {},
                   .ended =
                       [this](const Result<std::string>& outcome) {
-                          if (!outcome) emit failed(outcome.error());
-                          emit ended(outcome ? inWindowsLanguage(*outcome) : QString());
+                          if (!outcome) Q_EMIT failed(outcome.error());
+                          Q_EMIT ended(outcome ? inWindowsLanguage(*outcome) : QString());
                       }}),
       shared_(std::make_shared<Shared>()) {}
 
@@ -106,13 +106,13 @@ void HeadsetShow::start([[maybe_unused]] HeadsetShowRequest request) {
     shared_ = std::make_shared<Shared>();
 #ifdef MACULA_HAS_XR
     const auto told = std::make_shared<Told>(
-        Told{.mirror = NewestPosted<QImage>(this, [this](const QImage& image) { emit mirrored(image); }),
+        Told{.mirror = NewestPosted<QImage>(this, [this](const QImage& image) { Q_EMIT mirrored(image); }),
              .chosen = NewestPosted<HeadsetSelection>(this,
                                                       [this](const HeadsetSelection& choice) {
-                                                          if (!isAbandoned_) emit chosen(choice);
+                                                          if (!isAbandoned_) Q_EMIT chosen(choice);
                                                       }),
              .note = [this](const std::string& sentence) {
-                 post(this, [this, sentence] { emit noted(inWindowsLanguage(sentence)); });
+                 post(this, [this, sentence] { Q_EMIT noted(inWindowsLanguage(sentence)); });
              }});
     const auto wanted = [shared = shared_]() -> std::optional<HeadsetSelection> {
         const std::lock_guard lock(shared->mutex);
@@ -140,7 +140,7 @@ void HeadsetShow::start([[maybe_unused]] HeadsetShowRequest request) {
                      "Build it with the package libopenxr-dev installed."};
     });
 #endif
-    emit began();
+    Q_EMIT began();
 }
 
 }  // namespace macula::viewer

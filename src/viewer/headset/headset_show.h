@@ -47,7 +47,7 @@ class HeadsetShow : public QObject {
     // Passes the window's choice to the headset.
     void propose(HeadsetSelection choice);
 
-  signals:
+  Q_SIGNALS:
     void began();
     void mirrored(const QImage& leftEye);  // a few times a second; holds no names
     void chosen(const macula::viewer::HeadsetSelection& choice);

@@ -54,8 +54,8 @@ void LightsDesk::save() {
     dialog->selectFile(QString::fromStdString(rig->name) + QStringLiteral(".json"));
     host_.ask(dialog, [this, json = toJson(*rig)](const QString& path) {
         if (const Result<void> written = writeTextAtomically(path.toStdString(), json); !written)
-            return emit failed(written.error());
-        emit told(tr("The lights are written to %1. Use them with --lights %1.").arg(path));
+            return Q_EMIT failed(written.error());
+        Q_EMIT told(tr("The lights are written to %1. Use them with --lights %1.").arg(path));
     });
 }
 
@@ -65,7 +65,7 @@ void LightsDesk::open() {
     dialog->setFileMode(QFileDialog::ExistingFile);
     host_.ask(dialog, [this](const QString& path) {
         Result<trace::LightRig> rig = scene::chooseLightRig(path.toStdString());
-        if (!rig) return emit failed(rig.error());
+        if (!rig) return Q_EMIT failed(rig.error());
         editing_.use(std::make_shared<const trace::LightRig>(*std::move(rig)));
     });
 }

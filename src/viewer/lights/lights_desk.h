@@ -36,7 +36,7 @@ class LightsDesk : public QObject {
     void setPanelOpen(bool open) { editing_.setPanelOpen(open); }
     bool isMetering() const { return metering_.running(); }
 
-  signals:
+  Q_SIGNALS:
     void marksChanged();  // of the handles
     void told(const QString& sentence);
     void failed(const macula::Error& error);

@@ -34,7 +34,7 @@ LightsEditing::LightsEditing(StudyEditor& session, QObject* parent) : QObject(pa
     });
     connect(&session_, &StudyEditor::studyShown, this, [this] {
         chosen_ = 0;
-        emit changed();
+        Q_EMIT changed();
     });
     connect(&session_, &StudyEditor::changed, this, &LightsEditing::changed);
 }
@@ -54,7 +54,7 @@ std::size_t LightsEditing::chosen() const {
 }
 
 void LightsEditing::choose(std::size_t light) {
-    if (std::exchange(chosen_, light) != light) emit changed();
+    if (std::exchange(chosen_, light) != light) Q_EMIT changed();
 }
 
 const trace::SoftLight* LightsEditing::light() const {
@@ -63,7 +63,7 @@ const trace::SoftLight* LightsEditing::light() const {
 }
 
 void LightsEditing::setPanelOpen(bool open) {
-    if (std::exchange(isPanelOpen_, open) != open) emit changed();
+    if (std::exchange(isPanelOpen_, open) != open) Q_EMIT changed();
 }
 
 std::optional<scene::LightStand> LightsEditing::stand(const Camera& camera) const {

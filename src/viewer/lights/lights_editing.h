@@ -48,7 +48,7 @@ class LightsEditing : public QObject {
     Result<void> keepTo(trace::LightFrame frame);
     void use(std::shared_ptr<const trace::LightRig> rig);
 
-  signals:
+  Q_SIGNALS:
     void changed();  // what panel and picture show of the lights
 
   private:

@@ -123,7 +123,7 @@ QWidget* LightsPanel::makeLight() {
     remove_->setAccessibleName(tr("Remove this light"));
     remove_->setToolTip(tr("Take the chosen light out of the rig"));
     connect(add_, &QPushButton::clicked, this, [this] {
-        emit lookedAt();
+        Q_EMIT lookedAt();
         tryTo(editing_.add());
     });
     connect(remove_, &QPushButton::clicked, this, [this] { tryTo(editing_.remove()); });
@@ -182,7 +182,7 @@ QWidget* LightsPanel::makeAll() {
     frames_->addItems({tr("the patient"), tr("the camera")});
     frames_->setToolTip(tr("Lights that keep to the camera leave the preview in motion without a model"));
     connect(frames_, &QComboBox::activated, this, [this](int index) {
-        emit lookedAt();
+        Q_EMIT lookedAt();
         tryTo(editing_.keepTo(index == 1 ? trace::LightFrame::camera : trace::LightFrame::patient));
     });
     sky_ = makeNumber(QStringLiteral("lights-sky"), tr("Sky"), {},

@@ -27,7 +27,7 @@ class LightsPanel : public QWidget {
     void setMetering(bool isMetering);
     void tell(const Error& error);  // below the controls
 
-  signals:
+  Q_SIGNALS:
     void saveAsked();
     void openAsked();
     void meteringAsked();  // an exposure that suits the picture

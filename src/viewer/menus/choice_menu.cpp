@@ -19,7 +19,7 @@ QAction* ChoiceMenu::addChoice(const QString& title, const QString& name) {
     connect(action, &QAction::triggered, this, [this, index] {
         if (index == chosen_) return;
         chosen_ = index;
-        emit changed(index);
+        Q_EMIT changed(index);
     });
     return action;
 }

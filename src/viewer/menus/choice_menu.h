@@ -20,7 +20,7 @@ class ChoiceMenu : public QMenu {
     int chosen() const { return chosen_; }
     void choose(int index);  // does not emit changed; -1: none
 
-  signals:
+  Q_SIGNALS:
     void changed(int index);  // by a person
 
   private:

@@ -13,9 +13,9 @@ ModelExport::ModelExport(QObject* parent)
            {.progressed = [](const ProgressUpdate&) {},
             .ended =
                 [this](const Result<std::size_t>& limited) {
-                    emit ended();
+                    Q_EMIT ended();
                     if (!limited) {
-                        if (limited.error().code != ErrorCode::cancelled) emit failed(limited.error());
+                        if (limited.error().code != ErrorCode::cancelled) Q_EMIT failed(limited.error());
                         return;
                     }
                     QString told =
@@ -28,20 +28,20 @@ ModelExport::ModelExport(QObject* parent)
                     const splat::ModelFormat* format = splat::modelFormatOf(request_.path);
                     if (format != nullptr && format->keepsTraining())
                         told += tr(" It holds pictures of the study.");
-                    emit written(told);
+                    Q_EMIT written(told);
                 }}) {}
 
 void ModelExport::expect(Request request, std::uint64_t number) {
     cancel();
     request_ = std::move(request);
     expected_ = number;
-    emit began();
+    Q_EMIT began();
 }
 
 void ModelExport::cancel() {
     const bool wasExpected = std::exchange(expected_, 0) != 0;
     forgetStudy();
-    if (job_.cancel() || wasExpected) emit ended();
+    if (job_.cancel() || wasExpected) Q_EMIT ended();
 }
 
 // A study that is closed does not stay in memory for a model that was saved of it.
@@ -56,13 +56,13 @@ void ModelExport::onTaken(const live::ModelSnapshot& taken) {
     const Request request =
         std::exchange(request_, Request{.path = request_.path, .displayColours = request_.displayColours});
     if (taken.error) {
-        emit ended();
-        emit failed(*taken.error);
+        Q_EMIT ended();
+        Q_EMIT failed(*taken.error);
         return;
     }
     if (!taken.splats) {
-        emit ended();
-        emit failed(
+        Q_EMIT ended();
+        Q_EMIT failed(
             {ErrorCode::inputNotUsable,
              tr("There is no model of this picture.").toStdString(),
              {},

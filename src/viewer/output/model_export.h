@@ -30,7 +30,7 @@ class ModelExport : public QObject {
     void cancel();
     bool running() const { return expected_ != 0 || job_.running(); }
 
-  signals:
+  Q_SIGNALS:
     void began();
     void ended();
     void written(const QString& told);

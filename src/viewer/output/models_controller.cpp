@@ -41,7 +41,7 @@ ModelsController::ModelsController(const WindowContext& context)
     showWork(*export_, *bar_, tr("Writing the model"), context_.notifications);
     connect(export_, &ModelExport::written, this, [this](const QString& told) {
         context_.notifications.showNote(told);
-        emit written();
+        Q_EMIT written();
     });
     connect(&context_.viewport, &Viewport::rendered, this, [this](const live::RenderEvent& event) {
         if (const auto* taken = std::get_if<live::ModelSnapshot>(&event)) export_->onTaken(*taken);

@@ -26,7 +26,7 @@ class ModelsController : public QObject {
     QString unfinished() const;  // a sentence; empty: nothing is being written
     void cancel();
 
-  signals:
+  Q_SIGNALS:
     void written();
 
   private:

@@ -31,14 +31,14 @@ MovieExport::MovieExport(std::string preferredDevice, QObject* parent)
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
                           const qint64 elapsed = QDateTime::currentMSecsSinceEpoch() - stageBeganMs_;
-                          emit progressed(
+                          Q_EMIT progressed(
                               inWindowsLanguage(update.stage) + leftText(elapsed, update.fraction),
                               update.fraction);
                       },
                   .ended = [this](const Result<pictures::WrittenSequence>& outcome) { onDrawn(outcome); }}),
       encoder_(this) {
     connect(&encoder_, &VideoEncoder::progressed, this,
-            [this](double fraction) { emit progressed(tr("Encoding the video"), fraction); });
+            [this](double fraction) { Q_EMIT progressed(tr("Encoding the video"), fraction); });
     connect(&encoder_, &VideoEncoder::ended, this, [this](bool isWritten) {
         finish(isWritten ? tr("The video is %1.").arg(kVideo)
                          : tr("The encoder made no video of them: take another program for that."));
@@ -64,14 +64,14 @@ void MovieExport::start(MovieRequest request) {
                              "Choose a smaller size, or close other programs."};
             }
         });
-    emit began();
+    Q_EMIT began();
 }
 
 void MovieExport::cancel() {
     const bool wasEncoding = encoder_.running();
     encoder_.cancel();
     if (job_.cancel()) {
-        emit ended();
+        Q_EMIT ended();
     } else if (wasEncoding) {
         finish(tr("The video was stopped."));
     }
@@ -79,8 +79,8 @@ void MovieExport::cancel() {
 
 void MovieExport::onDrawn(const Result<pictures::WrittenSequence>& outcome) {
     if (!outcome) {
-        emit ended();
-        if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());
+        Q_EMIT ended();
+        if (outcome.error().code != ErrorCode::cancelled) Q_EMIT failed(outcome.error());
         return;
     }
     told_ << tr("%Ln pictures are in %1.", nullptr, int(outcome->files.size())).arg(folder_);
@@ -99,8 +99,8 @@ void MovieExport::onDrawn(const Result<pictures::WrittenSequence>& outcome) {
 
 void MovieExport::finish(const QString& aboutVideo) {
     if (!aboutVideo.isEmpty()) told_ << aboutVideo;
-    emit ended();
-    emit written(told_.join(QLatin1Char(' ')));
+    Q_EMIT ended();
+    Q_EMIT written(told_.join(QLatin1Char(' ')));
 }
 
 }  // namespace macula::viewer

@@ -30,7 +30,7 @@ class MovieExport : public QObject {
     void cancel();
     bool running() const { return job_.running() || encoder_.running(); }
 
-  signals:
+  Q_SIGNALS:
     void began();
     void progressed(const QString& stage, double fraction);
     void ended();

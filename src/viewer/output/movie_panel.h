@@ -49,7 +49,7 @@ class MoviePanel : public QWidget {
     void addView();                          // the current view, kSecondsPerView after the one before
     static constexpr double kSecondsPerView = 2.0;
 
-  signals:
+  Q_SIGNALS:
     void drawAsked();
     void openAsked();  // a path from a file
     void saveAsked();  // to one

@@ -43,7 +43,7 @@ MoviesController::MoviesController(const WindowContext& context)
     showWork(*export_, *bar_, tr("Drawing the movie"), context_.notifications);
     connect(export_, &MovieExport::written, this, [this](const QString& told) {
         context_.notifications.showNote(told);
-        emit written();
+        Q_EMIT written();
     });
 }
 

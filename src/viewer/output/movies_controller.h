@@ -31,7 +31,7 @@ class MoviesController : public QObject {
     void cancel();
     void onStudyShown();
 
-  signals:
+  Q_SIGNALS:
     void written();
 
   private:

@@ -12,7 +12,7 @@ PictureExport::PictureExport(std::string preferredDevice, QObject* parent)
       preferredDevice_(std::move(preferredDevice)),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
+                          Q_EMIT progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const auto& outcome) { onEnded(outcome); }}) {}
 
@@ -29,22 +29,22 @@ void PictureExport::start(pictures::ViewPicture picture) {
                          "Choose a smaller size, or close other programs."};
         }
     });
-    emit began();
+    Q_EMIT began();
 }
 
 void PictureExport::cancel() {
-    if (job_.cancel()) emit ended();
+    if (job_.cancel()) Q_EMIT ended();
 }
 
 void PictureExport::onEnded(const Result<std::vector<std::string>>& outcome) {
-    emit ended();
+    Q_EMIT ended();
     if (!outcome) {
-        if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());
+        if (outcome.error().code != ErrorCode::cancelled) Q_EMIT failed(outcome.error());
         return;
     }
     QStringList notes;
     for (const std::string& note : *outcome) notes << inWindowsLanguage(note);
-    emit written(path_, notes);
+    Q_EMIT written(path_, notes);
 }
 
 }  // namespace macula::viewer

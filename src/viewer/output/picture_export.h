@@ -24,7 +24,7 @@ class PictureExport : public QObject {
     void cancel();
     bool running() const { return job_.running(); }
 
-  signals:
+  Q_SIGNALS:
     void began();
     void progressed(const QString& stage, double fraction);
     void ended();

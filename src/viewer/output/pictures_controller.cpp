@@ -44,7 +44,7 @@ PicturesController::PicturesController(const WindowContext& context, const PaneG
     showWork(*export_, *bar_, tr("Drawing the picture"), context_.notifications);
     connect(export_, &PictureExport::written, this, [this](const QString& path, const QStringList& notes) {
         context_.notifications.showDone(tr("The picture is written to %1.").arg(path), notes);
-        emit written();
+        Q_EMIT written();
     });
 }
 

@@ -31,7 +31,7 @@ class PicturesController : public QObject {
     QString unfinished() const;  // a sentence; empty: nothing is being written
     void cancel();
 
-  signals:
+  Q_SIGNALS:
     void written();
 
   private:

@@ -46,27 +46,27 @@ PresentationFiles::PresentationFiles(QObject* parent)
                      .ended =
                          [this](const auto& leftOut) {
                              if (leftOut) {
-                                 emit saved(path_, listOf(*leftOut));
+                                 Q_EMIT saved(path_, listOf(*leftOut));
                              } else {
-                                 emit failed(leftOut.error());
+                                 Q_EMIT failed(leftOut.error());
                              }
                          }}),
       opening_(this, {.progressed = [](const ProgressUpdate&) {},
                       .ended =
                           [this](const auto& presented) {
                               if (presented) {
-                                  emit opened(presented->state, listOf(presented->notes));
+                                  Q_EMIT opened(presented->state, listOf(presented->notes));
                               } else {
-                                  emit failed(presented.error());
+                                  Q_EMIT failed(presented.error());
                               }
                           }}),
       openingOnSlices_(this, {.progressed = [](const ProgressUpdate&) {},
                               .ended =
                                   [this](const auto& shown) {
                                       if (shown) {
-                                          emit openedOnSlices(*shown, listOf(shown->notes));
+                                          Q_EMIT openedOnSlices(*shown, listOf(shown->notes));
                                       } else {
-                                          emit failed(shown.error());
+                                          Q_EMIT failed(shown.error());
                                       }
                                   }}) {}
 

@@ -36,7 +36,7 @@ class PresentationFiles : public QObject {
     // Cancels what is being opened, for example when another study is shown; no signal follows.
     void cancelOpening();
 
-  signals:
+  Q_SIGNALS:
     // `notes` say what other programs will show differently (saved), or what is shown differently here.
     void saved(const QString& path, const QStringList& notes);
     void opened(const macula::scene::StudyState& state, const QStringList& notes);

@@ -23,7 +23,7 @@ PresentationsController::PresentationsController(const WindowContext& context, c
     : QObject(&context.window), context_(context), uses_(uses), files_(new PresentationFiles(this)) {
     connect(files_, &PresentationFiles::saved, this, [this](const QString& path, const QStringList& notes) {
         context_.notifications.showDone(tr("The presentation state is written to %1.").arg(path), notes);
-        emit written();
+        Q_EMIT written();
     });
     connect(files_, &PresentationFiles::opened, this,
             [this](const scene::StudyState& state, const QStringList& notes) {

@@ -48,7 +48,7 @@ class PresentationsController : public QObject {
     void cancel();
     void onStudyShown();
 
-  signals:
+  Q_SIGNALS:
     void written();
 
   private:

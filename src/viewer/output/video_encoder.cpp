@@ -89,7 +89,7 @@ void VideoEncoder::start(const QString& program, const VideoRequest& request) {
 void VideoEncoder::startKind() {
     const QStringList arguments = argumentsFor(request_, kind_);
     if (arguments.isEmpty()) {
-        emit ended(false);
+        Q_EMIT ended(false);
         return;
     }
     process_ = new QProcess(this);
@@ -110,7 +110,7 @@ void VideoEncoder::onOutput() {
     while (process_ != nullptr && process_->canReadLine()) {
         const QByteArray line = process_->readLine().trimmed();
         if (!line.startsWith("frame=")) continue;
-        emit progressed(std::clamp(line.mid(6).toDouble() / std::max(request_.frames, 1), 0.0, 1.0));
+        Q_EMIT progressed(std::clamp(line.mid(6).toDouble() / std::max(request_.frames, 1), 0.0, 1.0));
     }
 }
 
@@ -119,7 +119,7 @@ void VideoEncoder::onFinished(bool isDone) {
     std::exchange(process_, nullptr)->deleteLater();
     const QString file = QDir(request_.folder).filePath(request_.fileName);
     if (isDone && QFile::rename(partName(), file)) {
-        emit ended(true);
+        Q_EMIT ended(true);
         return;
     }
     QFile::remove(partName());

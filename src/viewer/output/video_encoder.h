@@ -33,7 +33,7 @@ class VideoEncoder : public QObject {
     void cancel();  // leaves no file and emits nothing
     bool running() const { return process_ != nullptr; }
 
-  signals:
+  Q_SIGNALS:
     void progressed(double fraction);
     void ended(bool isWritten);
 

@@ -120,7 +120,7 @@ bool PaneGrid::isShown(Pane pane) const {
 
 void PaneGrid::maximize(Pane pane) {
     const scene::Layout alone = layoutOf(pane);
-    emit layoutAsked(shown_ == alone ? scene::Layout::fourPanes : alone);
+    Q_EMIT layoutAsked(shown_ == alone ? scene::Layout::fourPanes : alone);
 }
 
 void PaneGrid::focusPane(Pane pane) {
@@ -196,7 +196,7 @@ void PaneGrid::updateActive() {
     if (now == active_) return;
     active_ = now;
     for (const Pane pane : kPanes) frame(pane).setActive(pane == active_);
-    emit activePaneChanged();
+    Q_EMIT activePaneChanged();
 }
 
 }  // namespace macula::viewer

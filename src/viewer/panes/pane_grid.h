@@ -56,7 +56,7 @@ class PaneGrid : public QWidget {
     // Enlarges this pane among the four; nothing: equal shares. Ignored once a person has dragged the lines.
     void favour(std::optional<Pane> pane);
 
-  signals:
+  Q_SIGNALS:
     void layoutAsked(macula::scene::Layout layout);
     void activePaneChanged();
 

@@ -114,7 +114,7 @@ void PanesController::showLayout() {
     const scene::Layout layout = context_.session.state().layout;
     grid_->setLayout(layout);
     tools_->setVisible(layout != scene::Layout::volume);  // they are of slices
-    emit layoutShown();
+    Q_EMIT layoutShown();
 }
 
 void PanesController::favour(std::optional<slices::Orientation> orientation) {

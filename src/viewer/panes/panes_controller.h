@@ -45,7 +45,7 @@ class PanesController : public QObject {
     void focusPicture();  // the pane that last had the focus, or a shown one
     void showNames(bool shown);
 
-  signals:
+  Q_SIGNALS:
     void layoutShown();
 
   private:

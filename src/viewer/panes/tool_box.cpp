@@ -107,7 +107,7 @@ void ToolBox::addTools() {
         tools_->addAction(action);
         connect(action, &QAction::triggered, this, [this, tool = row.tool] {
             tool_ = tool;
-            emit toolChosen(tool);
+            Q_EMIT toolChosen(tool);
         });
     }
 }

@@ -30,7 +30,7 @@ class ToolBox : public QToolBar {
     void setTool(SliceTool tool);  // emits nothing
     void setCine(bool plays);      // emits nothing
 
-  signals:
+  Q_SIGNALS:
     void toolChosen(macula::viewer::SliceTool tool);  // by a person
     void cineToggled(bool plays);                     // by a person
     void thicknessEntered();                          // after Enter: return the focus to the pictures

@@ -9,7 +9,7 @@ AnatomyPick::AnatomyPick(QObject* parent)
       job_(this, {.progressed = [](const ProgressUpdate&) {},
                   .ended =
                       [this](const Result<std::optional<glm::dvec3>>& outcome) {
-                          if (outcome && *outcome) emit found(**outcome);
+                          if (outcome && *outcome) Q_EMIT found(**outcome);
                       }}) {}
 
 void AnatomyPick::start(std::shared_ptr<const Volume> volume, scene::Drawing drawing, const Camera& camera,

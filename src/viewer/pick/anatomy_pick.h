@@ -22,7 +22,7 @@ class AnatomyPick : public QObject {
                const glm::dvec2& place, double aspectWidthOverHeight);
     void cancel() { job_.cancel(); }
 
-  signals:
+  Q_SIGNALS:
     void found(const glm::dvec3& mm);
 
   private:

@@ -14,7 +14,7 @@ PresetBox::PresetBox(const PresetLibrary& library, QWidget* parent) : QComboBox(
     setView(new QListView(this));
     connect(this, &QComboBox::activated, this, [this](int row) {
         if (row < 0 || std::size_t(row) >= rows_.size()) return;
-        if (const std::optional<LibraryPreset> preset = rows_[std::size_t(row)]) emit chosen(*preset);
+        if (const std::optional<LibraryPreset> preset = rows_[std::size_t(row)]) Q_EMIT chosen(*preset);
     });
     fillAnew();
 }

@@ -22,7 +22,7 @@ class PresetBox : public QComboBox {
     // Does not emit chosen. Shows the title of an edited preset, which no entry has.
     void choose(const TransferFunction* function);
 
-  signals:
+  Q_SIGNALS:
     void chosen(const macula::viewer::LibraryPreset& preset);  // by a person
 
   private:

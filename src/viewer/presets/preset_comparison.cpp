@@ -157,7 +157,7 @@ void PictureCurtain::mouseMoveEvent(QMouseEvent* event) {
     if (!hasPictures() || areBesideEachOther_ || !event->buttons().testFlag(Qt::LeftButton)) return;
     const QRect both = place();
     setPart((event->position().x() - both.left()) / std::max(1, both.width()));
-    emit partMoved(part_);
+    Q_EMIT partMoved(part_);
 }
 
 PresetComparison::PresetComparison(const Side& first, const Side& second, const std::string& preferredDevice,
@@ -207,7 +207,7 @@ PresetComparison::PresetComparison(const Side& first, const Side& second, const 
     });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(buttons, &QDialogButtonBox::accepted, this, [this] {
-        emit secondChosen();
+        Q_EMIT secondChosen();
         accept();
     });
     connect(work_, &WorkBar::cancelClicked, this, &QDialog::reject);

@@ -36,7 +36,7 @@ class PictureCurtain : public QWidget {
     double part() const { return part_; }
     QSize sizeHint() const override;
 
-  signals:
+  Q_SIGNALS:
     void partMoved(double part);  // by a person
 
   protected:
@@ -72,7 +72,7 @@ class PresetComparison : public QDialog {
     bool isDrawing() const;
     QString trouble() const { return trouble_->text(); }
 
-  signals:
+  Q_SIGNALS:
     void secondChosen();
 
   private:

@@ -217,7 +217,7 @@ void PresetGallery::showNotes() {
 }
 
 void PresetGallery::tell(const Error& error) {
-    if (!isVisible()) return emit failed(error);
+    if (!isVisible()) return Q_EMIT failed(error);
     trouble_ = inWindowsLanguage(error);
     showNotes();
 }
@@ -234,7 +234,7 @@ void PresetGallery::activate(const QModelIndex& index) {
     if (!row.preset) return toggle(row.group);
     trouble_.clear();
     showNotes();
-    emit useAsked(*row.preset);
+    Q_EMIT useAsked(*row.preset);
 }
 
 bool PresetGallery::onListKey(int key) {
@@ -285,9 +285,9 @@ void PresetGallery::fillMenu(QMenu& menu, const LibraryPreset& preset) {
         return action;
     };
     const bool isOwn = preset.own != nullptr;
-    add(tr("&Use"), "preset-use", [this, preset] { emit useAsked(preset); });
+    add(tr("&Use"), "preset-use", [this, preset] { Q_EMIT useAsked(preset); });
     add(tr("&Compare with What Is Shown…"), "preset-compare", [this, preset] {
-        emit compareAsked(preset);
+        Q_EMIT compareAsked(preset);
     })->setEnabled(session_.hasStudy());
     const bool isFavourite = library_.shelf().isFavourite(preset.ref);
     QAction* favourite = add(tr("&Favourite"), "preset-favourite", [this, preset, isFavourite] {
@@ -305,9 +305,9 @@ void PresetGallery::fillMenu(QMenu& menu, const LibraryPreset& preset) {
     }
     menu.addSeparator();
     add(tr("&Export…"), "preset-export", [this, preset] {
-        emit exportAsked(preset);
+        Q_EMIT exportAsked(preset);
     })->setToolTip(tr("The curve, as a file for --preset and 3D Slicer"));
-    add(tr("&Import…"), "preset-import", [this] { emit importAsked(); });
+    add(tr("&Import…"), "preset-import", [this] { Q_EMIT importAsked(); });
 }
 
 void PresetGallery::remove(const LibraryPreset& preset) {

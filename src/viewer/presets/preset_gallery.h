@@ -39,7 +39,7 @@ class PresetGallery : public QWidget {
     void askToSaveCurve() { naming_.askToSaveCurve(); }
     void askToSaveSeen() { naming_.askToSaveSeen(); }
 
-  signals:
+  Q_SIGNALS:
     void useAsked(const macula::viewer::LibraryPreset& preset);
     void compareAsked(const macula::viewer::LibraryPreset& preset);  // with the current preset
     void exportAsked(const macula::viewer::LibraryPreset& preset);

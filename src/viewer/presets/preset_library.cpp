@@ -65,7 +65,7 @@ void PresetLibrary::readStored() {
         post(library, [library, stored = std::move(stored)] {
             if (stored) return library->onStored(*stored);
             library->isKept_ = false;
-            emit library->changed();
+            Q_EMIT library->changed();
         });
     });
 }
@@ -73,7 +73,7 @@ void PresetLibrary::readStored() {
 void PresetLibrary::onStored(const Result<live::StoredPresets>& stored) {
     if (!stored) {
         storeNote_ = tr("Your presets could not be read: %1").arg(inWindowsLanguage(stored.error()));
-        emit changed();
+        Q_EMIT changed();
         return;
     }
     shelf_.join(*stored);
@@ -106,7 +106,7 @@ void PresetLibrary::write() {
             library->storeNote_ =
                 tr("The last change of your presets is not stored and lasts until this window closes: %1")
                     .arg(inWindowsLanguage(error));
-            emit library->changed();
+            Q_EMIT library->changed();
         });
     });
 }
@@ -116,7 +116,7 @@ void PresetLibrary::tellChange() {
     std::vector<std::shared_ptr<const TransferFunction>> functions;
     for (const auto& preset : shelf_.own()) functions.push_back(preset->function);
     session_.setOwnPresets(functions);
-    emit changed();
+    Q_EMIT changed();
 }
 
 QString PresetLibrary::note() const {
@@ -236,14 +236,14 @@ void PresetLibrary::putBackRemoved() {
 void PresetLibrary::setFavourite(const live::PresetRef& ref, bool isFavourite) {
     shelf_.setFavourite(ref, isFavourite);
     write();
-    emit changed();
+    Q_EMIT changed();
 }
 
 void PresetLibrary::noteUsed(const live::PresetRef& ref) {
     if (ref.empty()) return;
     shelf_.noteUsed(ref, session_.hasStudy() ? session_.study().volume->modality() : std::string());
     write();
-    emit changed();
+    Q_EMIT changed();
 }
 
 void PresetLibrary::importFile(const std::string& path) {
@@ -259,7 +259,7 @@ void PresetLibrary::importFile(const std::string& path) {
 
 void PresetLibrary::onImported(const Result<presets::ImportedPresets>& read) {
     if (!read) {
-        emit failed(read.error());
+        Q_EMIT failed(read.error());
         return;
     }
     QStringList titles;
@@ -284,9 +284,9 @@ void PresetLibrary::onImported(const Result<presets::ImportedPresets>& read) {
             notes << tr("Presets of the file that could not be kept: %1. %2")
                          .arg(qsizetype(read->size()) - titles.size())
                          .arg(inWindowsLanguage(*error));
-        emit imported(titles, notes);
+        Q_EMIT imported(titles, notes);
     } else if (error) {
-        emit failed(*error);
+        Q_EMIT failed(*error);
     }
 }
 

@@ -71,7 +71,7 @@ class PresetLibrary : public QObject {
     // Writes a file that --preset reads: the curve, without the saved view.
     Result<void> exportTo(const std::string& path, const live::PresetRef& ref) const;
 
-  signals:
+  Q_SIGNALS:
     void changed();
     void imported(const QStringList& titles, const QStringList& notes);
     void failed(const macula::Error& error);

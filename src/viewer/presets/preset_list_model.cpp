@@ -20,12 +20,12 @@ void PresetListModel::setRows(std::vector<PresetRow> rows, std::set<PresetGroup>
 
 void PresetListModel::setShown(const live::PresetRef& ref) {
     if (std::exchange(shown_, ref) == ref || rows_.empty()) return;
-    emit dataChanged(index(0), index(int(rows_.size()) - 1), {isShownRole, Qt::AccessibleTextRole});
+    Q_EMIT dataChanged(index(0), index(int(rows_.size()) - 1), {isShownRole, Qt::AccessibleTextRole});
 }
 
 void PresetListModel::forgetPictures() {
     pictures_.clear();
-    if (!rows_.empty()) emit dataChanged(index(0), index(int(rows_.size()) - 1), {Qt::DecorationRole});
+    if (!rows_.empty()) Q_EMIT dataChanged(index(0), index(int(rows_.size()) - 1), {Qt::DecorationRole});
 }
 
 void PresetListModel::setPicture(std::shared_ptr<const TransferFunction> function, QImage picture) {
@@ -33,7 +33,7 @@ void PresetListModel::setPicture(std::shared_ptr<const TransferFunction> functio
     pictures_[key] = {std::move(function), std::move(picture)};
     for (std::size_t row = 0; row < rows_.size(); ++row) {
         if (rows_[row].preset && rows_[row].preset->function.get() == key)
-            emit dataChanged(index(int(row)), index(int(row)), {Qt::DecorationRole});
+            Q_EMIT dataChanged(index(int(row)), index(int(row)), {Qt::DecorationRole});
     }
 }
 

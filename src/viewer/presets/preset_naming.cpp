@@ -19,17 +19,18 @@ void PresetNaming::ask(const QString& title, const QString& what, const QString&
         [this, own](const QString& name) { return library_.whyNameIsRefused(name, own); }, widget_.window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog, then = std::move(then)] {
-        emit named();
+        Q_EMIT named();
         const Result<void> kept = then(dialog->name());
-        if (!kept) return emit failed(kept.error());
-        emit done();
+        if (!kept) return Q_EMIT failed(kept.error());
+        Q_EMIT done();
     });
     dialog->open();
 }
 
 void PresetNaming::askToSaveCurve() {
     if (!session_.hasStudy())
-        return emit failed({ErrorCode::usage, "There is no preset to save yet.", {}, "Open a study first."});
+        return Q_EMIT failed(
+            {ErrorCode::usage, "There is no preset to save yet.", {}, "Open a study first."});
     const scene::StudyState state = stateNow_();
     const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
     ask(tr("Keep the curve"), tr("The transfer function that is shown, as a preset of your own."),
@@ -41,7 +42,8 @@ void PresetNaming::askToSaveCurve() {
 
 void PresetNaming::askToSaveSeen() {
     if (!session_.hasStudy())
-        return emit failed({ErrorCode::usage, "There is nothing to be seen yet.", {}, "Open a study first."});
+        return Q_EMIT failed(
+            {ErrorCode::usage, "There is nothing to be seen yet.", {}, "Open a study first."});
     const scene::StudyState state = stateNow_();
     const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
     ask(tr("Keep all that is seen"),

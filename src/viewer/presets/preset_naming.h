@@ -29,7 +29,7 @@ class PresetNaming : public QObject {
     void askToCopy(const LibraryPreset& preset);
     void askToRename(const LibraryPreset& preset);
 
-  signals:
+  Q_SIGNALS:
     void named();  // a person gave a name, before what follows from it
     void done();
     void failed(const macula::Error& error);

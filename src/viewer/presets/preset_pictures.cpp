@@ -55,11 +55,11 @@ void PresetPictures::take(const Result<Drawn>& made) {
     const auto function = std::exchange(drawing_, nullptr);
     if (!made) {
         hasNone_ = true;
-        emit failed(made.error());
+        Q_EMIT failed(made.error());
         return;
     }
     coarse_ = made->coarse;
-    emit drawn(function, made->picture);
+    Q_EMIT drawn(function, made->picture);
 }
 
 }  // namespace macula::viewer

@@ -25,7 +25,7 @@ class PresetPictures : public QObject {
     bool canDraw() const { return volume_ && !isDrawing() && !hasNone_; }
     void draw(const LibraryPreset& preset);
 
-  signals:
+  Q_SIGNALS:
     // A null image: this preset has none.
     void drawn(std::shared_ptr<const macula::TransferFunction> function, const QImage& picture);
     void failed(const macula::Error& error);  // then hasNone()

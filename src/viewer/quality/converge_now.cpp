@@ -33,10 +33,10 @@ void ConvergeNow::start() {
     if (std::exchange(isRunning_, true)) return;
     startedS_ = nowS_();
     startedAt_ = -1.0;
-    emit began();
-    emit goalChanged({.sampleLimit = std::max(kSampleLimit, usual_.sampleLimit),
-                      .noiseTarget = kNoiseTarget,
-                      .convergesNow = true});
+    Q_EMIT began();
+    Q_EMIT goalChanged({.sampleLimit = std::max(kSampleLimit, usual_.sampleLimit),
+                        .noiseTarget = kNoiseTarget,
+                        .convergesNow = true});
 }
 
 void ConvergeNow::cancel() {
@@ -49,8 +49,8 @@ void ConvergeNow::onOtherPicture() {
 
 void ConvergeNow::end(const QString& told) {
     isRunning_ = false;
-    emit goalChanged(usual_);
-    emit ended(told);
+    Q_EMIT goalChanged(usual_);
+    Q_EMIT ended(told);
 }
 
 void ConvergeNow::onFrame(const live::FrameShown& frame) {
@@ -69,7 +69,7 @@ void ConvergeNow::onFrame(const live::FrameShown& frame) {
         startedAt_ = fraction;
         startedS_ = nowS_();
     }
-    emit progressed(stageOf(frame.noise, fraction), fraction);
+    Q_EMIT progressed(stageOf(frame.noise, fraction), fraction);
 }
 
 QString ConvergeNow::stageOf(double noise, double fraction) const {

@@ -33,7 +33,7 @@ class ConvergeNow : public QObject {
     // Call when another picture is wanted; ends the run.
     void onOtherPicture();
 
-  signals:
+  Q_SIGNALS:
     void goalChanged(const macula::viewer::RestGoal& goal);
     void began();
     void progressed(const QString& stage, double fraction);

@@ -150,7 +150,7 @@ void QualityControl::tell() {
     }
     if (now == told_) return;
     told_ = now;
-    emit changed(now);
+    Q_EMIT changed(now);
 }
 
 }  // namespace macula::viewer

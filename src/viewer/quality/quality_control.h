@@ -34,7 +34,7 @@ class QualityControl : public QToolButton {
     void step(int by);  // towards the accurate end; the first step ends automatic
     QString words() const { return words_->text(); }  // the cost of the stop
 
-  signals:
+  Q_SIGNALS:
     void changed(const macula::live::LiveQuality& quality);
 
   private:

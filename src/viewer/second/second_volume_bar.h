@@ -30,7 +30,7 @@ class SecondVolumeBar : public QToolBar {
 
     void showState();
 
-  signals:
+  Q_SIGNALS:
     // A person chose from a list; the window returns the keyboard focus to a picture.
     void listLeft();
 

@@ -28,7 +28,7 @@ SecondVolumeLoader::SecondVolumeLoader(StudyEditor& session, QObject* parent)
       session_(session),
       registration_(this, {.progressed =
                                [this](const ProgressUpdate& update) {
-                                   emit progressed(tr("Registering the second volume"), update.fraction);
+                                   Q_EMIT progressed(tr("Registering the second volume"), update.fraction);
                                },
                            .ended = [this](const auto& found) { onRegistered(found); }}) {
     connect(&session_, &StudyEditor::studyShown, this, &SecondVolumeLoader::onStudyShown);
@@ -41,29 +41,29 @@ SecondVolumeLoader::SecondVolumeLoader(StudyEditor& session, QObject* parent)
              before.secondVolume->pair != now->pair))
             openWhatStateNames();
     });
-    connect(&loader_, &StudyLoader::began, this, [this] { emit began(tr("Opening the second volume")); });
+    connect(&loader_, &StudyLoader::began, this, [this] { Q_EMIT began(tr("Opening the second volume")); });
     connect(&loader_, &StudyLoader::progressed, this, &SecondVolumeLoader::progressed);
     connect(&loader_, &StudyLoader::loaded, this, [this](const study::OpenedStudy& second) {
-        emit ended();
+        Q_EMIT ended();
         offer(second);
     });
     connect(&loader_, &StudyLoader::cancelled, this, &SecondVolumeLoader::ended);
     connect(&loader_, &StudyLoader::failed, this, [this](const Error& error) {
-        emit ended();
-        emit failed(error);
+        Q_EMIT ended();
+        Q_EMIT failed(error);
     });
     connect(&loader_, &StudyLoader::askedToJoin, this, [this](const QString& path, const QString& question) {
-        emit ended();
-        emit askedToJoin(path, question);
+        Q_EMIT ended();
+        Q_EMIT askedToJoin(path, question);
     });
 }
 
 void SecondVolumeLoader::open(study::StudySource source, bool join) {
     if (!session_.hasStudy())
-        return emit failed({ErrorCode::usage,
-                            tr("There is no study that a second volume could be beside.").toStdString(),
-                            {},
-                            tr("Open a study first.").toStdString()});
+        return Q_EMIT failed({ErrorCode::usage,
+                              tr("There is no study that a second volume could be beside.").toStdString(),
+                              {},
+                              tr("Open a study first.").toStdString()});
     asked_.reset();
     registration_.cancel();
     prepareWithStudy();
@@ -110,7 +110,7 @@ void SecondVolumeLoader::drop() {
     before_ = scene::SecondVolumePlace::beside;
     isPlacedAnew_ = false;
     if (!std::exchange(second_, nullptr)) return;
-    emit secondChanged();
+    Q_EMIT secondChanged();
 }
 
 void SecondVolumeLoader::close() {
@@ -121,7 +121,7 @@ void SecondVolumeLoader::close() {
 
 void SecondVolumeLoader::cancel() {
     loader_.cancel();  // tells that it ended
-    if (registration_.cancel()) emit ended();
+    if (registration_.cancel()) Q_EMIT ended();
 }
 
 const scene::SecondVolumeState* SecondVolumeLoader::state() const {
@@ -139,16 +139,16 @@ void SecondVolumeLoader::offer(const study::OpenedStudy& second) {
     if (second.volume->size() == study.volume->size() && second.seriesDigest == study.seriesDigest &&
         second.volumeIndex == study.volumeIndex &&
         digests_->of(second.volume) == digests_->of(study.volume))  // and was not exported anew
-        return emit failed({ErrorCode::usage,
-                            tr("This is the volume that is open already.").toStdString(),
-                            {},
-                            tr("Choose another series to stand beside it.").toStdString()});
+        return Q_EMIT failed({ErrorCode::usage,
+                              tr("This is the volume that is open already.").toStdString(),
+                              {},
+                              tr("Choose another series to stand beside it.").toStdString()});
     if (study::samePatient(study.identity, second.identity) != study::SamePatient::no) return show(second);
     asked_ = second;
     QStringList differs;
     for (const std::string& name : study::whatDiffers(study.identity, second.identity))
         differs << QString::fromStdString(name);
-    emit askedAboutPatient(differs);
+    Q_EMIT askedAboutPatient(differs);
 }
 
 void SecondVolumeLoader::acceptPatient() {
@@ -161,7 +161,7 @@ void SecondVolumeLoader::refusePatient() {
 
 // As it was left, when the state is of these voxels and positions: nobody has to register it again.
 void SecondVolumeLoader::show(study::OpenedStudy second) {
-    if (registration_.cancel()) emit ended();
+    if (registration_.cancel()) Q_EMIT ended();
     std::string pair = pairWith(second);
     second_ = std::make_shared<const SecondVolumeTexts>(
         secondSeries(session_.study(), std::move(second), std::move(pair)));
@@ -177,7 +177,7 @@ void SecondVolumeLoader::show(study::OpenedStudy second) {
                 next.layout = layoutOf(slices::acquiredOrientation(*session_.study().volume));
         });
     }
-    emit secondChanged();
+    Q_EMIT secondChanged();
     if (!wasLeft && state() != nullptr && !state()->isLinked()) registerNow();
 }
 
@@ -187,13 +187,13 @@ void SecondVolumeLoader::registerNow() {
         [fixed = session_.study().measured(), moving = second_->study.measured()](Progress& progress) {
             return registration::registerRigid(*fixed, *moving, progress);
         });
-    emit began(tr("Registering the second volume"));
+    Q_EMIT began(tr("Registering the second volume"));
 }
 
 void SecondVolumeLoader::onRegistered(const Result<registration::RigidRegistration>& found) {
-    emit ended();
+    Q_EMIT ended();
     if (!found) {
-        if (found.error().code != ErrorCode::cancelled) emit failed(found.error());
+        if (found.error().code != ErrorCode::cancelled) Q_EMIT failed(found.error());
         return;
     }
     change(tr("Registration"), [&](scene::SecondVolumeState& next) {
@@ -207,7 +207,7 @@ void SecondVolumeLoader::onRegistered(const Result<registration::RigidRegistrati
 
 void SecondVolumeLoader::linkByFrame() {
     if (!canShareFrame()) return;
-    if (registration_.cancel()) emit ended();
+    if (registration_.cancel()) Q_EMIT ended();
     change(tr("Same frame of reference"), [](scene::SecondVolumeState& next) {
         next.link = scene::SecondVolumeLink::sameFrame;
         next.secondFromStudy = glm::dmat4(1.0);
@@ -215,7 +215,7 @@ void SecondVolumeLoader::linkByFrame() {
 }
 
 void SecondVolumeLoader::linkByHand() {
-    if (registration_.cancel()) emit ended();
+    if (registration_.cancel()) Q_EMIT ended();
     change(tr("Linked by hand"), [](scene::SecondVolumeState& next) {
         next.link = scene::SecondVolumeLink::byHand;
         if (next.view == scene::SecondVolumePlace::over) next.view = scene::SecondVolumePlace::beside;

@@ -58,7 +58,7 @@ class SecondVolumeLoader : public QObject {
     void acceptPatient();  // answers askedAboutPatient
     void refusePatient();
 
-  signals:
+  Q_SIGNALS:
     void began(const QString& stage);
     void progressed(const QString& stage, double fraction);
     void ended();  // after success, failure or cancellation

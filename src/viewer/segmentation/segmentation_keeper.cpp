@@ -23,18 +23,18 @@ SegmentationKeeper::SegmentationKeeper(StudyEditor& session, QObject* parent)
                       .ended = [this](const Result<Found>& outcome) { onFound(outcome); }}),
       loading_(this, {.progressed =
                           [this](const ProgressUpdate& update) {
-                              emit progressed(inWindowsLanguage(update.stage), update.fraction);
+                              Q_EMIT progressed(inWindowsLanguage(update.stage), update.fraction);
                           },
                       .ended = [this](const Result<Loaded>& outcome) { onLoaded(outcome); }}),
       masking_(this, {.progressed = [](const ProgressUpdate&) {},
                       .ended =
                           [this](const Result<std::optional<Mask>>& outcome) {
                               if (!outcome) {
-                                  emit refused(outcome.error());
+                                  Q_EMIT refused(outcome.error());
                                   return;
                               }
                               made_ = making_;
-                              emit maskMade(*outcome);
+                              Q_EMIT maskMade(*outcome);
                           }}) {
     connect(this, &SegmentationKeeper::refused, this, &SegmentationKeeper::onRefused);
     connect(&session_, &StudyEditor::studyShown, this, &SegmentationKeeper::onStudyShown);
@@ -61,7 +61,7 @@ QString SegmentationKeeper::trouble(std::string_view digest) const {
 void SegmentationKeeper::onStudyShown() {
     finding_.cancel();
     masking_.cancel();
-    if (loading_.cancel()) emit ended();
+    if (loading_.cancel()) Q_EMIT ended();
     found_.clear();
     loaded_.clear();
     troubles_.clear();
@@ -77,17 +77,17 @@ void SegmentationKeeper::onStudyShown() {
                 return study::findSegmentations(*found, found->volumes().at(index), progress);
             });
     }
-    emit listChanged();
-    emit shownChanged();
+    Q_EMIT listChanged();
+    Q_EMIT shownChanged();
 }
 
 void SegmentationKeeper::onFound(const Result<Found>& outcome) {
     if (outcome) {
         found_ = *outcome;
     } else {
-        emit failed(outcome.error());
+        Q_EMIT failed(outcome.error());
     }
-    emit listChanged();
+    Q_EMIT listChanged();
     loadNext();
 }
 
@@ -101,7 +101,7 @@ void SegmentationKeeper::onChanged(const scene::StudyState& before) {
     if (isLoading() && !scene::choiceOf(session_.state().segmentations, isBeingLoaded_).isShown) {
         loading_.cancel();
         isBeingLoaded_.clear();
-        emit ended();
+        Q_EMIT ended();
     }
     loadNext();
     showOnSlices();
@@ -122,19 +122,19 @@ void SegmentationKeeper::loadNext() {
                     stack = stack()](Progress& progress) {
         return study::loadSegments(found, *volume, *stack, progress);
     });
-    emit began();
+    Q_EMIT began();
 }
 
 void SegmentationKeeper::onLoaded(const Result<Loaded>& outcome) {
-    emit ended();
+    Q_EMIT ended();
     const std::string digest = std::exchange(isBeingLoaded_, {});
     if (outcome) {
         loaded_.push_back(*outcome);
     } else {
         troubles_[digest] = inWindowsLanguage(outcome.error());
-        emit failed(outcome.error());
+        Q_EMIT failed(outcome.error());
     }
-    emit listChanged();
+    Q_EMIT listChanged();
     showOnSlices();
     mask();
     loadNext();
@@ -143,7 +143,7 @@ void SegmentationKeeper::onLoaded(const Result<Loaded>& outcome) {
 void SegmentationKeeper::cancel() {
     if (!loading_.cancel()) return;
     isBeingLoaded_.clear();
-    emit ended();
+    Q_EMIT ended();
     session_.change(tr("Segmentations"), [this](scene::StudyState& next) {
         for (const study::FoundSegmentation& each : found_) {
             SegmentationSettings choice = scene::choiceOf(next.segmentations, each.digest);
@@ -176,7 +176,7 @@ void SegmentationKeeper::showOnSlices() {
     if (shown->empty() ? !shown_ : shown_ && *shown_ == *shown) return;
     shown_.reset();
     if (!shown->empty()) shown_ = std::move(shown);
-    emit shownChanged();
+    Q_EMIT shownChanged();
 }
 
 // Anew only where something else is asked for, or more is there to do it with.
@@ -191,7 +191,7 @@ void SegmentationKeeper::mask() {
     if (masked_.empty()) {
         masking_.cancel();
         made_.clear();
-        emit maskMade(std::nullopt);
+        Q_EMIT maskMade(std::nullopt);
         return;
     }
     masking_.start([choices = session_.state().segmentations, loaded = loaded_,
@@ -208,7 +208,7 @@ void SegmentationKeeper::onRefused(const Error& error) {
         if (scene::in3dOf(each.segmentations) == asked)
             each.segmentations = scene::withIn3d(each.segmentations, made_);
     });
-    emit failed(error);
+    Q_EMIT failed(error);
 }
 
 QString SegmentationKeeper::note() const {

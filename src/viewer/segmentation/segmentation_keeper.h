@@ -49,7 +49,7 @@ class SegmentationKeeper : public QObject {
     // Stops loading, and hides the segmentations that are not loaded.
     void cancel();
 
-  signals:
+  Q_SIGNALS:
     void listChanged();                                      // found(), loaded() or trouble()
     void shownChanged();                                     // shown()
     void maskMade(const std::optional<macula::Mask>& mask);  // of the voxels shown in 3D; nothing: all

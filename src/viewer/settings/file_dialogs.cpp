@@ -37,12 +37,12 @@ void FileDialogs::followFilter(QFileDialog& dialog) {
 }
 
 void FileDialogs::ask(QFileDialog* dialog, FolderKind kind, std::function<void(const QString&)> then) {
-    emit aboutToOpen();
+    Q_EMIT aboutToOpen();
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QFileDialog::fileSelected, this,
             [this, dialog, kind, then = std::move(then)](const QString& path) {
                 folders_.use(kind, dialog->directory().absolutePath());
-                emit foldersChanged(folders_.toKeep());
+                Q_EMIT foldersChanged(folders_.toKeep());
                 then(path);
             });
     dialog->open();  // exec() would run a second event loop
@@ -50,7 +50,7 @@ void FileDialogs::ask(QFileDialog* dialog, FolderKind kind, std::function<void(c
 
 void FileDialogs::sawStudy(const QString& path) {
     folders_.sawStudy(path);
-    emit foldersChanged(folders_.toKeep());
+    Q_EMIT foldersChanged(folders_.toKeep());
 }
 
 }  // namespace macula::viewer

@@ -32,7 +32,7 @@ class FileDialogs : public QObject {
     QString folderOf(FolderKind kind) const { return folders_.of(kind); }
     void sawStudy(const QString& path);
 
-  signals:
+  Q_SIGNALS:
     void aboutToOpen();  // the dialog will see the button go up
     void foldersChanged(const QMap<QString, QString>& toKeep);
 

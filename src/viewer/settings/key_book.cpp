@@ -131,7 +131,7 @@ void KeyBook::setOwn(const QMap<QString, QString>& own) {
     }
     if (usable == own_) return;
     own_ = usable;
-    emit changed();
+    Q_EMIT changed();
 }
 
 QKeySequence KeyBook::chosen(const QKeySequence& usual) const {

@@ -47,7 +47,7 @@ class KeyBook : public QObject {
     // Gives the window's actions the chosen keys.
     void applyTo(QMainWindow& window) const;
 
-  signals:
+  Q_SIGNALS:
     void changed();
 
   private:

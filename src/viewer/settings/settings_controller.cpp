@@ -35,7 +35,7 @@ void SettingsController::useKeys() {
 }
 
 void SettingsController::ask() {
-    emit aboutToAsk();
+    Q_EMIT aboutToAsk();
     auto* dialog = new SettingsDialog(settings_, KeyBook::entriesOf(window_), file_.has_value(), &window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this, [this, dialog] { take(dialog->settings()); });
@@ -61,7 +61,7 @@ void SettingsController::take(const Settings& settings) {
         applyTheme(*qobject_cast<QApplication*>(QCoreApplication::instance()),
                    {.highContrast = settings.highContrast, .fontScale = settings.fontScale});
     }
-    if (settings.showsNames != before.showsNames) emit namesToggled(settings.showsNames);
+    if (settings.showsNames != before.showsNames) Q_EMIT namesToggled(settings.showsNames);
     KeyBook::ofProgram().setOwn(settings.keys);
     if (!file_) return;
     const Result<Settings> stored = readSettings(*file_);

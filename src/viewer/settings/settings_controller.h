@@ -34,7 +34,7 @@ class SettingsController : public QObject {
     // with the keys that they come with.
     void useKeys();
 
-  signals:
+  Q_SIGNALS:
     void aboutToAsk();  // the dialog will see the button go up
     void namesToggled(bool shown);
 

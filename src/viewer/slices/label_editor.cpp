@@ -52,7 +52,7 @@ void LabelEditor::finish(bool isAccepted) {
     hide();
     deleteLater();
     if (hadFocus) parentWidget()->setFocus();
-    if (isAccepted && kept != before_) emit accepted(kept);
+    if (isAccepted && kept != before_) Q_EMIT accepted(kept);
 }
 
 }  // namespace macula::viewer

@@ -14,7 +14,7 @@ class LabelEditor : public QLineEdit {
     // Within `pane`, as near to `place` as it fits; takes the keyboard focus.
     LabelEditor(QWidget* pane, QPoint place, const QString& text);
 
-  signals:
+  Q_SIGNALS:
     void accepted(const QString& text);  // at most once; differs from the old text
 
   protected:

@@ -96,20 +96,20 @@ Result<OwnWindowList::Kept> OwnWindowList::keepIn(const std::filesystem::path& f
 void OwnWindowList::onRead(const Result<std::string>& json) {
     std::vector<scene::OwnWindow> read;
     if (!json) {
-        emit failed(json.error());
+        Q_EMIT failed(json.error());
     } else if (!json->empty()) {
         if (auto windows = scene::ownWindowsFromJson(*json)) {
             read = *std::move(windows);
         } else {
-            emit failed({ErrorCode::inputNotUsable,
-                         tr("Windows of your own that were kept cannot be read.").toStdString(),
-                         {},
-                         tr("The next one that you keep takes their place.").toStdString()});
+            Q_EMIT failed({ErrorCode::inputNotUsable,
+                           tr("Windows of your own that were kept cannot be read.").toStdString(),
+                           {},
+                           tr("The next one that you keep takes their place.").toStdString()});
         }
     }
     // What was changed before they came stays.
     windows_ = edited(std::move(read), toKeep_).windows;
-    emit changed();
+    Q_EMIT changed();
     keep();
 }
 
@@ -118,14 +118,14 @@ void OwnWindowList::onKept(const Result<Kept>& kept) {
     if (!kept) {
         // They are kept with the next one, or at the end.
         toKeep_.insert(toKeep_.begin(), done.begin(), done.end());
-        emit failed(kept.error());
+        Q_EMIT failed(kept.error());
         return;
     }
     std::vector<scene::OwnWindow> now = edited(kept->windows, toKeep_).windows;
     const bool isOther = now != windows_;  // another window of the program has kept some
     windows_ = std::move(now);
-    if (isOther) emit changed();
-    if (kept->leftOut) emit failed(*kept->leftOut);
+    if (isOther) Q_EMIT changed();
+    if (kept->leftOut) Q_EMIT failed(*kept->leftOut);
     keep();
 }
 
@@ -143,7 +143,7 @@ void OwnWindowList::remove(const scene::OwnWindow& window) {
 
 void OwnWindowList::edit(Edit made) {
     if (folder_) toKeep_.push_back(std::move(made));
-    emit changed();
+    Q_EMIT changed();
     keep();
 }
 

@@ -31,7 +31,7 @@ class OwnWindowList : public QObject {
     Result<void> add(scene::OwnWindow window);
     void remove(const scene::OwnWindow& window);
 
-  signals:
+  Q_SIGNALS:
     void changed();
     void failed(const macula::Error& error);  // they could not be read or kept
 

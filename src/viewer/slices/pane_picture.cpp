@@ -49,7 +49,7 @@ bool PanePicture::isUpToDate() const {
 void PanePicture::take(SlicePicture picture) {
     if (picture.of.study != study_) return;
     shown_ = std::move(picture);
-    emit arrived();
+    Q_EMIT arrived();
 }
 
 }  // namespace macula::viewer

@@ -30,7 +30,7 @@ class PanePicture : public QObject {
     const SliceRequest* wanted() const { return wanted_ ? &*wanted_ : nullptr; }
     bool isUpToDate() const;
 
-  signals:
+  Q_SIGNALS:
     void arrived();  // shown() is another one
 
   private:

@@ -13,7 +13,7 @@ slices::SlicePlane PaneZoom::plane() const {
 
 void PaneZoom::fit() {
     isFitted_ = true;
-    emit changed();
+    Q_EMIT changed();
 }
 
 void PaneZoom::follow(const PaneView& view) {
@@ -21,7 +21,7 @@ void PaneZoom::follow(const PaneView& view) {
     view_ = view;
     told_ = view;
     isFitted_ = false;
-    emit changed();
+    Q_EMIT changed();
 }
 
 void PaneZoom::showArea(const scene::SliceArea& area, const glm::ivec2& sizePx) {
@@ -47,7 +47,7 @@ void PaneZoom::panBy(const glm::dvec2& px) {
 void PaneZoom::look(const PaneView& view) {
     isFitted_ = false;
     view_ = withinReach(view, plane(), content_.placedVolumes());
-    emit changed();
+    Q_EMIT changed();
 }
 
 void PaneZoom::settle(const glm::ivec2& sizePx) {
@@ -55,7 +55,7 @@ void PaneZoom::settle(const glm::ivec2& sizePx) {
     // A pane that follows another has nothing to tell before it was told.
     if (told_ == view_ || (!told_ && content_.role() != PaneRole::study)) return;
     told_ = view_;
-    emit settled(view_);
+    Q_EMIT settled(view_);
 }
 
 }  // namespace macula::viewer

@@ -36,7 +36,7 @@ class PaneZoom : public QObject {
     // Call before a picture of this size is made: fits the view to it, and tells the view if it is new.
     void settle(const glm::ivec2& sizePx);
 
-  signals:
+  Q_SIGNALS:
     void changed();                                      // another picture is needed
     void settled(const macula::viewer::PaneView& view);  // for the pane beside it
 

@@ -19,7 +19,7 @@ SliceCine::SliceCine(StudyEditor& session, const PaneContent& content, std::func
 void SliceCine::start() {
     if (isOn() || !content_.hasStudy()) return;
     timer_.start();
-    emit changed(true);
+    Q_EMIT changed(true);
 }
 
 void SliceCine::stop() {
@@ -27,7 +27,7 @@ void SliceCine::stop() {
     timer_.stop();
     if (session_.undoText() == tr("Cine"))
         session_.endDrag();  // by now another hand may be at something else
-    emit changed(false);
+    Q_EMIT changed(false);
 }
 
 void SliceCine::step() {

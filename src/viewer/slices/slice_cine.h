@@ -22,7 +22,7 @@ class SliceCine : public QObject {
     void start();  // needs a study
     void stop();
 
-  signals:
+  Q_SIGNALS:
     void changed(bool on);
 
   private:

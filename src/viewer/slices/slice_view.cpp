@@ -140,7 +140,7 @@ void SliceView::onPicture() {
     if (measurements_.isDrawing() && !measurements_.goesOnOver(*picture_.shownRequest())) endGesture();
     setAccessibleDescription(positionText());
     update();
-    emit pictureShown();
+    Q_EMIT pictureShown();
 }
 
 void SliceView::endGesture() {

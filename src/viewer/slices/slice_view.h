@@ -87,7 +87,7 @@ class SliceView : public QWidget {
     QSize sizeHint() const override { return {360, 360}; }
     QSize minimumSizeHint() const override { return {120, 120}; }
 
-  signals:
+  Q_SIGNALS:
     void maximizeAsked();
     void cineChanged(bool on);
     void pictureShown();

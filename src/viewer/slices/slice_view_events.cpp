@@ -80,7 +80,7 @@ void SliceView::mouseDoubleClickEvent(QMouseEvent* event) {
         hand_.drop();
         return popups_.editLabel(*measurements_.selected());
     }
-    emit maximizeAsked();
+    Q_EMIT maximizeAsked();
 }
 
 void SliceView::wheelEvent(QWheelEvent* event) {

@@ -24,7 +24,7 @@ void Notifications::hide() {
 
 void Notifications::fail(const Error& error, const Error& shown) {
     bar_->showError(shown);
-    emit failed(error);
+    Q_EMIT failed(error);
 }
 
 void Notifications::failUnlessCancelled(const Error& error) {

@@ -36,7 +36,7 @@ class Notifications : public QObject {
     // What a person asked for needs an open study: says so without one, and returns whether there is one.
     bool refuseUnless(bool isOpen, const QString& whyNot);
 
-  signals:
+  Q_SIGNALS:
     void failed(const macula::Error& error);  // of work: scripts and tests listen
 
   private:

@@ -88,7 +88,7 @@ class WorkBar : public QWidget {
     void begin(const QString& stage);
     void setProgress(const QString& stage, double fraction);
 
-  signals:
+  Q_SIGNALS:
     void cancelClicked();
 
   private:

@@ -56,11 +56,11 @@ void CountedValues::count(bool withForeground) {
 void CountedValues::take(const Result<SeenResult>& outcome) {
     if (!volume_) return;
     if (!outcome) {
-        if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());
+        if (outcome.error().code != ErrorCode::cancelled) Q_EMIT failed(outcome.error());
         return;
     }
     seen_ = *outcome;
-    emit counted();
+    Q_EMIT counted();
 }
 
 const std::optional<scene::Histogram>& CountedValues::histogram() const {

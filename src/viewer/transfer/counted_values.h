@@ -30,7 +30,7 @@ class CountedValues : public QObject {
     // The map of preset values to the volume's; nothing until it is known. Needs a volume.
     std::optional<scene::ValueMap> mapFor(const TransferFunction& function) const;
 
-  signals:
+  Q_SIGNALS:
     void counted();
     void failed(const macula::Error& error);
 

@@ -58,7 +58,7 @@ void MatterFields::addRow(const scene::MatterParameter& parameter) {
         box->setRange(parameter.low, parameter.high);
     }
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, &parameter](double value) {
-        emit changed(parameter, std::clamp(value / scaleOf(parameter), parameter.low, parameter.high));
+        Q_EMIT changed(parameter, std::clamp(value / scaleOf(parameter), parameter.low, parameter.high));
     });
     connect(box, &QDoubleSpinBox::editingFinished, this, &MatterFields::ended);
     rows_.push_back({&parameter, box});

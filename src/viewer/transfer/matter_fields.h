@@ -24,7 +24,7 @@ class MatterFields : public QWidget {
     void setUnit(const QString& unit, int decimals, const scene::ValueMap& map);
     void showMatter(const TransferFunction& function);
 
-  signals:
+  Q_SIGNALS:
     void changed(const scene::MatterParameter& parameter,
                  double value);  // in preset values, within its range
     void ended();                // a series of changes has ended

@@ -111,13 +111,13 @@ void PointFields::askColour() {
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     dialog_->setWindowTitle(tr("Colour of the point"));
     connect(dialog_, &QColorDialog::currentColorChanged, this, [this](const QColor& colour) {
-        if (colour.isValid()) emit colourChanged(encodedFrom(colour));
+        if (colour.isValid()) Q_EMIT colourChanged(encodedFrom(colour));
     });
     // To the bit as it was: a dialog has colours of 16 bits.
-    connect(dialog_, &QDialog::rejected, this, [this, before] { emit colourChanged(before); });
+    connect(dialog_, &QDialog::rejected, this, [this, before] { Q_EMIT colourChanged(before); });
     connect(dialog_, &QDialog::finished, this, [this] {
         dialog_ = nullptr;  // it lives a little longer
-        emit ended();
+        Q_EMIT ended();
     });
     dialog_->open();
 }
@@ -127,7 +127,7 @@ void PointFields::dropDialog() {
     dialog_->disconnect(this);
     dialog_->close();
     dialog_ = nullptr;
-    emit ended();
+    Q_EMIT ended();
 }
 
 }  // namespace macula::viewer

@@ -36,7 +36,7 @@ class PointFields : public QWidget {
     void askColour();
     void dropDialog();  // closes the dialog; its last colour stays
 
-  signals:
+  Q_SIGNALS:
     void valueChanged(double value);
     void opacityChanged(double opacity);
     void colourChanged(const glm::dvec3& colour);

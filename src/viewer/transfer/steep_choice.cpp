@@ -17,7 +17,7 @@ SteepChoice::SteepChoice(QWidget* parent)
     row->addWidget(which_);
     row->addWidget(steep_);
     connect(which_, &QComboBox::currentIndexChanged, this, &SteepChoice::chosen);
-    connect(steep_, &QPushButton::clicked, this, [this] { emit steepWanted(!hasSteep_); });
+    connect(steep_, &QPushButton::clicked, this, [this] { Q_EMIT steepWanted(!hasSteep_); });
     showCurves(false);
 }
 

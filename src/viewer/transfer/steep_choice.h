@@ -19,7 +19,7 @@ class SteepChoice : public QWidget {
     bool isSteep() const { return which_->currentIndex() == 1; }
     void chooseSteep() { which_->setCurrentIndex(1); }
 
-  signals:
+  Q_SIGNALS:
     void chosen();                   // a person chose the other pair
     void steepWanted(bool isThere);  // add or remove curves for steep matter
 

@@ -35,7 +35,7 @@ void TransferCurve::listen() {
     connect(&edits_, &TransferEdits::selectionChanged, this, [this] {
         describe();
         update();
-        emit selectionChanged();
+        Q_EMIT selectionChanged();
     });
 }
 

@@ -54,7 +54,7 @@ class TransferCurve : public QWidget {
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-  signals:
+  Q_SIGNALS:
     void edited(const macula::TransferFunction& function);   // a complete edit
     void dragged(const macula::TransferFunction& function);  // during a drag
     void dragEnded();                                        // the drag ended

@@ -51,7 +51,7 @@ void TransferDrag::drag(QPointF byHeights) {
     }
     if (!base_ || base_->function.opacity.empty()) {
         isRefused_ = true;
-        emit told(
+        Q_EMIT told(
             tr("The transfer function cannot be moved yet: how it lies on these values is still counted."));
         return;
     }
@@ -66,8 +66,8 @@ void TransferDrag::drag(QPointF byHeights) {
     session_.drag(tr("Transfer function"), [&](scene::StudyState& next) {
         next.preset = std::make_shared<const TransferFunction>(std::move(now));
     });
-    emit told(textOf(shift * base_->map.scale, factor,
-                     QString::fromStdString(session_.study().volume->unitName())));
+    Q_EMIT told(textOf(shift * base_->map.scale, factor,
+                       QString::fromStdString(session_.study().volume->unitName())));
 }
 
 void TransferDrag::end() {
@@ -75,7 +75,7 @@ void TransferDrag::end() {
     base_.reset();
     isRefused_ = false;
     session_.endDrag();
-    emit told({});
+    Q_EMIT told({});
 }
 
 }  // namespace macula::viewer

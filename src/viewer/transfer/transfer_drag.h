@@ -24,7 +24,7 @@ class TransferDrag : public QObject {
     void drag(QPointF byHeights);
     void end();
 
-  signals:
+  Q_SIGNALS:
     void told(const QString& what);  // for the status line; empty: the drag has ended
 
   private:

@@ -8,7 +8,7 @@ namespace macula::viewer {
 void TransferEdits::select(std::optional<PointId> point) {
     if (point == selected_) return;
     selected_ = point;
-    emit selectionChanged();
+    Q_EMIT selectionChanged();
 }
 
 void TransferEdits::deselectIfGone() {
@@ -40,9 +40,9 @@ bool TransferEdits::selectNext(bool forwards) {
 void TransferEdits::propose(const TransferFunction& function, bool isDrag) {
     if (function == plot_.function()) return;
     if (isDrag) {
-        emit dragged(function);
+        Q_EMIT dragged(function);
     } else {
-        emit edited(function);
+        Q_EMIT edited(function);
     }
 }
 
@@ -89,7 +89,7 @@ std::optional<PointId> TransferEdits::add(PointId::Curve curve, const scene::Add
 
 bool TransferEdits::askForColour() {
     if (!selected_ || selected_->curve != PointId::Curve::colour) return false;
-    emit colourAsked();
+    Q_EMIT colourAsked();
     return true;
 }
 

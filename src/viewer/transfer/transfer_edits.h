@@ -31,11 +31,11 @@ class TransferEdits : public QObject {
     // Proposes what was added; if that was accepted, selects and returns the new point.
     std::optional<PointId> add(PointId::Curve curve, const scene::Added& added, bool isDrag);
 
-    void endDrag() { emit dragEnded(); }
+    void endDrag() { Q_EMIT dragEnded(); }
     // True if a colour point is selected.
     bool askForColour();
 
-  signals:
+  Q_SIGNALS:
     void edited(const macula::TransferFunction& function);   // a complete edit
     void dragged(const macula::TransferFunction& function);  // during a drag
     void dragEnded();

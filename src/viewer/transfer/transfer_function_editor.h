@@ -40,7 +40,7 @@ class TransferFunctionEditor : public QWidget {
     std::optional<Edited> edited() const;
     QString line() const { return line_->text(); }  // names the preset, or says why there is none
 
-  signals:
+  Q_SIGNALS:
     void saveAsked();  // save the preset of the session's state
 
   private:

@@ -37,12 +37,12 @@ void TransferPlot::setFunction(TransferFunction function, const scene::ValueMap&
     function_ = std::move(function);
     map_ = map;
     unit_ = unit;
-    if (isNewScale) emit scalesChanged();
+    if (isNewScale) Q_EMIT scalesChanged();
 }
 
 void TransferPlot::setHistogram(std::optional<scene::Histogram> histogram) {
     histogram_ = std::move(histogram);
-    emit scalesChanged();
+    Q_EMIT scalesChanged();
 }
 
 std::size_t TransferPlot::countOf(PointId::Curve curve) const {
@@ -104,7 +104,7 @@ void TransferPlot::setAxis(const scene::ValueAxis& axis) {
 void TransferPlot::show(const scene::ValueAxis& axis, bool isFitted) {
     axis_ = axis;
     isAxisFitted_ = isFitted;
-    emit scalesChanged();
+    Q_EMIT scalesChanged();
 }
 
 void TransferPlot::reveal(const PointId& point) {
@@ -115,7 +115,7 @@ void TransferPlot::reveal(const PointId& point) {
 
 void TransferPlot::takeLength() {
     axis_.lengthPx = layout().plot.width();
-    emit scalesChanged();
+    Q_EMIT scalesChanged();
 }
 
 double TransferPlot::keyStep() const {

@@ -65,7 +65,7 @@ class TransferPlot : public QObject {
     void takeLength();       // of the layout, which has changed
     double keyStep() const;  // units of the volume that an arrow key moves by
 
-  signals:
+  Q_SIGNALS:
     void scalesChanged();  // axis, unit or histogram
 
   private:

@@ -67,9 +67,9 @@ void PictureCamera::fit() {
 void PictureCamera::set(const scene::OrbitCamera& camera) {
     const bool wasParallel = std::exchange(camera_, camera).isParallel;
     untouched_ = false;
-    emit changed();
-    if (camera_.isParallel != wasParallel) emit parallelChanged(camera_.isParallel);
-    emit moved();
+    Q_EMIT changed();
+    if (camera_.isParallel != wasParallel) Q_EMIT parallelChanged(camera_.isParallel);
+    Q_EMIT moved();
 }
 
 void PictureCamera::setParallel(bool isParallel) {

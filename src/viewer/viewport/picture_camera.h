@@ -50,7 +50,7 @@ class PictureCamera : public QObject {
 
     static constexpr double kZoomPerNotch = 1.15;  // of a wheel, or by a key
 
-  signals:
+  Q_SIGNALS:
     void changed();
     void parallelChanged(bool isParallel);
     void moved();  // after these

@@ -29,7 +29,7 @@ void PictureHand::listen() {
     connect(window, &VulkanWindow::dragEnded, this, [this] {
         parts_.tools.giveUp();
         isDragging_ = false;
-        emit rested();
+        Q_EMIT rested();
     });
     window->setGrab([this](QPointF place, bool withShift) { return grab(place, withShift); });
     connect(window, &VulkanWindow::toolMoved, this,
@@ -69,13 +69,13 @@ void PictureHand::drag(VulkanWindow::Drag drag, QPointF byPixels) {
             return parts_.camera.set(scene::rolledByDrag(parts_.camera.now(), byPixels.x(), height));
         case VulkanWindow::Drag::transfer:
             if (!picture_.isProjection()) {
-                emit transferDragged(byPixels / std::max(height, 1.0));
+                Q_EMIT transferDragged(byPixels / std::max(height, 1.0));
                 return;
             }
             [[fallthrough]];
         case VulkanWindow::Drag::windowOrZoom:
             if (picture_.isProjection()) {
-                emit windowDragged(byPixels / std::max(height, 1.0));
+                Q_EMIT windowDragged(byPixels / std::max(height, 1.0));
                 return;
             }
             [[fallthrough]];

@@ -37,7 +37,7 @@ class PictureHand : public QObject {
     void nudge() { nudgeEnds_.start(); }  // an input without an end event: a key, a wheel notch
     glm::dvec2 pointedAt() const { return pointedAt_; }  // as FrameInput::gaze
 
-  signals:
+  Q_SIGNALS:
     void rested();                            // at the end of a drag or of nudges
     void windowDragged(QPointF byHeights);    // in projections
     void transferDragged(QPointF byHeights);  // in all others

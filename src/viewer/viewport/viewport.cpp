@@ -70,10 +70,10 @@ void Viewport::connectWindow() {
         renderThread_->releaseScreen();
     });
     connect(window_, &VulkanWindow::surfaceFailed, this, [this] {
-        emit rendered(live::RenderFailure{.error = {ErrorCode::deviceNotUsable,
-                                                    "The window cannot show Vulkan pictures.",
-                                                    {},
-                                                    "Install a Vulkan driver for this display."}});
+        Q_EMIT rendered(live::RenderFailure{.error = {ErrorCode::deviceNotUsable,
+                                                      "The window cannot show Vulkan pictures.",
+                                                      {},
+                                                      "Install a Vulkan driver for this display."}});
     });
     connect(window_, &VulkanWindow::exposed, this, [this] {
         ++input_.exposures;
@@ -83,17 +83,17 @@ void Viewport::connectWindow() {
     connect(window_, &VulkanWindow::resized, this, [this] {
         camera_.refit();  // a view nobody has touched goes on fitting the window
         publish();
-        emit resized();
-        emit otherPictureWanted();
+        Q_EMIT resized();
+        Q_EMIT otherPictureWanted();
     });
     connect(window_, &VulkanWindow::doubleClicked, this, [this](QPointF place) {
-        if (!sideAt(place)) emit doubleClicked(place);  // nothing is meant behind the cube
+        if (!sideAt(place)) Q_EMIT doubleClicked(place);  // nothing is meant behind the cube
     });
     connect(window_, &VulkanWindow::clicked, this, [this](QPointF place) {
         if (const auto side = sideAt(place)) camera_.set(scene::turnedTo(camera(), *side));
     });
     connect(window_, &VulkanWindow::keyPressed, this, [this](QKeyEvent* event) {
-        if (!container_->moveFocus(*event) && !handleKey(*event)) emit keyNotHandled(event);
+        if (!container_->moveFocus(*event) && !handleKey(*event)) Q_EMIT keyNotHandled(event);
     });
     connect(window_, &VulkanWindow::dropped, this, &Viewport::dropped);
 }
@@ -102,11 +102,11 @@ void Viewport::connectHand() {
     connect(&camera_, &PictureCamera::changed, this, &Viewport::publishChange);
     connect(&camera_, &PictureCamera::parallelChanged, this, &Viewport::parallelChanged);
     connect(&camera_, &PictureCamera::moved, this, [this] {
-        if (!hand_.isMoving()) emit cameraRested();
+        if (!hand_.isMoving()) Q_EMIT cameraRested();
     });
     connect(&hand_, &PictureHand::rested, this, [this] {
         publish();
-        emit cameraRested();
+        Q_EMIT cameraRested();
     });
     connect(&hand_, &PictureHand::windowDragged, this, &Viewport::windowDragged);
     connect(&hand_, &PictureHand::transferDragged, this, &Viewport::transferDragged);
@@ -142,7 +142,7 @@ void Viewport::setDrawing(scene::Drawing drawing) {
 void Viewport::showNames(bool shown) {
     if (!overlay_.showNames(shown)) return;
     publish();
-    emit namesToggled(shown);
+    Q_EMIT namesToggled(shown);
 }
 
 void Viewport::showMarks(bool shown) {
@@ -199,7 +199,7 @@ MarkedPicture Viewport::markedPicture(const Camera& camera) const {
 void Viewport::publishChange() {
     container_->widget().show();
     lastChange_ = publish();
-    emit otherPictureWanted();
+    Q_EMIT otherPictureWanted();
 }
 
 std::uint64_t Viewport::publish() {
@@ -250,7 +250,7 @@ void Viewport::onRendered(const live::RenderEvent& event) {
         // else is wanted by now, which takes it off first.
         if (failure->pictureRemains && failure->inputSequence >= lastChange_) container_->widget().hide();
     }
-    emit rendered(event);
+    Q_EMIT rendered(event);
 }
 
 void Viewport::setLetters(const scene::EdgeLetters& letters) {
@@ -271,7 +271,7 @@ bool Viewport::handleKey(const QKeyEvent& event) {
     if (keys_.move(event)) return true;
     const std::optional<KeyAction> action = actionOf(event);
     if (action == KeyAction::names) return showNames(!namesShown()), true;
-    if (action == KeyAction::marks) return emit marksAsked(!overlay_.showsCube()), true;
+    if (action == KeyAction::marks) return Q_EMIT marksAsked(!overlay_.showsCube()), true;
     if (keys_.look(event)) return true;
     if (event.key() != Qt::Key_Escape || !tools_.isHolding()) return false;
     tools_.giveUp();

@@ -102,7 +102,7 @@ class Viewport : public QWidget {
     }
     double aspect() const;  // width over height
 
-  signals:
+  Q_SIGNALS:
     void rendered(const macula::live::RenderEvent& event);
     void otherPictureWanted();  // another study, drawing or camera
     void resized();             // the picture

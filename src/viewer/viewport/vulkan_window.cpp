@@ -36,16 +36,16 @@ void VulkanWindow::createSurface() {
     if (surface_ != VK_NULL_HANDLE) return;
     surface_ = QVulkanInstance::surfaceForWindow(this);  // Qt owns it and destroys it with the window
     if (surface_ == VK_NULL_HANDLE) {
-        emit surfaceFailed();
+        Q_EMIT surfaceFailed();
     } else {
-        emit surfaceReady();
+        Q_EMIT surfaceReady();
     }
 }
 
 void VulkanWindow::loseSurface() {
     if (surface_ == VK_NULL_HANDLE) return;
     surface_ = VK_NULL_HANDLE;
-    emit surfaceGoing();
+    Q_EMIT surfaceGoing();
 }
 
 bool VulkanWindow::event(QEvent* event) {
@@ -63,7 +63,7 @@ bool VulkanWindow::event(QEvent* event) {
             return true;
         case QEvent::Drop: {
             auto* drop = static_cast<QDropEvent*>(event);
-            if (acceptDrop(*drop)) emit dropped(droppedBy(drop->mimeData()));
+            if (acceptDrop(*drop)) Q_EMIT dropped(droppedBy(drop->mimeData()));
             return true;
         }
         default:
@@ -74,15 +74,15 @@ bool VulkanWindow::event(QEvent* event) {
 
 void VulkanWindow::exposeEvent(QExposeEvent*) {
     if (!isExposed()) {
-        emit hidden();
+        Q_EMIT hidden();
         return;
     }
     createSurface();
-    emit exposed();
+    Q_EMIT exposed();
 }
 
 void VulkanWindow::resizeEvent(QResizeEvent*) {
-    emit resized();
+    Q_EMIT resized();
 }
 
 void VulkanWindow::mousePressEvent(QMouseEvent* event) {
@@ -99,8 +99,8 @@ void VulkanWindow::mousePressEvent(QMouseEvent* event) {
     dragging_ = true;
     hasMoved_ = false;
     dragButton_ = event->button();
-    emit pointed(placeOf(last_));
-    if (drag_ != Drag::tool) emit dragBegan();
+    Q_EMIT pointed(placeOf(last_));
+    if (drag_ != Drag::tool) Q_EMIT dragBegan();
 }
 
 std::optional<VulkanWindow::Drag> VulkanWindow::dragOf(const QMouseEvent& event) const {
@@ -125,19 +125,19 @@ std::optional<VulkanWindow::Drag> VulkanWindow::dragOf(const QMouseEvent& event)
 
 void VulkanWindow::mouseMoveEvent(QMouseEvent* event) {
     if (!dragging_) {
-        emit pointed(placeOf(event->position()));
+        Q_EMIT pointed(placeOf(event->position()));
         return;
     }
     // The button went up where this window was not told, as over a dialog.
     if (!event->buttons().testFlag(dragButton_)) return endDrag();
     if (drag_ == Drag::tool) {
-        emit toolMoved(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
+        Q_EMIT toolMoved(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
         return;
     }
     const QPointF moved = event->position() - last_;
     last_ = event->position();
     hasMoved_ = hasMoved_ || (last_ - pressedAt_).manhattanLength() > kClickPx;
-    emit dragged(drag_, moved);
+    Q_EMIT dragged(drag_, moved);
 }
 
 QPointF VulkanWindow::placeOf(QPointF position) const {
@@ -149,9 +149,9 @@ void VulkanWindow::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != dragButton_) return;
     const bool isClick = dragging_ && !hasMoved_ && drag_ == Drag::orbit;
     if (dragging_ && drag_ == Drag::tool)
-        emit toolReleased(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
+        Q_EMIT toolReleased(placeOf(event->position()), event->modifiers().testFlag(Qt::ShiftModifier));
     endDrag();
-    if (isClick) emit clicked(placeOf(event->position()));
+    if (isClick) Q_EMIT clicked(placeOf(event->position()));
 }
 
 void VulkanWindow::focusOutEvent(QFocusEvent*) {
@@ -161,11 +161,11 @@ void VulkanWindow::focusOutEvent(QFocusEvent*) {
 
 void VulkanWindow::endDrag() {
     if (!std::exchange(dragging_, false)) return;
-    emit dragEnded();
+    Q_EMIT dragEnded();
 }
 
 void VulkanWindow::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) emit doubleClicked(placeOf(event->position()));
+    if (event->button() == Qt::LeftButton) Q_EMIT doubleClicked(placeOf(event->position()));
 }
 
 void VulkanWindow::wheelEvent(QWheelEvent* event) {
@@ -173,15 +173,15 @@ void VulkanWindow::wheelEvent(QWheelEvent* event) {
     const QPoint angle = event->angleDelta();
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / kEighthsOfDegreePerNotch;
     if (event->modifiers().testFlag(Qt::AltModifier)) {
-        emit flyTurned(notches);
+        Q_EMIT flyTurned(notches);
     } else {
-        emit wheelTurned(notches, event->modifiers().testFlag(Qt::ShiftModifier));
+        Q_EMIT wheelTurned(notches, event->modifiers().testFlag(Qt::ShiftModifier));
     }
 }
 
 void VulkanWindow::keyPressEvent(QKeyEvent* event) {
     if (event->key() == kTransferKey && event->modifiers() == Qt::NoModifier) holdsTransfer_ = true;
-    emit keyPressed(event);
+    Q_EMIT keyPressed(event);
 }
 
 void VulkanWindow::keyReleaseEvent(QKeyEvent* event) {

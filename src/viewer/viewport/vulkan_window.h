@@ -38,7 +38,7 @@ class VulkanWindow : public QWindow {
     // Ends a drag whose release the window does not get. Does nothing without a drag.
     void endDrag();
 
-  signals:
+  Q_SIGNALS:
     void surfaceReady();
     // Connect directly: when this returns, the surface is destroyed.
     void surfaceGoing();

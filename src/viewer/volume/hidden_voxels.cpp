@@ -14,9 +14,9 @@ HiddenVoxels::HiddenVoxels(QObject* parent)
                       [this](const Result<std::optional<Mask>>& outcome) {
                           if (outcome) {
                               mask_ = *outcome;
-                              emit changed();
+                              Q_EMIT changed();
                           } else {
-                              emit failed(outcome.error());
+                              Q_EMIT failed(outcome.error());
                           }
                       }}) {}
 
@@ -44,7 +44,7 @@ void HiddenVoxels::join() {
     if (masks.size() < 2 || !volume_) {
         mask_.reset();
         if (!masks.empty()) mask_ = masks.front();
-        emit changed();
+        Q_EMIT changed();
         return;
     }
     job_.start([volume = volume_, masks = std::move(masks)](Progress& progress) {

@@ -30,7 +30,7 @@ class HiddenVoxels : public QObject {
     const std::optional<Mask>& mask() const { return mask_; }
     bool isJoining() const { return job_.running(); }
 
-  signals:
+  Q_SIGNALS:
     void changed();  // the mask, or the same mask was set again
     void failed(const macula::Error& error);
 

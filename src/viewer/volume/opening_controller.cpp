@@ -33,7 +33,7 @@ OpeningController::OpeningController(const WindowContext& context, StateControll
 void OpeningController::connectOutcomes() {
     connect(&loader_, &StudyLoader::loaded, this, [this](const study::OpenedStudy& study) {
         bar_->hide();
-        emit loaded(study);
+        Q_EMIT loaded(study);
     });
     connect(&loader_, &StudyLoader::askedToJoin, this, [this](const QString& path, const QString& question) {
         bar_->hide();
@@ -46,7 +46,7 @@ void OpeningController::connectOutcomes() {
     });
     connect(&loader_, &StudyLoader::cancelled, this, [this] {
         bar_->hide();
-        emit cancelled();
+        Q_EMIT cancelled();
     });
 }
 

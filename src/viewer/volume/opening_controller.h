@@ -44,7 +44,7 @@ class OpeningController : public QObject {
     void addActions(QMenu& file);
     void addPhantomAction(QMenu& file);
 
-  signals:
+  Q_SIGNALS:
     void loaded(const macula::study::OpenedStudy& study);
     void cancelled();
 

@@ -111,7 +111,7 @@ void ShownAdditions::onSecond(const Result<DrawnSecondVolume>& outcome) {
         session_.correct([](scene::StudyState& each) {
             if (each.secondVolume) each.secondVolume->in3d = false;
         });
-        emit failed(usable.error());
+        Q_EMIT failed(usable.error());
         return show();
     }
     made_.second = *outcome;
@@ -161,7 +161,7 @@ void ShownAdditions::onTintBox(const Result<std::shared_ptr<const TintBox>>& out
             if (scene::colouredIn3dOf(each.segmentations) == asked)
                 each.segmentations = scene::withColoursIn3d(each.segmentations, madeTints_);
         });
-        emit failed(outcome.error());
+        Q_EMIT failed(outcome.error());
         return;
     }
     box_ = *outcome;
@@ -194,7 +194,7 @@ void ShownAdditions::show() {
     // The same once more would begin the picture anew.
     if (made_.isNothing() ? additions_ == nullptr : additions_ && *additions_ == made_) return;
     additions_ = made_.isNothing() ? nullptr : std::make_shared<const Additions>(made_);
-    emit changed();
+    Q_EMIT changed();
 }
 
 }  // namespace macula::viewer

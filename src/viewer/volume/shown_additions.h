@@ -35,7 +35,7 @@ class ShownAdditions : public QObject {
     void forget();  // drops everything of the old study; emits nothing
     void setSecond(std::shared_ptr<const SecondVolumeTexts> second);  // null: no second volume
 
-  signals:
+  Q_SIGNALS:
     void changed();  // additions()
     void failed(const macula::Error& error);
 

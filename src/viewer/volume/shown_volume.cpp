@@ -101,7 +101,7 @@ void ShownVolume::onChanged(const scene::StudyState& before) {
     if (now.leavesTableOut != before.leavesTableOut) table_->ask(now.leavesTableOut);
     cutting_->want(now.cuts.scissors);
     if (now.clip != before.clip || now.cuts.eye != before.cuts.eye) return updateClip();
-    emit changed();
+    Q_EMIT changed();
 }
 
 void ShownVolume::onHidden() {
@@ -128,7 +128,7 @@ void ShownVolume::onNotHidden() {
 void ShownVolume::updateClip() {
     const auto& volume = session_.study().volume;
     clip_ = volume ? scene::clipOf(session_.state(), *volume, hidden_->mask()) : nullptr;
-    emit changed();
+    Q_EMIT changed();
 }
 
 }  // namespace macula::viewer

@@ -45,7 +45,7 @@ class ShownVolume : public QObject {
     HiddenVoxels& hidden() { return *hidden_; }
     ShownAdditions& additions() { return *additions_; }
 
-  signals:
+  Q_SIGNALS:
     void changed();  // drawing(), of the same study
 
   private:

@@ -28,7 +28,7 @@ StudyLoader::StudyLoader(QObject* parent)
     : QObject(parent),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
+                          Q_EMIT progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const Result<study::OpenedStudy>& outcome) { tellOutcome(outcome); }}) {}
 
@@ -39,14 +39,14 @@ void StudyLoader::open(study::StudySource source, bool join) {
         return completed(study::openStudy(source, progress, {.join = join, .foundSoFar = tells}), keeper,
                          prepare);
     });
-    emit began();
+    Q_EMIT began();
 }
 
 // Called on other threads; the job's end, which is told by the same queue, comes after all of it.
 study::FoundSoFar StudyLoader::tellsOf(std::uint64_t opening) {
     using Found = std::shared_ptr<const study::FoundVolumes>;
     return NewestPosted<Found>(this, [this, opening](const Found& volumes) {
-        if (opening == opening_ && loading()) emit found(volumes);
+        if (opening == opening_ && loading()) Q_EMIT found(volumes);
     });
 }
 
@@ -56,23 +56,23 @@ void StudyLoader::open(std::shared_ptr<const study::FoundVolumes> found, std::si
     job_.start([found = std::move(found), index, keeper = keeper_, prepare = prepare_](Progress& progress) {
         return completed(study::openFoundVolume(found, index, progress), keeper, prepare);
     });
-    emit began();
+    Q_EMIT began();
 }
 
 void StudyLoader::cancel() {
-    if (job_.cancel()) emit cancelled();
+    if (job_.cancel()) Q_EMIT cancelled();
 }
 
 void StudyLoader::tellOutcome(const Result<study::OpenedStudy>& outcome) {
     if (outcome && !outcome->volume) {
-        emit askedToJoin(QString::fromStdString(source_.value_or("").string()),
-                         inWindowsLanguage(outcome->joinQuestion));
+        Q_EMIT askedToJoin(QString::fromStdString(source_.value_or("").string()),
+                           inWindowsLanguage(outcome->joinQuestion));
     } else if (outcome) {
-        emit loaded(*outcome);
+        Q_EMIT loaded(*outcome);
     } else if (outcome.error().code == ErrorCode::cancelled) {
-        emit cancelled();
+        Q_EMIT cancelled();
     } else {
-        emit failed(outcome.error());
+        Q_EMIT failed(outcome.error());
     }
 }
 

@@ -37,7 +37,7 @@ class StudyLoader : public QObject {
     bool loading() const { return job_.running(); }
     bool atRest() const { return job_.atRest(); }  // cancelled jobs have ended, too
 
-  signals:
+  Q_SIGNALS:
     void began();
     void progressed(const QString& stage, double fraction);
     // The content of the folder so far; finally all of it, before a volume is loaded.

@@ -13,7 +13,7 @@ TableRemoval::TableRemoval(QObject* parent)
       action_(tr("&Remove Table"), this),
       job_(this, {.progressed =
                       [this](const ProgressUpdate& update) {
-                          emit progressed(inWindowsLanguage(update.stage), update.fraction);
+                          Q_EMIT progressed(inWindowsLanguage(update.stage), update.fraction);
                       },
                   .ended = [this](const Result<Found>& outcome) { onEnded(outcome); }}) {
     action_.setObjectName(QStringLiteral("remove-table"));
@@ -36,7 +36,7 @@ void TableRemoval::setVolume(std::shared_ptr<const Volume> volume) {
     } else {
         action_.setToolTip(tr("Leave out the table and what else lies beside the patient"));
     }
-    if (job_.cancel()) emit ended();
+    if (job_.cancel()) Q_EMIT ended();
 }
 
 void TableRemoval::ask(bool removed) {
@@ -48,7 +48,7 @@ void TableRemoval::ask(bool removed) {
 void TableRemoval::cancel() {
     if (!job_.cancel()) return;
     action_.setChecked(false);
-    emit ended();
+    Q_EMIT ended();
 }
 
 std::optional<Mask> TableRemoval::mask() const {
@@ -66,7 +66,7 @@ void TableRemoval::onTriggered() {
     if (!action_.isChecked()) {
         cancel();
         asked_ = false;
-        emit changed();
+        Q_EMIT changed();
     } else if (found_) {
         onEnded(found_);
     } else {
@@ -74,22 +74,22 @@ void TableRemoval::onTriggered() {
             MACULA_TRY(segment::PatientMask mask, segment::findPatient(*volume, progress));
             return std::make_shared<const segment::PatientMask>(std::move(mask));
         });
-        emit began();
+        Q_EMIT began();
     }
 }
 
 void TableRemoval::onEnded(const Result<Found>& outcome) {
-    emit ended();
+    Q_EMIT ended();
     if (!outcome) {
         action_.setChecked(false);
-        if (outcome.error().code != ErrorCode::cancelled) emit failed(outcome.error());
+        if (outcome.error().code != ErrorCode::cancelled) Q_EMIT failed(outcome.error());
         return;
     }
     found_ = *outcome;
     asked_ = true;
     // Where nothing goes, nothing is removed, whatever was asked for.
     action_.setChecked(found_->removedMl > 0.0);
-    emit changed();
+    Q_EMIT changed();
 }
 
 }  // namespace macula::viewer

@@ -37,7 +37,7 @@ class TableRemoval : public QObject {
     // Notes: what was removed, or why nothing was. Empty unless removal was asked for.
     QStringList notes() const;
 
-  signals:
+  Q_SIGNALS:
     void began();
     void progressed(const QString& stage, double fraction);
     void ended();

@@ -45,8 +45,8 @@ ViewerWidget::ViewerWidget(StudyEditor& session, gpu::Instance instance, ViewerW
     });
     connect(&viewport_->window(), &VulkanWindow::dragEnded, &session_, &StudyEditor::endDrag);
     connect(viewport_, &Viewport::rendered, this, [this](const live::RenderEvent& event) {
-        if (const auto* frame = std::get_if<live::FrameShown>(&event)) emit frameShown(*frame);
-        if (const auto* failure = std::get_if<live::RenderFailure>(&event)) emit failed(failure->error);
+        if (const auto* frame = std::get_if<live::FrameShown>(&event)) Q_EMIT frameShown(*frame);
+        if (const auto* failure = std::get_if<live::RenderFailure>(&event)) Q_EMIT failed(failure->error);
     });
     connect(&shown_->table(), &TableRemoval::failed, this, &ViewerWidget::failed);
     connect(&shown_->cutting(), &VoxelCutting::failed, this, &ViewerWidget::failed);

@@ -39,7 +39,7 @@ class ViewerWidget : public QWidget {
     Viewport& viewport() { return *viewport_; }
     ShownVolume& shown() { return *shown_; }
 
-  signals:
+  Q_SIGNALS:
     void frameShown(const macula::live::FrameShown& frame);
     void failed(const macula::Error& error);  // no picture, or voxels could not be hidden
 

@@ -129,7 +129,7 @@ class MainWindow : public QMainWindow {
     bool hidesSomething() const { return shown_->hidesSomething(); }
     bool isWriting() const { return !quit_->unfinished().isEmpty(); }  // a picture or movie; quitting asks
 
-  signals:
+  Q_SIGNALS:
     void frameShown(const macula::live::FrameShown& frame);
     void studyShown();
     void loadingCancelled();

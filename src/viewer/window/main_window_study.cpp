@@ -60,7 +60,7 @@ void MainWindow::showStudy(const study::OpenedStudy& study) {
     notes_->set(NoteOn::study, notes);
     notes_->show();
     quality_->showCost();
-    emit studyShown();
+    Q_EMIT studyShown();
 }
 
 void MainWindow::showNames(bool shown) {

@@ -206,7 +206,7 @@ void StatusController::onFrame(const live::FrameShown& frame) {
         if (context_.notes.bar().isVisible()) context_.notes.show();  // else it was read and dismissed
     }
     tellOfPicture();
-    emit frameShown(frame);
+    Q_EMIT frameShown(frame);
 }
 
 void StatusController::tellOfFrame(const live::FrameShown& frame) {

@@ -40,7 +40,7 @@ class StatusController : public QObject {
     QString badge() const;  // fidelity in a word
     QString model() const;  // the state of the peripheral model
 
-  signals:
+  Q_SIGNALS:
     void frameShown(const macula::live::FrameShown& frame);
 
   private:
