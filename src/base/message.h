@@ -2,10 +2,10 @@
 // arguments for programs and tests.
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <variant>
 #include <vector>
+
+#include "base/text.h"
 
 namespace macula {
 
@@ -16,22 +16,13 @@ enum class Severity {
     blocksLoading,  // cannot be shown at all
 };
 
-using MessageValue = std::variant<std::int64_t, double, std::string>;
-
-struct MessageArgument {
-    std::string name;
-    MessageValue value;
-
-    bool operator==(const MessageArgument&) const = default;
-};
-
 // `sentence` and `action` (what to do) hold no patient data. A key never changes its meaning.
 struct Message {
     Severity severity = Severity::info;
     std::string key;
-    std::vector<MessageArgument> arguments;
-    std::string sentence;
-    std::string action;
+    std::vector<TextArgument> arguments;
+    Text sentence;
+    Text action;
 
     bool operator==(const Message&) const = default;
 };

@@ -6,7 +6,8 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <string>
+
+#include "base/text.h"
 
 namespace macula {
 
@@ -21,7 +22,7 @@ class CancelToken {
 };
 
 struct ProgressUpdate {
-    std::string stage;      // what is being done, for a person: "Reading 248 files". No patient data.
+    Text stage;             // what is being done, for a person: "Reading 248 files". No patient data.
     double fraction = 0.0;  // 0 to 1, of this stage
 };
 
@@ -34,7 +35,7 @@ class Progress {
     Progress() = default;
     explicit Progress(Listener listener, CancelToken token = {});
 
-    void beginStage(std::string stage, std::size_t steps);
+    void beginStage(Text stage, std::size_t steps);
     void advance(std::size_t steps = 1);
     bool cancelled() const { return token_.cancelled(); }
     const CancelToken& token() const { return token_; }
@@ -47,7 +48,7 @@ class Progress {
     Listener listener_;
     CancelToken token_;
     std::mutex mutex_;
-    std::string stage_;
+    Text stage_;
     std::atomic<std::size_t> done_{0};
     std::atomic<std::size_t> total_{1};
     Clock::time_point lastReport_{};

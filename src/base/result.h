@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "base/check.h"
+#include "base/text.h"
 
 namespace macula {
 
@@ -26,9 +27,9 @@ enum class ErrorCode {
 // to the person who gave it, and never logged.
 struct Error {
     ErrorCode code = ErrorCode::inputNotUsable;
-    std::string message;
+    Text message;
     std::string where;
-    std::string hint;
+    Text hint;
 };
 
 template <class T>

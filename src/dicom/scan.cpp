@@ -38,7 +38,7 @@ Error cancelledError() {
     return {ErrorCode::cancelled, "Reading was cancelled.", {}, {}};
 }
 
-MessageArgument count(std::size_t value) {
+TextArgument count(std::size_t value) {
     return {"count", static_cast<std::int64_t>(value)};
 }
 
@@ -263,7 +263,7 @@ Series finish(SeriesInProgress& place, const CancelToken& cancel) {
 }
 
 // The argument of messages about scattered images, before files are sorted into series.
-MessageArgument levels(const Scattered& scattered) {
+TextArgument levels(const Scattered& scattered) {
     return {"level", scattered.levels};
 }
 

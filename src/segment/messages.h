@@ -21,7 +21,7 @@ std::span<const CatalogueEntry> catalogue();
 
 // `key` is in the catalogue, and `arguments` has every name that its sentence mentions; further ones are for
 // programs.
-Message message(std::string_view key, std::vector<MessageArgument> arguments = {});
+Message message(std::string_view key, std::vector<TextArgument> arguments = {});
 
 namespace key {
 inline constexpr std::string_view kTableRemoved = "table-removed";

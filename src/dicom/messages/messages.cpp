@@ -426,12 +426,12 @@ std::span<const CatalogueEntry> catalogue() {
     return kCatalogue;
 }
 
-Message message(std::string_view key, Severity severity, std::vector<MessageArgument> arguments) {
+Message message(std::string_view key, Severity severity, std::vector<TextArgument> arguments) {
     const auto entry = std::find_if(kCatalogue.begin(), kCatalogue.end(),
                                     [&](const CatalogueEntry& e) { return e.key == key; });
     MACULA_CHECK(entry != kCatalogue.end());
     fmt::dynamic_format_arg_store<fmt::format_context> store;
-    for (const MessageArgument& argument : arguments) {
+    for (const TextArgument& argument : arguments) {
         std::visit([&](const auto& value) { store.push_back(fmt::arg(argument.name.c_str(), value)); },
                    argument.value);
     }
@@ -442,7 +442,7 @@ Message message(std::string_view key, Severity severity, std::vector<MessageArgu
             .action = std::string(entry->action)};
 }
 
-Message message(std::string_view key, std::vector<MessageArgument> arguments) {
+Message message(std::string_view key, std::vector<TextArgument> arguments) {
     const auto entry = std::find_if(kCatalogue.begin(), kCatalogue.end(),
                                     [&](const CatalogueEntry& e) { return e.key == key; });
     MACULA_CHECK(entry != kCatalogue.end());

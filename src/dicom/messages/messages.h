@@ -11,7 +11,7 @@
 namespace macula::dicom {
 
 using macula::Message;
-using macula::MessageArgument;
+using macula::TextArgument;
 using macula::Severity;
 
 // The name of a severity for programs: "info", "warning", "blocks-3d", "blocks-loading".
@@ -31,9 +31,9 @@ std::span<const CatalogueEntry> catalogue();
 
 // `key` is in the catalogue, and `arguments` has every name in its sentence; further arguments are kept for
 // programs.
-Message message(std::string_view key, std::vector<MessageArgument> arguments = {});
+Message message(std::string_view key, std::vector<TextArgument> arguments = {});
 // The same with another severity, for a case that is more or less serious than usual.
-Message message(std::string_view key, Severity severity, std::vector<MessageArgument> arguments = {});
+Message message(std::string_view key, Severity severity, std::vector<TextArgument> arguments = {});
 
 namespace key {
 // Files and folders.

@@ -74,10 +74,10 @@ std::string_view describe(SliceFault fault) {
 
 Message oddValues(SliceFault fault, const Stack& stack, const std::vector<std::size_t>& odd,
                   std::size_t total, bool leftOut) {
-    const MessageArgument count{"count", std::int64_t(odd.size())};
-    const MessageArgument numbers{"numbers", numbersOf(stack, odd)};
+    const TextArgument count{"count", std::int64_t(odd.size())};
+    const TextArgument numbers{"numbers", numbersOf(stack, odd)};
     if (fault == SliceFault::unlike) return message(key::kUnlikeNeighbours, {count, numbers});
-    const MessageArgument what{"fault", std::string(describe(fault))};
+    const TextArgument what{"fault", std::string(describe(fault))};
     if (leftOut) return message(key::kOddValues, {count, numbers, what});
     return message(key::kOddValuesKept, {count, what, {"total", std::int64_t(total)}});
 }

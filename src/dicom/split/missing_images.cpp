@@ -85,7 +85,7 @@ std::size_t gapsIn(const Series& series) {
     for (const Stack& stack : series.stacks) {
         for (const Message& message : stack.messages) {
             if (message.key != key::kMissingSlices) continue;
-            for (const MessageArgument& argument : message.arguments) {
+            for (const TextArgument& argument : message.arguments) {
                 const auto* value = std::get_if<std::int64_t>(&argument.value);
                 if (argument.name == "missing" && value != nullptr)
                     missing += static_cast<std::size_t>(*value);

@@ -132,7 +132,7 @@ std::string shownValue(const dicom::StackLabel& label) {
 
 Json toJson(const Message& message) {
     Json arguments = Json::object();
-    for (const MessageArgument& argument : message.arguments) {
+    for (const TextArgument& argument : message.arguments) {
         std::visit([&](const auto& value) { arguments[argument.name] = value; }, argument.value);
     }
     return {{"key", message.key},

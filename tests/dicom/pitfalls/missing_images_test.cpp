@@ -43,7 +43,7 @@ class D27MissingImages : public Pitfall {
     }
 
     static std::string textOf(const Message& message, std::string_view name) {
-        for (const MessageArgument& argument : message.arguments) {
+        for (const TextArgument& argument : message.arguments) {
             const auto* text = std::get_if<std::string>(&argument.value);
             if (argument.name == name && text != nullptr) return *text;
         }

@@ -96,7 +96,7 @@ std::string Opened::keys() const {
 }
 
 double numberArgument(const Message& message, std::string_view name) {
-    for (const MessageArgument& argument : message.arguments) {
+    for (const TextArgument& argument : message.arguments) {
         if (argument.name != name) continue;
         if (const auto* number = std::get_if<double>(&argument.value)) return *number;
         if (const auto* whole = std::get_if<std::int64_t>(&argument.value))
