@@ -25,8 +25,8 @@ Result<void> writeTextAtomically(const fs::path& path, std::string_view text) {
         stream.write(text.data(), static_cast<std::streamsize>(text.size()));
         stream.close();
         if (!stream) {
-            return Error{ErrorCode::outputNotWritable, "The file could not be written.", path.string(),
-                         "Check free space and permissions."};
+            return Error{ErrorCode::outputNotWritable, Text("The file could not be written."), path.string(),
+                         Text("Check free space and permissions.")};
         }
         return {};
     });
@@ -35,19 +35,20 @@ Result<void> writeTextAtomically(const fs::path& path, std::string_view text) {
 Result<std::string> readText(const fs::path& path, std::size_t maxBytes) {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
-        return Error{ErrorCode::inputNotUsable, "The file does not exist.", path.string(), "Check the path."};
+        return Error{ErrorCode::inputNotUsable, Text("The file does not exist."), path.string(),
+                     Text("Check the path.")};
     }
     const auto bytes = fs::file_size(path, error);
     if (error || bytes > maxBytes) {
-        return Error{ErrorCode::inputNotUsable, fmt::format("The file is larger than {} bytes.", maxBytes),
-                     path.string(), "Check that it is the file you meant."};
+        return Error{ErrorCode::inputNotUsable, Text("The file is larger than {} bytes.", maxBytes),
+                     path.string(), Text("Check that it is the file you meant.")};
     }
     std::ifstream stream(path, std::ios::binary);
     std::string text(bytes, '\0');
     stream.read(text.data(), static_cast<std::streamsize>(bytes));
     if (!stream) {
-        return Error{ErrorCode::inputNotUsable, "The file could not be read.", path.string(),
-                     "Check its permissions."};
+        return Error{ErrorCode::inputNotUsable, Text("The file could not be read."), path.string(),
+                     Text("Check its permissions.")};
     }
     return text;
 }

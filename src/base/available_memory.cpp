@@ -15,10 +15,10 @@ Error notEnoughMemory(std::uint64_t bytesNeeded, std::optional<std::uint64_t> by
         return fmt::format("{:.1f} GiB", static_cast<double>(bytes) / static_cast<double>(1u << 30));
     };
     return {ErrorCode::outOfMemory,
-            fmt::format("There is not enough memory for this series: it needs {}{}.", gibibytes(bytesNeeded),
-                        bytesAvailable ? fmt::format(", and {} are free", gibibytes(*bytesAvailable)) : ""),
+            Text("There is not enough memory for this series: it needs {}{}.", gibibytes(bytesNeeded),
+                 bytesAvailable ? fmt::format(", and {} are free", gibibytes(*bytesAvailable)) : ""),
             {},
-            "Close other programs, or choose a smaller series."};
+            Text("Close other programs, or choose a smaller series.")};
 }
 
 }  // namespace macula

@@ -62,7 +62,7 @@ double tangentOfHalf(double verticalFovDeg) {
 
 Result<CameraBasis> basis(const Camera& camera) {
     const auto fail = [](const char* message) {
-        return Error{ErrorCode::usage, message, {}, "Correct the camera."};
+        return Error{ErrorCode::usage, message, {}, Text("Correct the camera.")};
     };
     if (!isFinite(camera.positionMm) || !isFinite(camera.targetMm) || !isFinite(camera.up)) {
         return fail("The camera has a number that is not finite.");

@@ -25,9 +25,8 @@ constexpr std::size_t kDigits = 16;
 constexpr std::string_view kPart = ".part";
 
 Error notWritable(const fs::path& path, int reason) {
-    return {ErrorCode::outputNotWritable,
-            fmt::format("The file could not be written: {}.", std::strerror(reason)), path.string(),
-            "Check free space and permissions."};
+    return {ErrorCode::outputNotWritable, Text("The file could not be written: {}.", std::strerror(reason)),
+            path.string(), Text("Check free space and permissions.")};
 }
 
 fs::path folderOf(const fs::path& path) {
@@ -37,7 +36,8 @@ fs::path folderOf(const fs::path& path) {
 Result<std::string> randomDigits() {
     std::uint64_t number = 0;
     if (getrandom(&number, sizeof number, 0) != sizeof number)
-        return Error{ErrorCode::outputNotWritable, "The system has no random numbers.", {}, "Try again."};
+        return Error{
+            ErrorCode::outputNotWritable, Text("The system has no random numbers."), {}, Text("Try again.")};
     return fmt::format("{:016x}", number);
 }
 
@@ -75,8 +75,8 @@ Result<Draft> Draft::beside(const fs::path& target, Kind kind) {
     const fs::path folder = folderOf(target);
     std::error_code error;
     if (!fs::is_directory(folder, error)) {
-        return Error{ErrorCode::outputNotWritable, "The folder to write into does not exist.",
-                     folder.string(), "Create it, or choose another place."};
+        return Error{ErrorCode::outputNotWritable, Text("The folder to write into does not exist."),
+                     folder.string(), Text("Create it, or choose another place.")};
     }
     for (int attempt = 0;; ++attempt) {
         MACULA_TRY(const std::string digits, randomDigits());
@@ -102,8 +102,8 @@ Result<void> putInPlace(const fs::path& written, const fs::path& target) {
     struct stat there {};
     const bool replaces = stat(target.c_str(), &there) == 0;
     if (replaces && !S_ISREG(there.st_mode)) {
-        return Error{ErrorCode::outputNotWritable, "What stands there is no file.", target.string(),
-                     "Choose another name."};
+        return Error{ErrorCode::outputNotWritable, Text("What stands there is no file."), target.string(),
+                     Text("Choose another name.")};
     }
     const int descriptor = open(written.c_str(), O_RDONLY | O_NOFOLLOW | O_CLOEXEC);
     if (descriptor < 0) return notWritable(target, errno);

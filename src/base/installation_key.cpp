@@ -20,8 +20,8 @@ constexpr const char* kName = "installation.key";
 
 Error notKept(const fs::path& file) {
     return {ErrorCode::outputNotWritable,
-            "The key that makes identifiers unreadable for others could not be kept.", file.string(),
-            "Check free space and permissions of that folder."};
+            Text("The key that makes identifiers unreadable for others could not be kept."), file.string(),
+            Text("Check free space and permissions of that folder.")};
 }
 
 Result<void> makePrivate(const fs::path& folder) {
@@ -45,10 +45,11 @@ Result<std::optional<InstallationKey>> InstallationKey::read(const fs::path& fil
     if (isRead && (status.st_mode & 077u) != 0) static_cast<void>(fchmod(descriptor, 0600));
     if (descriptor >= 0) close(descriptor);
     if (!isRead)
-        return Error{ErrorCode::inputNotUsable,
-                     "The file with the key that makes identifiers unreadable for others cannot be read, or "
-                     "holds none.",
-                     file.string(), "Bring it back from a backup, or remove it: then a new one is made."};
+        return Error{
+            ErrorCode::inputNotUsable,
+            Text("The file with the key that makes identifiers unreadable for others cannot be read, or "
+                 "holds none."),
+            file.string(), Text("Bring it back from a backup, or remove it: then a new one is made.")};
     return std::optional(InstallationKey(bytes));
 }
 

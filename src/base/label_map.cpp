@@ -10,7 +10,7 @@ Result<LabelMap> LabelMap::create(glm::ivec3 size, const glm::dmat4& worldFromVo
                                   std::vector<Segment> segments, std::vector<std::uint16_t> labels,
                                   std::vector<Message> messages) {
     const auto fail = [](std::string message) {
-        return Error{ErrorCode::inputNotUsable, std::move(message), {}, "Choose another segmentation."};
+        return Error{ErrorCode::inputNotUsable, std::move(message), {}, Text("Choose another segmentation.")};
     };
     if (size.x < 1 || size.y < 1 || size.z < 1) return fail("The segmentation has no voxels.");
     const auto slice = std::uint64_t(size.x) * std::uint64_t(size.y);  // of three, the product might not fit

@@ -40,8 +40,8 @@ Result<void*> symbolOfPlugin(const char* name, const char* symbol) {
         if (void* found = dlsym(loaded, symbol); found != nullptr) return found;
         why = dlerror();
     }
-    return Error{ErrorCode::deviceNotUsable, "A part of Macula could not be loaded.", why,
-                 "Install Macula again, with the packages that it depends on."};
+    return Error{ErrorCode::deviceNotUsable, Text("A part of Macula could not be loaded."), why,
+                 Text("Install Macula again, with the packages that it depends on.")};
 }
 
 }  // namespace macula

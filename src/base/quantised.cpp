@@ -96,13 +96,11 @@ std::vector<std::string> sentencesOf(const Loss& loss, const ValueRange& range, 
     const std::string unit = unitName.empty() ? "" : " " + unitName;
     std::vector<std::string> sentences;
     if (loss.largestError > 0.0)
-        sentences.push_back(
-            fmt::format("The 3D picture has values of 16 bits, with an error of at most {:.3g}{}.",
-                        loss.largestError, unit));
+        sentences.push_back(Text("The 3D picture has values of 16 bits, with an error of at most {:.3g}{}.",
+                                 loss.largestError, unit));
     if (loss.beyond > 0)
-        sentences.push_back(
-            fmt::format("The 3D picture shows values below {:.4g}{} or above {:.4g}{} as these.", range.low,
-                        unit, range.high, unit));
+        sentences.push_back(Text("The 3D picture shows values below {:.4g}{} or above {:.4g}{} as these.",
+                                 range.low, unit, range.high, unit));
     return sentences;
 }
 

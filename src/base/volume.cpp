@@ -44,7 +44,7 @@ std::pair<T, T> rangeWithoutPadding(std::span<const T> voxels, const IsPadding& 
 
 Result<void> checkOptions(const VolumeOptions& options, std::size_t voxels) {
     const auto fail = [](std::string message) {
-        return Error{ErrorCode::inputNotUsable, std::move(message), {}, "Choose another series."};
+        return Error{ErrorCode::inputNotUsable, std::move(message), {}, Text("Choose another series.")};
     };
     const glm::ivec3 size = options.size;
     if (size.x < 1 || size.y < 1 || size.z < 1 || size.x > kMaxVoxelsPerAxis || size.y > kMaxVoxelsPerAxis ||

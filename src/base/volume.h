@@ -11,6 +11,7 @@
 #include "base/frames.h"
 #include "base/message.h"
 #include "base/result.h"
+#include "base/text.h"
 
 namespace macula {
 
@@ -79,9 +80,8 @@ struct DisplayWindow {
 struct Provenance {
     std::string studyInstanceUid;
     std::string seriesInstanceUid;
-    std::string description;  // SeriesDescription, or what generated it
-    std::vector<std::string>
-        assumptions;                     // sentences, each naming what was missing and what was taken instead
+    std::string description;             // SeriesDescription, or what generated it
+    std::vector<Text> assumptions;       // sentences, each naming what was missing and what was taken instead
     std::vector<Message> messages = {};  // what loading found
     std::vector<SliceRange> interpolatedSlices = {};  // ascending; no image was taken there
     // Whether the pixel spacing is calibrated (PS3.3 10.7); else lengths, areas and volumes are estimates.

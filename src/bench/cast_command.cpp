@@ -47,9 +47,10 @@ Result<void> benchCast(const BenchCastOptions& options) {
     if (!options.json)
         fmt::print(
             "look       a picture     FLIP     VTK (CPU)     FLIP  ours/VTK   in 1/3 steps     FLIP\n");
-    progress.beginStage("Measuring", evaluate::kCastSubjects.size());
+    progress.beginStage(Text("Measuring"), evaluate::kCastSubjects.size());
     for (const evaluate::CastSubject& subject : evaluate::kCastSubjects) {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+        if (progress.cancelled())
+            return Error{ErrorCode::cancelled, Text("The benchmark was cancelled."), {}, {}};
         MACULA_TRY(evaluate::CastBenchmark result, bench.measure(subject));
         if (!options.pictures.empty()) MACULA_TRY_VOID(writePictures(result, options.pictures));
         if (!options.json) print(result);

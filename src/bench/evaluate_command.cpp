@@ -69,8 +69,8 @@ Result<void> check(const EvaluateOptions& options) {
     MACULA_TRY_VOID(check(options.studies));
     std::error_code error;
     if (!options.pictures.empty() && !fs::is_directory(options.pictures, error))
-        return Error{ErrorCode::outputNotWritable, "The folder for pictures does not exist.",
-                     options.pictures.string(), "Create it, or choose another one."};
+        return Error{ErrorCode::outputNotWritable, Text("The folder for pictures does not exist."),
+                     options.pictures.string(), Text("Create it, or choose another one.")};
     return checkFiles(options);
 }
 

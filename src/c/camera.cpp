@@ -20,8 +20,8 @@ Result<Camera> cameraOf(const macula_camera& given) {
     if (given.vertical_fov_deg != 0.0) camera.verticalFovDeg = given.vertical_fov_deg;
     // A negative height is a mistake, and no eye.
     if (!(camera.parallelHeightMm >= 0.0))
-        return badArgument("The height of a picture with parallel rays is not usable.",
-                           "Give millimetres above 0, or 0 for a camera with an eye.");
+        return badArgument(Text("The height of a picture with parallel rays is not usable."),
+                           Text("Give millimetres above 0, or 0 for a camera with an eye."));
     MACULA_TRY_VOID(basis(camera));
     return camera;
 }

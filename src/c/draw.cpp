@@ -30,16 +30,16 @@ Result<pictures::EffortRequest> effortRequestOf(const macula_picture& picture) {
     pictures::EffortRequest request;
     if (picture.quality != nullptr) request.quality = picture.quality;
     if (picture.samples_per_pixel > pictures::kMostSamplesPerPixel)
-        return badArgument("That many samples per pixel cannot be drawn.",
-                           fmt::format("Take at most {}.", pictures::kMostSamplesPerPixel));
+        return badArgument(Text("That many samples per pixel cannot be drawn."),
+                           Text("Take at most {}.", pictures::kMostSamplesPerPixel));
     if (picture.samples_per_pixel > 0) request.samplesPerPixel = picture.samples_per_pixel;
     if (!(picture.most_noise >= 0.0 && picture.most_noise <= 1.0))
-        return badArgument("The noise of the picture is no share of black to white.",
-                           "Give 0 to 1; 0 leaves it open.");
+        return badArgument(Text("The noise of the picture is no share of black to white."),
+                           Text("Give 0 to 1; 0 leaves it open."));
     request.error = picture.most_noise;
     if (picture.denoise < MACULA_AS_QUALITY || picture.denoise > MACULA_PLAIN)
-        return badArgument("How the picture is denoised is not known.",
-                           "Use MACULA_AS_QUALITY, MACULA_DENOISED or MACULA_PLAIN.");
+        return badArgument(Text("How the picture is denoised is not known."),
+                           Text("Use MACULA_AS_QUALITY, MACULA_DENOISED or MACULA_PLAIN."));
     if (picture.denoise != MACULA_AS_QUALITY) request.denoise = picture.denoise == MACULA_DENOISED;
     return request;
 }
@@ -176,7 +176,8 @@ macula_status macula_view_record(const macula_view* view, const char** json) {
     return guarded([&]() -> Result<void> {
         if (json == nullptr) return nullHandle();
         MACULA_TRY(const Held<const macula_view> of, reading(view));
-        if (of->record.empty()) return badArgument("The view was not drawn yet.", "Draw it first.");
+        if (of->record.empty())
+            return badArgument(Text("The view was not drawn yet."), Text("Draw it first."));
         *json = of->record.c_str();
         return {};
     });

@@ -107,16 +107,17 @@ class OpenHandles {
 };
 
 inline Error closedHandle() {
-    return badArgument("A handle is closed, or of another kind.",
-                       "Close each handle once, when nothing uses it any more, and give each function what "
-                       "macula.h says.");
+    return badArgument(
+        Text("A handle is closed, or of another kind."),
+        Text("Close each handle once, when nothing uses it any more, and give each function what "
+             "macula.h says."));
 }
 
 inline Error handleInUse() {
     return badArgument(
-        "A handle is in use by another call.",
-        "Use it by one thread at a time, or make one for each thread; and call nothing of Macula "
-        "while it tells progress.");
+        Text("A handle is in use by another call."),
+        Text("Use it by one thread at a time, or make one for each thread; and call nothing of Macula "
+             "while it tells progress."));
 }
 
 // Marks the handle as read until Held goes. MACULA_USAGE when it is null, closed, of another kind, or when

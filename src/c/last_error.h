@@ -22,13 +22,13 @@ macula_status keepFault(const CheckFailure& failure) noexcept;  // with its word
 macula_status keepOutOfMemory() noexcept;
 
 // What is wrong with an argument: usage.
-inline Error badArgument(std::string message, std::string advice) {
+inline Error badArgument(Text message, Text advice) {
     return {ErrorCode::usage, std::move(message), {}, std::move(advice)};
 }
 
 inline Error nullHandle() {
-    return badArgument("A handle or a place for a result is null.",
-                       "See macula.h for what the function needs.");
+    return badArgument(Text("A handle or a place for a result is null."),
+                       Text("See macula.h for what the function needs."));
 }
 
 // Gives the log to nobody, until macula_log_to or where a person asks for it; stderr is the host's.

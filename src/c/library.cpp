@@ -80,8 +80,8 @@ macula_status macula_log_to(macula_log_line told, void* user, std::int32_t least
         constexpr std::array kLevels{log::Level::debug, log::Level::info, log::Level::warning,
                                      log::Level::error};
         if (least < 0 || std::size_t(least) >= kLevels.size())
-            return badArgument("There is no such level of the log.",
-                               "Use MACULA_LOG_DEBUG to MACULA_LOG_ERROR.");
+            return badArgument(Text("There is no such level of the log."),
+                               Text("Use MACULA_LOG_DEBUG to MACULA_LOG_ERROR."));
         if (told == nullptr) {
             log::setSink(toNobody);
             return {};

@@ -49,8 +49,8 @@ namespace macula::c {
 namespace {
 
 Error broken() {
-    return badArgument("The live picture stopped because of a mistake of Macula itself.",
-                       "Close it and open it again.");
+    return badArgument(Text("The live picture stopped because of a mistake of Macula itself."),
+                       Text("Close it and open it again."));
 }
 
 // body(live), which returns a Result<void>.
@@ -89,8 +89,8 @@ Result<void> show(macula_live& live, const macula_view& view, Progress& progress
 
 Result<live::HostedOptions> optionsOf(const macula_device& device, const macula_live_options& given) {
     if (given.model != MACULA_WITH_MODEL && given.model != MACULA_WITHOUT_MODEL)
-        return badArgument("Whether there is to be a model is not known.",
-                           "Use MACULA_WITH_MODEL or MACULA_WITHOUT_MODEL.");
+        return badArgument(Text("Whether there is to be a model is not known."),
+                           Text("Use MACULA_WITH_MODEL or MACULA_WITHOUT_MODEL."));
     live::HostedOptions options;
     options.way = device.way;
     options.usesModel = given.model == MACULA_WITH_MODEL;
@@ -109,7 +109,8 @@ struct AskedFrame {
 Result<std::optional<live::LentPicture>> imageOf(const macula_lent_image* given) {
     if (given == nullptr) return std::optional<live::LentPicture>();
     MACULA_TRY(const macula_lent_image image, taken(given));
-    if (image.image == 0) return badArgument("The image that is lent is none.", "Give a VkImage.");
+    if (image.image == 0)
+        return badArgument(Text("The image that is lent is none."), Text("Give a VkImage."));
     return std::optional(
         live::LentPicture{.image = image.image, .layer = image.layer, .layout = image.layout});
 }
@@ -119,8 +120,8 @@ Result<std::shared_ptr<const gpu::SharedMemory>> sharedOf(const macula_frame& gi
     MACULA_TRY(const Held<const macula_shared_image> shared, reading(given.shared));
     const gpu::SharedMemoryHandles& made = shared->memory->options();
     if (made.width != std::uint32_t(given.width) || made.height != std::uint32_t(given.height))
-        return badArgument("The frame and the shared image are not of the same size.",
-                           "Ask for a frame of the width and height of the image.");
+        return badArgument(Text("The frame and the shared image are not of the same size."),
+                           Text("Ask for a frame of the width and height of the image."));
     return shared->memory;
 }
 
@@ -137,11 +138,11 @@ Result<AskedFrame> askedOf(const macula_live& live, const macula_frame* frame) {
     MACULA_TRY(asked.image, imageOf(given.image));
     MACULA_TRY(asked.shared, sharedOf(given));
     if (asked.image && !live.isLent)
-        return badArgument("An image was lent, but no device.",
-                           "Open the live picture with a device of macula_device_lend.");
+        return badArgument(Text("An image was lent, but no device."),
+                           Text("Open the live picture with a device of macula_device_lend."));
     if (!std::isfinite(given.gaze[0]) || !std::isfinite(given.gaze[1]) || !(given.for_about_ms >= 0.0))
-        return badArgument("Where the eye looks, or the time for the frame, is no number.",
-                           "Give finite numbers, the time 0 or above.");
+        return badArgument(Text("Where the eye looks, or the time for the frame, is no number."),
+                           Text("Give finite numbers, the time 0 or above."));
     asked.request.sizePx = {given.width, given.height};
     asked.request.gaze = {given.gaze[0], given.gaze[1]};
     asked.request.isMoving = given.is_moving != 0;
@@ -258,7 +259,8 @@ macula_model modelOf(const macula_live& live) {
 Result<live::TrainingRequest> requestOf(const macula_training* training) {
     MACULA_TRY(const macula_training given, taken(training));
     if (!std::isfinite(given.seconds) || given.seconds < 0.0)
-        return badArgument("The time for training is not usable.", "Give seconds, or 0 for no end.");
+        return badArgument(Text("The time for training is not usable."),
+                           Text("Give seconds, or 0 for no end."));
     return live::TrainingRequest{.steps = given.steps, .seconds = given.seconds};
 }
 
@@ -311,7 +313,8 @@ const char* macula_live_note(const macula_live* live, std::uint32_t index) {
 macula_status macula_live_times(macula_live* live, const char** json) {
     return with(live, [&](macula_live& of) -> Result<void> {
         if (json == nullptr)
-            return badArgument("There is no place for the times.", "Give the address of a pointer.");
+            return badArgument(Text("There is no place for the times."),
+                               Text("Give the address of a pointer."));
         of.times = live::toJson(of.loop->timesSpent()).dump();
         *json = of.times.c_str();
         return {};
@@ -349,7 +352,8 @@ macula_status macula_live_write_model(macula_live* live, const char* path, std::
                                       const macula_progress* progress) {
     return with(live, [&](macula_live& of) -> Result<void> {
         if (path == nullptr || *path == '\0')
-            return badArgument("No file was named.", "Give a path that ends in .macula, .ply, .spz or .glb.");
+            return badArgument(Text("No file was named."),
+                               Text("Give a path that ends in .macula, .ply, .spz or .glb."));
         pictures::OutputFiles files(overwrite != 0);
         if (const Result<void> may = files.write(path); !may) {
             Error error = may.error();

@@ -28,16 +28,17 @@ Result<Camera> eyeOf(const macula_view& view, const macula_pick& pick) {
         return cameraOf(given);
     }
     if (!view.drawnFrom)
-        return badArgument("No camera was given, and the view was not drawn yet.",
-                           "Give the camera of the picture, or draw the view first.");
+        return badArgument(Text("No camera was given, and the view was not drawn yet."),
+                           Text("Give the camera of the picture, or draw the view first."));
     return *view.drawnFrom;
 }
 
 Result<macula_picked> picked(const macula_view& view, const macula_pick& pick, Progress& progress) {
     MACULA_TRY_VOID(checkSize(pick.width, pick.height));
     if (!(pick.x >= 0.0 && pick.x <= pick.width && pick.y >= 0.0 && pick.y <= pick.height))
-        return badArgument("The place is not in the picture.",
-                           "Give pixels from its upper left corner, 0 to its width and 0 to its height.");
+        return badArgument(
+            Text("The place is not in the picture."),
+            Text("Give pixels from its upper left corner, 0 to its width and 0 to its height."));
     MACULA_TRY(const Camera eye, eyeOf(view, pick));
     MACULA_TRY(scene::StudyState state, stateOf(view));
     MACULA_TRY(SeenView seen, seenBy(view, std::move(state), progress));

@@ -8,8 +8,8 @@ namespace macula::c {
 Result<void> checkSize(std::int32_t width, std::int32_t height) {
     if (width >= 1 && height >= 1 && width <= trace::kMaxPictureSide && height <= trace::kMaxPictureSide)
         return {};
-    return badArgument("The picture cannot have that size.",
-                       fmt::format("Take 1 to {} pixels for each side.", trace::kMaxPictureSide));
+    return badArgument(Text("The picture cannot have that size."),
+                       Text("Take 1 to {} pixels for each side.", trace::kMaxPictureSide));
 }
 
 Result<std::uint64_t> rowBytesOf(const Pixels& pixels, std::int32_t width, std::int32_t height) {
@@ -19,9 +19,8 @@ Result<std::uint64_t> rowBytesOf(const Pixels& pixels, std::int32_t width, std::
     const bool hasRoom = pixels.rgba != nullptr && rowBytes >= row && pixels.bytes >= row &&
                          (pixels.bytes - row) / rowBytes >= std::uint64_t(height) - 1;
     if (!hasRoom)
-        return badArgument(
-            "There is no room for the pixels.",
-            fmt::format("Give {} bytes, in rows of {} or more.", row * std::uint64_t(height), row));
+        return badArgument(Text("There is no room for the pixels."),
+                           Text("Give {} bytes, in rows of {} or more.", row * std::uint64_t(height), row));
     return rowBytes;
 }
 

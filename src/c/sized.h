@@ -19,22 +19,22 @@ template <class T>
 Error wrongSize(const T* given) {
     if (given == nullptr)
         return {ErrorCode::usage,
-                "A struct for a result is null.",
+                Text("A struct for a result is null."),
                 {},
-                "Give one whose first member is its size."};
+                Text("Give one whose first member is its size.")};
     return {ErrorCode::usage,
-            fmt::format("A struct of macula.h says that it has {} bytes, and Macula knows it with {}.",
-                        given->size, sizeof(T)),
+            Text("A struct of macula.h says that it has {} bytes, and Macula knows it with {}.", given->size,
+                 sizeof(T)),
             {},
-            "Set its first member, size, to its sizeof, and the other members to 0."};
+            Text("Set its first member, size, to its sizeof, and the other members to 0.")};
 }
 
 inline Error newerStruct() {
-    return {ErrorCode::usage,
-            "A struct of a newer macula.h asks for something that this Macula does not know.",
-            {},
-            fmt::format("Leave the members 0 that are newer than Macula {}, or install a newer one.",
-                        macula_version())};
+    return {
+        ErrorCode::usage,
+        Text("A struct of a newer macula.h asks for something that this Macula does not know."),
+        {},
+        Text("Leave the members 0 that are newer than Macula {}, or install a newer one.", macula_version())};
 }
 
 // Reads what the caller knows of T; the rest is 0. usage when the size is none, or of a newer header whose

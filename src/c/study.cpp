@@ -68,10 +68,11 @@ std::vector<std::string> notesOf(const study::OpenedStudy& study) {
 
 Result<std::unique_ptr<macula_study>> studyOf(study::OpenedStudy opened) {
     if (!opened.joinQuestion.empty())
-        return Error{ErrorCode::inputNotUsable,
-                     opened.joinQuestion,
-                     {},
-                     "Ask who knows the images; if they are one series, open them with macula_open::join."};
+        return Error{
+            ErrorCode::inputNotUsable,
+            opened.joinQuestion,
+            {},
+            Text("Ask who knows the images; if they are one series, open them with macula_open::join.")};
     auto study = std::make_unique<macula_study>();
     study->titles = opened.volumeTitles;
     if (study->titles.empty()) study->titles = {opened.description};
@@ -91,7 +92,8 @@ Result<formats::ScalarType> scalarTypeOf(std::int32_t type) {
         std::pair{MACULA_FLOAT32, ScalarType::float32}, std::pair{MACULA_FLOAT64, ScalarType::float64}};
     for (const auto& [code, known] : kTypes)
         if (code == type) return known;
-    return badArgument("The voxels are of a type that is not known.", "Use MACULA_INT8 to MACULA_FLOAT64.");
+    return badArgument(Text("The voxels are of a type that is not known."),
+                       Text("Use MACULA_INT8 to MACULA_FLOAT64."));
 }
 
 // Row by row in C, column by column in GLM.
@@ -102,9 +104,9 @@ Result<glm::dmat4> affineOf(const double (&rows)[16]) {
     const bool isAffine = glm::transpose(affine)[3] == glm::dvec4(0.0, 0.0, 0.0, 1.0);
     if (!isAffine || !isInvertibleAffine(affine))
         return badArgument(
-            "The place of the voxels in the patient is not known.",
-            "Set patient_from_voxel: finite numbers, three axes that span a volume, and 0 0 0 1 in "
-            "the last row.");
+            Text("The place of the voxels in the patient is not known."),
+            Text("Set patient_from_voxel: finite numbers, three axes that span a volume, and 0 0 0 1 in "
+                 "the last row."));
     return affine;
 }
 
@@ -114,8 +116,8 @@ Result<formats::RawImage> imageOf(const macula_voxels& voxels) {
     MACULA_TRY(image.type, scalarTypeOf(voxels.type));
     MACULA_TRY(image.worldFromVoxel, affineOf(voxels.patient_from_voxel));
     if (voxels.unit != MACULA_UNIT_NONE && voxels.unit != MACULA_UNIT_HOUNSFIELD)
-        return badArgument("The unit of the voxels is not known.",
-                           "Use MACULA_UNIT_NONE or MACULA_UNIT_HOUNSFIELD.");
+        return badArgument(Text("The unit of the voxels is not known."),
+                           Text("Use MACULA_UNIT_NONE or MACULA_UNIT_HOUNSFIELD."));
     const bool isHounsfield = voxels.unit == MACULA_UNIT_HOUNSFIELD;
     image.unit = isHounsfield ? Unit::hounsfield : Unit::raw;
     image.modality = isHounsfield ? "CT" : "";
@@ -127,10 +129,10 @@ Result<formats::RawImage> imageOf(const macula_voxels& voxels) {
     // Only then are sides so small that their product is a number of bytes.
     MACULA_TRY_VOID(formats::checkLayout(image, std::numeric_limits<std::uint64_t>::max(), false));
     if (voxels.data == nullptr || voxels.bytes != image.bytes())
-        return badArgument(fmt::format("{} bytes are no {} x {} x {} voxels of {}.",
-                                       voxels.data == nullptr ? 0 : voxels.bytes, voxels.columns, voxels.rows,
-                                       voxels.slices, formats::nameOf(image.type)),
-                           "Give all voxels, and their number of bytes.");
+        return badArgument(
+            Text("{} bytes are no {} x {} x {} voxels of {}.", voxels.data == nullptr ? 0 : voxels.bytes,
+                 voxels.columns, voxels.rows, voxels.slices, formats::nameOf(image.type)),
+            Text("Give all voxels, and their number of bytes."));
     const auto* bytes = static_cast<const std::byte*>(voxels.data);
     image.data.assign(bytes, bytes + voxels.bytes);
     return image;
@@ -195,8 +197,8 @@ macula_status macula_study_open(const char* path, const macula_open* how, const 
     return made(progress, study, [&](Progress& to) -> Result<std::unique_ptr<macula_study>> {
         MACULA_TRY(const macula_open options, taken(how));
         if (path == nullptr || *path == '\0')
-            return badArgument("No folder and no file was named.",
-                               "Give a path, or phantom: for the phantom.");
+            return badArgument(Text("No folder and no file was named."),
+                               Text("Give a path, or phantom: for the phantom."));
         const std::string_view named(path);
         const study::StudySource source = named == "phantom:" ? std::nullopt : study::StudySource(named);
         const std::string series = options.series_uid == nullptr ? "" : options.series_uid;
@@ -238,8 +240,8 @@ macula_status macula_study_choose(macula_study* study, std::uint32_t index, cons
     return guarded([&]() -> Result<void> {
         MACULA_TRY(const Held<macula_study> of, changing(study));
         if (index >= of->titles.size())
-            return badArgument(fmt::format("The study has no volume {}.", index),
-                               fmt::format("Give 0 to {}.", of->titles.size() - 1));
+            return badArgument(Text("The study has no volume {}.", index),
+                               Text("Give 0 to {}.", of->titles.size() - 1));
         if (index == of->opened.volumeIndex) return {};
         return withProgress(progress, [&](Progress& to) -> Result<void> {
             MACULA_TRY(study::OpenedStudy other, study::openFoundVolume(of->opened.found, index, to));
@@ -270,8 +272,8 @@ macula_status macula_study_values(const macula_study* study, float* values, std:
         const Volume& volume = *of->opened.volume;
         const auto voxels = volume.voxels();
         if (count != voxels.size())
-            return badArgument(fmt::format("The volume has {} voxels.", voxels.size()),
-                               "Give room for as many.");
+            return badArgument(Text("The volume has {} voxels.", voxels.size()),
+                               Text("Give room for as many."));
         const UnitsFromStored units = volume.unitsFromStored();
         std::ranges::transform(voxels, values,
                                [&](std::uint16_t stored) { return static_cast<float>(units(stored)); });

@@ -24,7 +24,7 @@ Result<void> withProgress(const macula_progress* given, const Body& body) {
                 token.cancel();
         },
         token);
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped before it began.", {}, {}};
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Stopped before it began."), {}, {}};
     return body(progress);
 }
 

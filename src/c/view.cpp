@@ -30,8 +30,8 @@ Result<ClipPreset> boxOf(const Volume& volume, const double* low, const double* 
     OrientedBox box;
     for (int axis = 0; axis < 3; ++axis) {
         if (!std::isfinite(low[axis]) || !std::isfinite(high[axis]) || !(low[axis] < high[axis]))
-            return badArgument("The box is none.",
-                               "Give finite corners in mm, each number of the low one smaller.");
+            return badArgument(Text("The box is none."),
+                               Text("Give finite corners in mm, each number of the low one smaller."));
         const double length = all.high[axis] - all.low[axis];
         box.centreMm[axis] = (0.5 * (low[axis] + high[axis]) - all.low[axis]) / length;
         box.halfSizeMm[axis] = 0.5 * (high[axis] - low[axis]) / length;
@@ -89,8 +89,8 @@ macula_status macula_view_set_look(macula_view* view, const char* look) {
         }
         const auto known = trace::lookNamed(look);
         if (!known)
-            return badArgument("There is no such look.",
-                               "The looks are cinematic, clear, dvr, mip, minip and average.");
+            return badArgument(Text("There is no such look."),
+                               Text("The looks are cinematic, clear, dvr, mip, minip and average."));
         of.request.look = known;
         return {};
     });
@@ -115,8 +115,8 @@ macula_status macula_view_set_window(macula_view* view, double centre, double wi
             std::abs(centre) <= kMost && (width == 0.0 || (width >= kNarrowest && width <= kMost));
         if (!isUsable)
             return badArgument(
-                "The window is not usable.",
-                "Give a centre of -1e9 to 1e9, and a width of 1e-9 to 1e9, or 0 for the usual one.");
+                Text("The window is not usable."),
+                Text("Give a centre of -1e9 to 1e9, and a width of 1e-9 to 1e9, or 0 for the usual one."));
         of.window.reset();
         of.chosen.windows = {};
         if (width > 0.0)
@@ -170,9 +170,9 @@ macula_status macula_view_set_direction(macula_view* view, const char* direction
         const bool isChosen = !textOf(direction).empty();
         const auto known = isChosen ? scene::viewDirectionOf(direction) : std::nullopt;
         if (isChosen && !known)
-            return badArgument("There is no such direction to look from.",
-                               "They are anterior, posterior, left, right, superior, inferior, oblique, "
-                               "three-quarter and turned.");
+            return badArgument(Text("There is no such direction to look from."),
+                               Text("They are anterior, posterior, left, right, superior, inferior, oblique, "
+                                    "three-quarter and turned."));
         of.request.view = known;
         of.chosen.camera.reset();
         return {};
@@ -186,8 +186,8 @@ macula_status macula_view_set_background(macula_view* view, const char* backgrou
         if (!named.empty()) {
             const Result<scene::BackgroundColour> known = scene::backgroundOf(named);
             if (!known)
-                return badArgument("The background is no colour.",
-                                   "Give black, white, grey, or red, green and blue as #rrggbb.");
+                return badArgument(Text("The background is no colour."),
+                                   Text("Give black, white, grey, or red, green and blue as #rrggbb."));
             colour = *known;
         }
         of.chosen.background = colour;

@@ -89,9 +89,9 @@ Result<void> exportSeries(const ExportOptions& options) {
                                                          .overwrite = options.overwrite});
     if (options.output.empty())
         return Error{ErrorCode::usage,
-                     "--output is required.",
+                     Text("--output is required."),
                      {},
-                     "Give -o FILE for the values, or --presentation-state FILE for a 3D view."};
+                     Text("Give -o FILE for the values, or --presentation-state FILE for a 3D view.")};
     MACULA_TRY_VOID(checkExport(options));
     Progress progress(terminalProgressBar(), interruptToken());
     const auto start = std::chrono::steady_clock::now();
@@ -106,8 +106,8 @@ Result<void> exportSeries(const ExportOptions& options) {
     if (series != nullptr && study::isSegmentationSeries(*series)) {
         if (dicom::findAllSeries(scan, options.series).empty() &&
             options.series.find('.') != std::string::npos) {
-            return Error{ErrorCode::usage, "The series holds segmentations, and has no stacks.",
-                         options.series, "Give its place alone, and which segmentation with --volume."};
+            return Error{ErrorCode::usage, Text("The series holds segmentations, and has no stacks."),
+                         options.series, Text("Give its place alone, and which segmentation with --volume.")};
         }
         return exportSegmentation(options, scan, *series, progress);
     }

@@ -35,9 +35,9 @@ Result<Camera> usualCamera(const PresentationExportRequest& options, const scene
 Result<void> checkFiles(const PresentationExportRequest& options, const PresentedStudy& study) {
     if (study.path == "phantom:" || formats::isVolumeFileName(study.path))
         return Error{ErrorCode::usage,
-                     "A presentation state refers to DICOM images, and there are none.",
+                     Text("A presentation state refers to DICOM images, and there are none."),
                      {},
-                     "Give a folder with DICOM files; macula phantom writes one."};
+                     Text("Give a folder with DICOM files; macula phantom writes one.")};
     pictures::OutputFiles outputs(study.overwrite);
     outputs.read(study.path);
     for (const std::filesystem::path& input : filesOf(options.state)) outputs.read(input);

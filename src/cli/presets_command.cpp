@@ -110,10 +110,10 @@ Result<void> importFile(const PresetsOptions& options) {
     std::error_code error;
     const bool toFolder = std::filesystem::is_directory(options.output, error);
     if (!toFolder && all.size() > 1) {
-        return Error{ErrorCode::usage, fmt::format("The file holds {} presets.", all.size()),
-                     options.input.string(),
-                     "Give -o a folder that exists, for one file each; or choose one: macula presets export "
-                     "FILE#NAME -o FILE.json."};
+        return Error{
+            ErrorCode::usage, Text("The file holds {} presets.", all.size()), options.input.string(),
+            Text("Give -o a folder that exists, for one file each; or choose one: macula presets export "
+                 "FILE#NAME -o FILE.json.")};
     }
     pictures::OutputFiles files(options.overwrite);
     files.read(options.input);

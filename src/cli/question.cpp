@@ -21,7 +21,7 @@ constexpr int kLookMs = 100;  // how long the token is not looked at
 // False at the end of the input.
 Result<bool> waitForInput() {
     for (pollfd input{STDIN_FILENO, POLLIN, 0};;) {
-        if (interruptToken().cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        if (interruptToken().cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
         const int ready = poll(&input, 1, kLookMs);
         if (ready > 0) return (input.revents & POLLIN) != 0;
         if (ready < 0 && errno != EINTR) return false;

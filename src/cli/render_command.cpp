@@ -95,8 +95,10 @@ Result<void> render(const pictures::RenderRequest& options) {
     if (!options.json.empty()) MACULA_TRY_VOID(printOrWrite(options.json, jsonText(toJson(record))));
     printWritten(options.output, begin);
     if (progress.cancelled() && !drawn.statistics.converged && options.effort.error > 0.0)
-        return Error{
-            ErrorCode::cancelled, "Stopped; the picture is written as it was then, with noise.", {}, {}};
+        return Error{ErrorCode::cancelled,
+                     Text("Stopped; the picture is written as it was then, with noise."),
+                     {},
+                     {}};
     return {};
 }
 

@@ -29,7 +29,7 @@ Result<void> verify(const SessionsCareOptions& options) {
     printWarnings(live::warningsOf(verified.notes));
     print(options, verified);
     if (verified.isSound()) return {};
-    return Error{ErrorCode::inputNotUsable, "Stored sessions were not sound.", options.folder.string(),
+    return Error{ErrorCode::inputNotUsable, Text("Stored sessions were not sound."), options.folder.string(),
                  live::whatToDo(verified)};
 }
 

@@ -33,14 +33,14 @@ std::int64_t nowMs() {
 Result<void> check(const SessionsPurgeOptions& options) {
     if (options.request.study.empty() && !options.request.all && options.unusedDays == 0)
         return Error{ErrorCode::usage,
-                     "It was not said what to delete.",
+                     Text("It was not said what to delete."),
                      {},
-                     "Give STUDY, --all or --unused-days. See macula sessions purge --help."};
+                     Text("Give STUDY, --all or --unused-days. See macula sessions purge --help.")};
     if (!options.yes && !options.dryRun && !canAsk())
         return Error{ErrorCode::usage,
-                     "Nothing was deleted: nobody can be asked here.",
+                     Text("Nothing was deleted: nobody can be asked here."),
                      {},
-                     "Give --yes to delete without a question, or --dry-run to see what would go."};
+                     Text("Give --yes to delete without a question, or --dry-run to see what would go.")};
     return {};
 }
 
@@ -62,7 +62,7 @@ Result<void> purge(SessionsPurgeOptions& options) {
     }
     if (!options.yes) {
         MACULA_TRY(const bool isWanted, ask(live::questionOf(plan)));
-        if (!isWanted) return Error{ErrorCode::cancelled, "Nothing was deleted.", {}, {}};
+        if (!isWanted) return Error{ErrorCode::cancelled, Text("Nothing was deleted."), {}, {}};
     }
     MACULA_TRY(const session::PurgeReport report, live::purge(store, plan));
     print(options, report);

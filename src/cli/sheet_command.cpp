@@ -40,8 +40,8 @@ Result<void> makeSheet(const SheetOptions& options) {
     const auto start = std::chrono::steady_clock::now();
     MACULA_TRY_VOID(pictures::checkPictureName(options.output));
     if (pictures::isExr(options.output))
-        return Error{ErrorCode::usage, "A sheet is for the eye.", options.output.string(),
-                     "Choose a .png file."};
+        return Error{ErrorCode::usage, Text("A sheet is for the eye."), options.output.string(),
+                     Text("Choose a .png file.")};
     pictures::OutputFiles files(options.overwrite);
     files.read(options.path);
     MACULA_TRY_VOID(files.write(options.output));

@@ -146,13 +146,13 @@ Result<void> splatRender(const SplatRenderOptions& options) {
     MACULA_TRY(gpu::LastingDevice device, live::openDevice(options.device, printNote));
 
     Progress progress(terminalProgressBar(), interruptToken());
-    progress.beginStage("Drawing", shots.size());
+    progress.beginStage(Text("Drawing"), shots.size());
     const splat::DisplayOptions display{background, static_cast<float>(options.exposure.value_or(1.0))};
     std::size_t done = 0;
     std::vector<std::string> empty;
     const auto stopped = [&] {
         return Error{ErrorCode::cancelled,
-                     fmt::format("Stopped; {} of {} pictures were written.", done, shots.size()),
+                     Text("Stopped; {} of {} pictures were written.", done, shots.size()),
                      {},
                      {}};
     };

@@ -77,7 +77,7 @@ Result<trace::Environment> check(const TrainOptions& options) {
     MACULA_TRY_VOID(checkModelOptions(options.model));
     if (options.displayColours && live::holdsTraining(options.output))
         return Error{ErrorCode::usage,
-                     "What goes on learning needs linear colours.",
+                     Text("What goes on learning needs linear colours."),
                      {},
                      "Give --display-colours with " + splat::modelExtensions(false) + "."};
     MACULA_TRY_VOID(checkFiles(options));

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "base/text.h"
 #include "dicom/scan.h"
 
 namespace macula::dicom {
@@ -11,7 +12,7 @@ namespace macula::dicom {
 struct ChosenStack {
     const Series* series = nullptr;
     const Stack* stack = nullptr;
-    std::string why;  // a sentence for the user, also when there is nothing to show; no patient data
+    Text why;  // a sentence for the user, also when there is nothing to show; no patient data
 
     explicit operator bool() const { return stack != nullptr; }
 };

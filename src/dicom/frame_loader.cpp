@@ -26,8 +26,10 @@ Result<void> check(const Instance& instance) {
     if (!instance.format) return asError(message(key::kUnsupportedBits));
     if (std::min(instance.columns, instance.rows) < 1 ||
         std::max(instance.columns, instance.rows) > kMostRows) {
-        return Error{
-            ErrorCode::inputNotUsable, "The image has no usable size.", {}, "Choose another series."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("The image has no usable size."),
+                     {},
+                     Text("Choose another series.")};
     }
     return {};
 }

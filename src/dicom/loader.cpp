@@ -25,19 +25,19 @@ namespace {
 constexpr std::size_t kCoarseStep = 4;
 constexpr std::size_t kLeastForCoarse = 16;  // slices
 
-Error notUsable(std::string message, std::string action = "Choose another series.") {
+Error notUsable(Text message, Text action = Text("Choose another series.")) {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(action)};
 }
 
 Result<void> check(const Stack& stack) {
     if (const Message* reason = stack.whyNoVolume()) return notUsable(reason->sentence, reason->action);
-    if (stack.slices.empty() || !stack.worldFromVoxel) return notUsable("This series is no volume.");
+    if (stack.slices.empty() || !stack.worldFromVoxel) return notUsable(Text("This series is no volume."));
     if (std::min(stack.columns, stack.rows) < 1 || std::max(stack.columns, stack.rows) > kMostRows)
-        return notUsable("The images of this series have no usable size.");
+        return notUsable(Text("The images of this series have no usable size."));
     for (const Frame& frame : stack.frames) {
         const Instance& instance = *frame.instance;
         if (!instance.format || instance.columns != stack.columns || instance.rows != stack.rows)
-            return notUsable("The images of this series differ in size or in kind.");
+            return notUsable(Text("The images of this series differ in size or in kind."));
     }
     for (const SliceSource& source : stack.slices)
         MACULA_CHECK(source.below < stack.frames.size() && source.above < stack.frames.size());
@@ -331,8 +331,8 @@ Result<void> Loading::drop(const FrameDecoder& decoder) {
         usable_ = {.first = 0, .slices = stack_.slices};
         return {};
     }
-    Error error = decoder.failure().value_or(
-        notUsable("The values of these cannot be what the images say.", "Export the series again."));
+    Error error = decoder.failure().value_or(notUsable(
+        Text("The values of these cannot be what the images say."), Text("Export the series again.")));
     error.message =
         fmt::format("{} of the {} images cannot be decoded. {}", count - good, count, error.message);
     if (good < 2 || 2 * good < count) return error;
@@ -418,7 +418,7 @@ Result<Volume> Loading::make(Progress& progress) {
 }
 
 Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const LoadOptions& options) {
-    progress.beginStage(fmt::format("Decoding {} slices", stack_.frames.size()), stack_.frames.size());
+    progress.beginStage(Text("Decoding {} slices", stack_.frames.size()), stack_.frames.size());
     if (const std::size_t moved = alignCells(stack_, intensities_, progress.token()); moved > 0) {
         say(message(key::kBitsMisplaced,
                     {{"count", std::int64_t(moved)}, {"total", std::int64_t(stack_.frames.size())}}));
@@ -458,9 +458,9 @@ Result<std::shared_ptr<const Volume>> Loading::run(Progress& progress, const Loa
     if (!progress.cancelled()) tellAlternation();
     looseStored_ = {};
     looseValues_ = {};
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Loading was cancelled."), {}, {}};
     MACULA_TRY(Volume volume, make(progress));
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Loading was cancelled."), {}, {}};
     return std::shared_ptr<const Volume>(std::make_shared<Volume>(std::move(volume)));
 }
 

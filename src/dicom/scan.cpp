@@ -35,7 +35,7 @@ namespace fs = std::filesystem;
 namespace {
 
 Error cancelledError() {
-    return {ErrorCode::cancelled, "Reading was cancelled.", {}, {}};
+    return {ErrorCode::cancelled, Text("Reading was cancelled."), {}, {}};
 }
 
 TextArgument count(std::size_t value) {
@@ -397,12 +397,12 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     if (!hasDictionary()) {
         return Error{
             ErrorCode::inputNotUsable,
-            "The dictionary of the DICOM toolkit (dicom.dic) is not there, so that DICOM files cannot "
-            "be read.",
+            Text("The dictionary of the DICOM toolkit (dicom.dic) is not there, so that DICOM files cannot "
+                 "be read."),
             {},
-            "Install DCMTK's data files again, or set DCMDICTPATH to the path of dicom.dic."};
+            Text("Install DCMTK's data files again, or set DCMDICTPATH to the path of dicom.dic.")};
     }
-    progress.beginStage("Looking for files", 1);
+    progress.beginStage(Text("Looking for files"), 1);
     const bool isDirectory =
         isMediaDirectoryName(path) && examine(path, progress.token()).kind == Examination::Kind::directory;
     MACULA_TRY(const FolderListing listing,

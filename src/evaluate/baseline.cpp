@@ -68,10 +68,9 @@ Result<Baseline> Baseline::read(const std::filesystem::path& path, std::string_v
     MACULA_TRY(const std::string text, readText(path));
     Json report = Json::parse(text, nullptr, false);
     if (isUsable(report, benchmark)) return Baseline(path, std::move(report));
-    return Error{
-        ErrorCode::inputNotUsable, fmt::format("The baseline is no output of macula-bench {}.", benchmark),
-        path.string(),
-        fmt::format("Make one with: macula-bench {}{} > baseline.json", benchmark, argumentsOf(benchmark))};
+    return Error{ErrorCode::inputNotUsable, Text("The baseline is no output of macula-bench {}.", benchmark),
+                 path.string(),
+                 Text("Make one with: macula-bench {}{} > baseline.json", benchmark, argumentsOf(benchmark))};
 }
 
 Result<void> Baseline::checkSame(const Json& report) const {
@@ -81,8 +80,8 @@ Result<void> Baseline::checkSame(const Json& report) const {
                                     {"shDegree", "of another degree"},
                                     {"splats", "of another number of splats"}}) {
         if (report.contains(key) && report_.value(key, Json()) != report[key])
-            return Error{ErrorCode::inputNotUsable, fmt::format("The baseline is {}.", what), path_.string(),
-                         "Choose one that was made with the same options."};
+            return Error{ErrorCode::inputNotUsable, Text("The baseline is {}.", what), path_.string(),
+                         Text("Choose one that was made with the same options.")};
     }
     return {};
 }

@@ -67,7 +67,7 @@ Result<void> traceMore(trace::PathTracer& tracer, std::uint32_t samples, Progres
         const std::uint32_t count = std::min(kPortion, samples - done);
         MACULA_TRY(const bool whole, tracer.trace(count, [&] { return !progress.cancelled(); }));
         if (!whole || progress.cancelled())
-            return Error{ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
+            return Error{ErrorCode::cancelled, Text("The measurement was cancelled."), {}, {}};
         progress.advance(count);
     }
     return {};

@@ -42,8 +42,8 @@ struct BenchStudy {
     std::string seriesDigest;
     std::string preset;  // names that may be told
     std::string lights;
-    std::vector<std::string> notes;          // sentences for a person about the study and the preset
-    std::vector<std::string> warnings;       // those of them that change what is seen
+    std::vector<Text> notes;                 // sentences for a person about the study and the preset
+    std::vector<Text> warnings;              // those of them that change what is seen
     std::optional<scene::StudyPreset> then;  // BenchStudyOptions::thenPreset
 
     // All of it, to be traced and to make models of.

@@ -84,7 +84,7 @@ class Measurement {
             glm::max(glm::ivec2(glm::round(scale * glm::dvec2(options_.sizePx))), glm::ivec2(1));
 
         const std::vector<Named> edits = editsOf(seenMm);
-        progress_.beginStage("Comparing edits", edits.size());
+        progress_.beginStage(Text("Comparing edits"), edits.size());
         for (const Named& edit : edits) {
             // The first is what there is before anything was learnt.
             if (&edit == &edits[1]) estimated_.learnt(study_.volume, base_, splats, 1.0);
@@ -158,7 +158,7 @@ class Measurement {
     Result<Shown> estimate(const scene::Drawing& drawing, Edit& edit) {
         estimated_.forget();
         if (!estimated_.canTell(study_.volume, drawing))
-            return Error{ErrorCode::inputNotUsable, "This preset cannot be estimated.", {}, {}};
+            return Error{ErrorCode::inputNotUsable, Text("This preset cannot be estimated."), {}, {}};
         Timeline timeline;
         Watch watch;
         {
@@ -257,9 +257,9 @@ Result<EditsReport> measureEdits(const BenchStudy& study, const EditsOptions& op
     MACULA_TRY_VOID(scene::checkPatientLights(study.environment, study.lights));
     if (usesGradientOpacity(study.function) || (study.then && usesGradientOpacity(study.then->function)))
         return Error{ErrorCode::usage,
-                     "Presets with a gradient opacity are not estimated.",
+                     Text("Presets with a gradient opacity are not estimated."),
                      {},
-                     "Choose another preset."};
+                     Text("Choose another preset.")};
     MACULA_TRY(Measurement measurement, Measurement::create(study, options, progress));
     return measurement.run();
 }

@@ -16,7 +16,7 @@ namespace macula::evaluate {
 namespace {
 
 Error cancelled() {
-    return {ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+    return {ErrorCode::cancelled, Text("The benchmark was cancelled."), {}, {}};
 }
 
 enum class Sampling { even, adaptive };
@@ -219,12 +219,12 @@ Result<FovealReport> measureFoveal(const BenchStudy& study, const FovealOptions&
                                    Progress& progress) {
     const Bench bench(study, options, progress);
     FovealReport report;
-    progress.beginStage("Measuring", static_cast<std::size_t>(options.repetitions));
+    progress.beginStage(Text("Measuring"), static_cast<std::size_t>(options.repetitions));
     MACULA_TRY_VOID(bench.measureTimes(report));
     if (options.convergedSamples == 0) return report;
-    progress.beginStage("Tracing the converged picture", options.convergedSamples);
+    progress.beginStage(Text("Tracing the converged picture"), options.convergedSamples);
     MACULA_TRY(const image::Image converged, bench.converge(report));
-    progress.beginStage("Measuring the time to an error", 7);
+    progress.beginStage(Text("Measuring the time to an error"), 7);
     using enum trace::Denoising;
     using enum trace::Indirect;
     MACULA_TRY(report.plain, bench.timeToError({off}, converged));

@@ -132,7 +132,7 @@ class Measurement {
                    MovingFrames::create(study_.device, scene_.tracer, splats_, options_.sizePx, progress_));
         const std::vector<TracedFovea> foveae = foveaeOf(options_.frames);
         const std::vector<int> ages = agesOf(options_.frames);
-        progress_.beginStage("Comparing frames", foveae.size() * truth_.size() * ages.size());
+        progress_.beginStage(Text("Comparing frames"), foveae.size() * truth_.size() * ages.size());
         for (const TracedFovea& fovea : foveae) {
             // How much a dispatch can hold, the tracer learns anew for each number of bounces: untimed.
             MACULA_TRY([[maybe_unused]] const double unused, frames.traceFovea(truth_[0].camera, fovea));

@@ -58,13 +58,13 @@ Result<HeaderBenchmark> benchmarkHeaders(const fs::path& path, std::size_t threa
     std::vector<fs::path> files;
     for (const fs::path& file : listing.files) {  // warms the cache too
         if (dicom::readHeader(file).header) files.push_back(file);
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Reading was cancelled.", {}, {}};
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Reading was cancelled."), {}, {}};
     }
     HeaderBenchmark result{
         .files = files.size(), .threads = std::max<std::size_t>(threads, 1), .rounds = rounds};
-    progress.beginStage("Reading headers", static_cast<std::size_t>(std::max(rounds, 0)));
+    progress.beginStage(Text("Reading headers"), static_cast<std::size_t>(std::max(rounds, 0)));
     for (int round = 0; round < rounds; ++round, progress.advance()) {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Reading was cancelled.", {}, {}};
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Reading was cancelled."), {}, {}};
         result.headersPerSecond =
             std::max(result.headersPerSecond,
                      readAll(files, result.threads, [](const fs::path& f) { dicom::readHeader(f); }));
@@ -77,8 +77,8 @@ Result<HeaderBenchmark> benchmarkHeaders(const fs::path& path, std::size_t threa
     }
     return result;
 } catch (const std::exception&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory to measure.", path.string(),
-                 "Choose a smaller folder."};
+    return Error{ErrorCode::outOfMemory, Text("There is not enough memory to measure."), path.string(),
+                 Text("Choose a smaller folder.")};
 }
 
 }  // namespace macula::evaluate

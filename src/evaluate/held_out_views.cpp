@@ -60,11 +60,11 @@ Result<HeldOutViews> HeldOutViews::trace(std::shared_ptr<gpu::Device> device, li
 }
 
 Result<Comparison> HeldOutViews::compare(const splat::Splats& model, Progress& progress) const {
-    progress.beginStage("Comparing", truth_.size());
+    progress.beginStage(Text("Comparing"), truth_.size());
     MACULA_TRY(const hybrid::DrawnViews drawn, hybrid::drawViews(device_, model, cameras(), sizePx_));
     Comparison comparison{.scores = {}, .drawMs = image::percentile(drawn.milliseconds, 0.5), .pictures = {}};
     for (std::size_t i = 0; i < truth_.size(); ++i) {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
         MACULA_TRY(const ViewScores scores, scoresOf(truth_[i], drawn.pictures[i]));
         comparison.scores.push_back(scores);
         comparison.pictures.push_back(besideEachOther(sizePx_, truth_[i].whole(), drawn.pictures[i]));

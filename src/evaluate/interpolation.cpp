@@ -246,10 +246,11 @@ Result<InterpolationReport> measureInterpolation(const InterpolationOptions& opt
         .device = bench.device->info().name, .surfaces = {}, .details = {}, .withoutVtk = {}};
     // Of each shape two pictures by each filter of paths, and one by three of rays.
     const std::size_t ofShape = 2 * trace::kFilters.size() * options.samples + 3 * kCastSamples;
-    progress.beginStage("Drawing shapes", kShapes.size() * ofShape);
+    progress.beginStage(Text("Drawing shapes"), kShapes.size() * ofShape);
     for (const Shape shape : kShapes)
         MACULA_TRY_VOID(measureSurface(bench, shape, preset.function, lights, report));
-    progress.beginStage("Drawing fine detail", kDetails.size() * trace::kFilters.size() * options.samples);
+    progress.beginStage(Text("Drawing fine detail"),
+                        kDetails.size() * trace::kFilters.size() * options.samples);
     for (const Detail detail : kDetails) MACULA_TRY_VOID(measureDetail(bench, detail, report));
     return report;
 }

@@ -100,7 +100,7 @@ class Measurement {
         RestCourse course;
         MACULA_TRY(course.referenceFlip, flipOfHalf(traced.front(), truth));
         const double startS = *beginS(recording_, phase);
-        progress_.beginStage("Comparing pictures", recording_.frames.size());
+        progress_.beginStage(Text("Comparing pictures"), recording_.frames.size());
         for (const live::RecordedFrame& frame : recording_.frames) {
             if (progress_.cancelled()) return cancelledError();
             progress_.advance();
@@ -146,9 +146,9 @@ Result<void> check(const BenchStudyOptions& study, const LivePictureOptions& opt
     MACULA_TRY_VOID(builtInLights(study.lights));
     if (options.truthSamples % 2 != 0)
         return Error{ErrorCode::usage,
-                     "What is compared with is traced in two halves.",
+                     Text("What is compared with is traced in two halves."),
                      {},
-                     "Give --truth-spp an even number."};
+                     Text("Give --truth-spp an even number.")};
     return {};
 }
 

@@ -170,7 +170,7 @@ Result<LoadBenchmark> measure(const LoadBenchmarkOptions& options, Progress& pro
     LoadBenchmark result;
     Timed ours, itks, dcmtks;
     bool shorts = true;
-    progress.beginStage("Loading in turns", 3 * static_cast<std::size_t>(options.rounds + 1));
+    progress.beginStage(Text("Loading in turns"), 3 * static_cast<std::size_t>(options.rounds + 1));
     for (int round = 0; round <= options.rounds; ++round) {
         const bool counts = round > 0;
         malloc_trim(0);
@@ -213,20 +213,23 @@ Result<LoadBenchmark> measure(const LoadBenchmarkOptions& options, Progress& pro
             return !options.files.empty() && readWithDcmtk(options.files, threads, cells);
         });
         progress.advance();
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Measuring was cancelled.", {}, {}};
+        if (progress.cancelled())
+            return Error{ErrorCode::cancelled, Text("Measuring was cancelled."), {}, {}};
     }
     result.ours = summarise(ours, ours);
     if (itks.works) result.itk = summarise(itks, ours);
     if (dcmtks.works) result.dcmtk = summarise(dcmtks, ours);
     return result;
 } catch (const std::bad_alloc&) {
-    return Error{
-        ErrorCode::outOfMemory, "There is not enough memory to measure.", {}, "Choose a smaller series."};
+    return Error{ErrorCode::outOfMemory,
+                 Text("There is not enough memory to measure."),
+                 {},
+                 Text("Choose a smaller series.")};
 } catch (const std::exception&) {
     return Error{ErrorCode::inputNotUsable,
-                 "The series cannot be read by all contenders.",
+                 Text("The series cannot be read by all contenders."),
                  {},
-                 "Choose another series."};
+                 Text("Choose another series.")};
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace macula::evaluate {
 
 // What a measurement that was cancelled fails with.
 inline Error cancelledError() {
-    return {ErrorCode::cancelled, "The measurement was cancelled.", {}, {}};
+    return {ErrorCode::cancelled, Text("The measurement was cancelled."), {}, {}};
 }
 
 // CPU time is that of all threads of this process: on a CPU device it hardly depends on who else is running;

@@ -76,24 +76,24 @@ class Evaluation {
                                              hybrid::liveModelOptions(*device_)));
         MACULA_TRY_VOID(model.show("evaluated", {.bounces = options_.model.bounces}));
         const auto goesOn = [&] { return !progress_.cancelled(); };
-        progress_.beginStage("Finding points", 1);
+        progress_.beginStage(Text("Finding points"), 1);
         auto start = Clock::now();
         while (model.news().stage == hybrid::ModelStage::searching && goesOn())
             MACULA_TRY_VOID(model.work(kSliceMs, goesOn));
         report_.pointsSeconds = secondsSince(start);
         progress_.advance();
-        progress_.beginStage("Learning", static_cast<std::size_t>(std::ceil(plan.seconds)));
+        progress_.beginStage(Text("Learning"), static_cast<std::size_t>(std::ceil(plan.seconds)));
         start = Clock::now();
         double next = 0.0;
         for (std::size_t told = 0;;) {
             const double seconds = secondsSince(start);
             const bool isLast = !model.hasWork() || seconds >= plan.seconds;
-            if (progress_.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+            if (progress_.cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
             if (!model.canBeDrawn())
                 return Error{ErrorCode::outOfMemory,
-                             "There is no room on the device for a model.",
+                             Text("There is no room on the device for a model."),
                              {},
-                             "Close other programs, or choose another device."};
+                             Text("Close other programs, or choose another device.")};
             if (isLast || seconds >= next) {
                 report_.snapshots.push_back({.steps = model.news().steps,
                                              .splats = model.news().splats,
@@ -135,7 +135,7 @@ class Evaluation {
         report_.moreViewsSeconds = more.seconds;
         report_.viewsGivenUp += more.givenUp;
         report_.viewsFromCache += more.fromKept;
-        progress_.beginStage("Refining", static_cast<std::size_t>(plan.iterations));
+        progress_.beginStage(Text("Refining"), static_cast<std::size_t>(plan.iterations));
         double seconds = model.trainSeconds;
         for (std::uint64_t done = 0; done < plan.iterations;) {
             const std::uint64_t count = std::min(plan.snapshotEvery, plan.iterations - done);
@@ -144,7 +144,7 @@ class Evaluation {
                 progress_.advance();
                 return !progress_.cancelled();
             }));
-            if (progress_.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+            if (progress_.cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
             seconds += secondsSince(start);
             done += count;
             MACULA_TRY_VOID(keep(trainer, seconds));

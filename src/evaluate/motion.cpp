@@ -79,7 +79,7 @@ class Measurement {
         MACULA_TRY_VOID(withFovea_.setScene(settings));
         MACULA_TRY_VOID(bare_.setScene(settings));
         MACULA_TRY_VOID(scene_.tracer.setSettings(settings));
-        progress_.beginStage("Comparing frames",
+        progress_.beginStage(Text("Comparing frames"),
                              kViewpoints.size() * (options_.stepsMm.size() + options_.turnsDeg.size()));
         for (const Viewpoint& viewpoint : kViewpoints) MACULA_TRY_VOID(measureFrom(viewpoint));
         std::size_t best = 0;

@@ -61,7 +61,7 @@ class Measurement {
     }
 
     Result<void> measureTracing() {
-        progress_.beginStage("Tracing whole frames", kGrades.size() * truth_.size());
+        progress_.beginStage(Text("Tracing whole frames"), kGrades.size() * truth_.size());
         for (const Grade grade : kGrades) {
             QualityRow row{.way = wayOf("pt", grade)};
             costs_.clear();  // those of the most samples tell most
@@ -92,7 +92,7 @@ class Measurement {
     Result<double> refine(splat::Trainer& trainer, const hybrid::RefinementOptions& plan) {
         MACULA_TRY(const hybrid::MoreViews more,
                    hybrid::beginRefinement(trainer, scene_.tracer, scene_.traced.seenMm(), plan, progress_));
-        progress_.beginStage("Refining", static_cast<std::size_t>(plan.iterations));
+        progress_.beginStage(Text("Refining"), static_cast<std::size_t>(plan.iterations));
         Watch watch;
         MACULA_TRY_VOID(trainer.step(plan.iterations, [this] {
             progress_.advance();
@@ -118,7 +118,7 @@ class Measurement {
         QualityRow bare = rowOf("splats");
         QualityRow hybrid = rowOf("hybrid");
         QualityRow equal{.way = wayOf("pt-equal", grade), .model = model};
-        progress_.beginStage("Comparing frames", 3 * truth_.size());
+        progress_.beginStage(Text("Comparing frames"), 3 * truth_.size());
         for (std::size_t i = 0; i < truth_.size(); ++i) {
             const Camera& camera = truth_[i].camera;
             MACULA_TRY(const MadeFrame drawn, frames.bare(camera, options_.sizePx));

@@ -61,9 +61,9 @@ Result<void> check(const BenchStudyOptions& /*study*/, const SpecksOptions& opti
     for (const std::uint32_t samples : options.samples) {
         if (samples <= before || samples >= options.convergedSamples)
             return Error{ErrorCode::usage,
-                         "The numbers of samples do not ascend to that of the converged picture.",
+                         Text("The numbers of samples do not ascend to that of the converged picture."),
                          {},
-                         "Give them in order, such as --samples 1 2 4, below --truth-spp."};
+                         Text("Give them in order, such as --samples 1 2 4, below --truth-spp.")};
         before = samples;
     }
     return {};
@@ -71,7 +71,7 @@ Result<void> check(const BenchStudyOptions& /*study*/, const SpecksOptions& opti
 
 Result<SpecksReport> measureSpecks(const BenchStudy& study, const SpecksOptions& options,
                                    Progress& progress) {
-    progress.beginStage("Tracing the converged picture", options.convergedSamples);
+    progress.beginStage(Text("Tracing the converged picture"), options.convergedSamples);
     SpecksReport report;
     trace::Settings settings{.bounces = options.bounces, .seed = 12345, .filter = options.filter};
     MACULA_TRY(trace::PathTracer truthTracer, study.makeTracer());
@@ -84,7 +84,7 @@ Result<SpecksReport> measureSpecks(const BenchStudy& study, const SpecksOptions&
     MACULA_TRY(const image::Flip left, image::flip(converged, half));
     report.convergedFlip = left.mean;
 
-    progress.beginStage("Tracing few samples", options.samples.empty() ? 1 : options.samples.back());
+    progress.beginStage(Text("Tracing few samples"), options.samples.empty() ? 1 : options.samples.back());
     settings.seed = 1;
     settings.denoising = trace::Denoising::on;
     MACULA_TRY(trace::PathTracer tracer, study.makeTracer());

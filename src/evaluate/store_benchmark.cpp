@@ -60,7 +60,7 @@ std::vector<std::byte> blobOf(std::size_t bytes, int model) {
 Result<void> fill(const fs::path& folder, const StoreBenchmarkOptions& options, Progress& progress) {
     MACULA_TRY(Store store, Store::open({.folder = folder}));
     const int series = options.studies * options.seriesPerStudy;
-    progress.beginStage("Making a large store",
+    progress.beginStage(Text("Making a large store"),
                         static_cast<std::size_t>(series) + static_cast<std::size_t>(options.models));
     for (int i = 0; i < series; ++i) {
         if (progress.cancelled()) return cancelledError();
@@ -102,8 +102,8 @@ Result<void> make(const fs::path& folder, const StoreBenchmarkOptions& options, 
         std::error_code error;
         fs::copy(made, folder, fs::copy_options::recursive, error);
         if (error)
-            return Error{ErrorCode::outputNotWritable, "The store that was made could not be copied.",
-                         folder.string(), "Check free space and permissions."};
+            return Error{ErrorCode::outputNotWritable, Text("The store that was made could not be copied."),
+                         folder.string(), Text("Check free space and permissions.")};
         sync();  // or the first call that waits for the disk would wait for all of this
     }
     measured.makeSeconds = secondsSince(start);
@@ -173,7 +173,7 @@ Result<StoreBenchmark> measureStore(const fs::path& folder, const StoreBenchmark
                                     Progress& progress) {
     StoreBenchmark measured;
     MACULA_TRY_VOID(make(folder, options, progress, measured));
-    progress.beginStage("Measuring a large store", 3);
+    progress.beginStage(Text("Measuring a large store"), 3);
     std::optional<Store> store;
     MACULA_TRY(measured.openMs, timedMs([&]() -> Result<void> {
                    MACULA_TRY(Store opened, Store::open({.folder = folder}));

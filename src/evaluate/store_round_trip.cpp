@@ -32,8 +32,8 @@ Result<void> checkFolder(const fs::path& folder) {
     std::error_code error;
     if (folder.empty() || !fs::exists(fs::symlink_status(folder, error))) return {};
     if (fs::is_directory(folder, error) && fs::is_empty(folder, error) && !error) return {};
-    return Error{ErrorCode::outputNotWritable, "What is measured needs a folder of its own.", folder.string(),
-                 "Choose a new or an empty folder for --sessions."};
+    return Error{ErrorCode::outputNotWritable, Text("What is measured needs a folder of its own."),
+                 folder.string(), Text("Choose a new or an empty folder for --sessions.")};
 }
 
 struct Workplace {
@@ -49,9 +49,9 @@ Result<Workplace> makeWorkplace(const fs::path& wanted) {
     const fs::path temporary = fs::temp_directory_path(error);
     if (error)
         return Error{ErrorCode::outputNotWritable,
-                     "There is no folder for temporary files.",
+                     Text("There is no folder for temporary files."),
                      {},
-                     "Set TMPDIR, or choose a folder with --sessions."};
+                     Text("Set TMPDIR, or choose a folder with --sessions.")};
     removeAbandonedDrafts(temporary);
     MACULA_TRY(Draft draft, Draft::beside(temporary / "macula-bench-session", Draft::Kind::folder));
     fs::path folder = draft.path() / "sessions";
@@ -69,7 +69,7 @@ class FirstRun {
         store_ = std::make_shared<WatchedStore>(*keeper_);
         MACULA_TRY(hybrid::LiveModel model, scene_.makeModel(store_));
         model_.emplace(std::move(model));
-        progress_.beginStage("Learning", static_cast<std::size_t>(std::ceil(options_.learnS)));
+        progress_.beginStage(Text("Learning"), static_cast<std::size_t>(std::ceil(options_.learnS)));
         const auto start = Clock::now();
         scene_.look(*keeper_);
         MACULA_TRY_VOID(scene_.show(*model_));
@@ -82,13 +82,13 @@ class FirstRun {
         if (model_->canBeDrawn()) return scene_.checkKeepers();
         if (model_->news().stage == hybrid::ModelStage::nothingToSee)
             return Error{ErrorCode::inputNotUsable,
-                         "Nothing of the series can be seen.",
+                         Text("Nothing of the series can be seen."),
                          {},
-                         "Choose another preset."};
+                         Text("Choose another preset.")};
         return Error{ErrorCode::outOfMemory,
-                     "There is no room on the device for a model.",
+                     Text("There is no room on the device for a model."),
                      {},
-                     "Close other programs, or choose another device."};
+                     Text("Close other programs, or choose another device.")};
     }
 
     LearntModel learnt() const {
@@ -108,7 +108,7 @@ class FirstRun {
 
     Result<SavingTimes> save() {
         SavingTimes times;
-        progress_.beginStage("Saving while frames are drawn",
+        progress_.beginStage(Text("Saving while frames are drawn"),
                              cameras_.size() * static_cast<std::size_t>(2 * options_.blocks + 1));
         SavingTimes warmUp;
         MACULA_TRY_VOID(drawBlock(false, warmUp));
@@ -209,7 +209,7 @@ Result<StoreRoundTrip> measureModel(StoredScene& scene, const StoreRoundTripOpti
     const std::shared_ptr<const splat::Splats> before = first.shown();
     MACULA_TRY(measured.closing, first.close());
     Progress& progress = scene.progress();
-    progress.beginStage("Opening it again", 3);
+    progress.beginStage(Text("Opening it again"), 3);
     MACULA_TRY(measured.reading, measureReading(scene));
     progress.advance();
     for (const bool isKeeperReady : {false, true}) {

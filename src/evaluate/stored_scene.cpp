@@ -103,9 +103,9 @@ Result<session::ModelInfo> storedModel(session::Store& store) {
 
 Error nothingStored() {
     return {ErrorCode::outputNotWritable,
-            "What the model has learnt was not found again.",
+            Text("What the model has learnt was not found again."),
             {},
-            "Try again; --sessions chooses another folder."};
+            Text("Try again; --sessions chooses another folder.")};
 }
 
 }  // namespace macula::evaluate

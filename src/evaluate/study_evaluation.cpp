@@ -46,12 +46,14 @@ std::size_t StudyEvaluationOptions::scenes() const {
 Result<void> check(const StudyEvaluationOptions& options) {
     if (options.evaluation.truth.samplesPerPixel % 2 != 0)
         return Error{ErrorCode::usage,
-                     "What is compared with is traced in two halves.",
+                     Text("What is compared with is traced in two halves."),
                      {},
-                     "Give --truth-spp an even number."};
+                     Text("Give --truth-spp an even number.")};
     if (!options.series.empty() && options.series.size() != options.paths.size())
-        return Error{
-            ErrorCode::usage, "There is not one series for each path.", {}, "Give --series once for each."};
+        return Error{ErrorCode::usage,
+                     Text("There is not one series for each path."),
+                     {},
+                     Text("Give --series once for each.")};
     for (const std::string& preset : options.presets)
         MACULA_TRY_VOID(scene::presetToDraw(preset, options.fit));
     MACULA_TRY_VOID(scene::choosePatientLights(options.lights));

@@ -14,7 +14,7 @@ Result<StudyTrainingBench> StudyTrainingBench::create(const BenchStudy& study,
                                                       Progress& progress) {
     MACULA_TRY(trace::PathTracer tracer, study.makeTracer());
     StudyTrainingBench bench(study, options, std::move(tracer), progress);
-    progress.beginStage("Finding points", 1);
+    progress.beginStage(Text("Finding points"), 1);
     MACULA_TRY_VOID(bench.findModel());
     return bench;
 }
@@ -23,8 +23,10 @@ Result<void> StudyTrainingBench::findModel() {
     MACULA_TRY(const trace::SurfacePoints points,
                tracer_.surfacePoints({.count = options_.splats}, [&] { return !progress_.cancelled(); }));
     if (points.points.empty())
-        return Error{
-            ErrorCode::inputNotUsable, "Nothing of the series can be seen.", {}, "Choose another preset."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("Nothing of the series can be seen."),
+                     {},
+                     Text("Choose another preset.")};
     model_ = hybrid::initialSplats(points);
     model_.setShDegree(options_.shDegree);
     return {};
@@ -40,7 +42,7 @@ Result<hybrid::TracedView> StudyTrainingBench::traceOne(const glm::ivec2& sizePx
 Result<SizedTrainingBenchmark> StudyTrainingBench::measure(const glm::ivec2& sizePx) {
     MACULA_TRY(hybrid::TracedView traced, traceOne(sizePx));
     MACULA_TRY(const splat::RasterView view, splat::rasterView(traced.camera, sizePx, model_.originMm));
-    progress_.beginStage("Measuring", static_cast<std::size_t>(options_.repetitions));
+    progress_.beginStage(Text("Measuring"), static_cast<std::size_t>(options_.repetitions));
     MACULA_TRY(TrainingBenchmark training,
                benchmarkTraining(study_.device, model_, {.view = view, .pixels = std::move(traced.rgba)},
                                  {.trainer = hybrid::trainerOptions({}), .repetitions = options_.repetitions},
@@ -49,7 +51,7 @@ Result<SizedTrainingBenchmark> StudyTrainingBench::measure(const glm::ivec2& siz
 }
 
 Result<BeginningBenchmark> StudyTrainingBench::measureBeginning(const glm::ivec2& sizePx) {
-    progress_.beginStage("Measuring the beginning", 1);
+    progress_.beginStage(Text("Measuring the beginning"), 1);
     MACULA_TRY(const splat::RasterView view, splat::rasterView(study_.view.camera, sizePx, model_.originMm));
     const auto firstPicture = [&]() -> Result<void> {
         MACULA_TRY_VOID(findModel());

@@ -71,7 +71,8 @@ Result<std::vector<TraceBenchmark>> benchmarkTracing(const BenchStudy& study,
                                                      Progress& progress) {
     std::vector<trace::Filter> filters{trace::Filter::trilinear, trace::Filter::stochastic};
     if (options.filter) filters = {*options.filter};
-    progress.beginStage("Measuring", filters.size() * static_cast<std::size_t>(options.repetitions + 1));
+    progress.beginStage(Text("Measuring"),
+                        filters.size() * static_cast<std::size_t>(options.repetitions + 1));
     std::vector<TraceBenchmark> reports;
     for (const trace::Filter filter : filters) {
         const Medium medium = makeMedium(*study.volume, makeBrickGrid(*study.volume, trace::reachOf(filter)),

@@ -35,7 +35,7 @@ class Bench {
             const std::uint32_t count = std::min(kPortion, options_.convergedSamples - done);
             MACULA_TRY(const bool whole, truth.trace(count, [&] { return !progress.cancelled(); }));
             if (!whole || progress.cancelled())
-                return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+                return Error{ErrorCode::cancelled, Text("The benchmark was cancelled."), {}, {}};
             const bool passesHalf =
                 done < options_.convergedSamples / 2 && done + count >= options_.convergedSamples / 2;
             done += count;
@@ -75,7 +75,7 @@ class Bench {
             Watch watch;
             MACULA_TRY(const bool whole, tracer.trace(samples - done, [&] { return !progress.cancelled(); }));
             if (!whole || progress.cancelled())
-                return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+                return Error{ErrorCode::cancelled, Text("The benchmark was cancelled."), {}, {}};
             traceMs += watch.lap().wallMs;
             done = samples;
             MACULA_TRY(const image::Image picture, study_.readShown(tracer));
@@ -108,9 +108,9 @@ Result<Tradeoff> measureTradeoff(const BenchStudy& study, const TradeoffOptions&
     const Bench bench(study, options);
     Tradeoff result;
     image::Mask mask;  // background is right in every picture, and would flatter them all
-    progress.beginStage("Tracing the converged picture", options.convergedSamples);
+    progress.beginStage(Text("Tracing the converged picture"), options.convergedSamples);
     MACULA_TRY_VOID(bench.converge(result, mask, progress));
-    progress.beginStage("Measuring", 4 * options.bounces.size() * options.samples.size());
+    progress.beginStage(Text("Measuring"), 4 * options.bounces.size() * options.samples.size());
     for (const trace::Filter filter : {trace::Filter::stochastic, trace::Filter::trilinear}) {
         for (const trace::Denoising denoising : {trace::Denoising::off, trace::Denoising::on}) {
             for (const int bounces : options.bounces)

@@ -220,7 +220,10 @@ Result<TrainingBenchmark> benchmarkTraining(const std::shared_ptr<gpu::Device>& 
                                             const TrainingView& view, const TrainingBenchmarkOptions& options,
                                             Progress& progress) {
     if (model.size() == 0)
-        return Error{ErrorCode::usage, "There are no splats to train.", {}, "Choose a model that has some."};
+        return Error{ErrorCode::usage,
+                     Text("There are no splats to train."),
+                     {},
+                     Text("Choose a model that has some.")};
     TrainerOptions trainer = options.trainer;
     trainer.stages = {};
     trainer.density.lastStep = 0;
@@ -231,7 +234,8 @@ Result<TrainingBenchmark> benchmarkTraining(const std::shared_ptr<gpu::Device>& 
     std::vector<Turn> deviceTurns;
     std::vector<Turn> referenceTurns;
     for (int i = 0; i < options.repetitions; ++i) {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "The benchmark was cancelled.", {}, {}};
+        if (progress.cancelled())
+            return Error{ErrorCode::cancelled, Text("The benchmark was cancelled."), {}, {}};
         MACULA_TRY(const Turn turn, bench.deviceTurn());
         deviceTurns.push_back(turn);
         referenceTurns.push_back(bench.referenceTurn());

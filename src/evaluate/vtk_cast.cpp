@@ -9,9 +9,9 @@ namespace macula::evaluate {
 Result<VtkCast> castWithVtk(const VtkCastRequest& options, const std::function<void()>& afterTurn) {
     if (std::getenv("DISPLAY") == nullptr) {
         return Error{ErrorCode::deviceNotUsable,
-                     "VTK draws on a display, and there is none.",
+                     Text("VTK draws on a display, and there is none."),
                      {},
-                     "Run it in a desktop session, or under xvfb-run."};
+                     Text("Run it in a desktop session, or under xvfb-run.")};
     }
     MACULA_TRY(void* symbol, symbolOfPlugin("macula-vtk-cast", "maculaCastWithVtk"));
     Result<VtkCast> result = VtkCast{};

@@ -103,9 +103,9 @@ Result<void> setCamera(const trace::View& view, const Volume& volume, vtkCamera&
                           glm::normalize(glm::dvec3(m[2])));
     if (!(glm::determinant(axes) > 1.0 - 1e-6)) {
         return Error{ErrorCode::inputNotUsable,
-                     "VTK's CPU mapper cannot show this grid.",
+                     Text("VTK's CPU mapper cannot show this grid."),
                      {},
-                     "Choose a series without tilt."};
+                     Text("Choose a series without tilt.")};
     }
     const auto toGrid = [&](const glm::dvec3& direction) { return glm::transpose(axes) * direction; };
     const glm::dvec3 position = toGrid(view.camera.positionMm - glm::dvec3(m[3]));

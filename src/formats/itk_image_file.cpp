@@ -47,9 +47,9 @@ itk::ImageIORegion wholeOf(const glm::ivec3& size) {
 
 Error notWritten() {
     return {ErrorCode::outputNotWritable,
-            "The file could not be written.",
+            Text("The file could not be written."),
             {},
-            "Check free space and permissions."};
+            Text("Check free space and permissions.")};
 }
 
 Result<void> write(itk::ImageIOBase& io, const fs::path& path, const RawImage& image) try {

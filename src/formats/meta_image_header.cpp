@@ -24,7 +24,7 @@ Result<Parsed> parse(const fs::path& path) {
         if (line && trimmed(*line).empty()) continue;
         if (separator == std::string::npos)
             return parsed.fields.contains("NDims") ? headerDamaged()
-                                                   : headerNotUsable("This is no MetaImage file.");
+                                                   : headerNotUsable(Text("This is no MetaImage file."));
         if (!parsed.fields.emplace(trimmed(line->substr(0, separator)), trimmed(line->substr(separator + 1)))
                  .second)
             return headerDamaged();
@@ -56,11 +56,11 @@ Result<ScalarType> typeOf(const Fields& fields) {
     const std::string name = valueOf(fields, "ElementType");
     const std::string channels = valueOf(fields, "ElementNumberOfChannels");
     if (name.ends_with("_ARRAY") || (!channels.empty() && channels != "1"))
-        return headerNotUsable("The image has several values in each voxel; a volume needs one.");
+        return headerNotUsable(Text("The image has several values in each voxel; a volume needs one."));
     const auto type = kTypes.find(name);
     if (type != kTypes.end()) return type->second;
     return headerNotUsable(
-        "The values of the image are neither whole numbers of 8 to 64 bits nor floating-point ones.");
+        Text("The values of the image are neither whole numbers of 8 to 64 bits nor floating-point ones."));
 }
 
 // MET_LONG has 4 bytes in the format, and 8 in files of programs that wrote the long of their machine: the
@@ -72,7 +72,7 @@ void widenLongs(const std::string& name, const ValuesInFile& values, RawImageLay
     if (error || inFile < values.offset || inFile - values.offset != 2 * layout.bytes()) return;
     layout.type = name == "MET_LONG" ? ScalarType::int64 : ScalarType::uint64;
     layout.assumptions.emplace_back(
-        "The values have 8 bytes each, as the size of the file tells, and not 4 as their type says.");
+        Text("The values have 8 bytes each, as the size of the file tells, and not 4 as their type says."));
 }
 
 Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, RawImageLayout& layout) {
@@ -85,7 +85,7 @@ Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, RawImageLayout& layout
     if (spacing.empty()) {
         layout.isCalibrated = false;
         layout.assumptions.emplace_back(
-            "The file does not give the distance of the voxels: 1 mm was assumed.");
+            Text("The file does not give the distance of the voxels: 1 mm was assumed."));
         spacing = "1 1 1";
     }
     const std::string offset = firstOf(fields, {"Offset", "Position", "Origin"});
@@ -102,8 +102,8 @@ Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, RawImageLayout& layout
 Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const RawImageLayout& layout) {
     const Fields& fields = parsed.fields;
     if (fields.contains("BinaryData") && !isTrue(valueOf(fields, "BinaryData"))) {
-        return headerNotUsable("The values are written as text, which Macula does not read.",
-                               "Write the file with BinaryData = True.");
+        return headerNotUsable(Text("The values are written as text, which Macula does not read."),
+                               Text("Write the file with BinaryData = True."));
     }
     ValuesInFile values;
     values.compressed = isTrue(valueOf(fields, "CompressedData"));
@@ -113,7 +113,8 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
         values.file = path;
         values.offset = parsed.bytes;
     } else if (dataFile == "LIST" || dataFile.starts_with("LIST ")) {
-        return headerNotUsable("The values lie in several files.", "Write the volume to one file.");
+        return headerNotUsable(Text("The values lie in several files."),
+                               Text("Write the volume to one file."));
     } else {
         MACULA_TRY(values.file, besideHeader(path, dataFile));
     }

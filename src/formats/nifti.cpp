@@ -51,12 +51,12 @@ constexpr std::array<Datatype, 10> kDatatypes{{{DT_UINT8, ScalarType::uint8},
                                                {DT_INT64, ScalarType::int64},
                                                {DT_UINT64, ScalarType::uint64}}};
 
-Error notUsable(std::string message, std::string hint = "Convert it with the program it comes from.") {
+Error notUsable(Text message, Text hint = Text("Convert it with the program it comes from.")) {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
 }
 
 Error cutOff() {
-    return notUsable("The file is cut off or damaged.", "Get the file again from where it came.");
+    return notUsable(Text("The file is cut off or damaged."), Text("Get the file again from where it came."));
 }
 
 std::int32_t swapped32(std::uint32_t value) {
@@ -102,11 +102,10 @@ Result<nifti_1_header> headerFor(const RawImageLayout& image) {
     nifti_1_header header{};
     const glm::ivec3 size = image.size;
     if (std::max({size.x, size.y, size.z}) > 32767) {
-        return Error{
-            ErrorCode::usage,
-            fmt::format("A NIfTI file holds no volume of {} x {} x {} voxels.", size.x, size.y, size.z),
-            {},
-            "Write a .nrrd or .mha file."};
+        return Error{ErrorCode::usage,
+                     Text("A NIfTI file holds no volume of {} x {} x {} voxels.", size.x, size.y, size.z),
+                     {},
+                     Text("Write a .nrrd or .mha file.")};
     }
     header.sizeof_hdr = kHeaderBytes;
     header.regular = 'r';  // some readers ask for it
@@ -223,7 +222,8 @@ struct Opened {
 
 Result<Opened> open(const fs::path& path) {
     const GzFile file(gzopen(path.c_str(), "rb"));
-    if (!file) return notUsable("The file cannot be read.", "Check the path and its permissions.");
+    if (!file)
+        return notUsable(Text("The file cannot be read."), Text("Check the path and its permissions."));
     std::array<char, kHeader2Bytes> bytes{};
     int got = gzread(file.get(), bytes.data(), kHeaderBytes);
     // A small file ends within that. Reading on fails where stray bytes follow its gzip stream.
@@ -235,7 +235,7 @@ Result<Opened> open(const fs::path& path) {
         return first == std::int32_t(size) || first == swapped32(static_cast<std::uint32_t>(size));
     };
     if (got < 4 || (!isSize(kHeaderBytes) && !isSize(kHeader2Bytes)))
-        return notUsable("This is no NIfTI file.");
+        return notUsable(Text("This is no NIfTI file."));
     const std::size_t size = isSize(kHeader2Bytes) ? kHeader2Bytes : kHeaderBytes;
     if (got < static_cast<int>(size)) return cutOff();
     Opened opened{.path = path, .header = {}, .swapped = first != std::int32_t(size)};
@@ -259,12 +259,12 @@ Result<ScalarType> typeOf(int code) {
         if (known.code == code) return known.type;
     }
     if (code == DT_RGB24 || code == DT_RGBA32) {
-        return notUsable("The image is in colour; a volume needs one value in each voxel.");
+        return notUsable(Text("The image is in colour; a volume needs one value in each voxel."));
     }
     return notUsable(
-        fmt::format("The values of the image have NIfTI's data type {}; Macula reads whole numbers of "
-                    "8 to 64 bits and floating-point ones.",
-                    code));
+        Text("The values of the image have NIfTI's data type {}; Macula reads whole numbers of "
+             "8 to 64 bits and floating-point ones.",
+             code));
 }
 
 struct Extent {
@@ -274,16 +274,16 @@ struct Extent {
 
 Result<Extent> extentOf(const Header& header) {
     const std::int64_t axes = header.dim[0];
-    if (axes < 1 || axes > 7) return notUsable("The header of the NIfTI file is damaged.");
+    if (axes < 1 || axes > 7) return notUsable(Text("The header of the NIfTI file is damaged."));
     std::array<std::int64_t, 7> length{1, 1, 1, 1, 1, 1, 1};
     constexpr std::int64_t kMost = std::numeric_limits<int>::max();
     for (std::size_t axis = 0; axis < std::size_t(axes); ++axis) {
         length[axis] = header.dim[axis + 1];
         if (length[axis] < 1 || length[axis] > kMost)
-            return notUsable("The header of the NIfTI file is damaged.");
+            return notUsable(Text("The header of the NIfTI file is damaged."));
     }
     if (length[4] > 1 || length[5] > 1 || length[6] > 1) {
-        return notUsable("The image has several values in each voxel; a volume needs one.");
+        return notUsable(Text("The image has several values in each voxel; a volume needs one."));
     }
     return Extent{glm::ivec3(length[0], length[1], length[2]), static_cast<std::size_t>(length[3])};
 }
@@ -305,17 +305,17 @@ glm::dmat4 rasFromVoxelOf(const Header& header, const glm::ivec3& size,
             constexpr double kNoticeableMm = 0.1;
             if (differenceMm > kNoticeableMm) {
                 assumptions.push_back(
-                    fmt::format("The file gives two positions in the patient that differ by up to "
-                                "{:.1f} mm (sform and qform): the sform was taken.",
-                                differenceMm));
+                    Text("The file gives two positions in the patient that differ by up to "
+                         "{:.1f} mm (sform and qform): the sform was taken.",
+                         differenceMm));
             }
         }
         return sform;
     }
     if (hasQform) return qformOf(header);
-    assumptions.emplace_back(
+    assumptions.emplace_back(Text(
         "The file does not say how the image lies in the patient: its axes were taken to lead to the right, "
-        "to the front and up. Left and right may be exchanged.");
+        "to the front and up. Left and right may be exchanged."));
     return affine({header.pixdim[1], 0, 0}, {0, header.pixdim[2], 0}, {0, 0, header.pixdim[3]},
                   glm::dvec3(0.0));
 }
@@ -327,14 +327,15 @@ Result<fs::path> valuesBeside(const fs::path& header) {
         std::error_code error;
         if (fs::is_regular_file(values, error)) return values;
     }
-    return notUsable("The file with the values (.img) is missing.", "Put it beside the header.");
+    return notUsable(Text("The file with the values (.img) is missing."), Text("Put it beside the header."));
 }
 
 Result<ValuesInFile> valuesOf(const Opened& opened) {
     const double offset = opened.header.vox_offset;
     constexpr double kMost = 1e9;  // what extensions of the header may hold, and some
     const double least = opened.isPair() ? 0.0 : static_cast<double>(opened.header.sizeof_hdr);
-    if (!(offset >= least && offset <= kMost)) return notUsable("The header of the NIfTI file is damaged.");
+    if (!(offset >= least && offset <= kMost))
+        return notUsable(Text("The header of the NIfTI file is damaged."));
     ValuesInFile values{.file = opened.path, .compressed = opened.compressed, .bigEndian = opened.swapped};
     if (opened.isPair()) {
         MACULA_TRY(values.file, valuesBeside(opened.path));
@@ -348,10 +349,11 @@ Result<ValuesInFile> valuesOf(const Opened& opened) {
 
 Result<RawImageLayout> layoutOf(const Opened& opened) {
     const Header& header = opened.header;
-    if (opened.isWide() && !opened.isNifti()) return notUsable("The header of the NIfTI file is damaged.");
+    if (opened.isWide() && !opened.isNifti())
+        return notUsable(Text("The header of the NIfTI file is damaged."));
     if (!opened.isNifti()) {
-        return notUsable("This is an ANALYZE file, which does not tell left from right.",
-                         "Write it as NIfTI.");
+        return notUsable(Text("This is an ANALYZE file, which does not tell left from right."),
+                         Text("Write it as NIfTI."));
     }
     RawImageLayout layout;
     MACULA_TRY(const Extent extent, extentOf(header));
@@ -372,7 +374,7 @@ Result<RawImageLayout> layoutOf(const Opened& opened) {
     layout.worldFromVoxel = kLpsFromRas * rasFromVoxel;
     if (!isInvertibleAffine(layout.worldFromVoxel)) {
         return notUsable(
-            "The position of the image in the patient is not usable: its axes do not span a volume.");
+            Text("The position of the image in the patient is not usable: its axes do not span a volume."));
     }
     MACULA_TRY(const ValuesInFile values, valuesOf(opened));
     MACULA_TRY_VOID(checkExtent(layout, values));
@@ -392,15 +394,15 @@ Result<void> writeNifti(const fs::path& path, const RawImage& image, Progress& p
     MACULA_TRY(const nifti_1_header header, headerFor(image));
     const auto failed = [] {
         return Error{ErrorCode::outputNotWritable,
-                     "The file could not be written.",
+                     Text("The file could not be written."),
                      {},
-                     "Check free space and permissions."};
+                     Text("Check free space and permissions.")};
     };
     // Level 1 takes a third of the time of level 6, and makes files a tenth larger. T: no compression.
     GzFile file(gzopen(path.c_str(), path.extension() == ".gz" ? "wb1" : "wbT"));
     if (!file) return failed();
     gzbuffer(file.get(), kPortion);
-    progress.beginStage("Writing", (image.data.size() + kPortion - 1) / kPortion);
+    progress.beginStage(Text("Writing"), (image.data.size() + kPortion - 1) / kPortion);
     if (gzwrite(file.get(), &header, kHeaderBytes) != static_cast<int>(kHeaderBytes) ||
         gzwrite(file.get(), kNoExtensions.data(), kNoExtensions.size()) !=
             static_cast<int>(kNoExtensions.size()))
@@ -409,7 +411,8 @@ Result<void> writeNifti(const fs::path& path, const RawImage& image, Progress& p
         const auto length = static_cast<unsigned>(std::min(kPortion, image.data.size() - at));
         if (gzwrite(file.get(), image.data.data() + at, length) != static_cast<int>(length)) return failed();
         progress.advance();
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+        if (progress.cancelled())
+            return Error{ErrorCode::cancelled, Text("Stopped; nothing was written."), {}, {}};
     }
     if (gzclose(file.release()) != Z_OK) return failed();
     return {};

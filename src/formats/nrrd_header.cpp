@@ -54,7 +54,7 @@ Result<ScalarType> typeOf(const std::string& name) {
     const auto found = kTypes.find(lowerCase(name));
     if (found != kTypes.end()) return found->second;
     return headerNotUsable(
-        "The values of the image are neither whole numbers of 8 to 64 bits nor floating-point ones.");
+        Text("The values of the image are neither whole numbers of 8 to 64 bits nor floating-point ones."));
 }
 
 struct Parsed {
@@ -67,7 +67,7 @@ struct Parsed {
 Result<Parsed> parse(const fs::path& path) {
     HeaderLines lines(path);
     const auto magic = lines.next();
-    if (!magic || !magic->starts_with("NRRD000")) return headerNotUsable("This is no NRRD file.");
+    if (!magic || !magic->starts_with("NRRD000")) return headerNotUsable(Text("This is no NRRD file."));
     Parsed parsed;
     while (!parsed.hasBlankLine && !lines.atEnd()) {
         const auto line = lines.next();
@@ -114,15 +114,15 @@ std::size_t takeVolumes(Fields& fields) {
 Result<void> checkAxes(const Fields& fields) {
     for (const std::string& kind : words(lowerCase(valueOf(fields, "kinds")))) {
         if (kind != "domain" && kind != "space" && kind != "none" && kind != "???") {
-            return headerNotUsable(
-                "The image has several values in each voxel, or an axis of time; a volume needs one value.");
+            return headerNotUsable(Text(
+                "The image has several values in each voxel, or an axis of time; a volume needs one value."));
         }
     }
     std::string units = lowerCase(valueOf(fields, "spaceunits"));
     std::replace(units.begin(), units.end(), '"', ' ');
     for (const std::string& unit : words(units)) {
         if (unit != "mm" && unit != "millimeter" && unit != "millimeters" && unit != "???")
-            return headerNotUsable("The position of the image is not given in millimetres.");
+            return headerNotUsable(Text("The position of the image is not given in millimetres."));
     }
     return {};
 }
@@ -146,8 +146,8 @@ Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, RawImageLayout& layout
     }
     if (const std::string directions = valueOf(fields, "spacedirections"); !directions.empty()) {
         if (lowerCase(directions).find("none") != std::string::npos) {
-            return headerNotUsable("An axis of the image does not lie in space.",
-                                   "Write one volume to a file of its own.");
+            return headerNotUsable(Text("An axis of the image does not lie in space."),
+                                   Text("Write one volume to a file of its own."));
         }
         const std::string origin = valueOf(fields, "spaceorigin");
         const auto axes = vectors(directions, 9);
@@ -164,7 +164,7 @@ Result<glm::dmat4> worldFromVoxelOf(const Fields& fields, RawImageLayout& layout
     if (spacings.empty()) {
         layout.isCalibrated = false;
         layout.assumptions.emplace_back(
-            "The file does not give the distance of the voxels: 1 mm was assumed.");
+            Text("The file does not give the distance of the voxels: 1 mm was assumed."));
     }
     return affine({(*mm)[0], 0, 0}, {0, (*mm)[1], 0}, {0, 0, (*mm)[2]}, glm::dvec3(0.0));
 }
@@ -175,8 +175,8 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
     const std::string encoding = lowerCase(valueOf(fields, "encoding"));
     values.compressed = encoding == "gzip" || encoding == "gz";
     if (!values.compressed && encoding != "raw") {
-        return headerNotUsable("The values are encoded in a way that Macula does not read.",
-                               "Write the file with the encoding raw or gzip.");
+        return headerNotUsable(Text("The values are encoded in a way that Macula does not read."),
+                               Text("Write the file with the encoding raw or gzip."));
     }
     const std::string endian = lowerCase(valueOf(fields, "endian"));
     if (endian != "little" && endian != "big" && bytesOf(layout.type) > 1) return headerDamaged();
@@ -191,7 +191,7 @@ Result<ValuesInFile> valuesOf(const fs::path& path, const Parsed& parsed, const 
     }
     const std::string lines = valueOf(fields, "lineskip");
     if (!lines.empty() && lines != "0")
-        return headerNotUsable("Text stands before the values, which Macula does not read.");
+        return headerNotUsable(Text("Text stands before the values, which Macula does not read."));
     const std::string skip = valueOf(fields, "byteskip");
     const auto bytes = parseNumber<std::int64_t>(skip.empty() ? "0" : skip);
     std::error_code error;

@@ -27,7 +27,7 @@ constexpr std::string_view kNoteBegin = "Macula";
 constexpr std::string_view kNoteUncalibrated = "uncalibrated";
 
 Error cancelled() {
-    return {ErrorCode::cancelled, "Stopped.", {}, {}};
+    return {ErrorCode::cancelled, Text("Stopped."), {}, {}};
 }
 
 // body(first, count) for portions of [0, count), on all cores, with progress.
@@ -125,7 +125,7 @@ auto withRaw(const RawImage& image, const Use& use) {
 
 template <class ValueAt>
 Result<RawImage> packed(RawImage image, std::size_t count, Progress& progress, const ValueAt& valueAt) {
-    progress.beginStage("Preparing the values", 2 * ((count + kChunk - 1) / kChunk));
+    progress.beginStage(Text("Preparing the values"), 2 * ((count + kChunk - 1) / kChunk));
     MACULA_TRY(const Summary values, summarise(count, progress, valueAt));
     const auto fill = [&]<class T>(T) {
         image.data.resize(count * sizeof(T));
@@ -153,7 +153,7 @@ Result<RawImage> packed(RawImage image, std::size_t count, Progress& progress, c
 template <class RawAt>
 Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progress, const RawAt& raw) {
     const std::size_t count = image.data.size() / bytesOf(image.type);
-    progress.beginStage("Preparing the values", 2 * ((count + kChunk - 1) / kChunk));
+    progress.beginStage(Text("Preparing the values"), 2 * ((count + kChunk - 1) / kChunk));
     MACULA_TRY(const Summary values, summarise(count, progress, raw));
     VolumeOptions options{.size = image.size,
                           .worldFromVoxel = image.worldFromVoxel,
@@ -164,7 +164,7 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
     const double intercept = image.intercept;
     const bool hasManyBits = image.type == ScalarType::int64 || image.type == ScalarType::uint64;
     if (hasManyBits && std::max(std::abs(values.low), std::abs(values.high)) >= kMostExact)
-        image.assumptions.emplace_back("Whole numbers beyond 2^53 were rounded.");
+        image.assumptions.emplace_back(Text("Whole numbers beyond 2^53 were rounded."));
 
     if (values.whole && values.high - values.low <= kMost16) {
         // A negative slope turns the order of the stored values around: theirs must be positive.
@@ -198,9 +198,9 @@ Result<std::shared_ptr<const Volume>> unpacked(RawImage& image, Progress& progre
         notFinite += none;
         if (inexact) rounded = true;
     }));
-    if (rounded) image.assumptions.emplace_back("Values were rounded to 24 significant bits.");
+    if (rounded) image.assumptions.emplace_back(Text("Values were rounded to 24 significant bits."));
     if (notFinite > 0) {
-        image.assumptions.push_back(fmt::format(
+        image.assumptions.push_back(Text(
             "{} voxels hold no finite number: they are treated as outside of the scan.", notFinite.load()));
     }
     options.provenance.assumptions = std::move(image.assumptions);
@@ -284,7 +284,7 @@ void readValueNote(std::string_view note, RawImageLayout& layout) {
     if (parts.size() == 5 && parts[0] == kNoteBegin && parts[4] == kNoteUncalibrated) {
         layout.isCalibrated = false;
         layout.assumptions.emplace_back(
-            "The size of a voxel is not calibrated: lengths, areas and volumes are estimates.");
+            Text("The size of a voxel is not calibrated: lengths, areas and volumes are estimates."));
         parts.pop_back();
     }
     const bool isChanged = layout.slope != 1.0 || layout.intercept != 0.0;
@@ -312,8 +312,8 @@ Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume) {
     }
     if (layout.volumes > 1) {
         layout.assumptions.push_back(
-            fmt::format("The file holds {} volumes, one for each point in time; this is number {}.",
-                        layout.volumes, volume));
+            Text("The file holds {} volumes, one for each point in time; this is number {}.", layout.volumes,
+                 volume));
     }
     return {};
 }
@@ -324,24 +324,24 @@ Result<void> checkLayout(const RawImageLayout& layout, std::uint64_t bytesInFile
     const glm::ivec3 size = layout.size;
     if (std::min({size.x, size.y, size.z}) < 2) {
         return Error{ErrorCode::inputNotUsable,
-                     fmt::format("The image of {} x {} x {} voxels is no volume.", size.x, size.y, size.z),
+                     Text("The image of {} x {} x {} voxels is no volume.", size.x, size.y, size.z),
                      {},
-                     "Choose a file with a volume."};
+                     Text("Choose a file with a volume.")};
     }
     if (std::max({size.x, size.y, size.z}) > kMostPerSide) {
         return Error{ErrorCode::inputNotUsable,
-                     fmt::format("A volume of {} x {} x {} voxels cannot be shown.", size.x, size.y, size.z),
+                     Text("A volume of {} x {} x {} voxels cannot be shown.", size.x, size.y, size.z),
                      {},
-                     "Choose a smaller one."};
+                     Text("Choose a smaller one.")};
     }
     const std::uint64_t needed = layout.bytes();
     if (needed > (compressed ? kDeflate * bytesInFile : bytesInFile)) {
         return Error{ErrorCode::inputNotUsable,
-                     fmt::format("The file is cut off: its header tells of {} x {} x {} voxels, and it is "
-                                 "too short for them.",
-                                 size.x, size.y, size.z),
+                     Text("The file is cut off: its header tells of {} x {} x {} voxels, and it is "
+                          "too short for them.",
+                          size.x, size.y, size.z),
                      {},
-                     "Get the file again from where it came."};
+                     Text("Get the file again from where it came.")};
     }
     const std::uint64_t voxels = needed / bytesOf(layout.type);
     const std::uint64_t all = needed + voxels * sizeof(float);  // the volume is float32 at worst
@@ -380,9 +380,9 @@ Result<RawImage> rawImageOf(const LabelMap& map, Progress& progress) {
 Result<std::shared_ptr<const Volume>> volumeOf(RawImage image, Progress& progress) {
     if (!(std::isfinite(image.slope) && image.slope != 0.0 && std::isfinite(image.intercept))) {
         return Error{ErrorCode::inputNotUsable,
-                     "The map from stored values to units is not usable.",
+                     Text("The map from stored values to units is not usable."),
                      {},
-                     "Export the file again."};
+                     Text("Export the file again.")};
     }
     MACULA_CHECK(image.data.size() == image.bytes());
     return withRaw(image, [&](const auto& raw) { return unpacked(image, progress, raw); });

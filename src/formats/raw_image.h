@@ -31,8 +31,8 @@ struct RawImageLayout {
     // From the valueNote() of a file by Macula: other programs name no unit, and Macula guesses none.
     Unit unit = Unit::raw;
     std::string modality;
-    bool isCalibrated = true;              // as in Provenance
-    std::vector<std::string> assumptions;  // sentences, as in Provenance
+    bool isCalibrated = true;       // as in Provenance
+    std::vector<Text> assumptions;  // sentences, as in Provenance
 
     std::uint64_t bytes() const;  // of one volume
 };
@@ -42,7 +42,7 @@ Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume);
 
 // The note in files by Macula: "Macula|int16|HU|CT", followed by "|uncalibrated" if the image is not
 // calibrated; at most 79 characters. Empty for a calibrated image without a unit.
-std::string valueNote(const RawImageLayout& layout);
+Text valueNote(const RawImageLayout& layout);
 inline constexpr std::string_view kValueNoteField = "MaculaValues";  // its field in NRRD and MetaImage
 // Sets unit and modality, and whether lengths are estimates. Ignores the unit if type or scaling differ from
 // the note, because another program has then changed the values.

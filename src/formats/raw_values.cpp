@@ -15,9 +15,9 @@ constexpr std::size_t kPortion = std::size_t{1} << 20;
 
 Error cutOff() {
     return {ErrorCode::inputNotUsable,
-            "The file is cut off or damaged.",
+            Text("The file is cut off or damaged."),
             {},
-            "Get the file again from where it came."};
+            Text("Get the file again from where it came.")};
 }
 
 // Bytes from a place in a file on, uncompressed if need be.
@@ -103,8 +103,8 @@ Result<void> checkExtent(const RawImageLayout& layout, const ValuesInFile& value
     std::error_code error;
     const std::uint64_t bytes = fs::file_size(values.file, error);
     if (error || !std::ifstream(values.file, std::ios::binary)) {
-        return Error{ErrorCode::inputNotUsable, "The file cannot be read.", values.file.string(),
-                     "Check the path and its permissions."};
+        return Error{ErrorCode::inputNotUsable, Text("The file cannot be read."), values.file.string(),
+                     Text("Check the path and its permissions.")};
     }
     return checkLayout(layout, bytes - std::min(bytes, values.offset), values.compressed);
 }
@@ -113,9 +113,9 @@ Result<RawImage> readValues(RawImageLayout layout, const ValuesInFile& values, P
     MACULA_TRY_VOID(checkExtent(layout, values));
     RawImage image{std::move(layout), {}};
     const auto bytes = static_cast<std::size_t>(image.bytes());
-    progress.beginStage("Reading", (bytes + kPortion - 1) / kPortion);
+    progress.beginStage(Text("Reading"), (bytes + kPortion - 1) / kPortion);
     Source source(values);
-    const auto cancelled = [] { return Error{ErrorCode::cancelled, "Stopped.", {}, {}}; };
+    const auto cancelled = [] { return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}}; };
     if (!source.skip(values.skip, progress.token())) return progress.cancelled() ? cancelled() : cutOff();
     if (!values.compressed) image.data.reserve(bytes);
     for (std::size_t at = 0; at < bytes; at += kPortion) {

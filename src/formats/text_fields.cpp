@@ -15,12 +15,13 @@ constexpr std::size_t kLongestLine = std::size_t{1} << 16;
 
 }  // namespace
 
-Error headerNotUsable(std::string message, std::string hint) {
+Error headerNotUsable(Text message, Text hint) {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
 }
 
 Error headerDamaged() {
-    return headerNotUsable("The header of the file is damaged.", "Get the file again from where it came.");
+    return headerNotUsable(Text("The header of the file is damaged."),
+                           Text("Get the file again from where it came."));
 }
 
 std::string lpsAssumed() {
@@ -94,9 +95,10 @@ Result<void> checkThreeAxes(const std::string& count) {
     if (!axes) return headerDamaged();
     if (*axes == 3) return {};
     if (*axes == 2)
-        return headerNotUsable("The image has two axes; it is no volume.", "Choose a file with a volume.");
-    return headerNotUsable(fmt::format("The image has {} axes; Macula reads volumes with three.", *axes),
-                           "Write one volume to a file of its own.");
+        return headerNotUsable(Text("The image has two axes; it is no volume."),
+                               Text("Choose a file with a volume."));
+    return headerNotUsable(Text("The image has {} axes; Macula reads volumes with three.", *axes),
+                           Text("Write one volume to a file of its own."));
 }
 
 Result<fs::path> besideHeader(const fs::path& header, const std::string& name) {
@@ -108,13 +110,14 @@ Result<fs::path> besideHeader(const fs::path& header, const std::string& name) {
                        name != ".." && !isPattern;
     if (!plain) {
         return headerNotUsable(
-            "The values lie in another folder or in several files.",
-            "Write the volume to one file, or put the file with the values beside the header.");
+            Text("The values lie in another folder or in several files."),
+            Text("Write the volume to one file, or put the file with the values beside the header."));
     }
     const fs::path data = header.parent_path() / name;
     std::error_code error;
     if (!fs::is_regular_file(fs::symlink_status(data, error))) {
-        return headerNotUsable("The file with the values is missing.", "Put it beside the header.");
+        return headerNotUsable(Text("The file with the values is missing."),
+                               Text("Put it beside the header."));
     }
     return data;
 }

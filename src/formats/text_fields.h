@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "base/parsing.h"
+#include "base/text.h"
 #include "formats/raw_values.h"
 
 namespace macula::formats {
 
-Error headerNotUsable(std::string message, std::string hint = "Convert it with the program it comes from.");
+Error headerNotUsable(Text message, Text hint = Text("Convert it with the program it comes from."));
 Error headerDamaged();
 // The assumption for a file without an orientation.
 std::string lpsAssumed();

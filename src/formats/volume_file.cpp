@@ -46,7 +46,7 @@ const Ending* endingOf(const fs::path& path) {
 
 Result<Ending> knownEndingOf(const fs::path& path) {
     if (const Ending* ending = endingOf(path)) return *ending;
-    return Error{ErrorCode::usage, "The ending of the name is that of no volume file.", path.string(),
+    return Error{ErrorCode::usage, Text("The ending of the name is that of no volume file."), path.string(),
                  "Known are " + volumeFileEndings() + "."};
 }
 
@@ -64,19 +64,18 @@ std::string stemForValues(const fs::path& path, const Ending& ending) {
 Result<Ending> writtenEndingOf(const fs::path& path) {
     MACULA_TRY(const Ending ending, knownEndingOf(path));
     if (ending.isWritten) return ending;
-    return Error{ErrorCode::usage,
-                 fmt::format("Volumes are not written to files with the ending {}.", ending.text),
+    return Error{ErrorCode::usage, Text("Volumes are not written to files with the ending {}.", ending.text),
                  path.string(), "Known are " + volumeFileEndings() + "."};
 }
 
-Error cannotWrite(const fs::path& path, const std::string& reason) {
-    return {ErrorCode::outputNotWritable, fmt::format("The file could not be put in place: {}.", reason),
-            path.string(), "Check free space and permissions."};
+Error cannotWrite(const fs::path& path, Text reason) {
+    return {ErrorCode::outputNotWritable, Text("The file could not be put in place: {}.", reason),
+            path.string(), Text("Check free space and permissions.")};
 }
 
 Result<void> writeFormat(Format format, const fs::path& path, const RawImage& image, Progress& progress) {
     if (format == Format::nifti) return writeNifti(path, image, progress);
-    progress.beginStage("Writing", 1);
+    progress.beginStage(Text("Writing"), 1);
     auto written = format == Format::nrrd ? writeNrrd(path, image) : writeMetaImage(path, image);
     progress.advance();
     return written;
@@ -107,12 +106,13 @@ Error at(const fs::path& path, Error error) {
 
 Result<Ending> checkInput(const fs::path& path) {
     MACULA_TRY(const Ending ending, knownEndingOf(path));
-    const Error cannotRead{ErrorCode::inputNotUsable, "The file cannot be read.", path.string(),
-                           "Check the path and its permissions."};
+    const Error cannotRead{ErrorCode::inputNotUsable, Text("The file cannot be read."), path.string(),
+                           Text("Check the path and its permissions.")};
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
         if (error == std::errc::permission_denied) return cannotRead;  // of a folder on the way
-        return Error{ErrorCode::inputNotUsable, "The file does not exist.", path.string(), "Check the path."};
+        return Error{ErrorCode::inputNotUsable, Text("The file does not exist."), path.string(),
+                     Text("Check the path.")};
     }
     if (!std::ifstream(path, std::ios::binary)) return cannotRead;
     return ending;
@@ -157,24 +157,26 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
     std::error_code unknown;
     const auto space = fs::space(workshop.path(), unknown);
     if (!unknown && ending.text != ".nii.gz" && space.available < image.data.size()) {  // MetaIO would print
-        return Error{ErrorCode::outputNotWritable, "There is not enough free space.", path.string(),
-                     fmt::format("The file needs {} MB.", image.data.size() / 1'000'000 + 1)};
+        return Error{ErrorCode::outputNotWritable, Text("There is not enough free space."), path.string(),
+                     Text("The file needs {} MB.", image.data.size() / 1'000'000 + 1)};
     }
     // The ending in small letters: the libraries choose by it. The header names the values by the same stem.
     const fs::path draft = workshop.path() / (stemForValues(path, ending) + std::string(ending.text));
     if (const auto written = writeFormat(ending.format, draft, image, progress); !written)
         return at(path, written.error());
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+    if (progress.cancelled())
+        return Error{ErrorCode::cancelled, Text("Stopped; nothing was written."), {}, {}};
     // No library tells of every byte that found no room, and readers compare the header with the file's size.
     // Segments of a single slice are written too, which no reader takes for a volume.
     const glm::ivec3 size = image.size;
     const bool isVolume = std::min({size.x, size.y, size.z}) > 1;
-    if (isVolume && !readLayout(ending.format, draft)) return cannotWrite(path, "it did not become whole");
+    if (isVolume && !readLayout(ending.format, draft))
+        return cannotWrite(path, Text("it did not become whole"));
     return putAllInPlace(files, draft, workshop.path());
 } catch (const std::bad_alloc&) {
     return notEnoughMemory(std::uint64_t{sizeof(float)} * voxels, availableMemory());
 } catch (const std::exception&) {
-    return cannotWrite(path, "something unforeseen happened");
+    return cannotWrite(path, Text("something unforeseen happened"));
 }
 
 // A sentence for Provenance::assumptions.
@@ -248,7 +250,7 @@ Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progr
     MACULA_TRY(const Ending ending, checkInput(path));
     auto image = readFormat(ending.format, path, number, progress);
     if (!image) return at(path, image.error());
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
     image->assumptions.push_back(whatIsKnownOfUnit(image->unit));
     auto volume = volumeOf(std::move(*image), progress);
     if (!volume) return at(path, volume.error());

@@ -42,7 +42,7 @@ struct VolumeFileInfo {
     std::string values;  // "int16"
     glm::ivec3 size{0};
     glm::dmat4 worldFromVoxel{1.0};
-    std::vector<std::string> assumptions;
+    std::vector<Text> assumptions;
     bool isCalibrated = true;  // as in Provenance
     std::size_t volumes = 1;   // one for each point in time
 };

@@ -17,8 +17,10 @@ constexpr double kMostFraction = 0.999;
 
 Result<void> fits(const Mask& mask, const Image& image) {
     if (mask.size() == std::size_t(image.width) * std::size_t(image.height)) return {};
-    return Error{
-        ErrorCode::usage, "The mask does not fit the pictures.", {}, "Give one number for each pixel."};
+    return Error{ErrorCode::usage,
+                 Text("The mask does not fit the pictures."),
+                 {},
+                 Text("Give one number for each pixel.")};
 }
 
 // What `combined` makes of the values of a pixel and of those around it, as far as the picture goes.

@@ -201,8 +201,10 @@ std::array<Plane, 3> opponentPlanes(const Image& image) {
 Result<Flip> flip(const Image& reference, const Image& test, const FlipOptions& options) {
     MACULA_TRY_VOID(comparable(reference, test));
     if (!(options.pixelsPerDegree > 0.0 && options.pixelsPerDegree < 1e4)) {
-        return Error{
-            ErrorCode::usage, "The number of pixels in a degree is not usable.", {}, "Give 1 to 1000."};
+        return Error{ErrorCode::usage,
+                     Text("The number of pixels in a degree is not usable."),
+                     {},
+                     Text("Give 1 to 1000.")};
     }
     std::array<Plane, 3> a = opponentPlanes(reference);
     std::array<Plane, 3> b = opponentPlanes(test);

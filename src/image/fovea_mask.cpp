@@ -18,11 +18,12 @@ bool isUsable(const FoveaInPicture& fovea) {
 
 Result<Mask> foveaMask(const FoveaInPicture& fovea) {
     if (!isUsable(fovea)) {
-        return Error{ErrorCode::usage,
-                     "There is no such fovea in a picture.",
-                     {},
-                     "Give a picture of 0.1 to 170 degrees, a gaze inside it, and a field above 0 and at "
-                     "most 180 degrees."};
+        return Error{
+            ErrorCode::usage,
+            Text("There is no such fovea in a picture."),
+            {},
+            Text("Give a picture of 0.1 to 170 degrees, a gaze inside it, and a field above 0 and at "
+                 "most 180 degrees.")};
     }
     const glm::dvec2 size(fovea.sizePx);
     const double halfHeight = std::tan(glm::radians(fovea.verticalFovDeg) / 2.0);

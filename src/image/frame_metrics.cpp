@@ -11,7 +11,7 @@ namespace macula::image {
 namespace {
 
 Error notForEachPixel(const char* what) {
-    return {ErrorCode::usage, what, {}, "Give one number for each pixel of the pictures."};
+    return {ErrorCode::usage, what, {}, Text("Give one number for each pixel of the pictures.")};
 }
 
 std::size_t pixelsOf(const Image& image) {

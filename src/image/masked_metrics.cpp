@@ -112,7 +112,7 @@ std::optional<double> coverageError(std::span<const float> reference, std::span<
 
 Result<std::optional<double>> meanOf(std::span<const float> perPixel, const Mask& mask) {
     const auto fault = [](const char* what) {
-        return Error{ErrorCode::usage, what, {}, "Give a number for each pixel of the mask."};
+        return Error{ErrorCode::usage, what, {}, Text("Give a number for each pixel of the mask.")};
     };
     if (perPixel.size() != mask.size()) return fault("Values and mask are not of one size.");
     if (std::any_of(perPixel.begin(), perPixel.end(), [](float v) { return !std::isfinite(v); }))

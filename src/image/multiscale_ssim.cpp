@@ -54,11 +54,11 @@ double multiscale(Plane a, Plane b) {
 Result<double> msSsim(const Image& reference, const Image& test) {
     MACULA_TRY_VOID(comparable(reference, test));
     if (std::min(reference.width, reference.height) < kMsSsimLeastPx) {
-        return Error{ErrorCode::usage,
-                     fmt::format("Pictures of {} x {} pixels are too small for MS-SSIM.", reference.width,
-                                 reference.height),
-                     {},
-                     fmt::format("Compare pictures of at least {} pixels on each side.", kMsSsimLeastPx)};
+        return Error{
+            ErrorCode::usage,
+            Text("Pictures of {} x {} pixels are too small for MS-SSIM.", reference.width, reference.height),
+            {},
+            Text("Compare pictures of at least {} pixels on each side.", kMsSsimLeastPx)};
     }
     const auto a = colourPlanes(reference);
     const auto b = colourPlanes(test);

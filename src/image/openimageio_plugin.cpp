@@ -18,17 +18,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
-Error notUsable(const fs::path& path, std::string message, std::string hint) {
+Error notUsable(const fs::path& path, Text message, Text hint) {
     return {ErrorCode::inputNotUsable, std::move(message), path.string(), std::move(hint)};
 }
 
 Error damaged(const fs::path& path) {
-    return notUsable(path, "The picture file is damaged or incomplete.", "Export or download it again.");
+    return notUsable(path, Text("The picture file is damaged or incomplete."),
+                     Text("Export or download it again."));
 }
 
 Error notWritable(const fs::path& path) {
-    return {ErrorCode::outputNotWritable, "The picture could not be written.", path.string(),
-            "Check free space and permissions of the folder."};
+    return {ErrorCode::outputNotWritable, Text("The picture could not be written."), path.string(),
+            Text("Check free space and permissions of the folder.")};
 }
 
 // OpenImageIO tries all its formats on a file, DICOM and video among them. Only the formats that we mean to
@@ -36,18 +37,19 @@ Error notWritable(const fs::path& path) {
 Result<std::string> formatOf(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error)) {
-        return notUsable(path, "The picture file does not exist.", "Check the path.");
+        return notUsable(path, Text("The picture file does not exist."), Text("Check the path."));
     }
     std::ifstream stream(path, std::ios::binary);
-    if (!stream) return notUsable(path, "The picture file could not be opened.", "Check its permissions.");
+    if (!stream)
+        return notUsable(path, Text("The picture file could not be opened."), Text("Check its permissions."));
     std::array<char, 8> bytes{};
     stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     const std::string_view magic(bytes.data(), static_cast<std::size_t>(stream.gcount()));
     if (magic.starts_with("#?")) return std::string("hdr");
     if (magic.starts_with("\x76\x2f\x31\x01")) return std::string("openexr");
     if (magic.starts_with("\x89PNG\r\n\x1a\n")) return std::string("png");
-    return notUsable(path, "The file is no Radiance HDR, OpenEXR or PNG picture.",
-                     "Give a file of one of these formats; renaming does not convert it.");
+    return notUsable(path, Text("The file is no Radiance HDR, OpenEXR or PNG picture."),
+                     Text("Give a file of one of these formats; renaming does not convert it."));
 }
 
 // Runs an adapter function and turns whatever is thrown into an error.
@@ -56,8 +58,8 @@ auto guarded(const Error& otherwise, Function&& function) -> decltype(function()
     try {
         return function();
     } catch (const std::bad_alloc&) {
-        return Error{ErrorCode::outOfMemory, "There is not enough memory for the picture.", otherwise.where,
-                     "Close other programs, or use a smaller picture."};
+        return Error{ErrorCode::outOfMemory, Text("There is not enough memory for the picture."),
+                     otherwise.where, Text("Close other programs, or use a smaller picture.")};
     } catch (const std::exception&) {
         return otherwise;
     }
@@ -69,23 +71,24 @@ Result<std::unique_ptr<OIIO::ImageInput>> open(const fs::path& path, OIIO::Image
     if (!input) {
         OIIO::geterror();  // takes the pending message, which is printed at exit otherwise
         return notUsable(path, "This build cannot read " + format + " pictures.",
-                         "Give a picture of another format.");
+                         Text("Give a picture of another format."));
     }
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     if (!input->open(path.string(), spec, config)) return damaged(path);
     if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1 || spec.depth > 1 || spec.deep) {
-        return notUsable(path, "The file is no flat picture.", "Give a picture with one layer of pixels.");
+        return notUsable(path, Text("The file is no flat picture."),
+                         Text("Give a picture with one layer of pixels."));
     }
     if (spec.width > kMaxEdge || spec.height > kMaxEdge || spec.nchannels > 64) {
         return notUsable(path,
-                         fmt::format("The picture is too large: {} by {} pixels, {} channels.", spec.width,
-                                     spec.height, spec.nchannels),
-                         fmt::format("Scale it to at most {} pixels on each side.", kMaxEdge));
+                         Text("The picture is too large: {} by {} pixels, {} channels.", spec.width,
+                              spec.height, spec.nchannels),
+                         Text("Scale it to at most {} pixels on each side.", kMaxEdge));
     }
     if (spec.image_pixels() * static_cast<std::uint64_t>(spec.nchannels) * sizeof(float) > kMaxBytes) {
-        return notUsable(path, "The picture has too many pixels and channels.",
-                         "Scale it down, or leave channels out.");
+        return notUsable(path, Text("The picture has too many pixels and channels."),
+                         Text("Scale it down, or leave channels out."));
     }
     return input;
 }

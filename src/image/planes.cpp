@@ -31,7 +31,7 @@ void filterLine(const double* in, double* out, int count, std::ptrdiff_t stride,
 
 Result<void> checkOne(const Image& image) {
     const auto fault = [](const char* what) {
-        return Error{ErrorCode::usage, what, {}, "Compare two pictures of one size, made for display."};
+        return Error{ErrorCode::usage, what, {}, Text("Compare two pictures of one size, made for display.")};
     };
     if (image.width < 1 || image.height < 1 || image.channels < 1)
         return fault("A picture to compare is empty.");
@@ -90,10 +90,10 @@ Result<void> comparable(const Image& reference, const Image& test) {
     if (reference.width != test.width || reference.height != test.height ||
         colourChannels(reference) != colourChannels(test)) {
         return Error{ErrorCode::usage,
-                     fmt::format("Pictures of {} x {} and {} x {} cannot be compared.", reference.width,
-                                 reference.height, test.width, test.height),
+                     Text("Pictures of {} x {} and {} x {} cannot be compared.", reference.width,
+                          reference.height, test.width, test.height),
                      {},
-                     "Compare two pictures of one size, both in colour or both grey."};
+                     Text("Compare two pictures of one size, both in colour or both grey.")};
     }
     return {};
 }

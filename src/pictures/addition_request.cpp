@@ -22,7 +22,7 @@ Result<scene::SegmentsToDraw> segmentsOf(const ResolvedAdditions& choice, const 
     if (!choice.needsSegmentations()) return scene::SegmentsToDraw();
     if (!study.found) {
         scene::SegmentsToDraw none;
-        none.notes.emplace_back("The segments of the view are not here; all of the volume is shown.");
+        none.notes.emplace_back(Text("The segments of the view are not here; all of the volume is shown."));
         return none;
     }
     MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(study.found->scan(), study.series));
@@ -48,11 +48,11 @@ Result<void> addSecond(const ResolvedAdditions& choice, const study::ReadStudy& 
     if (!choice.second.isGiven()) {
         if (beside != nullptr && scene::isSecondIn3d(*beside) && !trace::isProjection(look))
             made.notes.emplace_back(
-                "The view has a second volume in the picture; give it by --second to draw both.");
+                Text("The view has a second volume in the picture; give it by --second to draw both."));
         return {};
     }
     if (trace::isProjection(look)) {
-        made.notes.emplace_back("--second does nothing in this look: it is of all but projections.");
+        made.notes.emplace_back(Text("--second does nothing in this look: it is of all but projections."));
         return {};
     }
     scene::SecondVolumeRequest request = choice.second;
@@ -89,9 +89,9 @@ Result<ResolvedAdditions> resolveAdditions(const AdditionRequest& request, const
     }
     if (!choice.segments.empty() && !study::mayHoldSegmentations(study))
         return Error{ErrorCode::usage,
-                     "Only a folder of DICOM files can have segmentations.",
+                     Text("Only a folder of DICOM files can have segmentations."),
                      {},
-                     "Leave --segments out."};
+                     Text("Leave --segments out.")};
     choice.second = request.second;
     choice.ofView = std::exchange(state.segmentations, {});
     choice.secondVolume = std::exchange(state.secondVolume, std::nullopt);

@@ -47,8 +47,8 @@ Result<ResolvedAdditions> resolveAdditions(const AdditionRequest& request, const
 
 struct DrawnAdditions {
     Additions additions;
-    std::vector<std::string> notes;     // sentences, without patient data
-    std::vector<std::string> warnings;  // those notes that change what is seen
+    std::vector<Text> notes;     // sentences, without patient data
+    std::vector<Text> warnings;  // those notes that change what is seen
 };
 
 // Makes the additions that `look` draws: for a projection it does not read the second volume. The volume of

@@ -51,7 +51,7 @@ Result<Camera> cameraOf(const PictureRequest& request, const trace::PathTracer& 
 Result<void> traceAll(trace::PathTracer& tracer, std::uint32_t samplesPerPixel, Progress& progress) {
     // One pass has all samples: the tracer asks between its dispatches, and lanes wait less for one another
     // in a long pass.
-    progress.beginStage("Tracing", samplesPerPixel);
+    progress.beginStage(Text("Tracing"), samplesPerPixel);
     std::size_t told = 0;
     const auto tell = [&] {
         const auto done = static_cast<std::size_t>(tracer.meanSamples() + 1e-6);
@@ -69,7 +69,7 @@ Result<void> traceUntilConverged(trace::PathTracer& tracer, const PictureRequest
                                  Progress& progress) {
     constexpr double kPortionMs = 200.0;
     constexpr std::size_t kSteps = 1000;
-    progress.beginStage("Tracing until the noise is gone", kSteps);
+    progress.beginStage(Text("Tracing until the noise is gone"), kSteps);
     std::size_t shown = 0;
     for (;;) {
         MACULA_TRY_VOID(tracer.traceFor(kPortionMs, [&] { return !progress.cancelled(); }));
@@ -89,7 +89,7 @@ Result<void> traceUntilConverged(trace::PathTracer& tracer, const PictureRequest
 }  // namespace
 
 Error stopped() {
-    return {ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+    return {ErrorCode::cancelled, Text("Stopped; nothing was written."), {}, {}};
 }
 
 Result<PictureDrawer> PictureDrawer::create(const std::shared_ptr<gpu::Device>& device,

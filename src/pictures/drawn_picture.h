@@ -73,7 +73,7 @@ bool isEmpty(const DrawnPicture& picture, const PictureRequest& request);
 
 // A note to the user about a picture, without patient data.
 struct PictureNote {
-    std::string sentence;
+    Text sentence;
     std::string action = {};  // the advised action; may be empty
     bool isWarning = false;   // the user must check it before relying on the picture
 };

@@ -17,13 +17,14 @@ Result<ModelToDraw> readModelToDraw(const std::filesystem::path& path,
     splat::Splats& splats = model.splats;
     if (file.repaired.dropped > 0)
         model.notes.push_back(
-            fmt::format("{} of the model's splats hold what is no number or no rotation, or are so large "
-                        "that they would fill every picture: left out.",
-                        file.repaired.dropped));
-    if (splats.size() == 0) model.notes.emplace_back("The model holds no splats: the pictures are empty.");
+            Text("{} of the model's splats hold what is no number or no rotation, or are so large "
+                 "that they would fill every picture: left out.",
+                 file.repaired.dropped));
+    if (splats.size() == 0)
+        model.notes.emplace_back(Text("The model holds no splats: the pictures are empty."));
     if (lowPass && splats.lowPass == splat::LowPass::adaptive) {
         model.notes.emplace_back(
-            "This model is one of Macula's and has a low-pass of its own: --low-pass does nothing.");
+            Text("This model is one of Macula's and has a low-pass of its own: --low-pass does nothing."));
     } else if (lowPass) {
         splats.lowPass = *lowPass;
     }
@@ -51,7 +52,7 @@ Result<ModelPicture> drawModel(splat::ModelPainter& painter, const splat::Raster
     ModelPicture picture;
     picture.displayed.reserve(4 * std::size_t(view.sizePx.x) * std::size_t(view.sizePx.y));
     MACULA_TRY_VOID(painter.drawBands(view, [&](const splat::SplatPicture& band) -> Result<void> {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
         add(picture, band, space, display, withDepths);
         return {};
     }));

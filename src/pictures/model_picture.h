@@ -19,7 +19,7 @@ namespace macula::pictures {
 
 struct ModelToDraw {
     splat::Splats splats;
-    std::vector<std::string> notes;  // unexpected properties, for the user
+    std::vector<Text> notes;  // unexpected properties, for the user
 };
 
 // `lowPass` is how the model was trained, for files that do not say; ignored for Macula's (adaptive). Fails

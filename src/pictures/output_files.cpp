@@ -41,18 +41,18 @@ Result<void> checkPlace(const fs::path& path) {
     std::error_code error;
     const fs::path folder = folderOf(path);
     if (!fs::is_directory(folder, error)) {
-        return Error{ErrorCode::outputNotWritable, "The folder to write into does not exist.",
-                     folder.string(), "Create it, or choose another place."};
+        return Error{ErrorCode::outputNotWritable, Text("The folder to write into does not exist."),
+                     folder.string(), Text("Create it, or choose another place.")};
     }
     if (fs::is_directory(path, error))
-        return Error{ErrorCode::outputNotWritable, "There is a folder of that name.", path.string(),
-                     "Choose another name."};
+        return Error{ErrorCode::outputNotWritable, Text("There is a folder of that name."), path.string(),
+                     Text("Choose another name.")};
     if (fs::exists(path, error) && !fs::is_regular_file(path, error))
-        return Error{ErrorCode::outputNotWritable, "What stands there is no file.", path.string(),
-                     "Choose another name."};
+        return Error{ErrorCode::outputNotWritable, Text("What stands there is no file."), path.string(),
+                     Text("Choose another name.")};
     if (access(folder.c_str(), W_OK) != 0)
-        return Error{ErrorCode::outputNotWritable, "Nothing can be written there.", path.string(),
-                     "Check the permissions, or choose another place."};
+        return Error{ErrorCode::outputNotWritable, Text("Nothing can be written there."), path.string(),
+                     Text("Check the permissions, or choose another place.")};
     return {};
 }
 
@@ -75,22 +75,22 @@ void OutputFiles::read(const fs::path& path) {
 
 Result<void> OutputFiles::checkExisting(const fs::path& path) const {
     if (isAmong(wholePath(path), files_))
-        return Error{ErrorCode::outputNotWritable, "The file is one of those that are read.", path.string(),
-                     "Choose another name: what is read is never replaced."};
+        return Error{ErrorCode::outputNotWritable, Text("The file is one of those that are read."),
+                     path.string(), Text("Choose another name: what is read is never replaced.")};
     if (std::any_of(folders_.begin(), folders_.end(),
                     [&](const auto& folder) { return isFileOf(path, folder); }))
-        return Error{ErrorCode::outputNotWritable, "The file belongs to the folder that is read.",
-                     path.string(), "Choose another name: what is read is never replaced."};
+        return Error{ErrorCode::outputNotWritable, Text("The file belongs to the folder that is read."),
+                     path.string(), Text("Choose another name: what is read is never replaced.")};
     if (!overwrite_)
-        return Error{ErrorCode::outputNotWritable, "The file exists already.", path.string(),
-                     "Give --overwrite to replace it, or choose another name."};
+        return Error{ErrorCode::outputNotWritable, Text("The file exists already."), path.string(),
+                     Text("Give --overwrite to replace it, or choose another name.")};
     return {};
 }
 
 Result<void> OutputFiles::take(const fs::path& path) {
     if (!written_.insert(wholePath(path)).second)
-        return Error{ErrorCode::usage, "Two outputs have the same name.", path.string(),
-                     "Give each a name of its own."};
+        return Error{ErrorCode::usage, Text("Two outputs have the same name."), path.string(),
+                     Text("Give each a name of its own.")};
     if (tidied_.insert(folderOf(path)).second) removeAbandonedDrafts(folderOf(path));
     return {};
 }
@@ -113,8 +113,8 @@ Result<void> makePictureFolder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error || !fs::is_directory(folder, error))
-        return Error{ErrorCode::outputNotWritable, "The folder for the pictures cannot be made.",
-                     folder.string(), "Check the permissions, or choose another place."};
+        return Error{ErrorCode::outputNotWritable, Text("The folder for the pictures cannot be made."),
+                     folder.string(), Text("Check the permissions, or choose another place.")};
     return {};
 }
 

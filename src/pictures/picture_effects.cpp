@@ -13,7 +13,7 @@ namespace macula::pictures {
 
 namespace {
 
-Error wrong(std::string message, std::string hint) {
+Error wrong(Text message, Text hint) {
     return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
 }
 
@@ -21,14 +21,14 @@ Error wrong(std::string message, std::string hint) {
 
 Result<void> check(const PictureEffects& effects) {
     if (!(effects.lensMm >= 0.0 && effects.lensMm <= trace::kMostLensMm))
-        return wrong("The diameter of the lens is not usable.",
-                     fmt::format("Give 0 to {:g} mm; 0 is none.", trace::kMostLensMm));
+        return wrong(Text("The diameter of the lens is not usable."),
+                     Text("Give 0 to {:g} mm; 0 is none.", trace::kMostLensMm));
     if (effects.focusMm && !(*effects.focusMm > 0.0 && *effects.focusMm <= trace::kMostFocusMm))
-        return wrong("The distance of what is sharp is not usable.",
-                     fmt::format("Give a number above 0, up to {:g} mm, or auto.", trace::kMostFocusMm));
+        return wrong(Text("The distance of what is sharp is not usable."),
+                     Text("Give a number above 0, up to {:g} mm, or auto.", trace::kMostFocusMm));
     if (effects.fogMm != 0.0 && !(effects.fogMm >= kLeastFogMm && effects.fogMm <= kMostFogMm))
-        return wrong("The depth of the fog is not usable.",
-                     fmt::format("Give {:g} to {:g} mm, or 0 for none.", kLeastFogMm, kMostFogMm));
+        return wrong(Text("The depth of the fog is not usable."),
+                     Text("Give {:g} to {:g} mm, or 0 for none.", kLeastFogMm, kMostFogMm));
     return {};
 }
 
@@ -38,8 +38,8 @@ Result<std::optional<double>> parseFocus(const std::string& typed) {
     const char* const end = typed.data() + typed.size();
     const auto read = std::from_chars(typed.data(), end, mm);
     if (read.ec != std::errc() || read.ptr != end || !(mm > 0.0 && mm <= trace::kMostFocusMm))
-        return Error{ErrorCode::usage, "The distance of what is sharp is not usable.", typed,
-                     fmt::format("Give a number above 0, up to {:g} mm, or auto.", trace::kMostFocusMm)};
+        return Error{ErrorCode::usage, Text("The distance of what is sharp is not usable."), typed,
+                     Text("Give a number above 0, up to {:g} mm, or auto.", trace::kMostFocusMm)};
     return std::optional(mm);
 }
 
@@ -61,13 +61,13 @@ Result<double> focusOfMiddle(std::span<const trace::GuidePixel> guides, glm::ive
         }
     }
     if (alongMm.empty())
-        return wrong("The middle of the picture shows nothing that a lens could be focused on.",
-                     "Move the camera, or give the distance in mm of what is to be sharp: --focus-mm.");
+        return wrong(Text("The middle of the picture shows nothing that a lens could be focused on."),
+                     Text("Move the camera, or give the distance in mm of what is to be sharp: --focus-mm."));
     const auto middle = alongMm.begin() + std::ptrdiff_t(alongMm.size() / 2);
     std::nth_element(alongMm.begin(), middle, alongMm.end());
     if (!(*middle > 0.0))
-        return wrong("The camera stands in what the middle of the picture shows.",
-                     "Move the camera, or give the distance in mm of what is to be sharp: --focus-mm.");
+        return wrong(Text("The camera stands in what the middle of the picture shows."),
+                     Text("Move the camera, or give the distance in mm of what is to be sharp: --focus-mm."));
     return *middle;
 }
 

@@ -20,8 +20,8 @@ std::string loweredExtension(const fs::path& path) {
 
 Result<void> checkPictureName(const fs::path& path) {
     if (isExr(path) || loweredExtension(path) == ".png") return {};
-    return Error{ErrorCode::usage, "The picture must be a .png or .exr file.", path.string(),
-                 "Give -o a name with one of these endings."};
+    return Error{ErrorCode::usage, Text("The picture must be a .png or .exr file."), path.string(),
+                 Text("Give -o a name with one of these endings.")};
 }
 
 bool isExr(const fs::path& path) {

@@ -68,7 +68,7 @@ Result<void> drawRow(trace::PathTracer& tracer, const SheetRequest& request, con
         MACULA_TRY(const bool whole,
                    tracer.trace(isPathTraced(look.look) ? request.samplesPerPixel : kSamplesOfCast,
                                 [&] { return !progress.cancelled(); }));
-        if (!whole) return Error{ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+        if (!whole) return Error{ErrorCode::cancelled, Text("Stopped; nothing was written."), {}, {}};
         MACULA_TRY(const std::vector<std::uint8_t> picture, tracer.readDisplay(glm::vec3(0.0f)));
         sheet.paste(column++, place.row, picture);
     }
@@ -99,7 +99,7 @@ Result<std::vector<std::uint8_t>> drawSheet(const std::shared_ptr<gpu::Device>& 
     MACULA_TRY(const LightsOfLooks lights, lightsOfLooks());
     // Looks without lights want some all the same.
     MACULA_TRY_VOID(tracer.scene().setEnvironment(trace::Environment::constant(glm::vec3(0.0f))));
-    progress.beginStage("Drawing", request.presets.size());
+    progress.beginStage(Text("Drawing"), request.presets.size());
     for (std::size_t i = 0; i < request.presets.size(); ++i) {
         MACULA_TRY_VOID(
             drawRow(tracer, request, lights, request.presets[i], placeOf(request, i), progress, sheet));

@@ -25,14 +25,14 @@ constexpr double kOpaque = 1.0 / 255.0;  // of transmittance
 constexpr double kLeastShaded = 1e-3;    // of opacity: below, a gradient costs more than it shows
 
 Error cancelled() {
-    return {ErrorCode::cancelled, "The small picture was not drawn.", {}, {}};
+    return {ErrorCode::cancelled, Text("The small picture was not drawn."), {}, {}};
 }
 
 Error noMemory() {
     return {ErrorCode::outOfMemory,
-            "There is not enough memory for small pictures of presets.",
+            Text("There is not enough memory for small pictures of presets."),
             {},
-            "Close other programs."};
+            Text("Close other programs.")};
 }
 
 // Of the voxels along one axis, those that a cell's mean is of.
@@ -242,9 +242,9 @@ Result<std::shared_ptr<const CoarseVolume>> CoarseVolume::of(std::shared_ptr<con
                                                              const CancelToken& token) {
     if (!volume->valueRange())
         return Error{ErrorCode::inputNotUsable,
-                     "Every voxel of the series is padding: there is nothing to draw.",
+                     Text("Every voxel of the series is padding: there is nothing to draw."),
                      {},
-                     "Open another series."};
+                     Text("Open another series.")};
     try {
         std::shared_ptr<CoarseVolume> coarse(new CoarseVolume(std::move(volume)));
         const Volume& fine = *coarse->volume_;

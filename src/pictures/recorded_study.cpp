@@ -41,8 +41,8 @@ Result<void> checkFolder(const RecordingRequest& request) {
     std::error_code error;
     if (fs::is_directory(request.folder, error)) {
         if (!fs::is_empty(request.folder, error) || error)
-            return Error{ErrorCode::outputNotWritable, "The folder is not empty.", request.folder.string(),
-                         "Choose another one, or empty it."};
+            return Error{ErrorCode::outputNotWritable, Text("The folder is not empty."),
+                         request.folder.string(), Text("Choose another one, or empty it.")};
         return files.write(request.folder / kFramesFile);
     }
     return files.write(request.folder);
@@ -53,8 +53,8 @@ Result<void> makeFolder(const fs::path& folder) {
     std::error_code error;
     fs::create_directory(folder, error);
     if (fs::is_directory(folder, error)) return {};
-    return Error{ErrorCode::outputNotWritable, "The folder cannot be made.", folder.string(),
-                 "Choose another place."};
+    return Error{ErrorCode::outputNotWritable, Text("The folder cannot be made."), folder.string(),
+                 Text("Choose another place.")};
 }
 
 Result<live::RecordingOptions> optionsOf(const RecordingRequest& request,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/camera.h"
+#include "base/text.h"
 #include "image/image_file.h"
 #include "pictures/drawn_picture.h"
 #include "pipeline/trace/path_tracer.h"
@@ -41,7 +42,7 @@ struct RenderRecord {
     trace::Statistics statistics;
     double loadSeconds = 0.0;
     double traceSeconds = 0.0;
-    std::vector<std::string> notes;
+    std::vector<Text> notes;
 
     // Adds the request, the drawn picture and its notes.
     void add(const PictureRequest& request, const DrawnPicture& picture);

@@ -98,7 +98,7 @@ std::vector<std::string> optionsWithoutEffect(const RenderRequest& request, trac
     const auto isGiven = [&](std::string_view id) { return request.state.numbers.contains(id); };
     std::vector<std::string> notes;
     const auto check = [&](bool isVain, std::string_view option, const std::string& of) {
-        if (isVain) notes.push_back(fmt::format("{} does nothing in this look: it is of {}.", option, of));
+        if (isVain) notes.push_back(Text("{} does nothing in this look: it is of {}.", option, of));
     };
     check(!request.state.window.empty() && !isProjection(look), "--window", looksListed(trace::isProjection));
     check(request.effort.bounces && !isTraced, "--bounces", "cinematic");
@@ -117,27 +117,27 @@ std::vector<std::string> optionsWithoutEffect(const RenderRequest& request, trac
             check(isProjection(look), option, "all but projections");
             if (!isProjection(look) && !usesSteepCurves(drawn))
                 notes.push_back(
-                    fmt::format("{} does nothing, as the preset has no curves for steep matter.", option));
+                    Text("{} does nothing, as the preset has no curves for steep matter.", option));
             continue;
         }
         check(!isTraced, option, traced);
         if (isTraced && drawn.surface.weight == 0.0 && isOfSurface(id))
-            notes.push_back(fmt::format(
-                "{} does nothing, as the preset has no surface: --surface gives it one.", option));
+            notes.push_back(
+                Text("{} does nothing, as the preset has no surface: --surface gives it one.", option));
     }
     check(isGiven("exposure") && isProjection(look), "--exposure", "all but projections");
     check(request.state.toneMap && isProjection(look), "--tone-map", "all but projections");
     check(request.effects.fogMm > 0.0 && isProjection(look), "--fog-mm", "all but projections");
     check(request.effects.lensMm > 0.0 && !isTraced, "--lens-mm", traced);
     if (!request.focus.empty() && !(request.effects.lensMm > 0.0))
-        notes.emplace_back("--focus-mm does nothing without --lens-mm: all is sharp.");
+        notes.emplace_back(Text("--focus-mm does nothing without --lens-mm: all is sharp."));
     if (request.effort.denoise.value_or(false) && !isTraced)
-        notes.emplace_back("This look is never denoised: --denoise does nothing.");
+        notes.emplace_back(Text("This look is never denoised: --denoise does nothing."));
     if (!request.background.empty() && isExr(request.output))
-        notes.emplace_back("--background does nothing in an EXR, which has coverage instead.");
+        notes.emplace_back(Text("--background does nothing in an EXR, which has coverage instead."));
     if (request.keepUnfinished && request.effort.error <= 0.0 && !endsByUsualError(request, look))
         notes.emplace_back(
-            "--keep-unfinished does nothing without --error: nothing is written when stopped.");
+            Text("--keep-unfinished does nothing without --error: nothing is written when stopped."));
     return notes;
 }
 

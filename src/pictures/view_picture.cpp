@@ -71,7 +71,7 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
         return {};
     }));
     if (picture.stampsFor && request.isLinear) {
-        sentences.emplace_back("A picture of light has no cube, scale and letters over it.");
+        sentences.emplace_back(Text("A picture of light has no cube, scale and letters over it."));
     } else if (picture.stampsFor) {
         for (const Stamp& stamp : picture.stampsFor(picture.camera))
             putOver(drawn.rgba, request.sizePx, stamp);

@@ -12,9 +12,9 @@ namespace macula::pictures {
 Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear) {
     const glm::ivec2 size = picture.sizePx;
     if (size.x < 1 || size.y < 1 || size.x > trace::kMaxPictureSide || size.y > trace::kMaxPictureSide)
-        return Error{ErrorCode::usage, "The picture cannot have that size.",
+        return Error{ErrorCode::usage, Text("The picture cannot have that size."),
                      fmt::format("{} x {}", size.x, size.y),
-                     fmt::format("Take 1 to {} pixels for each side.", trace::kMaxPictureSide)};
+                     Text("Take 1 to {} pixels for each side.", trace::kMaxPictureSide)};
     MACULA_TRY_VOID(check(picture.effects));
     MACULA_TRY(Effort effort, effortOf(picture.effort, picture.drawing.settings));
     const scene::Drawing& drawing = picture.drawing;

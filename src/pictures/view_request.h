@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "pictures/drawn_picture.h"
 #include "pictures/picture_request.h"
 #include "pictures/render_record.h"
@@ -18,6 +19,6 @@ Result<PictureRequest> requestOf(const ViewPicture& picture, bool isLinear);
 RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request, const DrawnPicture& drawn);
 
 // The notes on the picture, each with its action.
-std::vector<std::string> sentencesOf(const DrawnPicture& drawn, const PictureRequest& request);
+std::vector<Text> sentencesOf(const DrawnPicture& drawn, const PictureRequest& request);
 
 }  // namespace macula::pictures

@@ -24,10 +24,11 @@ constexpr std::string_view kPrefix = "frame-";
 
 Result<void> check(const ViewSequence& sequence) {
     if (sequence.frames < 1 || sequence.frames > kMostFrames)
-        return Error{ErrorCode::usage, "A sequence cannot have that many pictures.",
-                     std::to_string(sequence.frames), fmt::format("Take 1 to {}.", kMostFrames)};
+        return Error{ErrorCode::usage, Text("A sequence cannot have that many pictures."),
+                     std::to_string(sequence.frames), Text("Take 1 to {}.", kMostFrames)};
     if (sequence.path.stops.empty())
-        return Error{ErrorCode::usage, "The way of the camera has no view.", {}, "Add one first."};
+        return Error{
+            ErrorCode::usage, Text("The way of the camera has no view."), {}, Text("Add one first.")};
     return {};
 }
 
@@ -38,8 +39,8 @@ Result<void> prepareFolder(const fs::path& folder) {
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         const std::string name = entry->path().filename().string();
         if (name.starts_with(kPrefix) && entry->path().extension() == ".png")
-            return Error{ErrorCode::usage, "The folder holds pictures of another sequence.", folder.string(),
-                         "Choose an empty folder, or make a new one."};
+            return Error{ErrorCode::usage, Text("The folder holds pictures of another sequence."),
+                         folder.string(), Text("Choose an empty folder, or make a new one.")};
     }
     return {};
 }
@@ -128,7 +129,7 @@ Result<WrittenSequence> writeViewSequence(const ViewSequence& sequence, const st
     MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](std::string_view sentence) {
                    result.sentences.emplace_back(sentence);
                }));
-    progress.beginStage("Drawing pictures", std::size_t(sequence.frames));
+    progress.beginStage(Text("Drawing pictures"), std::size_t(sequence.frames));
     Course course{.sequence = sequence,
                   .request = request,
                   .progress = progress,

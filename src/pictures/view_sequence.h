@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "pictures/stamp.h"
 #include "pictures/view_picture.h"
 #include "scene/camera/camera_path.h"
@@ -32,7 +33,7 @@ std::string frameName(int index, int frames);
 
 struct WrittenSequence {
     std::vector<std::filesystem::path> files;
-    std::vector<std::string> sentences;  // notes to the user, without patient data
+    std::vector<Text> sentences;  // notes to the user, without patient data
 };
 
 // Opens a device of its own, as writeViewPicture. Removes its pictures when it is stopped or fails. usage

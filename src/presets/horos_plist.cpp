@@ -83,10 +83,10 @@ Result<void> readOpacityTable(const JsonNode& root, const Window& window, const 
     for (std::size_t entry = 0; entry < kTable; ++entry) {
         const std::optional<double> opacity = namedOpacity(name, entry);
         if (!opacity) {
-            return Error{ErrorCode::inputNotUsable,
-                         "The preset names the opacity table '" + name + "', which is not in the file.",
-                         file.where,
-                         "Choose a built-in opacity table, or a 16-bit CLUT, and save the preset again."};
+            return Error{
+                ErrorCode::inputNotUsable,
+                "The preset names the opacity table '" + name + "', which is not in the file.", file.where,
+                Text("Choose a built-in opacity table, or a 16-bit CLUT, and save the preset again.")};
         }
         function.opacity.push_back({window.at(entry), std::min(*opacity, 1.0)});
     }
@@ -139,7 +139,7 @@ Result<ImportedPresets> presetsFromHorosPlist(const PresetText& file, const Find
     function.source = "Horos";
     readLight(root, preset);
     if (const auto filters = root.find("convolutionFilters"); filters && !filters->items(0, 64).empty())
-        preset.notes.emplace_back("The filters of the preset are not applied.");
+        preset.notes.emplace_back(Text("The filters of the preset are not applied."));
     const std::string table = textOr(root, "CLUT", "");
     const bool advanced = flag(root, "advancedCLUT") || root.find("16bitClutCurves").has_value();
     if (advanced) readCurves(root, function);

@@ -12,7 +12,7 @@ namespace macula::presets {
 
 struct ImportedPreset {
     TransferFunction function;
-    std::vector<std::string> notes;  // sentences: what was assumed, changed or left out
+    std::vector<Text> notes;  // sentences: what was assumed, changed or left out
 };
 
 // The presets of a file in its order; never empty.

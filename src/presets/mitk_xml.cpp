@@ -41,8 +41,8 @@ class PointReader {
         if (read && *read >= low && *read <= high) return *read;
         if (!error_) {
             error_ = Error{ErrorCode::inputNotUsable,
-                           fmt::format("A point of {} has no usable {}.", point.parent().name(), key),
-                           file_.where, fmt::format("Give it a number from {:g} to {:g}.", low, high)};
+                           Text("A point of {} has no usable {}.", point.parent().name(), key), file_.where,
+                           Text("Give it a number from {:g} to {:g}.", low, high)};
         }
         return low > 0.0 ? low : 0.0;
     }
@@ -58,8 +58,8 @@ Result<std::vector<pugi::xml_node>> pointsOf(pugi::xml_node function, const char
     for (const pugi::xml_node point : function.child(curve).children("point")) points.push_back(point);
     if (points.empty() || points.size() > kMostPoints) {
         return Error{ErrorCode::inputNotUsable,
-                     fmt::format("The {} of the transfer function has {} points.", curve, points.size()),
-                     file.where, fmt::format("Give it 1 to {} points.", kMostPoints)};
+                     Text("The {} of the transfer function has {} points.", curve, points.size()), file.where,
+                     Text("Give it 1 to {} points.", kMostPoints)};
     }
     return points;
 }
@@ -81,8 +81,9 @@ Result<ImportedPresets> presetsFromMitkXml(const PresetText& file) {
     const pugi::xml_node root = document.root();
     if (const pugi::xml_node version = root.child("Version");
         version && version.attribute("TransferfunctionVersion").as_int() != 1) {
-        return Error{ErrorCode::inputNotUsable, "The version of the MITK transfer function is not known.",
-                     file.where, "Only version 1 can be read."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("The version of the MITK transfer function is not known."), file.where,
+                     Text("Only version 1 can be read.")};
     }
     const pugi::xml_node node = root.child("TransferFunction");
     ImportedPreset preset;
@@ -103,7 +104,8 @@ Result<ImportedPresets> presetsFromMitkXml(const PresetText& file) {
     }
     MACULA_TRY_VOID(reader.status());
     sortAsAdded(function.colour, false);
-    if (reader.clamped()) preset.notes.emplace_back("Opacities or colours outside 0 to 1 were clamped.");
+    if (reader.clamped())
+        preset.notes.emplace_back(Text("Opacities or colours outside 0 to 1 were clamped."));
     return ImportedPresets{std::move(preset)};
 }
 

@@ -98,7 +98,8 @@ ImportedPreset readMap(const JsonNode& map) {
     } else if (!function.colour.empty()) {
         function.opacity = {{function.colour.front().value, 0.0}, {function.colour.back().value, 1.0}};
         preset.notes.emplace_back(
-            "The colour map has no opacities; a ramp from 0 at its first to 1 at its last colour was taken.");
+            Text("The colour map has no opacities; a ramp from 0 at its first to 1 at its last colour was "
+                 "taken."));
     }
     if (const auto range = map.find("EffectiveRange")) {
         const std::vector<double> ends = range->numbers(2, kValue);

@@ -61,7 +61,7 @@ Result<ImportedPresets> fromVolumePropertyJson(const PresetText& file) {
     }
     const std::vector<JsonNode> properties = root["volumeProperties"].items(1, 64);
     if (properties.size() > 1 || properties.front()["components"].items(1, 64).size() > 1)
-        preset.notes.emplace_back("Only the first volume property, and its first component, are used.");
+        preset.notes.emplace_back(Text("Only the first volume property, and its first component, are used."));
     return ImportedPresets{std::move(preset)};
 }
 
@@ -76,9 +76,10 @@ Result<std::string> findTableBeside(const fs::path& path, const std::string& nam
             if (fs::is_regular_file(table, error)) return readText(table);
         }
     }
-    return Error{ErrorCode::inputNotUsable,
-                 "The preset names the colour table '" + name + "', which is not there.", path.string(),
-                 "Put the table beside the preset as NAME.plist, or save a 16-bit CLUT with the preset."};
+    return Error{
+        ErrorCode::inputNotUsable, "The preset names the colour table '" + name + "', which is not there.",
+        path.string(),
+        Text("Put the table beside the preset as NAME.plist, or save a 16-bit CLUT with the preset.")};
 }
 
 // The name of a file without its endings: "CT-Bone" for CT-Bone.vp.json.
@@ -118,8 +119,8 @@ Result<ImportedPresets> readPresets(const PresetText& file, const FindColourTabl
         lettersOf(file.text).empty() ? "The preset file is empty."
                                      : "The file is no preset of a known format.",
         file.where,
-        "Give a JSON preset, a .vp or presets.xml of 3D Slicer, a ParaView or VolView JSON, an XML of "
-        "MITK, or a plist of Horos."};
+        Text("Give a JSON preset, a .vp or presets.xml of 3D Slicer, a ParaView or VolView JSON, an XML of "
+             "MITK, or a plist of Horos.")};
 }
 
 Result<ImportedPresets> readPresetFile(const fs::path& path) {
@@ -148,7 +149,7 @@ Result<ImportedPreset> readPresetFrom(const std::string& fileAndName) {
         names += (names.empty() ? "" : ", ") + title;
     }
     if (wanted.empty()) {
-        return Error{ErrorCode::usage, fmt::format("The file holds {} presets.", presets.size()), path,
+        return Error{ErrorCode::usage, Text("The file holds {} presets.", presets.size()), path,
                      "Add # and a name or its place, as in FILE#" + presets.front().function.title +
                          ". There are: " + names + "."};
     }

@@ -26,7 +26,7 @@ class Converter {
         if (type == "real" || type == "integer") {
             const std::optional<double> number = finiteNumber(text);
             if (number) return Json(*number);
-            return fail("holds a number that cannot be read");
+            return fail(Text("holds a number that cannot be read"));
         }
         return fail("holds <" + std::string(type) + ">, which no property list does");
     }
@@ -39,7 +39,7 @@ class Converter {
         for (const pugi::xml_node child : node.children()) {
             if (child.type() != pugi::node_element) continue;
             const bool isKey = std::string_view(child.name()) == "key";
-            if (isKey == haveKey) return fail("has a key without a value, or a value without a key");
+            if (isKey == haveKey) return fail(Text("has a key without a value, or a value without a key"));
             if (isKey) {
                 key = child.child_value();
             } else {
@@ -47,7 +47,7 @@ class Converter {
             }
             haveKey = isKey;
         }
-        if (haveKey) return fail("has a key without a value, or a value without a key");
+        if (haveKey) return fail(Text("has a key without a value, or a value without a key"));
         return object;
     }
 
@@ -61,9 +61,9 @@ class Converter {
         return list;
     }
 
-    Error fail(const std::string& what) const {
+    Error fail(Text what) const {
         return Error{ErrorCode::inputNotUsable, "The property list " + what + ".", where_,
-                     "Check that it is complete."};
+                     Text("Check that it is complete.")};
     }
 
     const std::string& where_;
@@ -73,15 +73,15 @@ class Converter {
 
 Result<Json> jsonFromPropertyList(std::string_view text, const std::string& where) {
     if (text.starts_with("bplist")) {
-        return Error{ErrorCode::inputNotUsable, "The property list is in its binary form.", where,
-                     "Convert it on a Mac: plutil -convert xml1 FILE."};
+        return Error{ErrorCode::inputNotUsable, Text("The property list is in its binary form."), where,
+                     Text("Convert it on a Mac: plutil -convert xml1 FILE.")};
     }
     MACULA_TRY(const XmlDocument document, XmlDocument::parse(text, where));
     for (const pugi::xml_node child : document.root().child("plist").children()) {
         if (child.type() == pugi::node_element) return Converter(where).value(child);
     }
-    return Error{ErrorCode::inputNotUsable, "The file is no property list.", where,
-                 "Check that it is complete."};
+    return Error{ErrorCode::inputNotUsable, Text("The file is no property list."), where,
+                 Text("Check that it is complete.")};
 }
 
 }  // namespace macula::presets

@@ -31,8 +31,8 @@ Result<std::array<std::string_view, kLines>> linesOf(const PresetText& file) {
     }
     if (count == kLines) return lines;
     return Error{ErrorCode::inputNotUsable,
-                 fmt::format("A .vp file of 3D Slicer has {} lines; this has {}.", kLines, count), file.where,
-                 "Check that it is complete."};
+                 Text("A .vp file of 3D Slicer has {} lines; this has {}.", kLines, count), file.where,
+                 Text("Check that it is complete.")};
 }
 
 }  // namespace
@@ -40,8 +40,8 @@ Result<std::array<std::string_view, kLines>> linesOf(const PresetText& file) {
 Result<ImportedPresets> presetsFromSlicerVp(const PresetText& file) {
     MACULA_TRY(const auto lines, linesOf(file));
     const auto fail = [&](std::size_t line, std::string_view expected) {
-        return Error{ErrorCode::inputNotUsable, fmt::format("Line {} is not as expected.", line + 1),
-                     file.where, fmt::format("Expected {}.", expected)};
+        return Error{ErrorCode::inputNotUsable, Text("Line {} is not as expected.", line + 1), file.where,
+                     Text("Expected {}.", expected)};
     };
     ImportedPreset preset;
     TransferFunction& function = preset.function;
@@ -65,7 +65,7 @@ Result<ImportedPresets> presetsFromSlicerVp(const PresetText& file) {
     MACULA_TRY(function.gradientOpacity,
                opacityFromText(lines[7], "gradient opacity (line 8)", file.where, clamped));
     MACULA_TRY(function.colour, colourFromText(lines[8], "colour (line 9)", file.where, clamped));
-    if (clamped) preset.notes.emplace_back("Opacities or colours outside 0 to 1 were clamped.");
+    if (clamped) preset.notes.emplace_back(Text("Opacities or colours outside 0 to 1 were clamped."));
     return ImportedPresets{std::move(preset)};
 }
 

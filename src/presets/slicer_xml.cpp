@@ -36,10 +36,9 @@ Result<void> readLighting(pugi::xml_node node, const PresetText& file, TransferF
     const auto read = [&](const char* key, double most, double& out) -> Result<void> {
         const pugi::xml_attribute attribute = node.attribute(key);
         if (!attribute || readLight(attribute.value(), most, out)) return {};
-        return Error{
-            ErrorCode::inputNotUsable,
-            fmt::format("The {} of the preset {} is no number from 0 to {:g}.", key, function.title, most),
-            file.where, "Correct it, or remove it."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("The {} of the preset {} is no number from 0 to {:g}.", key, function.title, most),
+                     file.where, Text("Correct it, or remove it.")};
     };
     MACULA_TRY_VOID(read("ambient", 1e3, light.ambient));
     MACULA_TRY_VOID(read("diffuse", 1e3, light.diffuse));
@@ -50,7 +49,7 @@ Result<void> readLighting(pugi::xml_node node, const PresetText& file, TransferF
         if (!known) {
             return Error{ErrorCode::inputNotUsable,
                          "The interpolation of the preset " + function.title + " is unknown.", file.where,
-                         "Use 0 for nearest or 1 for linear."};
+                         Text("Use 0 for nearest or 1 for linear.")};
         }
         function.interpolation = *known;
     }
@@ -77,7 +76,7 @@ Result<ImportedPreset> readPreset(pugi::xml_node node, const PresetText& file) {
     }
     MACULA_TRY_VOID(readLighting(node, file, function));
     readRange(node, preset);
-    if (clamped) preset.notes.emplace_back("Opacities or colours outside 0 to 1 were clamped.");
+    if (clamped) preset.notes.emplace_back(Text("Opacities or colours outside 0 to 1 were clamped."));
     return preset;
 }
 
@@ -89,16 +88,16 @@ Result<ImportedPresets> presetsFromSlicerXml(const PresetText& file) {
     for (const pugi::xml_node root : document.root().children()) {
         for (const pugi::xml_node node : root.children("VolumeProperty")) {
             if (presets.size() == kMostPresets) {
-                return Error{ErrorCode::inputNotUsable, "The file holds too many presets.", file.where,
-                             fmt::format("Split it into files of at most {}.", kMostPresets)};
+                return Error{ErrorCode::inputNotUsable, Text("The file holds too many presets."), file.where,
+                             Text("Split it into files of at most {}.", kMostPresets)};
             }
             MACULA_TRY(ImportedPreset preset, readPreset(node, file));
             presets.push_back(std::move(preset));
         }
     }
     if (presets.empty()) {
-        return Error{ErrorCode::inputNotUsable, "The file holds no volume property of 3D Slicer.", file.where,
-                     "Give a presets.xml, or an MRML scene with volume rendering."};
+        return Error{ErrorCode::inputNotUsable, Text("The file holds no volume property of 3D Slicer."),
+                     file.where, Text("Give a presets.xml, or an MRML scene with volume rendering.")};
     }
     return presets;
 }

@@ -55,8 +55,8 @@ void sortPoints(std::vector<Point>& points, bool keepSteps) {
 Result<std::vector<double>> readNumbers(std::string_view text, std::size_t perPoint, const std::string& what,
                                         const std::string& where) {
     const auto fail = [&](const std::string& why) {
-        return Error{ErrorCode::inputNotUsable, fmt::format("The {} of the preset {}.", what, why), where,
-                     "Save the preset again in the program that it comes from."};
+        return Error{ErrorCode::inputNotUsable, Text("The {} of the preset {}.", what, why), where,
+                     Text("Save the preset again in the program that it comes from.")};
     };
     std::optional<std::vector<double>> numbers = numbersFrom(text, 1 + perPoint * kMostPoints);
     if (!numbers) return fail("has something in it that is no usable number, or too many of them");

@@ -56,11 +56,12 @@ constexpr double kDoubtfulRival = 0.5;
 constexpr std::size_t kProgressSteps = 12;
 
 Error cancelled() {
-    return {ErrorCode::cancelled, "Registration was cancelled.", {}, {}};
+    return {ErrorCode::cancelled, Text("Registration was cancelled."), {}, {}};
 }
 
 Error notUsable(const char* sentence) {
-    return {ErrorCode::inputNotUsable, sentence, {}, "Link the volumes by hand, or choose another series."};
+    return {
+        ErrorCode::inputNotUsable, sentence, {}, Text("Link the volumes by hand, or choose another series.")};
 }
 
 // A volume, coarser and coarser.
@@ -322,13 +323,13 @@ bool RigidRegistration::isDoubtful() const {
 }
 
 Result<RigidRegistration> registerRigid(const Volume& fixed, const Volume& moving, Progress& progress) try {
-    progress.beginStage("Registering the second volume", kProgressSteps);
+    progress.beginStage(Text("Registering the second volume"), kProgressSteps);
     return RigidSearch(fixed, moving, progress).found();
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory,
-                 "There is not enough memory to register the volumes.",
+                 Text("There is not enough memory to register the volumes."),
                  {},
-                 "Close other programs, or link the volumes by hand."};
+                 Text("Close other programs, or link the volumes by hand.")};
 }
 
 double boxOverlap(const Volume& fixed, const Volume& moving, const glm::dmat4& movingFromFixed) {

@@ -31,9 +31,9 @@ MaskImage::Pointer imageOf(const Grid& grid, const Mask& mask) {
 
 Error itkFailed() {
     return {ErrorCode::outOfMemory,
-            "The patient could not be told from the table.",
+            Text("The patient could not be told from the table."),
             {},
-            "Close other programs, or show the volume with the table."};
+            Text("Close other programs, or show the volume with the table.")};
 }
 
 }  // namespace

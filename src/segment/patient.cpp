@@ -29,7 +29,7 @@ constexpr double kReportedMl = 1.0;
 constexpr std::size_t kSteps = 8;
 
 Error cancelledError() {
-    return {ErrorCode::cancelled, "Telling the patient from the table was cancelled.", {}, {}};
+    return {ErrorCode::cancelled, Text("Telling the patient from the table was cancelled."), {}, {}};
 }
 
 // The thick parts of a mask, with what they enclose.
@@ -206,7 +206,7 @@ class Search {
     Search(const Volume& volume, Progress& progress) : volume_(volume), progress_(progress) {}
 
     Result<PatientMask> run() {
-        progress_.beginStage("Telling the patient from the table", kSteps);
+        progress_.beginStage(Text("Telling the patient from the table"), kSteps);
         coarse_ = makeCoarseGrid(volume_, token());
         MACULA_TRY_VOID(step());
         readSolid();
@@ -349,16 +349,16 @@ std::string_view nameOf(Confidence confidence) {
 Result<PatientMask> findPatient(const Volume& volume, Progress& progress) try {
     if (volume.unit() != Unit::hounsfield) {
         return Error{ErrorCode::usage,
-                     "The table can be left out of CT in Hounsfield units only.",
+                     Text("The table can be left out of CT in Hounsfield units only."),
                      {},
-                     "Show these images with the table, or cut it away with a clip plane or box."};
+                     Text("Show these images with the table, or cut it away with a clip plane or box.")};
     }
     return Search(volume, progress).run();
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory,
-                 "There is not enough memory to tell the patient from the table.",
+                 Text("There is not enough memory to tell the patient from the table."),
                  {},
-                 "Close other programs, or show the volume with the table."};
+                 Text("Close other programs, or show the volume with the table.")};
 }
 
 }  // namespace macula::segment

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Error kCancelled{ErrorCode::cancelled, "The copy of stored sessions was stopped.", {}, {}};
+const Error kCancelled{ErrorCode::cancelled, Text("The copy of stored sessions was stopped."), {}, {}};
 
 // A database of one moment, as SQLite reads it. `file` is not there yet.
 Result<void> copyDatabase(Connection& from, const fs::path& file) {
@@ -51,7 +51,7 @@ Result<void> copyBlobs(Connection& copy, const BlobFiles& from, const BlobFiles&
                        Progress& progress) {
     MACULA_TRY(const std::vector<ModelInfo> models,
                guarded(copy, [&]() -> Result<std::vector<ModelInfo>> { return modelsOf(copy, report); }));
-    progress.beginStage("Copying stored models", models.size());
+    progress.beginStage(Text("Copying stored models"), models.size());
     std::string kept = "0";
     for (const ModelInfo& info : models) {
         if (progress.cancelled()) return kCancelled;
@@ -221,7 +221,7 @@ Result<SnapshotReport> StoreSnapshots::importFrom(const fs::path& folder, Progre
         return report;
     }
     MACULA_TRY(const BlobFiles blobs, BlobFiles::open(blobFolder));
-    progress.beginStage("Importing stored models", models.size());
+    progress.beginStage(Text("Importing stored models"), models.size());
     for (const ModelInfo& info : models) {
         if (progress.cancelled()) return kCancelled;
         progress.advance();

@@ -81,13 +81,13 @@ std::size_t foldersIn(const fs::path& folder) {
 
 Result<VerifyReport> StoreCare::verify(Progress& progress) {
     VerifyReport report;
-    progress.beginStage("Checking the database", 1);
+    progress.beginStage(Text("Checking the database"), 1);
     MACULA_TRY_VOID(verifyDatabase(state_, report));
     progress.advance();
     MACULA_TRY(const Listing<ModelInfo> models, StoreModels(state_).list({}));
-    progress.beginStage("Checking stored models", models.entries.size());
+    progress.beginStage(Text("Checking stored models"), models.entries.size());
     for (const ModelInfo& info : models.entries) {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "The check was stopped.", {}, {}};
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("The check was stopped."), {}, {}};
         progress.advance();
         if (!info.aside.empty()) continue;
         ++report.blobs;

@@ -225,9 +225,9 @@ int runSession(QApplication& application, CommandLine line, const ReadSettings& 
     if (!line.keepsStudies) {
         if (!own.isValid())
             return fail({ErrorCode::outputNotWritable,
-                         "There is no folder for what the session keeps.",
+                         Text("There is no folder for what the session keeps."),
                          {},
-                         "Say --sessions FOLDER, or set TMPDIR."});
+                         Text("Say --sessions FOLDER, or set TMPDIR.")});
         line.sessions = own.path();
         line.keepsStudies = true;
     }
@@ -269,9 +269,9 @@ int main(int argc, char** argv) {
     std::optional<DisplayCheck> display(std::in_place);
     if (!display->found()) {
         return fail({ErrorCode::deviceNotUsable,
-                     "There is no display to open a window on, or it does not answer.",
+                     Text("There is no display to open a window on, or it does not answer."),
                      {},
-                     "Set DISPLAY or WAYLAND_DISPLAY, or use `macula render`, which needs none."});
+                     Text("Set DISPLAY or WAYLAND_DISPLAY, or use `macula render`, which needs none.")});
     }
     // Qt's dialogs write the folders they were in to its settings, and the names of folders may be those of
     // patients. Below a file that is no folder nothing can be written.

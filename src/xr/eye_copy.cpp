@@ -72,8 +72,8 @@ EyeView stamped(EyeView view) {
 Result<std::filesystem::path> writeEyeView(const EyeView& view, const std::filesystem::path& folder) {
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error))
-        return Error{ErrorCode::outputNotWritable, "The folder for pictures is not there.", folder.string(),
-                     "Make it, or choose another one."};
+        return Error{ErrorCode::outputNotWritable, Text("The folder for pictures is not there."),
+                     folder.string(), Text("Make it, or choose another one.")};
     std::filesystem::path path;
     for (int i = 1; i <= kMostPictures && path.empty(); ++i) {
         std::filesystem::path wanted = folder / fmt::format("macula-headset-{}.png", i);
@@ -81,8 +81,8 @@ Result<std::filesystem::path> writeEyeView(const EyeView& view, const std::files
             path = std::move(wanted);
     }
     if (path.empty())
-        return Error{ErrorCode::outputNotWritable, "The folder for pictures is full of them.",
-                     folder.string(), "Empty it, or choose another one."};
+        return Error{ErrorCode::outputNotWritable, Text("The folder for pictures is full of them."),
+                     folder.string(), Text("Empty it, or choose another one.")};
     const EyeView said = stamped(view);
     MACULA_TRY_VOID(image::writePng(path, said.sizePx.x, said.sizePx.y, said.rgba,
                                     {{"Software", "Macula"}, {"Description", kStamp}}));

@@ -82,8 +82,9 @@ Result<EyePictures> picturesFor(std::span<const Eye> eyes, const glm::dmat4& wor
     double pitch = 0.0;  // the tangent of a pixel straight ahead
     for (const Eye& eye : eyes) {
         if (!isUsable(eye))
-            return Error{ErrorCode::usage, "The headset does not say where the eyes are, or what they see.",
-                         "", "Put the headset on, and restart its software if that does not help."};
+            return Error{ErrorCode::usage,
+                         Text("The headset does not say where the eyes are, or what they see."), "",
+                         Text("Put the headset on, and restart its software if that does not help.")};
         pitch =
             std::max({pitch, pitchOf(eye.left, eye.right, mostPx.x), pitchOf(-eye.up, -eye.down, mostPx.y)});
     }
@@ -111,8 +112,8 @@ Result<EyePictures> picturesFor(std::span<const Eye> eyes, const glm::dmat4& wor
     pictures.sizePx = 2 * half;
     const double halfHeight = half.y * pitch;
     if (!(halfHeight < kMostTangent))
-        return Error{ErrorCode::usage, "The headset asks for a picture of 170 degrees or more.", "",
-                     "Restart the software of the headset."};
+        return Error{ErrorCode::usage, Text("The headset asks for a picture of 170 degrees or more."), "",
+                     Text("Restart the software of the headset.")};
     for (EyePicture& picture : pictures.eyes) {
         picture.firstPx += half;
         picture.camera = cameraAt(picture.eye.pose, worldFromStage, halfHeight);

@@ -10,8 +10,9 @@ namespace macula::xr {
 namespace {
 
 Error brokenRuntime() {
-    return {ErrorCode::deviceNotUsable, "The software of the headset does not answer as OpenXR 1.0 demands.",
-            "", "Update or reinstall it."};
+    return {ErrorCode::deviceNotUsable,
+            Text("The software of the headset does not answer as OpenXR 1.0 demands."), "",
+            Text("Update or reinstall it.")};
 }
 
 template <class Function>
@@ -37,8 +38,8 @@ Result<Loader> Loader::open(const char* library) {
                  loader.enumerateExtensions) ||
         !findOne(loader, XR_NULL_HANDLE, "xrCreateInstance", loader.createInstance))
         return Error{ErrorCode::deviceNotUsable,
-                     "The OpenXR loader is not installed, so no headset can be found.", "",
-                     "Install it (Debian/Ubuntu: sudo apt install libopenxr-loader1)."};
+                     Text("The OpenXR loader is not installed, so no headset can be found."), "",
+                     Text("Install it (Debian/Ubuntu: sudo apt install libopenxr-loader1).")};
     return loader;
 }
 

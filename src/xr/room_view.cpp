@@ -31,12 +31,12 @@ std::uint32_t samplesIn(RoomQuality quality, std::uint32_t ofBalanced) {
 
 Result<void> checkDrawing(const scene::Drawing& drawing) {
     if (!trace::isPathTraced(drawing.settings.look))
-        return Error{ErrorCode::usage, "In a headset only path-traced pictures can be shown.", "",
-                     "Choose the cinematic or the clear look."};
+        return Error{ErrorCode::usage, Text("In a headset only path-traced pictures can be shown."), "",
+                     Text("Choose the cinematic or the clear look.")};
     if (drawing.lights->frame != trace::LightFrame::patient)
         return Error{ErrorCode::usage,
-                     "These lights hang on the camera, and in a headset there are two eyes.", "",
-                     "Choose lights that stay in place; macula presets lists them."};
+                     Text("These lights hang on the camera, and in a headset there are two eyes."), "",
+                     Text("Choose lights that stay in place; macula presets lists them.")};
     return {};
 }
 
@@ -69,8 +69,8 @@ Result<void> RoomView::applyScene() {
     aimed_.reset();
     MACULA_TRY(seenMm_, tracer_.seenMm());
     if (seenMm_.low.x > seenMm_.high.x)
-        return Error{ErrorCode::inputNotUsable, "Nothing of this study can be seen.", "",
-                     "Choose another preset, or another clip."};
+        return Error{ErrorCode::inputNotUsable, Text("Nothing of this study can be seen."), "",
+                     Text("Choose another preset, or another clip.")};
     MACULA_TRY_VOID(hybrid_.setScene(scene_.drawing.settings));
     if (options_.learns && !isForALook_)
         MACULA_TRY_VOID(model_.show(names_.of(kScene, scene_.drawing), scene_.drawing.settings));

@@ -18,8 +18,9 @@ namespace {
 Error noRuntime() {
     const char* chosen = std::getenv("XR_RUNTIME_JSON");
     if (chosen && *chosen)
-        return {ErrorCode::deviceNotUsable, "The OpenXR runtime that XR_RUNTIME_JSON names cannot be loaded.",
-                chosen, "Correct or unset XR_RUNTIME_JSON."};
+        return {ErrorCode::deviceNotUsable,
+                Text("The OpenXR runtime that XR_RUNTIME_JSON names cannot be loaded."), chosen,
+                Text("Correct or unset XR_RUNTIME_JSON.")};
     return xrError(XR_ERROR_RUNTIME_UNAVAILABLE, "answer");
 }
 
@@ -61,9 +62,9 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
     MACULA_TRY(runtime->offer_.extensions, extensionsOf(runtime->loader_));
     if (!contains(runtime->offer_.extensions, XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME))
         return Error{ErrorCode::deviceNotUsable,
-                     "The software of the headset cannot show pictures made with Vulkan "
-                     "(XR_KHR_vulkan_enable2).",
-                     "", "Update it, or use another OpenXR runtime."};
+                     Text("The software of the headset cannot show pictures made with Vulkan "
+                          "(XR_KHR_vulkan_enable2)."),
+                     "", Text("Update it, or use another OpenXR runtime.")};
     std::vector<const char*> extensions{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
     for (const char* name : kOptional)
         if (runtime->isOn(name)) extensions.push_back(name);
@@ -142,8 +143,8 @@ Result<void> Runtime::askForViews() {
     }
     const auto isPicture = [](const glm::ivec2& sizePx) { return sizePx.x >= 2 && sizePx.y >= 2; };
     if (count != viewCount() || !isPicture(offer_.eyePx) || (offer_.hasInsets && !isPicture(offer_.insetPx)))
-        return Error{ErrorCode::deviceNotUsable, "The headset does not say how large its pictures are.", "",
-                     "Update the software of the headset."};
+        return Error{ErrorCode::deviceNotUsable, Text("The headset does not say how large its pictures are."),
+                     "", Text("Update the software of the headset.")};
     return {};
 }
 
@@ -196,8 +197,8 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
                   "tell which Vulkan it needs");
     // What a runtime was tested with at most is no limit: Vulkan 1.3 does all that 1.1 does.
     if (needs.minApiVersionSupported > XR_MAKE_VERSION(1, 3, 0xffff))
-        return Error{ErrorCode::deviceNotUsable, "The headset needs another version of Vulkan.", "",
-                     "Update the software of the headset."};
+        return Error{ErrorCode::deviceNotUsable, Text("The headset needs another version of Vulkan."), "",
+                     Text("Update the software of the headset.")};
 
     XrResult answer = XR_SUCCESS;
     const auto asVulkan = [&answer](XrResult result, VkResult vulkan) {

@@ -203,7 +203,7 @@ Result<HeadsetFigures> showStudy(const HeadsetRequest& request, const Hears& not
     MACULA_TRY(const HeadsetFigures figures,
                showIn(std::move(runtime), std::move(scene), std::move(host), progress, request.show));
     if (progress.cancelled())
-        return Error{ErrorCode::cancelled, "Stopped.", "",
+        return Error{ErrorCode::cancelled, Text("Stopped."), "",
                      request.pictures.empty() ? "Nothing was written." : "Pictures that were taken stay."};
     return figures;
 }

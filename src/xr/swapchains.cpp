@@ -21,8 +21,8 @@ Result<Swapchains> Swapchains::create(const Session& session, const glm::ivec2& 
     MACULA_TRY(auto pair, SwapchainPair::create(session, sizePx, LentImages::kColours));
     if (!pair)
         return Error{ErrorCode::deviceNotUsable,
-                     "The headset takes no pictures of 8 bits in sRGB (R8G8B8A8_SRGB).", "",
-                     "Update the software of the headset."};
+                     Text("The headset takes no pictures of 8 bits in sRGB (R8G8B8A8_SRGB)."), "",
+                     Text("Update the software of the headset.")};
     return Swapchains(std::move(*pair));
 }
 

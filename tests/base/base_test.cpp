@@ -20,7 +20,7 @@ namespace macula {
 namespace {
 
 Result<int> half(int n) {
-    if (n % 2 != 0) return Error{ErrorCode::usage, "Odd.", {}, "Use an even number."};
+    if (n % 2 != 0) return Error{ErrorCode::usage, Text("Odd."), {}, Text("Use an even number.")};
     return n / 2;
 }
 
@@ -119,7 +119,7 @@ TEST(ParallelFor, IsDoneByOneThreadWhereThereAreNoMore) {
 TEST(Progress, ReportsStartAndEndAndAtMostTenTimesASecond) {
     std::vector<double> fractions;
     Progress progress([&](const ProgressUpdate& update) { fractions.push_back(update.fraction); });
-    progress.beginStage("Counting", 5000);
+    progress.beginStage(Text("Counting"), 5000);
     for (int i = 0; i < 5000; ++i) progress.advance();
     ASSERT_GE(fractions.size(), 2u);
     EXPECT_EQ(fractions.front(), 0.0);
@@ -134,7 +134,7 @@ TEST(AtomicFile, AFailedWriteLeavesNeitherFileNorTemporary) {
     const auto failed =
         writeAtomically(folder / "a.txt", [](const std::filesystem::path& temporary) -> Result<void> {
             std::ofstream(temporary) << "half";
-            return Error{ErrorCode::outputNotWritable, "Disk full.", {}, {}};
+            return Error{ErrorCode::outputNotWritable, Text("Disk full."), {}, {}};
         });
     EXPECT_FALSE(failed.ok());
     EXPECT_TRUE(std::filesystem::is_empty(folder));

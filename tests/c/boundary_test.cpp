@@ -58,7 +58,7 @@ TEST(CBoundary, AThreadThatCannotBeMadeIsALackOfMemory) {
 TEST(CBoundary, EachErrorHasItsStatus) {
     const auto statusOf = [](ErrorCode code) {
         return c::guarded([code]() -> Result<void> {
-            return Error{code, "A sentence.", "a place", "Advice."};
+            return Error{code, Text("A sentence."), "a place", Text("Advice.")};
         });
     };
     EXPECT_EQ(statusOf(ErrorCode::usage), MACULA_USAGE);

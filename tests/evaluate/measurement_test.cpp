@@ -57,7 +57,7 @@ TEST(Spent, IsNeverLessThanNothing) {
 
 TEST(Timed, FailsAsTheWork) {
     const auto failed = timed([]() -> Result<void> {
-        return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
     });
     ASSERT_FALSE(failed);
     EXPECT_EQ(failed.error().code, ErrorCode::cancelled);

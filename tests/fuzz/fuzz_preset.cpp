@@ -35,7 +35,10 @@ void read(std::string_view text, std::string_view table, const char* where) {
     const auto presets =
         readPresets({text, where, "preset"}, [&](const std::string& name) -> Result<std::string> {
             if (name.empty())
-                return Error{ErrorCode::inputNotUsable, "There is no table without a name.", {}, "Name it."};
+                return Error{ErrorCode::inputNotUsable,
+                             Text("There is no table without a name."),
+                             {},
+                             Text("Name it.")};
             return std::string(table);
         });
     if (!presets) {

@@ -7,7 +7,7 @@ namespace macula::formats {
 namespace {
 
 Error notHere() {
-    return {ErrorCode::outputNotWritable, "The fuzz targets write no files.", {}, {}};
+    return {ErrorCode::outputNotWritable, Text("The fuzz targets write no files."), {}, {}};
 }
 
 }  // namespace

@@ -227,7 +227,7 @@ TEST_F(LastingDeviceTest, WhatFailsForAnotherReasonIsNotTriedAgain) {
     LastingDevice lasting = opened();
     const auto done = lasting.run([this](const auto&) -> Result<void> {
         ++begun_;
-        return Error{ErrorCode::inputNotUsable, "No.", {}, {}};
+        return Error{ErrorCode::inputNotUsable, Text("No."), {}, {}};
     });
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().code, ErrorCode::inputNotUsable);

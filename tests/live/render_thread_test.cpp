@@ -18,7 +18,7 @@ class NoPlace final : public ScreenPlace {
   public:
     std::vector<const char*> deviceExtensions() const override { return {}; }
     Result<std::unique_ptr<Screen>> open(const std::shared_ptr<gpu::Device>&, VkExtent2D) const override {
-        return Error{ErrorCode::deviceNotUsable, "This is no place for pictures.", {}, {}};
+        return Error{ErrorCode::deviceNotUsable, Text("This is no place for pictures."), {}, {}};
     }
 };
 std::shared_ptr<const ScreenPlace> noPlace() {

@@ -82,7 +82,7 @@ Result<ItkRegistration> registerByItk(const Volume& fixed, const Volume& moving)
     const Image::Pointer fixedImage = imageOf(fixed);
     const Image::Pointer movingImage = imageOf(moving);
     if (fixedImage == nullptr || movingImage == nullptr)
-        return Error{ErrorCode::inputNotUsable, "An image of ITK has no sheared voxels.", {}, {}};
+        return Error{ErrorCode::inputNotUsable, Text("An image of ITK has no sheared voxels."), {}, {}};
     auto metric = Metric::New();
     metric->SetNumberOfHistogramBins(kBinsOfItk);
     auto scales = itk::RegistrationParameterScalesFromPhysicalShift<Metric>::New();

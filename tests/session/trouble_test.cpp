@@ -52,7 +52,7 @@ TEST(TroubleSentences, AreTheirOwnAndNameNoPath) {
         EXPECT_FALSE(error.hint.empty());
         EXPECT_EQ((error.message + error.hint).find("anna"), std::string::npos);
     }
-    EXPECT_EQ(troubleOf(Error{ErrorCode::usage, "Something else.", {}, {}}), std::nullopt);
+    EXPECT_EQ(troubleOf(Error{ErrorCode::usage, Text("Something else."), {}, {}}), std::nullopt);
 }
 
 TEST_F(Troubles, OfAReadOnlyFolder) {

@@ -392,7 +392,7 @@ TEST_F(ClipToolsTest, WhereVoxelsCannotBeHiddenTheStateIsThatOfThePicture) {
     shown.hidden().blockSignals(true);
     ASSERT_TRUE(cut({square(0.2), square(0.3)}));
     shown.hidden().blockSignals(false);
-    Q_EMIT shown.hidden().failed({ErrorCode::outOfMemory, "There is not enough memory.", {}, {}});
+    Q_EMIT shown.hidden().failed({ErrorCode::outOfMemory, Text("There is not enough memory."), {}, {}});
     EXPECT_EQ(state(), before);
     ASSERT_TRUE(waitUntil([&] { return !shown.cutting().running(); }));
     EXPECT_EQ(shown.cutting().madeOf(), before.cuts.scissors);

@@ -202,7 +202,7 @@ TEST_F(ModelExportTest, AModelThatCouldNotBeReadIsAnEndAndTold) {
     QObject::connect(&save, &ModelExport::failed, &save, [&](const Error& e) { told.push_back(e.message); });
     save.expect({.path = "/no/such/folder/model.ply"}, 7);
     live::ModelSnapshot taken{.request = 7};
-    taken.error = Error{ErrorCode::deviceLost, "The graphics device stopped.", {}, "Try again."};
+    taken.error = Error{ErrorCode::deviceLost, Text("The graphics device stopped."), {}, Text("Try again.")};
     save.onTaken(taken);
     save.onTaken(taken);
     EXPECT_EQ(ends, 1);

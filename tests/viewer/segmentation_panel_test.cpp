@@ -327,7 +327,8 @@ TEST_F(SegmentationPanelTest, WhatCannotBeHiddenIsNotChosen) {
     select(0);
     click("segment-alone");
     ASSERT_NE(session_->state(), before);
-    Q_EMIT keeper_->refused({ErrorCode::outOfMemory, "There is not enough memory to hide segments.", {}, {}});
+    Q_EMIT keeper_->refused(
+        {ErrorCode::outOfMemory, Text("There is not enough memory to hide segments."), {}, {}});
     EXPECT_EQ(session_->state(), before);
     EXPECT_EQ(session_->undoText(), undone);
     EXPECT_FALSE(session_->canRedo());

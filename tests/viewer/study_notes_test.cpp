@@ -65,12 +65,13 @@ TEST_F(StudyNotesTest, FailuresAreShownAndSignalled) {
     std::vector<std::string> failures;
     QObject::connect(&*notifications_, &Notifications::failed, &*window_,
                      [&](const Error& error) { failures.push_back(error.message); });
-    notifications_->showError({ErrorCode::usage, "Only shown."});
+    notifications_->showError({ErrorCode::usage, Text("Only shown.")});
     EXPECT_TRUE(failures.empty());
-    notifications_->failUnlessCancelled({ErrorCode::cancelled, "By a person."});
+    notifications_->failUnlessCancelled({ErrorCode::cancelled, Text("By a person.")});
     EXPECT_TRUE(failures.empty());
     EXPECT_EQ(notifications_->text(), QStringLiteral("Only shown."));
-    notifications_->fail({ErrorCode::usage, "Failed."}, {ErrorCode::usage, "Failed, in other words."});
+    notifications_->fail({ErrorCode::usage, Text("Failed.")},
+                         {ErrorCode::usage, Text("Failed, in other words.")});
     EXPECT_EQ(failures, std::vector<std::string>{"Failed."});
     EXPECT_EQ(notifications_->text(), QStringLiteral("Failed, in other words."));
 }

@@ -281,7 +281,7 @@ TEST_F(ThemeTest, MessagesAndTheBadgeHaveTheirColoursFromTheTheme) {
     for (const bool high : {false, true, false}) {
         applyTheme(*application_, {.highContrast = high});
         bar.resize(300, 60);
-        bar.showError({ErrorCode::usage, "What went wrong.", {}, "What to do."});
+        bar.showError({ErrorCode::usage, Text("What went wrong."), {}, Text("What to do.")});
         EXPECT_EQ(bar.grab().toImage().pixel(1, 1) & 0xffffff, themeColours().error);
         bar.showNote(QStringLiteral("A note."));
         EXPECT_EQ(bar.grab().toImage().pixel(1, 1) & 0xffffff, themeColours().note);

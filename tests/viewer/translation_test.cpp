@@ -296,7 +296,8 @@ TEST_F(GermanTest, WhatStandsInASentenceArrivesInTheOther) {
                        "Gezeigte."));
     EXPECT_EQ(german("Of 3 volumes the axial one with the most voxels (512 x 512 x 90)."),
               QStringLiteral("Von 3 Volumen das axiale mit den meisten Voxeln (512 x 512 x 90)."));
-    EXPECT_EQ(inWindowsLanguage(Error{ErrorCode::usage, "The folder does not exist.", {}, "Check the path."}),
+    EXPECT_EQ(inWindowsLanguage(
+                  Error{ErrorCode::usage, Text("The folder does not exist."), {}, Text("Check the path.")}),
               QStringLiteral("Den Ordner gibt es nicht. Prüfen Sie den Pfad."));
 }
 

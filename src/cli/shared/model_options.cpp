@@ -45,9 +45,9 @@ ModelOptionsAdded addModelOptions(CLI::App& command, hybrid::FirstModelOptions& 
 Result<void> checkModelOptions(const hybrid::FirstModelOptions& options) {
     if (options.iterations > 0 && options.views == 0)
         return Error{ErrorCode::usage,
-                     "Nothing can be learnt without views.",
+                     Text("Nothing can be learnt without views."),
                      {},
-                     "Give --views above 0, or --iterations 0."};
+                     Text("Give --views above 0, or --iterations 0.")};
     return {};
 }
 

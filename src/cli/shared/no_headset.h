@@ -14,8 +14,8 @@ inline void addWithoutHeadset(CLI::App& app, Action& action, const std::string& 
     command->allow_extras();
     command->callback([&action] {
         action = []() -> Result<void> {
-            return Error{ErrorCode::deviceNotUsable, "This build of Macula knows no headsets.", "",
-                         "Build it with the package libopenxr-dev installed."};
+            return Error{ErrorCode::deviceNotUsable, Text("This build of Macula knows no headsets."), "",
+                         Text("Build it with the package libopenxr-dev installed.")};
         };
     });
 }

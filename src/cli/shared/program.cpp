@@ -39,9 +39,9 @@ Result<void> refuseEmptyWords(const CLI::App& app) {
         for (const std::string& word : option->results()) {
             if (word.empty())
                 return Error{ErrorCode::usage,
-                             fmt::format("{} is empty.", option->get_name()),
+                             Text("{} is empty.", option->get_name()),
                              {},
-                             "Give a value, or leave it out."};
+                             Text("Give a value, or leave it out.")};
         }
     }
     for (const CLI::App* verb : app.get_subcommands()) MACULA_TRY_VOID(refuseEmptyWords(*verb));
@@ -50,9 +50,9 @@ Result<void> refuseEmptyWords(const CLI::App& app) {
 
 int tellThatStdoutFailed() {
     printError({ErrorCode::outputNotWritable,
-                "Standard output could not be written to the end.",
+                Text("Standard output could not be written to the end."),
                 {},
-                "Check free space where it goes."});
+                Text("Check free space where it goes.")});
     return exitCodeOf(ErrorCode::outputNotWritable);
 }
 
@@ -60,8 +60,8 @@ bool stdoutIsWhole() {
     return std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
 }
 
-Error unknownVerb(std::string_view given, std::string hint) {
-    return {ErrorCode::usage, fmt::format("There is no verb {}.", given), {}, std::move(hint)};
+Error unknownVerb(std::string_view given, Text hint) {
+    return {ErrorCode::usage, Text("There is no verb {}.", given), {}, std::move(hint)};
 }
 
 // Tells what the parser of the command line did not understand.
@@ -71,13 +71,13 @@ Error usageError(const Program& program, const CLI::App& app, const CLI::ParseEr
     if (chosen.empty() && argc > 1 && argv[1][0] != '-') {
         std::vector<std::string> verbs;
         for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
-        return unknownVerb(
-            argv[1], fmt::format("{} See {} --help.", scene::choiceAmong(argv[1], verbs), program.name));
+        return unknownVerb(argv[1],
+                           Text("{} See {} --help.", scene::choiceAmong(argv[1], verbs), program.name));
     }
     std::string message = error.what();
     if (!message.empty() && message.back() != '.') message += '.';
     const std::string verb = chosen.empty() ? "" : chosen.front()->get_name() + " ";
-    return {ErrorCode::usage, message, {}, fmt::format("See {} {}--help.", program.name, verb)};
+    return {ErrorCode::usage, message, {}, Text("See {} {}--help.", program.name, verb)};
 }
 
 // Before anything is parsed: what follows a moved verb may be a verb here.

@@ -24,7 +24,7 @@ void printNote(std::string_view sentence);
 // Of what changes what is seen, or takes its ground away: look before you rely on it.
 void printWarning(std::string_view sentence);
 // Each as a warning if it is among `warnings`, else as a note.
-void printNotes(std::span<const std::string> notes, std::span<const std::string> warnings = {});
+void printNotes(std::span<const Text> notes, std::span<const Text> warnings = {});
 
 // What was made, where, and how long that took since `start`; on stderr, as stdout is for what was asked for.
 // `what` is in it, of a folder: "300 pictures".

@@ -117,12 +117,12 @@ Result<void> FrameDecoder::run(std::span<const std::size_t> order, std::size_t c
         }
     };
     parallelFor(std::min(coreCount(), order.size()), work);
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Loading was cancelled."), {}, {}};
     if (outOfMemory) {
         return Error{ErrorCode::outOfMemory,
-                     "There is not enough memory to decode the slices.",
+                     Text("There is not enough memory to decode the slices."),
                      {},
-                     "Close other programs, or choose a smaller series."};
+                     Text("Close other programs, or choose a smaller series.")};
     }
     return {};
 }

@@ -23,9 +23,9 @@ namespace {
 
 Error broken() {
     return {ErrorCode::inputNotUsable,
-            "The compressed image in this file is damaged.",
+            Text("The compressed image in this file is damaged."),
             {},
-            "Copy the file again from its source."};
+            Text("Copy the file again from its source.")};
 }
 
 void registerDecoders() {

@@ -15,9 +15,9 @@ namespace {
 
 Error broken() {
     return {ErrorCode::inputNotUsable,
-            "The JPEG 2000 image in this file cannot be decoded.",
+            Text("The JPEG 2000 image in this file cannot be decoded."),
             {},
-            "Copy the file again from its source."};
+            Text("Copy the file again from its source.")};
 }
 
 // What the header of a code stream says (ISO 15444-1 A.5.1).

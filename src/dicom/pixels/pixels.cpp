@@ -98,11 +98,11 @@ struct PixelReader::Impl {
     Impl(const std::filesystem::path& p, const PixelLayout& l, CancelToken c)
         : path(p), layout(l), cancel(std::move(c)), file(p) {}
 
-    Error fail(std::string message, std::string hint = "Copy the file again from its source.") const {
+    Error fail(Text message, Text hint = Text("Copy the file again from its source.")) const {
         return {ErrorCode::inputNotUsable, std::move(message), path.string(), std::move(hint)};
     }
-    Error damaged() const { return fail("The pixel data of this file are damaged."); }
-    Error cutOff() const { return fail("The file ends before its pixel data do."); }
+    Error damaged() const { return fail(Text("The pixel data of this file are damaged.")); }
+    Error cutOff() const { return fail(Text("The file ends before its pixel data do.")); }
 
     std::size_t cellCount() const {
         return static_cast<std::size_t>(layout.rows) * static_cast<std::size_t>(layout.columns);
@@ -125,25 +125,25 @@ struct PixelReader::Impl {
 Result<void> PixelReader::Impl::open() {
     codec = transferSyntaxInfo(layout.transferSyntaxUid).codec;
     if (codec == Codec::unsupported) {
-        return fail(fmt::format("This version cannot decode this image: {}.",
-                                describeTransferSyntax(layout.transferSyntaxUid)),
-                    "Export the series uncompressed or in JPEG 2000.");
+        return fail(Text("This version cannot decode this image: {}.",
+                         describeTransferSyntax(layout.transferSyntaxUid)),
+                    Text("Export the series uncompressed or in JPEG 2000."));
     }
     if (!file.isOpen())
-        return fail("The file cannot be read.", "Check that the file or disc is still there.");
+        return fail(Text("The file cannot be read."), Text("Check that the file or disc is still there."));
     ElementTree tree;
     ByteSource source(path, cancel);
     const Outline outline = outlineOf(source, hasPreamble(source), &tree);
     const auto same = [&](Tag tag, int wanted) { return numberOf(tree, tag).value_or(wanted) == wanted; };
     if (outline.transferSyntaxUid != layout.transferSyntaxUid || !same(tag::kRows, layout.rows) ||
         !same(tag::kColumns, layout.columns) || !same(tag::kBitsAllocated, layout.format.bitsAllocated)) {
-        return fail("The file has changed since the folder was read.", "Open the folder again.");
+        return fail(Text("The file has changed since the folder was read."), Text("Open the folder again."));
     }
     if (outline.inflatesTooFar) return damaged();
     if (!outline.pixels) return cutOff();
     pixels = *outline.pixels;
     if (pixels.tag != pixelTagOf(layout.format.kind))
-        return fail("The file has no pixel data that fit its header.");
+        return fail(Text("The file has no pixel data that fit its header."));
 
     datasetOffset = outline.datasetOffset;
     if (source.inflating()) inflating = std::make_unique<ByteSource>(path, cancel);
@@ -165,7 +165,7 @@ Result<void> PixelReader::Impl::open() {
     if (inflating) return damaged();
     auto found = indexFrames(file, pixels.offset, static_cast<std::size_t>(layout.frames), codec,
                              extendedOffsets(tree));
-    if (!found) return fail("It cannot be told where the images in this file begin.");
+    if (!found) return fail(Text("It cannot be told where the images in this file begin."));
     index = std::move(*found);
     return {};
 }
@@ -306,13 +306,13 @@ template <class Body>
 auto guarded(const std::filesystem::path& file, const Body& body) -> decltype(body()) try {
     return body();
 } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory to decode a slice.", file.string(),
-                 "Close other programs, or choose a smaller series."};
+    return Error{ErrorCode::outOfMemory, Text("There is not enough memory to decode a slice."), file.string(),
+                 Text("Close other programs, or choose a smaller series.")};
 } catch (const CheckFailure&) {
     throw;  // a mistake of ours, and none of the file
 } catch (...) {
-    return Error{ErrorCode::inputNotUsable, "The pixel data of this file cannot be decoded.", file.string(),
-                 "Copy the file again from its source."};
+    return Error{ErrorCode::inputNotUsable, Text("The pixel data of this file cannot be decoded."),
+                 file.string(), Text("Copy the file again from its source.")};
 }
 
 }  // namespace
@@ -324,7 +324,8 @@ Result<PixelReader> PixelReader::open(const std::filesystem::path& file, const P
         auto impl = std::make_unique<Impl>(file, layout, std::move(cancel));
         const int least = std::min({layout.columns, layout.rows, layout.frames});
         if (least < 1 || std::max(layout.columns, layout.rows) > kMostRows)
-            return impl->fail("The images of this file have no usable size.", "Choose another series.");
+            return impl->fail(Text("The images of this file have no usable size."),
+                              Text("Choose another series."));
         MACULA_TRY_VOID(impl->open());
         return PixelReader(std::move(impl));
     });

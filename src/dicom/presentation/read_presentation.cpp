@@ -48,9 +48,9 @@ class Reader {
     }
 
   private:
-    Error notUsable(std::string message) const {
+    Error notUsable(Text message) const {
         return {ErrorCode::inputNotUsable, std::move(message), where_,
-                "Copy the file again from its source, or choose another presentation state."};
+                Text("Copy the file again from its source, or choose another presentation state.")};
     }
     void leftOut(std::string what) {
         state_.messages.push_back(message(key::kPresentationLeftOut, {{"what", std::move(what)}}));
@@ -63,10 +63,11 @@ class Reader {
     // Of several the first is shown.
     Result<void> readStream() {
         const std::vector<Dataset> streams = file_.items(tags::kVolumeStreams);
-        if (streams.empty()) return notUsable("The presentation state does not say in which colours.");
+        if (streams.empty()) return notUsable(Text("The presentation state does not say in which colours."));
         stream_ = streams.front();
         const std::vector<Dataset> components = stream_->items(tags::kClassification);
-        if (components.empty()) return notUsable("The presentation state does not say in which colours.");
+        if (components.empty())
+            return notUsable(Text("The presentation state does not say in which colours."));
         component_ = components.front();
         if (streams.size() > 1 || !file_.items(tags::kCompositor).empty() ||
             !stream_->items(tags::kCompositor).empty())
@@ -79,7 +80,8 @@ class Reader {
 
     Result<void> readInput() {
         const std::vector<Dataset> inputs = file_.items(tags::kInputs);
-        if (inputs.empty()) return notUsable("The presentation state does not say which images it is of.");
+        if (inputs.empty())
+            return notUsable(Text("The presentation state does not say which images it is of."));
         if (inputs.size() > 1) leftOut("more than one input");
         const auto meant = std::ranges::find_if(inputs, [&](const Dataset& input) {
             return inputNumber_ && input.integer(tags::kInputNumber) == inputNumber_;
@@ -89,9 +91,10 @@ class Reader {
         const auto uid = input_->text(tags::kInputSetUid);
         const auto set = std::ranges::find_if(
             sets, [&](const Dataset& s) { return uid && s.text(tags::kInputSetUid) == uid; });
-        if (set == sets.end()) return notUsable("The presentation state does not say which images it is of.");
+        if (set == sets.end())
+            return notUsable(Text("The presentation state does not say which images it is of."));
         if (set->text(tags::kInputType) != "VOLUME")
-            return notUsable("The presentation state is of something that is no volume.");
+            return notUsable(Text("The presentation state is of something that is no volume."));
         if (sets.size() > 1 && inputs.size() == 1) leftOut("more than one set of images");
         if (!set->items(tags::kReferencedRegistration).empty())
             leftOut("a registration to another frame of reference");
@@ -116,7 +119,7 @@ class Reader {
             for (const Dataset& item : study.items(tag::kReferencedSeries)) all.push_back(item);
         }
         if (series.images.empty() || all.empty())
-            return notUsable("The presentation state does not say which images it is of.");
+            return notUsable(Text("The presentation state does not say which images it is of."));
         const auto holdsFirst = [&](const Dataset& item) {
             return std::ranges::any_of(item.items(tags::kReferencedInstances), [&](const Dataset& instance) {
                 return instance.text(tags::kReferencedSopInstanceUid) == series.images.front().sopInstanceUid;
@@ -126,7 +129,7 @@ class Reader {
         const Dataset& meant = holder != all.end() ? *holder : all.front();
         series.seriesInstanceUid = meant.text(tag::kSeriesInstanceUid).value_or("");
         if (series.seriesInstanceUid.empty())
-            return notUsable("The presentation state does not say which series it is of.");
+            return notUsable(Text("The presentation state does not say which series it is of."));
         return {};
     }
 
@@ -137,7 +140,7 @@ class Reader {
     }
 
     Result<PresentedView> view() const {
-        const Error missing = notUsable("The presentation state does not say where it is looked from.");
+        const Error missing = notUsable(Text("The presentation state does not say where it is looked from."));
         const auto position = point(file_, tags::kViewpointPosition);
         const auto lookAt = point(file_, tags::kViewpointLookAt);
         const auto up = point(file_, tags::kViewpointUp);
@@ -164,7 +167,7 @@ class Reader {
         } else if (method == "MINIMUM_IP") {
             p.method = RenderingMethod::minimum;
         } else if (method != "VOLUME_RENDERED") {
-            return notUsable("The presentation state is drawn by a method that Macula does not know.");
+            return notUsable(Text("The presentation state is drawn by a method that Macula does not know."));
         }
         const auto step = file_.number(tags::kSamplingStepSize);
         if (step && *step > 0.0) p.samplingStepMm = *step;
@@ -190,7 +193,7 @@ class Reader {
     }
 
     Result<Palette> palette() {
-        const Error damaged = notUsable("The colours of the presentation state are damaged.");
+        const Error damaged = notUsable(Text("The colours of the presentation state are damaged."));
         const std::string colours = component_->text(tags::kRgbLutTransferFunction).value_or("");
         const std::string alphas = component_->text(tags::kAlphaLutTransferFunction).value_or("");
         Palette palette;
@@ -224,14 +227,14 @@ class Reader {
             return damaged;
         if (!input_->items(tags::kVoiLutSequence).empty())
             return notUsable(
-                "The presentation state has a table of values (VOI LUT) before its colours, "
-                "which Macula does not know.");
+                Text("The presentation state has a table of values (VOI LUT) before its colours, "
+                     "which Macula does not know."));
         if (const auto range = windowRange()) {
             palette.values = *range;
         } else if (entries >= 2 && alphas != "NONE") {
             palette.values = {double(first), double(first) + double(entries - 1)};
         } else {
-            return notUsable("The presentation state does not say which values its colours are of.");
+            return notUsable(Text("The presentation state does not say which values its colours are of."));
         }
         noteColourSpace();
         return palette;
@@ -255,14 +258,14 @@ class Reader {
             const auto item = std::ranges::find_if(
                 items, [&](const Dataset& i) { return i.number(tags::kCroppingNumber) == number; });
             if (item == items.end())
-                return notUsable("A clip of the presentation state is missing in the file.");
+                return notUsable(Text("A clip of the presentation state is missing in the file."));
             MACULA_TRY_VOID(readCrop(*item));
         }
         return {};
     }
 
     Result<void> readCrop(const Dataset& item) {
-        const Error damaged = notUsable("A clip of the presentation state is damaged.");
+        const Error damaged = notUsable(Text("A clip of the presentation state is damaged."));
         Cropping& cropping = state_.presentation.cropping;
         const std::string method = item.text(tags::kCroppingMethod).value_or("");
         if (method == "BOUNDING_BOX") {
@@ -359,19 +362,20 @@ Result<PresentationState> readPresentationState(const fs::path& path) try {
         return Error{ErrorCode::inputNotUsable, std::move(message), path.string(), std::move(hint)};
     };
     if (read.state == FileState::unreadable)
-        return notUsable("The file cannot be read.", "Check the path and its permissions.");
+        return notUsable(Text("The file cannot be read."), "Check the path and its permissions.");
     if (read.state == FileState::notDicom)
-        return notUsable("The file is not a DICOM presentation state.",
+        return notUsable(Text("The file is not a DICOM presentation state."),
                          "Choose a file of the kind Volume Rendering Volumetric Presentation State.");
     if (!read.header)
-        return notUsable("The presentation state cannot be read.", "Copy the file again from its source.");
+        return notUsable(Text("The presentation state cannot be read."),
+                         "Copy the file again from its source.");
     if (read.header->text(tag::kSopClassUid) != sop_class::kVolumePresentationState)
-        return notUsable("The file is no presentation state of one rendered volume.",
+        return notUsable(Text("The file is no presentation state of one rendered volume."),
                          "Choose a file of the kind Volume Rendering Volumetric Presentation State.");
     return Reader(*read.header, path.string()).read();
 } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory for the presentation state.",
-                 path.string(), "Close other programs."};
+    return Error{ErrorCode::outOfMemory, Text("There is not enough memory for the presentation state."),
+                 path.string(), Text("Close other programs.")};
 }
 
 bool isSeries(const PresentedSeries& series, std::string_view seriesDigest) {

@@ -145,8 +145,8 @@ Result<SoftcopyState> readSoftcopyState(const std::filesystem::path& path) try {
     noteTheRest(file, state);
     return state;
 } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::outOfMemory, "There is not enough memory for the presentation state.",
-                 path.string(), "Close other programs."};
+    return Error{ErrorCode::outOfMemory, Text("There is not enough memory for the presentation state."),
+                 path.string(), Text("Close other programs.")};
 }
 
 }  // namespace macula::dicom

@@ -39,7 +39,7 @@ constexpr std::size_t kMostEntries = 65536;
 constexpr double kUnitLength = 1e-6;
 constexpr double kFarthestMm = 1e9;
 
-Error refused(std::string message, std::string hint) {
+Error refused(Text message, Text hint) {
     return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
 }
 
@@ -64,17 +64,17 @@ Result<void> checkTexts(const VolumePresentation& p, const PresentationOwner& ow
             return (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == ' ' || c == '_';
         });
     if (!isLabel)
-        return refused("The label of the presentation state is not usable.",
-                       "Take 1 to 16 capital letters, digits, blanks and underscores.");
+        return refused(Text("The label of the presentation state is not usable."),
+                       Text("Take 1 to 16 capital letters, digits, blanks and underscores."));
     if (!isPlain(p.description, kLongestDescription) ||
         !isPlain(owner.seriesDescription, kLongestDescription) || owner.softwareVersion.empty() ||
         !isPlain(owner.softwareVersion, kLongestDescription))
-        return refused("The description is too long, or has characters that it may not have.",
-                       "Take at most 64 letters, digits and signs, without a backslash.");
+        return refused(Text("The description is too long, or has characters that it may not have."),
+                       Text("Take at most 64 letters, digits and signs, without a backslash."));
     if (p.ownState.size() > kLongestOwnState ||
         !std::ranges::all_of(p.ownState, [](char c) { return (c >= ' ' && c <= '~') || c == '\n'; }))
-        return refused("The view is too large for a presentation state.",
-                       "Save it as a view, or remove measurements and large presets from it.");
+        return refused(Text("The view is too large for a presentation state."),
+                       Text("Save it as a view, or remove measurements and large presets from it."));
     return {};
 }
 
@@ -90,8 +90,8 @@ Result<void> checkPalette(const Palette& palette) {
                          std::abs(palette.values.high) <= kFarthestMm &&
                          palette.values.low < palette.values.high;
     if (isTable && isRange) return {};
-    return refused("The colours of the presentation state are not usable.",
-                   "Choose another preset, or a window above 0.");
+    return refused(Text("The colours of the presentation state are not usable."),
+                   Text("Choose another preset, or a window above 0."));
 }
 
 Result<void> checkGeometry(const VolumePresentation& p) {
@@ -103,23 +103,28 @@ Result<void> checkGeometry(const VolumePresentation& p) {
     const bool looks = isPoint(view.positionMm) && isPoint(view.lookAtMm) && isPoint(view.up) &&
                        view.positionMm != view.lookAtMm && view.up != glm::dvec3(0.0);
     if (!isField || !looks)
-        return refused("The camera of the presentation state is not usable.", "Choose another view.");
+        return refused(Text("The camera of the presentation state is not usable."),
+                       Text("Choose another view."));
     for (const Box& box : p.cropping.boxes) {
         if (!isPoint(box.low) || !isPoint(box.high))
-            return refused("The clip of the presentation state is not usable.", "Choose another clip.");
+            return refused(Text("The clip of the presentation state is not usable."),
+                           Text("Choose another clip."));
     }
     for (const CroppingPlane& plane : p.cropping.planes) {
         if (!isUnitVector(plane.outward) || !(std::abs(plane.offsetMm) <= kFarthestMm))
-            return refused("The clip of the presentation state is not usable.", "Choose another clip.");
+            return refused(Text("The clip of the presentation state is not usable."),
+                           Text("Choose another clip."));
     }
     if (p.samplingStepMm && !(*p.samplingStepMm > 0.0 && *p.samplingStepMm <= kFarthestMm))
-        return refused("The opacities of the presentation state are not usable.", "Choose another preset.");
+        return refused(Text("The opacities of the presentation state are not usable."),
+                       Text("Choose another preset."));
     if (!p.shading) return {};
     const PresentedShading& s = *p.shading;
     if (isPart(s.ambient) && isPart(s.diffuse) && isPart(s.specular) && isPart(s.shininess.value_or(0.0)) &&
         isUnitVector(s.lightDirection))
         return {};
-    return refused("The shading of the presentation state is not usable.", "Choose another preset.");
+    return refused(Text("The shading of the presentation state is not usable."),
+                   Text("Choose another preset."));
 }
 
 Result<void> check(const VolumePresentation& p, const PresentationOwner& owner) {
@@ -134,13 +139,12 @@ Result<void> check(const VolumePresentation& p, const PresentationOwner& owner) 
         !std::ranges::all_of(series.images, [&](const ReferencedImage& image) {
             return isUid(image.sopClassUid) && isUid(image.sopInstanceUid);
         }))
-        return refused(
-            "A presentation state refers to DICOM images with a frame of reference, and this "
-            "volume has none.",
-            "Save it as a view.");
+        return refused(Text("A presentation state refers to DICOM images with a frame of reference, and this "
+                            "volume has none."),
+                       Text("Save it as a view."));
     if (!owner.image && !owner.isDeidentified)
-        return refused("The files of this study do not say which patient and which study it is.",
-                       "Write the presentation state without patient and study.");
+        return refused(Text("The files of this study do not say which patient and which study it is."),
+                       Text("Write the presentation state without patient and study."));
     return {};
 }
 
@@ -384,8 +388,8 @@ Result<void> writePresentationState(const fs::path& path, const VolumePresentati
                                     const PresentationOwner& owner) try {
     MACULA_TRY_VOID(check(presentation, owner));
     const QuietToolkit quiet;
-    const Error failed{ErrorCode::outputNotWritable, "The DICOM file could not be written.", path.string(),
-                       "Check free space and permissions."};
+    const Error failed{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."),
+                       path.string(), Text("Check free space and permissions.")};
     DcmFileFormat format;
     DcmDataset& dataset = *format.getDataset();
     VolumePresentation written = presentation;
@@ -419,8 +423,8 @@ Result<void> writePresentationState(const fs::path& path, const VolumePresentati
 } catch (const CheckFailure&) {
     throw;  // a mistake of ours, and none of the file
 } catch (...) {
-    return Error{ErrorCode::outputNotWritable, "The DICOM file could not be written.", path.string(),
-                 "Check free space and memory."};
+    return Error{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."), path.string(),
+                 Text("Check free space and memory.")};
 }
 
 }  // namespace macula::dicom

@@ -117,14 +117,14 @@ Result<FolderListing> listFiles(const fs::path& path, Progress& progress) {
     std::error_code error;
     const fs::file_status status = fs::status(path, error);
     if (error == std::errc::filename_too_long) {
-        return Error{ErrorCode::inputNotUsable, "The path is longer than this system can open.",
-                     path.string(),
-                     "Move the folder nearer to the root of the disk, or give the folders shorter names."};
+        return Error{
+            ErrorCode::inputNotUsable, Text("The path is longer than this system can open."), path.string(),
+            Text("Move the folder nearer to the root of the disk, or give the folders shorter names.")};
     }
     // What one may not look at may be there.
     if (status.type() == fs::file_type::not_found) {
-        return Error{ErrorCode::inputNotUsable, "The folder does not exist.", path.string(),
-                     "Check the path."};
+        return Error{ErrorCode::inputNotUsable, Text("The folder does not exist."), path.string(),
+                     Text("Check the path.")};
     }
     if (fs::is_regular_file(status)) return FolderListing{{path}, {}};
     fs::path canonical;
@@ -133,11 +133,11 @@ Result<FolderListing> listFiles(const fs::path& path, Progress& progress) {
         if (!error) fs::directory_iterator(canonical, error);
     }
     if (!fs::is_directory(status) || error) {
-        return Error{ErrorCode::inputNotUsable, "The folder cannot be read.", path.string(),
-                     "Check that it is a folder, and its permissions."};
+        return Error{ErrorCode::inputNotUsable, Text("The folder cannot be read."), path.string(),
+                     Text("Check that it is a folder, and its permissions.")};
     }
     Listing listing(path, canonical);
-    if (!listing.run(progress)) return Error{ErrorCode::cancelled, "Reading was cancelled.", {}, {}};
+    if (!listing.run(progress)) return Error{ErrorCode::cancelled, Text("Reading was cancelled."), {}, {}};
     return listing.take();
 }
 

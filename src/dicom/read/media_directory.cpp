@@ -164,8 +164,8 @@ Result<MediaDirectory> readMediaDirectory(const fs::path& path) try {
         read.header && (read.header->text(kMediaStorageSopClass) == sop_class::kMediaDirectory ||
                         !read.header->items(tag::kDirectoryRecords).empty());
     if (!isDirectory) {
-        return Error{ErrorCode::inputNotUsable, "The file is not the directory of a DICOM disc.",
-                     path.string(), "Open the folder instead."};
+        return Error{ErrorCode::inputNotUsable, Text("The file is not the directory of a DICOM disc."),
+                     path.string(), Text("Open the folder instead.")};
     }
     Resolver resolver(path.parent_path());
     for (const DirectoryRecord& record : directoryRecords(*read.header)) resolver.add(record);

@@ -21,12 +21,12 @@ namespace {
 constexpr double kSmallBoxBytes = 1e7;
 constexpr double kMostVoxelsPerPixel = 64.0;  // of a box that two small frames far apart may span
 
-Error notUsable(const Segmentation& segmentation, std::string message, std::string hint) {
+Error notUsable(const Segmentation& segmentation, Text message, Text hint) {
     return {ErrorCode::inputNotUsable, std::move(message), segmentation.file.string(), std::move(hint)};
 }
 
 Error wasCancelled() {
-    return {ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+    return {ErrorCode::cancelled, Text("Loading was cancelled."), {}, {}};
 }
 
 struct VoxelBox {
@@ -104,8 +104,8 @@ Result<void> Reader::makeSets() {
     for (const auto& [segment, box] : boxes_) {
         const double ofBox = VoxelSet::bytesFor(box.low, box.high);
         if (ofBox > kSmallBoxBytes && 8.0 * ofBox > kMostVoxelsPerPixel * pixels)
-            return notUsable(segmentation_, "The frames of the segmentation lie too far apart.",
-                             "Choose another segmentation.");
+            return notUsable(segmentation_, Text("The frames of the segmentation lie too far apart."),
+                             Text("Choose another segmentation."));
         bytes += ofBox;
     }
     const auto available = availableMemory();
@@ -119,14 +119,14 @@ Result<void> Reader::read() {
     const int frames = static_cast<int>(segmentation_.frames.size());
     const PixelLayout layout{segmentation_.transferSyntaxUid, segmentation_.columns, segmentation_.rows,
                              frames, segmentation_.format};
-    progress_.beginStage(fmt::format("Reading a segmentation of {} frames", frames),
+    progress_.beginStage(Text("Reading a segmentation of {} frames", frames),
                          2 * static_cast<std::size_t>(frames));
     {
         MACULA_TRY(PixelReader reader, PixelReader::open(segmentation_.file, layout, progress_.token()));
         for (int i = 0; i < frames; ++i) {
             if (reader.isCutOff(i))
-                return notUsable(segmentation_, "The segmentation ends before its last frame does.",
-                                 "Copy the file again from its source.");
+                return notUsable(segmentation_, Text("The segmentation ends before its last frame does."),
+                                 Text("Copy the file again from its source."));
         }
         VoxelBox* box = nullptr;
         int last = -1;  // none
@@ -164,8 +164,8 @@ Result<void> Reader::read() {
         }
     }));
     if (hasChanged)
-        return notUsable(segmentation_, "The segmentation changed while it was read.",
-                         "Open the study again.");
+        return notUsable(segmentation_, Text("The segmentation changed while it was read."),
+                         Text("Open the study again."));
     return {};
 }
 
@@ -245,8 +245,8 @@ Result<SegmentVoxelSets> loadResampled(const Segmentation& segmentation, const g
                                        const glm::ivec3& size, Progress& progress) {
     const std::optional<SegmentationGrid> own = ownGrid(segmentation);
     if (!own)
-        return notUsable(segmentation, "The frames of the segmentation do not lie on one grid.",
-                         "Choose another segmentation.");
+        return notUsable(segmentation, Text("The frames of the segmentation do not lie on one grid."),
+                         Text("Choose another segmentation."));
     Reader reader(segmentation, *own, progress);
     MACULA_TRY_VOID(reader.read());
     SegmentVoxelSets sets;
@@ -255,7 +255,7 @@ Result<SegmentVoxelSets> loadResampled(const Segmentation& segmentation, const g
     const bool hasThickness = own->size.z > 1 || segmentation.spacingMm > 0.0;
     const glm::dmat4 setFromVoxel = glm::inverse(own->worldFromVoxel) * worldFromVoxel;
     MACULA_TRY_VOID(checkResampledFits(sets.segments, setFromVoxel, size));
-    progress.beginStage("Putting segments on the voxels of the volume", sets.segments.size());
+    progress.beginStage(Text("Putting segments on the voxels of the volume"), sets.segments.size());
     for (SegmentVoxels& each : sets.segments) {
         measure(each, each.voxels, own->worldFromVoxel, hasThickness);
         each.voxels = nearestVoxels(each.voxels, setFromVoxel, size, progress.token());
@@ -291,8 +291,8 @@ Result<SegmentVoxelSets> loadSegmentVoxels(const Segmentation& segmentation, con
                                            glm::ivec3 size, Progress& progress,
                                            std::span<const glm::dvec3> slicePositionsMm) try {
     if (size.x < 1 || size.y < 1 || size.z < 1 || !isInvertibleAffine(worldFromVoxel))
-        return notUsable(segmentation, "The series of the segmentation is no volume.",
-                         "Choose another series.");
+        return notUsable(segmentation, Text("The series of the segmentation is no volume."),
+                         Text("Choose another series."));
     if (slicePositionsMm.size() != static_cast<std::size_t>(size.z)) slicePositionsMm = {};
     auto placements = placeFrames(segmentation, worldFromVoxel, slicePositionsMm);
     if (!placements || segmentation.frames.empty())

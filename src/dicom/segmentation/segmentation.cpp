@@ -32,8 +32,7 @@ constexpr Tag kCodeValue{0x0008, 0x0100};
 constexpr Tag kCodingScheme{0x0008, 0x0102};
 constexpr Tag kContentLabel{0x0070, 0x0080};
 
-Error notUsable(const fs::path& file, std::string message,
-                std::string hint = "Choose another segmentation.") {
+Error notUsable(const fs::path& file, Text message, Text hint = Text("Choose another segmentation.")) {
     return {ErrorCode::inputNotUsable, std::move(message), file.string(), std::move(hint)};
 }
 
@@ -144,11 +143,12 @@ bool isFormatOf(SegmentationType type, const CellFormat& format) {
 Result<Segmentation> readSegmentation(const fs::path& file) try {
     const HeaderFile read = readHeader(file);
     if (!read.header)
-        return notUsable(file, "The segmentation cannot be read.", "Copy the file again from its source.");
+        return notUsable(file, Text("The segmentation cannot be read."),
+                         Text("Copy the file again from its source."));
     const Dataset& header = *read.header;
     const auto type = typeOf(header);
     if (!isSegmentation(header.text(tag::kSopClassUid).value_or("")) || !type)
-        return notUsable(file, "The file is no segmentation that this version knows.");
+        return notUsable(file, Text("The file is no segmentation that this version knows."));
 
     Segmentation segmentation{.file = file,
                               .seriesInstanceUid = header.text(tag::kSeriesInstanceUid).value_or(""),
@@ -172,13 +172,14 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
                          segmentation.rows >= 1 && segmentation.rows <= kMostRows;
     if (!hasSize || !isFormatOf(*type, segmentation.format) ||
         header.integer(tag::kSamplesPerPixel).value_or(1) != 1)
-        return notUsable(file, "The frames of the segmentation are of no kind that this version knows.");
+        return notUsable(file,
+                         Text("The frames of the segmentation are of no kind that this version knows."));
     if (*type == SegmentationType::labelMap) findBackground(header, segmentation);
     if (*type == SegmentationType::fractional) {
         segmentation.fractionalMaximum =
             header.integer(kMaximumFractionalValue).value_or(segmentation.fractionalMaximum);
         if (segmentation.fractionalMaximum < 1)
-            return notUsable(file, "The segmentation does not say what its values mean.");
+            return notUsable(file, Text("The segmentation does not say what its values mean."));
     }
 
     // Every frame needs a position of its own, so that a header cannot claim more of them than it holds.
@@ -186,18 +187,18 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
         std::max<std::size_t>(1, header.items(tag::kPerFrameFunctionalGroups).size());
     const auto count = static_cast<std::size_t>(header.frameCount());
     if (count > described)
-        return notUsable(file, "The segmentation does not say where all of its frames lie.");
+        return notUsable(file, Text("The segmentation does not say where all of its frames lie."));
     segmentation.frames.reserve(count);
     for (int i = 0; i < header.frameCount(); ++i) {
         const Dataset frame = header.frame(i);
         const auto plane = planeOf(frame);
-        if (!plane) return notUsable(file, "The segmentation does not say where its frames lie.");
+        if (!plane) return notUsable(file, Text("The segmentation does not say where its frames lie."));
         auto number = segmentNumber(frame.integer(kReferencedSegmentNumber), *type);
         if (!number && segmentation.segments.size() == 1) number = segmentation.segments.front().number;
         if (*type == SegmentationType::labelMap) {
             number = std::uint16_t{0};
         } else if (!number) {
-            return notUsable(file, "The segmentation does not say what its frames show.");
+            return notUsable(file, Text("The segmentation does not say what its frames show."));
         }
         segmentation.frames.push_back({*plane, *number});
     }

@@ -17,7 +17,7 @@ namespace macula::dicom {
 
 namespace {
 
-Error notUsable(const Segmentation& segmentation, std::string message, std::string hint) {
+Error notUsable(const Segmentation& segmentation, Text message, Text hint) {
     return {ErrorCode::inputNotUsable, std::move(message), segmentation.file.string(), std::move(hint)};
 }
 
@@ -130,8 +130,8 @@ Result<LabelMap> load(const Segmentation& segmentation, const Placements& placem
                                                      segmentation.rows, frames, segmentation.format}));
     for (int i = 0; i < frames; ++i) {
         if (reader.isCutOff(i)) {
-            return notUsable(segmentation, "The segmentation ends before its last frame does.",
-                             "Copy the file again from its source.");
+            return notUsable(segmentation, Text("The segmentation ends before its last frame does."),
+                             Text("Copy the file again from its source."));
         }
     }
     // This is checked once it is known what the file really holds: a header alone cannot ask for more than it
@@ -143,8 +143,8 @@ Result<LabelMap> load(const Segmentation& segmentation, const Placements& placem
     const double pixels = double(frames) * double(segmentation.rows) * double(segmentation.columns);
     if (voxels > kSmallGrid && voxels > kMostVoxelsPerPixel * pixels) {
         return notUsable(segmentation,
-                         "The frames of the segmentation lie too far apart for a grid of their own.",
-                         "Open it with the series it was drawn on.");
+                         Text("The frames of the segmentation lie too far apart for a grid of their own."),
+                         Text("Open it with the series it was drawn on."));
     }
     const auto available = availableMemory();
     if (voxels * sizeof(std::uint16_t) > static_cast<double>(available.value_or(UINT64_MAX))) {
@@ -152,20 +152,20 @@ Result<LabelMap> load(const Segmentation& segmentation, const Placements& placem
         return notEnoughMemory(
             static_cast<std::uint64_t>(std::min(voxels * sizeof(std::uint16_t), kLargestNamed)), available);
     }
-    progress.beginStage(fmt::format("Reading a segmentation of {} frames", frames),
+    progress.beginStage(Text("Reading a segmentation of {} frames", frames),
                         static_cast<std::size_t>(frames));
     Painter painter(segmentation, size);
     std::vector<std::uint16_t> cells(static_cast<std::size_t>(segmentation.columns) *
                                      static_cast<std::size_t>(segmentation.rows));
     for (int i = 0; i < frames; ++i, progress.advance()) {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Loading was cancelled."), {}, {}};
         MACULA_TRY_VOID(reader.read(i, cells));
         const auto at = static_cast<std::size_t>(i);
         painter.paint(segmentation.frames[at], placements[at], cells);
     }
     if (painter.isAmbiguous())
-        return notUsable(segmentation, "The segmentation has more segments than a label map can hold.",
-                         "Choose another segmentation.");
+        return notUsable(segmentation, Text("The segmentation has more segments than a label map can hold."),
+                         Text("Choose another segmentation."));
     return LabelMap::create(size, worldFromVoxel, painter.segments(), painter.take(), painter.messages());
 }
 
@@ -175,17 +175,17 @@ Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::d
                                   glm::ivec3 size, Progress& progress,
                                   std::span<const glm::dvec3> slicePositionsMm) try {
     if (size.x < 1 || size.y < 1 || size.z < 1 || !isInvertibleAffine(worldFromVoxel)) {
-        return notUsable(segmentation, "The series of the segmentation is no volume.",
-                         "Choose another series.");
+        return notUsable(segmentation, Text("The series of the segmentation is no volume."),
+                         Text("Choose another series."));
     }
     MACULA_CHECK(slicePositionsMm.empty() || slicePositionsMm.size() == static_cast<std::size_t>(size.z));
     std::size_t firstOff = 0;
     const auto placements = placeFrames(segmentation, worldFromVoxel, slicePositionsMm, &firstOff);
     if (!placements) {
-        return notUsable(segmentation,
-                         fmt::format("Frame {} of the segmentation does not lie on the voxels of the series.",
-                                     firstOff + 1),
-                         "Open the segmentation with the series it was drawn on.");
+        return notUsable(
+            segmentation,
+            Text("Frame {} of the segmentation does not lie on the voxels of the series.", firstOff + 1),
+            Text("Open the segmentation with the series it was drawn on."));
     }
     return load(segmentation, *placements, worldFromVoxel, size, progress);
 } catch (const std::exception& thrown) {
@@ -194,11 +194,12 @@ Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::d
 
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, Progress& progress) try {
     if (segmentation.frames.empty())
-        return notUsable(segmentation, "The segmentation has no frames.", "Choose another segmentation.");
+        return notUsable(segmentation, Text("The segmentation has no frames."),
+                         Text("Choose another segmentation."));
     if (const auto grid = ownGrid(segmentation))
         return load(segmentation, grid->placements, grid->worldFromVoxel, grid->size, progress);
-    return notUsable(segmentation, "The frames of the segmentation do not lie on one grid.",
-                     "Open the segmentation with the series it was drawn on.");
+    return notUsable(segmentation, Text("The frames of the segmentation do not lie on one grid."),
+                     Text("Open the segmentation with the series it was drawn on."));
 } catch (const std::exception& thrown) {
     return errorOf(thrown, "load the segmentation", segmentation.file.string());
 }

@@ -159,7 +159,7 @@ std::vector<std::size_t> dropCopies(const std::vector<std::vector<Frame>*>& all,
     std::vector<std::size_t> dropped(all.size(), 0);
     std::vector<Twin> twins = findTwins(all, progress);
     if (twins.empty()) return dropped;
-    progress.beginStage(fmt::format("Comparing {} files", twins.size()), twins.size());
+    progress.beginStage(Text("Comparing {} files", twins.size()), twins.size());
     parallelFor(
         twins.size(),
         [&](std::size_t i) {

@@ -28,7 +28,7 @@ void nameStackPhases(std::vector<Stack>& stacks, bool assumed) {
         stacks[i].phases = static_cast<int>(stacks.size());
         if (assumed) {
             stacks[i].assumptions.emplace_back(
-                "Images at one position were told apart by the order of their numbers.");
+                Text("Images at one position were told apart by the order of their numbers."));
         }
     }
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "dicom/read/referenced_frames.h"
 #include "dicom/stack/stack.h"
 
@@ -52,8 +53,8 @@ struct Series {
     std::size_t filesLeftOut = 0;                 // unreadable files of the series
     bool scattered = false;                       // has an image that key::kUidPerSlice asks about
 
-    std::vector<Message> messages;         // about the series as a whole; each stack has its own
-    std::vector<std::string> assumptions;  // hold for each of its stacks
+    std::vector<Message> messages;  // about the series as a whole; each stack has its own
+    std::vector<Text> assumptions;  // hold for each of its stacks
 
     // Whether one of its stacks can be shown in 3D.
     bool canBeVolume() const;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "dicom/messages/messages.h"
 #include "dicom/stack/instance.h"
 
@@ -41,7 +42,7 @@ struct Stack {
     std::optional<double> suvFactor;  // SUV (body weight) = factor * value; PET only
 
     std::vector<Message> messages;
-    std::vector<std::string> assumptions;  // for the volume's provenance
+    std::vector<Text> assumptions;  // for the volume's provenance
 
     bool canBeVolume() const;
     // The first message that blocks a volume; null when none does.

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
 #include "base/volume.h"
 #include "dicom/stack/instance.h"
 
@@ -33,6 +34,6 @@ std::string unitTerm(std::string_view modality, const Frame& frame);
 // intercept (or lookup table) whose type is HU, or names no type in a CT image of more than 8 bits (PS3.3
 // C.8.2.1, C.11.1.1.2) whose ImageType does not say that it is a map of something else. Never assumed for
 // captures and images without a rescale.
-std::string whyNoHounsfield(std::span<const Frame> frames);
+Text whyNoHounsfield(std::span<const Frame> frames);
 
 }  // namespace macula::dicom

@@ -93,15 +93,18 @@ Now::Now() {
 }
 
 Result<Origin> copyOwner(DcmDataset& to, const SecondaryCapture::Source& source) {
-    const Error unreadable{ErrorCode::inputNotUsable, "The study that it belongs to cannot be read any more.",
-                           source.file.string(), "Open the study again, or write it without the patient."};
+    const Error unreadable{
+        ErrorCode::inputNotUsable, Text("The study that it belongs to cannot be read any more."),
+        source.file.string(), Text("Open the study again, or write it without the patient.")};
     DcmFileFormat format;
     if (!isRead(format, source)) return unreadable;
     DcmDataset& from = *format.getDataset();
     for (const Taken& taken : kTaken) {
         if (!copy(to, from, taken))
-            return Error{
-                ErrorCode::outputNotWritable, "The DICOM file could not be made.", {}, "Check memory."};
+            return Error{ErrorCode::outputNotWritable,
+                         Text("The DICOM file could not be made."),
+                         {},
+                         Text("Check memory.")};
     }
     Origin origin = kindOf(from);
     origin.sopClassUid = textOf(from, DCM_SOPClassUID);

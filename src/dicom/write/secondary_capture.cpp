@@ -132,8 +132,8 @@ bool refer(DcmDataset& to, const Origin& origin) {
 Result<void> writeSecondaryCapture(const fs::path& path, const SecondaryCapture& capture) try {
     MACULA_TRY_VOID(check(capture));
     const QuietToolkit quiet;
-    const Error failed{ErrorCode::outputNotWritable, "The DICOM file could not be written.", path.string(),
-                       "Check free space and permissions."};
+    const Error failed{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."),
+                       path.string(), Text("Check free space and permissions.")};
     DcmFileFormat format;
     DcmDataset& dataset = *format.getDataset();
     Writer write(dataset);
@@ -159,8 +159,8 @@ Result<void> writeSecondaryCapture(const fs::path& path, const SecondaryCapture&
 } catch (const CheckFailure&) {
     throw;  // a mistake of ours, and none of the file
 } catch (...) {
-    return Error{ErrorCode::outputNotWritable, "The DICOM file could not be written.", path.string(),
-                 "Check free space and memory."};
+    return Error{ErrorCode::outputNotWritable, Text("The DICOM file could not be written."), path.string(),
+                 Text("Check free space and memory.")};
 }
 
 }  // namespace macula::dicom

@@ -29,7 +29,7 @@ namespace {
 
 constexpr double kPerpendicular = 1e-6;
 
-Error notWritable(std::string message, const fs::path& where, std::string hint) {
+Error notWritable(Text message, const fs::path& where, Text hint) {
     return {ErrorCode::outputNotWritable, std::move(message), where.string(), std::move(hint)};
 }
 
@@ -82,7 +82,7 @@ struct Common {
 
 Result<Common> describe(const Volume& volume, const SeriesWriterOptions& options) {
     const auto refuse = [](std::string message) {
-        return Error{ErrorCode::usage, std::move(message), {}, "Choose another volume."};
+        return Error{ErrorCode::usage, std::move(message), {}, Text("Choose another volume.")};
     };
     Common common;
     common.isCt = volume.modality() == "CT";
@@ -208,8 +208,8 @@ void fillImage(Filler& fill, const Volume& volume, const Common& common, const S
 
 Result<void> writeSlice(const Volume& volume, const Common& common, const SeriesWriterOptions& options, int k,
                         const fs::path& file) try {
-    const Error failed =
-        notWritable("A DICOM file could not be written.", file, "Check free space and permissions.");
+    const Error failed = notWritable(Text("A DICOM file could not be written."), file,
+                                     Text("Check free space and permissions."));
     const QuietToolkit quiet;
     DcmFileFormat format;
     DcmDataset& dataset = *format.getDataset();
@@ -237,7 +237,8 @@ Result<void> writeSlice(const Volume& volume, const Common& common, const Series
 } catch (const CheckFailure&) {
     throw;  // a mistake of ours, and none of the file
 } catch (...) {
-    return notWritable("A DICOM file could not be written.", file, "Check free space and memory.");
+    return notWritable(Text("A DICOM file could not be written."), file,
+                       Text("Check free space and memory."));
 }
 
 // True when both folders hold the same files, byte for byte.
@@ -269,12 +270,12 @@ Result<std::vector<fs::path>> writeSeries(const Volume& volume, const fs::path& 
     fs::create_directories(parent, error);
     const Result<Draft> temporary = Draft::beside(parent / name, Draft::Kind::folder);
     if (!temporary) {
-        return notWritable("The folder to write into cannot be created.", folder,
-                           "Check the permissions, or choose another place.");
+        return notWritable(Text("The folder to write into cannot be created."), folder,
+                           Text("Check the permissions, or choose another place."));
     }
 
     const auto slices = static_cast<std::size_t>(volume.size().z);
-    progress.beginStage(fmt::format("Writing {} slices", slices), slices);
+    progress.beginStage(Text("Writing {} slices", slices), slices);
     std::mutex mutex;
     std::optional<Error> failure;
     parallelFor(
@@ -289,7 +290,7 @@ Result<std::vector<fs::path>> writeSeries(const Volume& volume, const fs::path& 
             progress.advance();
         },
         progress.token());
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Writing was cancelled.", {}, {}};
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Writing was cancelled."), {}, {}};
     if (failure) {
         failure->where = folder.string();
         return *failure;
@@ -299,15 +300,15 @@ Result<std::vector<fs::path>> writeSeries(const Volume& volume, const fs::path& 
     const fs::path final = parent / name;
     fs::rename(temporary->path(), final, error);
     if (error && !(fs::is_directory(final) && sameFolder(final, temporary->path(), slices))) {
-        return notWritable("The folder to write into is not empty, or cannot be replaced.", folder,
-                           "Choose a folder that is empty or does not exist.");
+        return notWritable(Text("The folder to write into is not empty, or cannot be replaced."), folder,
+                           Text("Choose a folder that is empty or does not exist."));
     }
     std::vector<fs::path> files;
     for (std::size_t k = 0; k < slices; ++k) files.push_back(folder / fmt::format("IM{:05}.dcm", k + 1));
     return files;
 } catch (const std::exception&) {
-    return notWritable("The series could not be written.", folder,
-                       "Check free space, memory and permissions.");
+    return notWritable(Text("The series could not be written."), folder,
+                       Text("Check free space, memory and permissions."));
 }
 
 }  // namespace macula::dicom

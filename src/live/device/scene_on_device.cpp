@@ -11,9 +11,9 @@ Result<hybrid::TracedScene> visibleScene(const StudyScene& scene) {
                                            scene.additions));
     if (!(traced.seenMm().low.x <= traced.seenMm().high.x))
         return Error{ErrorCode::inputNotUsable,
-                     "Nothing of the series can be seen.",
+                     Text("Nothing of the series can be seen."),
                      {},
-                     "Choose another preset or clip."};
+                     Text("Choose another preset or clip.")};
     return traced;
 }
 

@@ -28,8 +28,8 @@ struct StudyScene {
 struct SceneOnDevice {
     hybrid::TracedScene traced;
     trace::PathTracer tracer;
-    bool isCoarse = false;           // some voxels are coarse on the device: no ground truth
-    std::vector<std::string> notes;  // sentences on what is coarse
+    bool isCoarse = false;    // some voxels are coarse on the device: no ground truth
+    std::vector<Text> notes;  // sentences on what is coarse
 };
 
 // Both fail with inputNotUsable if nothing of the scene is visible. visibleScene needs no device.

@@ -8,14 +8,14 @@ namespace {
 
 void addModel(const FrameShown& frame, std::vector<std::string>& because) {
     if (!frame.foveaAgeMs) {
-        because.emplace_back("preview only");
+        because.emplace_back(Text("preview only"));
     } else {
-        because.emplace_back("preview around the sharp centre");
-        because.push_back(fmt::format("sharp centre traced {:.1f} s ago with {} samples",
-                                      *frame.foveaAgeMs / 1000.0, frame.foveaSamples));
+        because.emplace_back(Text("preview around the sharp centre"));
+        because.push_back(Text("sharp centre traced {:.1f} s ago with {} samples", *frame.foveaAgeMs / 1000.0,
+                               frame.foveaSamples));
     }
-    if (frame.picture == OnScreen::estimate) because.emplace_back("estimated from the values");
-    if (frame.greyFacesAreCoarse) because.emplace_back("values on cut faces only coarsely");
+    if (frame.picture == OnScreen::estimate) because.emplace_back(Text("estimated from the values"));
+    if (frame.greyFacesAreCoarse) because.emplace_back(Text("values on cut faces only coarsely"));
 }
 
 bool isNotFit(const hybrid::ModelNews& model) {
@@ -32,15 +32,15 @@ Fidelity fidelityOf(const FrameShown& frame) {
     std::vector<std::string>& because = fidelity.because;
     if (isOfSplats(frame.picture)) addModel(frame, because);
     if (frame.picture == OnScreen::preview && isNotFit(frame.model))
-        because.push_back(fmt::format("the preview is not sharp enough after {} steps", frame.model.steps));
-    if (frame.picture == OnScreen::fading) because.emplace_back("preview fades out");
-    if (frame.mixesModel) because.emplace_back("preview where it is less noisy");
-    if (frame.scale > 1) because.push_back(fmt::format("1/{} of the pixels each way", frame.scale));
+        because.push_back(Text("the preview is not sharp enough after {} steps", frame.model.steps));
+    if (frame.picture == OnScreen::fading) because.emplace_back(Text("preview fades out"));
+    if (frame.mixesModel) because.emplace_back(Text("preview where it is less noisy"));
+    if (frame.scale > 1) because.push_back(Text("1/{} of the pixels each way", frame.scale));
     if (!isOfSplats(frame.picture) && frame.stage != Stage::converged)
-        because.push_back(fmt::format("{} of {} samples", frame.samplesPerPixel, frame.sampleLimit));
-    if (!frame.messages.empty()) because.emplace_back("less than the full resolution");
-    if (frame.denoised) because.emplace_back("denoised");
-    if (frame.samplesLeftOut > 0) because.push_back(fmt::format("{} samples left out", frame.samplesLeftOut));
+        because.push_back(Text("{} of {} samples", frame.samplesPerPixel, frame.sampleLimit));
+    if (!frame.messages.empty()) because.emplace_back(Text("less than the full resolution"));
+    if (frame.denoised) because.emplace_back(Text("denoised"));
+    if (frame.samplesLeftOut > 0) because.push_back(Text("{} samples left out", frame.samplesLeftOut));
     return fidelity;
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "live/frame/render_events.h"
 
 namespace macula::live {
@@ -12,7 +13,7 @@ struct Fidelity {
     bool isFinal = false;  // the picture stays as it is until the input changes
     // Why this frame is not a complete traced picture: of this view, with all pixels and samples, not
     // denoised. Each entry is a phrase for the user. Empty for a complete picture.
-    std::vector<std::string> because = {};
+    std::vector<Text> because = {};
 };
 
 Fidelity fidelityOf(const FrameShown& frame);

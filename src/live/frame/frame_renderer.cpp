@@ -105,9 +105,9 @@ Result<void> FrameRenderer::giveModel() {
     } catch (const std::bad_alloc&) {
         // The picture goes on without that.
         taken.error = {ErrorCode::outOfMemory,
-                       "There is not enough memory to write the model.",
+                       Text("There is not enough memory to write the model."),
                        {},
-                       "Close other programs."};
+                       Text("Close other programs.")};
     }
     if (!done) taken.error = done.error();
     if (taken.error) {

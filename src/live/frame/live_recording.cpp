@@ -266,7 +266,7 @@ class Recording {
         while (!isDone()) {
             if (const auto failure = tape_->failure()) return *failure;
             if (progress_.cancelled())
-                return Error{ErrorCode::cancelled, "The recording was cancelled.", {}, {}};
+                return Error{ErrorCode::cancelled, Text("The recording was cancelled."), {}, {}};
             std::this_thread::sleep_for(kHandInterval);
         }
         return {};
@@ -277,7 +277,7 @@ class Recording {
     }
 
     Result<scene::CameraPath> open() {
-        progress_.beginStage("Opening", 1);
+        progress_.beginStage(Text("Opening"), 1);
         scene::CameraPath path;
         if (options_.path) {
             path = *options_.path;
@@ -305,7 +305,7 @@ class Recording {
     }
 
     Result<void> move(const scene::CameraPath& path) {
-        progress_.beginStage("Moving", 1);
+        progress_.beginStage(Text("Moving"), 1);
         const Clock::time_point start = Clock::now();
         const auto atS = [&] { return secondsBetween(start, Clock::now()); };
         MACULA_TRY_VOID(wait([&] {

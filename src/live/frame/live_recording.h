@@ -61,7 +61,7 @@ struct RecordedFrame {
 // The renderer reported that the picture is not there yet: Preparing, PictureRemoved, DeviceRestarting.
 struct RecordedNotice {
     double atS = 0.0;  // since recording began
-    std::string what;  // a sentence for the user
+    Text what;         // a sentence for the user
 };
 
 // How the render thread spent a phase, by stage, accurate to about a quarter of a second.

@@ -154,7 +154,7 @@ Result<void> ModelPictures::guarded(const std::function<Result<void>()>& work) {
         return work();
     } catch (const std::bad_alloc&) {
         if (device_.isLost()) throw;
-        return Error{ErrorCode::outOfMemory, "There is not enough memory for it.", {}, {}};
+        return Error{ErrorCode::outOfMemory, Text("There is not enough memory for it."), {}, {}};
     }
 }
 

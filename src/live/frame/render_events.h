@@ -32,7 +32,7 @@ struct DeviceRestarting {};
 
 // The renderer prepares something that may take seconds, such as a volume for the device.
 struct Preparing {
-    std::string what;  // "Preparing the volume". No patient data.
+    Text what;  // "Preparing the volume". No patient data.
 };
 
 enum class Stage {
@@ -85,7 +85,7 @@ struct FrameShown {
     double noiseTarget = 0.0;  // FrameInput::noiseTarget
     bool denoised = false;     // smoother than the traced light
     trace::Look look{};
-    std::string remarks{};             // of its drawing
+    Text remarks{};                    // of its drawing
     double framesPerSecond = 0.0;      // of recent pictures; 0 when there was only one
     double latencyMs = 0.0;            // from publishing the input to showing the picture
     std::uint64_t samplesLeftOut = 0;  // not finite, or of paths too long for the device

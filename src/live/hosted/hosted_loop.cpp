@@ -47,9 +47,9 @@ bool hasEnded(hybrid::ModelStage stage) {
 Result<void> checkHasModel(const scene::Drawing& drawing) {
     if (!trace::isPathTraced(drawing.settings.look))
         return Error{ErrorCode::usage,
-                     "Only what is path-traced has a peripheral model.",
+                     Text("Only what is path-traced has a peripheral model."),
                      {},
-                     "Choose the look cinematic or clear."};
+                     Text("Choose the look cinematic or clear.")};
     return scene::checkPatientLights(trace::Environment::fromRig(*drawing.lights), {});
 }
 
@@ -76,19 +76,19 @@ Result<void> whatBecameOf(const hybrid::ModelNews& news) {
     switch (news.stage) {
         case ModelStage::nothingToSee:
             return Error{ErrorCode::inputNotUsable,
-                         "There is nothing to be seen that a model could learn.",
+                         Text("There is nothing to be seen that a model could learn."),
                          {},
-                         "Choose another preset or clip."};
+                         Text("Choose another preset or clip.")};
         case ModelStage::noRoom:
             return Error{ErrorCode::outOfMemory,
-                         "The graphics device has no memory for a model.",
+                         Text("The graphics device has no memory for a model."),
                          {},
-                         "Close other programs, or show less of the volume."};
+                         Text("Close other programs, or show less of the volume.")};
         case ModelStage::failed:
             return Error{ErrorCode::deviceNotUsable,
-                         "The model could not be made on this graphics device.",
+                         Text("The model could not be made on this graphics device."),
                          {},
-                         "Try another device."};
+                         Text("Try another device.")};
         default:
             return {};
     }
@@ -149,7 +149,7 @@ void HostedLoop::hear(RenderEvent event) {
     if (auto* taken = std::get_if<ModelSnapshot>(&event)) taken_ = std::move(*taken);
     if (auto* failure = std::get_if<RenderFailure>(&event)) failure_ = failure->error;
     if (std::holds_alternative<DeviceRestarting>(event))
-        notes_.emplace_back("The graphics device stopped responding and was started again.");
+        notes_.emplace_back(Text("The graphics device stopped responding and was started again."));
     if (auto* preparing = std::get_if<Preparing>(&event); preparing && progress_)
         progress_->beginStage(preparing->what, 1);
 }
@@ -259,16 +259,17 @@ Result<HostedFrame> HostedLoop::frame(const HostedFrameRequest& request, Progres
     MACULA_TRY_VOID(goOn([&] { return hasPicture() && isTimeUp(); }, isTimeUp, progress));
     if (!hasPicture())
         return Error{ErrorCode::deviceNotUsable,
-                     "There is no picture of this.",
+                     Text("There is no picture of this."),
                      {},
-                     "Draw it again; if that does not help, open another device."};
+                     Text("Draw it again; if that does not help, open another device.")};
     return HostedFrame{.shown = *shown_, .isNew = picture_->count() != before};
 }
 
 Result<void> HostedLoop::train(const TrainingRequest& request, Progress& progress) {
     MACULA_CHECK(input_.volume != nullptr);
     if (!options_.usesModel)
-        return Error{ErrorCode::usage, "This was opened without a model.", {}, "Open it with one."};
+        return Error{
+            ErrorCode::usage, Text("This was opened without a model."), {}, Text("Open it with one.")};
     MACULA_TRY_VOID(checkHasModel(input_.drawing));
     const Clock::time_point start = Clock::now();
     FrameInput input = input_;
@@ -279,7 +280,7 @@ Result<void> HostedLoop::train(const TrainingRequest& request, Progress& progres
     MACULA_TRY(input.camera, fittingCamera(input, ViewDirection::anterior, progress));
     publish(input);
 
-    progress.beginStage("Training", kTrainingTicks);
+    progress.beginStage(Text("Training"), kTrainingTicks);
     std::size_t ticks = 0;
     const auto advanceTo = [&](double share) {
         const auto wanted = std::size_t(std::clamp(share, 0.0, 1.0) * double(kTrainingTicks));
@@ -317,8 +318,10 @@ Result<ModelSnapshot> HostedLoop::snapshotModel(bool withTraining) {
     taken_.reset();
     publish(input);
     if (!taken_ || (!taken_->error && !taken_->splats))
-        return Error{
-            ErrorCode::inputNotUsable, "There is no model of what is shown yet.", {}, "Train it first."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("There is no model of what is shown yet."),
+                     {},
+                     Text("Train it first.")};
     ModelSnapshot taken = *std::exchange(taken_, std::nullopt);
     if (taken.error) return *taken.error;
     return taken;
@@ -326,13 +329,14 @@ Result<ModelSnapshot> HostedLoop::snapshotModel(bool withTraining) {
 
 Result<void> HostedLoop::save(Progress& progress) {
     if (!keeper_)
-        return Error{ErrorCode::usage, "No folder was given to keep models in.", {}, "Open it with one."};
+        return Error{
+            ErrorCode::usage, Text("No folder was given to keep models in."), {}, Text("Open it with one.")};
     MACULA_TRY(const ModelSnapshot taken, snapshotModel(true));
     if (!taken.state)
         return Error{ErrorCode::inputNotUsable,
-                     "The model has learnt nothing yet that could be kept.",
+                     Text("The model has learnt nothing yet that could be kept."),
                      {},
-                     "Train it first."};
+                     Text("Train it first.")};
     for (const Error& error : troubles_->take()) note(error);  // of before
     const std::int64_t begunMs = nowMs();
     keeper_->keep(taken.state);
@@ -355,16 +359,17 @@ Result<void> HostedLoop::checkIsStored(std::int64_t sinceMs) {
                 MACULA_TRY(const std::optional<session::ModelInfo> found, store->findModel(key));
                 if (found && found->savedMs >= sinceMs) return {};
                 if (found)
-                    return Error{ErrorCode::outputNotWritable,
-                                 "The stored model was not replaced: it has learnt more than this one, or "
-                                 "could not be written.",
-                                 {},
-                                 "Train this one for longer, or check free space and permissions."};
+                    return Error{
+                        ErrorCode::outputNotWritable,
+                        Text("The stored model was not replaced: it has learnt more than this one, or "
+                             "could not be written."),
+                        {},
+                        Text("Train this one for longer, or check free space and permissions.")};
             }
             return Error{ErrorCode::outputNotWritable,
-                         "The model could not be kept.",
+                         Text("The model could not be kept."),
                          {},
-                         "Check free space and permissions of the folder that was given for models."};
+                         Text("Check free space and permissions of the folder that was given for models.")};
         };
         try {
             asked->set_value(look());

@@ -99,7 +99,7 @@ class HostedLoop {
 
     const std::string& deviceName() const { return device_; }
     // Sentences for the user on events since the last call, and on the current picture.
-    std::vector<std::string> notes();
+    std::vector<Text> notes();
 
   private:
     class Troubles;  // of the store

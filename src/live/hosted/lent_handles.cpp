@@ -41,14 +41,14 @@ Result<DeviceWay> lentWay(const LentHandles& lent) {
     if (lent.instance == nullptr || lent.physical == nullptr || lent.device == nullptr ||
         lent.queue == nullptr)
         return Error{ErrorCode::usage,
-                     "A handle of the graphics device that is lent is missing.",
+                     Text("A handle of the graphics device that is lent is missing."),
                      {},
-                     "Give VkInstance, VkPhysicalDevice, VkDevice, and a VkQueue of it with compute."};
+                     Text("Give VkInstance, VkPhysicalDevice, VkDevice, and a VkQueue of it with compute.")};
     if (bool(lent.lock) != bool(lent.unlock))
         return Error{ErrorCode::usage,
-                     "The queue that is lent can be locked, or unlocked, but not both.",
+                     Text("The queue that is lent can be locked, or unlocked, but not both."),
                      {},
-                     "Give both functions, or neither."};
+                     Text("Give both functions, or neither.")};
     DeviceWay way;
     way.instance.lent = static_cast<VkInstance>(lent.instance);
     way.device.physical = static_cast<VkPhysicalDevice>(lent.physical);

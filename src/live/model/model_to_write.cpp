@@ -15,15 +15,15 @@ namespace macula::live {
 namespace {
 
 Error cancelled() {
-    return {ErrorCode::cancelled, "Stopped; nothing was written.", {}, {}};
+    return {ErrorCode::cancelled, Text("Stopped; nothing was written."), {}, {}};
 }
 
 Result<void> writeState(const std::filesystem::path& path, const ModelToWrite& model) {
     if (!model.state)
         return Error{ErrorCode::inputNotUsable,
-                     "The model has learnt nothing yet that training could go on with.",
+                     Text("The model has learnt nothing yet that training could go on with."),
                      {},
-                     "Wait until the picture converges, or save it as .ply, .spz or .glb."};
+                     Text("Wait until the picture converges, or save it as .ply, .spz or .glb.")};
     const scene::Drawing& drawing = model.drawing;
     hybrid::PeripheralState state = *model.state;  // pictures are shared
     // In the program it has the name of its scene, which means nothing to others.
@@ -38,9 +38,9 @@ Result<void> writeState(const std::filesystem::path& path, const ModelToWrite& m
         stream.flush();
         if (stream) return {};
         return Error{ErrorCode::outputNotWritable,
-                     "The model could not be written.",
+                     Text("The model could not be written."),
                      {},
-                     "Check free space and permissions."};
+                     Text("Check free space and permissions.")};
     });
 }
 
@@ -56,14 +56,14 @@ splat::Splats asBright(splat::Splats splats, double gain) {
 Result<std::size_t> writeModelFile(const std::filesystem::path& path, const ModelToWrite& model,
                                    bool displayColours, Progress& progress) {
     MACULA_TRY_VOID(checkModelName(path));
-    progress.beginStage("Writing the model", 1);
+    progress.beginStage(Text("Writing the model"), 1);
     if (progress.cancelled()) return cancelled();
     if (holdsTraining(path)) {
         if (displayColours)
             return Error{ErrorCode::usage,
-                         "What goes on learning needs linear colours.",
+                         Text("What goes on learning needs linear colours."),
                          {},
-                         "Save it as .ply, .spz or .glb, or without colours as displayed."};
+                         Text("Save it as .ply, .spz or .glb, or without colours as displayed.")};
         MACULA_TRY_VOID(writeState(path, model));
         progress.advance();
         return std::size_t{0};

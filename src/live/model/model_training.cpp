@@ -36,7 +36,7 @@ void runSteps(splat::Trainer& trainer, const TrainingEnd& end, Progress& progres
 }
 
 Error stopped() {
-    return {ErrorCode::cancelled, "Stopped before the first step; nothing was written.", {}, {}};
+    return {ErrorCode::cancelled, Text("Stopped before the first step; nothing was written."), {}, {}};
 }
 
 }  // namespace
@@ -67,7 +67,7 @@ Result<Trained> trainFirst(const std::shared_ptr<gpu::Device>& device, const Stu
 
 Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat::TrainingState& saved,
                         const TrainingEnd& end, Progress& progress) {
-    progress.beginStage("Training", static_cast<std::size_t>(end.steps));
+    progress.beginStage(Text("Training"), static_cast<std::size_t>(end.steps));
     const double start = end.budget.spentSeconds();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, saved));
     Trained trained{.device = gpu::describe(device->info()), .firstStep = saved.steps};
@@ -80,7 +80,8 @@ Result<Trained> trainOn(const std::shared_ptr<gpu::Device>& device, const splat:
 Result<void> trainToTheEnd(const std::shared_ptr<gpu::Device>& device, Trained& failed,
                            const TrainingEnd& end, Progress& progress) {
     const std::uint64_t last = failed.firstStep + end.steps;
-    progress.beginStage("Training", static_cast<std::size_t>(last - std::min(last, failed.state.steps)));
+    progress.beginStage(Text("Training"),
+                        static_cast<std::size_t>(last - std::min(last, failed.state.steps)));
     const double start = end.budget.spentSeconds();
     MACULA_TRY(splat::Trainer trainer, splat::Trainer::resume(device, failed.state));
     failed.device = gpu::describe(device->info());
@@ -114,13 +115,13 @@ Result<splat::TrainingState> readTrainingToGoOn(const std::filesystem::path& pat
         return view.given->kind == splat::ViewKind::picture;
     };
     if (std::none_of(state.views.begin(), state.views.end(), isPicture))
-        return Error{ErrorCode::inputNotUsable, "The saved training has no views to learn from.",
-                     path.string(), "Train anew, with --views above 0."};
+        return Error{ErrorCode::inputNotUsable, Text("The saved training has no views to learn from."),
+                     path.string(), Text("Train anew, with --views above 0.")};
     if (toItsEnd && stepsLeft(state) == 0)
         return Error{ErrorCode::usage,
-                     fmt::format("The saved training has all of its {} steps.", plannedSteps(state)),
+                     Text("The saved training has all of its {} steps.", plannedSteps(state)),
                      {},
-                     "Give --iterations for as many more."};
+                     Text("Give --iterations for as many more.")};
     return state;
 }
 

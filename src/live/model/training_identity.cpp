@@ -51,8 +51,9 @@ Result<void> checkTrainingIdentity(const std::string& saved, const std::string& 
     std::vector<std::string> after = linesOf(now);
     const bool hasOtherAdditions = takeAdditions(before) != takeAdditions(after);
     if (before.size() != after.size() || before.front() != after.front())
-        return Error{ErrorCode::inputNotUsable, "The saved training does not say what its pictures show.",
-                     file.string(), "It is of another program, or of an older one: train anew."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("The saved training does not say what its pictures show."), file.string(),
+                     Text("It is of another program, or of an older one: train anew.")};
     std::vector<std::string> other;
     for (std::size_t i = 1; i < after.size(); ++i) {
         if (before[i] == after[i]) continue;
@@ -66,8 +67,8 @@ Result<void> checkTrainingIdentity(const std::string& saved, const std::string& 
             ? "macula train draws no second volume and no colours of segments: train anew without them."
             : "Give the PATH, --series, --preset, --clip, --remove-table and --lights that it was made with, "
               "or train anew.";
-    return Error{ErrorCode::inputNotUsable,
-                 fmt::format("The saved training is of {}.", fmt::join(other, " and ")), file.string(), hint};
+    return Error{ErrorCode::inputNotUsable, Text("The saved training is of {}.", fmt::join(other, " and ")),
+                 file.string(), hint};
 }
 
 }  // namespace macula::live

@@ -77,10 +77,10 @@ Result<Calibration> measureCalibration(const std::shared_ptr<gpu::Device>& devic
     using Clock = std::chrono::steady_clock;
     const auto stopped = [&]() -> Result<void> {
         if (!progress.cancelled()) return {};
-        return Error{ErrorCode::cancelled, "The measurement was stopped.", {}, {}};
+        return Error{ErrorCode::cancelled, Text("The measurement was stopped."), {}, {}};
     };
     MACULA_TRY_VOID(stopped());
-    progress.beginStage("Measuring this machine", kTimes + 1);
+    progress.beginStage(Text("Measuring this machine"), kTimes + 1);
     MACULA_TRY(const presets::ImportedPreset preset, scene::choosePreset(kPreset));
     MACULA_TRY(trace::PathTracer tracer, tracerOf(device, preset.function));
     const auto keepGoing = [&] { return !progress.cancelled(); };

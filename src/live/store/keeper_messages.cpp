@@ -14,7 +14,7 @@ void KeeperMessages::tell(const Error& error) {
 
 void KeeperMessages::tellOfNoMemory(const char* sentence) noexcept {
     try {
-        tell({ErrorCode::outOfMemory, sentence, {}, "Close other programs."});
+        tell({ErrorCode::outOfMemory, sentence, {}, Text("Close other programs.")});
     } catch (const std::exception&) {
         // There is none to say so either.
     }
@@ -24,7 +24,7 @@ void KeeperMessages::tellOfFault(const CheckFailure& failure) noexcept {
     try {
         log::error("Stored sessions: {}", failure.text());
         tell({ErrorCode::inputNotUsable,
-              "Stored sessions were not changed, because Macula found a mistake of its own.",
+              Text("Stored sessions were not changed, because Macula found a mistake of its own."),
               {},
               "Please report this: " + failure.text()});
     } catch (const std::exception&) {

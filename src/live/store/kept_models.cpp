@@ -182,9 +182,9 @@ hybrid::StoredModel KeptModels::resume(session::Store& store, const session::Mod
     }
     if (!read || read->isTrainingOnly || read->state.training.options.key != info.key.digest()) {
         messages_.tell({ErrorCode::inputNotUsable,
-                        "A stored model is damaged, and is not used.",
+                        Text("A stored model is damaged, and is not used."),
                         {},
-                        "`macula sessions verify` says what else is."});
+                        Text("`macula sessions verify` says what else is.")});
         if (const auto aside = store.setModelAside(blob->info, "content"); !aside)
             messages_.tell(aside.error());
         return {.answer = Answer::damaged};

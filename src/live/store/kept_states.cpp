@@ -59,9 +59,9 @@ std::optional<std::string> KeptStates::stateOf(const std::shared_ptr<const Volum
         if (future.wait_for(patience) == std::future_status::ready) return future.get();
         thread_.post(StoreThread::Urgency::isWaitedFor, [this](session::Store&) {
             messages_.tell({ErrorCode::inputNotUsable,
-                            "How this study was left was not found in time.",
+                            Text("How this study was left was not found in time."),
                             {},
-                            "It is kept: open the study again to see it."});
+                            Text("It is kept: open the study again to see it.")});
         });
     } catch (const std::exception&) {
         // The promise was dropped, or there is no memory.
@@ -97,11 +97,11 @@ void KeptStates::keepState(std::shared_ptr<const Volume> volume, std::string jso
             return messages_.tell(done.error());  // the next one is still made of what was kept before
         if (base) *base = json;
         if (holdsMore)
-            messages_.tell(
-                {ErrorCode::inputNotUsable,
-                 "More was measured on this study than is shown here: another window has it open, or had.",
-                 {},
-                 "All of it is kept; open the study again to see it."});
+            messages_.tell({ErrorCode::inputNotUsable,
+                            Text("More was measured on this study than is shown here: another window has it "
+                                 "open, or had."),
+                            {},
+                            Text("All of it is kept; open the study again to see it.")});
     });
 }
 

@@ -93,7 +93,7 @@ Cleaned cleaned(std::string_view typed, std::size_t most) {
     return name;
 }
 
-Error wrongName(std::string message, std::string hint) {
+Error wrongName(Text message, Text hint) {
     return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
 }
 
@@ -132,13 +132,15 @@ scene::StudyState withoutStudy(const scene::StudyState& state) {
 
 Result<std::string> checkedPresetName(std::string_view typed) {
     const Cleaned name = cleaned(typed, std::numeric_limits<std::size_t>::max());
-    if (!name.isUtf8) return wrongName("The name has letters that cannot be read.", "Type it anew.");
+    if (!name.isUtf8)
+        return wrongName(Text("The name has letters that cannot be read."), Text("Type it anew."));
     if (name.hasUnseen)
-        return wrongName("The name has letters that cannot be seen.", "Type it anew, without pasting.");
-    if (name.letters == 0) return wrongName("The preset needs a name.", "Type one.");
+        return wrongName(Text("The name has letters that cannot be seen."),
+                         Text("Type it anew, without pasting."));
+    if (name.letters == 0) return wrongName(Text("The preset needs a name."), Text("Type one."));
     if (name.letters > kMostPresetNameLetters)
-        return wrongName("The name is too long.",
-                         fmt::format("Use at most {} letters.", kMostPresetNameLetters));
+        return wrongName(Text("The name is too long."),
+                         Text("Use at most {} letters.", kMostPresetNameLetters));
     return name.text;
 }
 

@@ -25,9 +25,10 @@ std::string newId() {
 // As it comes back from a file: what cannot be written is refused now, and not when it is missed.
 Result<TransferFunction> asFilesHoldIt(const TransferFunction& function) {
     const std::string text = toJson(function);
-    auto read = text.size() > kLargestPresetBytes
-                    ? Result<TransferFunction>(Error{ErrorCode::inputNotUsable, "It is too large.", {}, {}})
-                    : transferFunctionFromJson(text, {});
+    auto read =
+        text.size() > kLargestPresetBytes
+            ? Result<TransferFunction>(Error{ErrorCode::inputNotUsable, Text("It is too large."), {}, {}})
+            : transferFunctionFromJson(text, {});
     if (read) return read;
     return Error{ErrorCode::inputNotUsable,
                  "The preset cannot be kept: " + read.error().message,
@@ -81,7 +82,8 @@ std::string PresetShelf::freeKey(std::string_view title, const PresetRef& own) c
 Result<std::string> PresetShelf::freeName(std::string_view title, const PresetRef& own) const {
     MACULA_TRY(std::string name, checkedPresetName(title));
     if (!isTaken(name, own)) return name;
-    return Error{ErrorCode::usage, "There is a preset of that name already.", {}, "Choose another name."};
+    return Error{
+        ErrorCode::usage, Text("There is a preset of that name already."), {}, Text("Choose another name.")};
 }
 
 std::string PresetShelf::nearestFreeName(std::string_view title) const {
@@ -126,7 +128,10 @@ Result<PresetRef> PresetShelf::add(std::string_view title, const TransferFunctio
                                    std::optional<SeenLook> seen) {
     MACULA_TRY(const std::string name, freeName(title));
     if (own_.size() >= kMostOwnPresets)
-        return Error{ErrorCode::usage, "There are too many presets of your own.", {}, "Delete some first."};
+        return Error{ErrorCode::usage,
+                     Text("There are too many presets of your own."),
+                     {},
+                     Text("Delete some first.")};
     MACULA_TRY_VOID(validate(function));
     // What is a copy already says of what; of all else ownCopy writes it down.
     TransferFunction copy =
@@ -148,9 +153,9 @@ Result<PresetRef> PresetShelf::add(std::string_view title, const TransferFunctio
     // All of the camera, or the same preset would show another picture the next day.
     if (read->seen && read->seen->camera != preset.seen->camera)
         return Error{ErrorCode::inputNotUsable,
-                     "The camera cannot be kept: a part of it would be lost.",
+                     Text("The camera cannot be kept: a part of it would be lost."),
                      {},
-                     "Keep the curve alone."};
+                     Text("Keep the curve alone.")};
     const PresetRef id = preset.id;
     changes_.push_back({DocumentKind::preset, id, toJson(preset)});
     put(std::move(preset));
@@ -160,7 +165,8 @@ Result<PresetRef> PresetShelf::add(std::string_view title, const TransferFunctio
 Result<void> PresetShelf::rename(const PresetRef& own, std::string_view title) {
     const auto preset = find(own);
     if (!preset)
-        return Error{ErrorCode::usage, "A built-in preset cannot be renamed.", {}, "Save a copy of it."};
+        return Error{
+            ErrorCode::usage, Text("A built-in preset cannot be renamed."), {}, Text("Save a copy of it.")};
     MACULA_TRY(const std::string name, freeName(title, own));
     OwnPreset renamed = *preset;
     TransferFunction function = *renamed.function;

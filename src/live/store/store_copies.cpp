@@ -27,8 +27,8 @@ bool isInside(const fs::path& path, const fs::path& folder) {
 Result<session::SnapshotReport> exportStore(session::Store& store, const fs::path& newFolder,
                                             Progress& progress) {
     if (isInside(newFolder, store.folder()))
-        return Error{ErrorCode::usage, "An export cannot lie inside of the stored sessions.",
-                     newFolder.string(), "Choose a place elsewhere."};
+        return Error{ErrorCode::usage, Text("An export cannot lie inside of the stored sessions."),
+                     newFolder.string(), Text("Choose a place elsewhere.")};
     return store.exportTo(withoutSlash(newFolder), progress);
 }
 
@@ -36,8 +36,8 @@ Result<void> checkImport(const fs::path& folder, const fs::path& ofStore) {
     std::error_code error;
     if (!fs::is_directory(folder, error)) return session::errorOf(session::Trouble::snapshotInvalid, folder);
     if (fs::equivalent(folder, ofStore, error))
-        return Error{ErrorCode::usage, "These are the stored sessions themselves.", folder.string(),
-                     "Choose a folder that macula sessions export wrote."};
+        return Error{ErrorCode::usage, Text("These are the stored sessions themselves."), folder.string(),
+                     Text("Choose a folder that macula sessions export wrote.")};
     return {};
 }
 

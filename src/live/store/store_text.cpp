@@ -196,14 +196,14 @@ std::vector<std::string> warningsOf(const session::PurgeReport& purged) {
     std::vector<std::string> warnings;
     if (purged.skippedOpen > 0)
         warnings.push_back(
-            fmt::format("{} left, because models of theirs are open. Close other windows of "
-                        "Macula and purge once more.",
-                        counted(purged.skippedOpen, "study was", "studies were")));
+            Text("{} left, because models of theirs are open. Close other windows of "
+                 "Macula and purge once more.",
+                 counted(purged.skippedOpen, "study was", "studies were")));
     if (purged.damagedFolders > 0)
         warnings.push_back(
-            fmt::format("{} of damaged files may hold parts of what was deleted; "
-                        "--damaged-too deletes them as well.",
-                        counted(purged.damagedFolders, "folder", "folders")));
+            Text("{} of damaged files may hold parts of what was deleted; "
+                 "--damaged-too deletes them as well.",
+                 counted(purged.damagedFolders, "folder", "folders")));
     if (purged.clock != session::ClockDoubt::none) warnings.push_back(sentencesOf(purged.clock));
     return warnings;
 }
@@ -220,16 +220,16 @@ std::string textOf(const session::Listing<session::AuditEntry>& trail) {
 std::vector<std::string> warningsOf(const session::OpeningNotes& notes) {
     std::vector<std::string> warnings;
     if (notes.setAside)
-        warnings.push_back(fmt::format(
+        warnings.push_back(Text(
             "The file of stored sessions was damaged. {}, among them {} and {}, were rescued; the damaged "
             "file is kept in {}.",
             counted(notes.setAside->rowsRescued, "row", "rows"), models(notes.setAside->modelsRescued),
             states(notes.setAside->documentsRescued), printable(notes.setAside->folder.string())));
     if (notes.versionBefore > 0)
-        warnings.emplace_back(
-            "Stored sessions were brought to the format of this version; older ones cannot read them now.");
+        warnings.emplace_back(Text(
+            "Stored sessions were brought to the format of this version; older ones cannot read them now."));
     if (notes.othersMayRead)
-        warnings.emplace_back("Other users of this computer may be able to read stored sessions.");
+        warnings.emplace_back(Text("Other users of this computer may be able to read stored sessions."));
     return warnings;
 }
 

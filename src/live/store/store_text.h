@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "live/store/purge_plan.h"
 #include "live/store/stored_studies.h"
 #include "live/store/tidied_store.h"
@@ -27,9 +28,9 @@ std::string nothingStoredText(const std::filesystem::path& folder);
 
 // Sentences, without an end of line.
 std::string questionOf(const PurgePlan& plan);
-std::vector<std::string> warningsOf(const session::OpeningNotes& notes);
+std::vector<Text> warningsOf(const session::OpeningNotes& notes);
 // What a purge has left although it was to delete it.
-std::vector<std::string> warningsOf(const session::PurgeReport& purged);
+std::vector<Text> warningsOf(const session::PurgeReport& purged);
 // What to do if not everything is sound; one sentence or more.
 std::string whatToDo(const VerifiedStore& verified);
 

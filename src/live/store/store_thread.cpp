@@ -95,11 +95,12 @@ void StoreThread::openStore() {
         if (!opened) return messages_.tell(opened.error());
         store_.emplace(*std::move(opened));
         if (store_->notes().setAside)
-            messages_.tell(
-                {ErrorCode::inputNotUsable,
-                 "The file of stored sessions was damaged. It was set aside, and what could be read of it "
-                 "was rescued.",
-                 store_->notes().setAside->folder.string(), "`macula sessions verify` says what is there."});
+            messages_.tell({ErrorCode::inputNotUsable,
+                            Text("The file of stored sessions was damaged. It was set aside, and what could "
+                                 "be read of it "
+                                 "was rescued."),
+                            store_->notes().setAside->folder.string(),
+                            Text("`macula sessions verify` says what is there.")});
     } catch (const std::exception&) {
         messages_.tellOfNoMemory("Stored sessions could not be opened.");
     } catch (const CheckFailure& failure) {

@@ -42,9 +42,9 @@ Error ambiguous(std::string_view digits, const std::vector<const session::StudyE
         names.push_back(study->identity.substr(0, std::max(kShortDigits, digits.size() + kFewestDigits)));
     }
     return {ErrorCode::usage,
-            fmt::format("{} studies begin with {}.", found.size(), digits),
+            Text("{} studies begin with {}.", found.size(), digits),
             {},
-            fmt::format("Give more digits: {}.", fmt::join(names, ", "))};
+            Text("Give more digits: {}.", fmt::join(names, ", "))};
 }
 
 }  // namespace
@@ -57,8 +57,8 @@ bool isNothingStored(const fs::path& folder) {
 }
 
 Error nothingStored(const fs::path& folder) {
-    return {ErrorCode::usage, "Nothing is stored yet.", folder.string(),
-            "Check --folder if you expected studies here."};
+    return {ErrorCode::usage, Text("Nothing is stored yet."), folder.string(),
+            Text("Check --folder if you expected studies here.")};
 }
 
 std::string shortOf(std::string_view digest) {
@@ -72,16 +72,16 @@ Result<session::StudyEntry> studyOfPrefix(const session::Listing<session::StudyE
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const std::string hint = "macula sessions list shows those there are.";
     if (digits.size() < kFewestDigits || !isOfDigits(digits))
-        return Error{ErrorCode::usage,
-                     fmt::format("A study is named by the first {} or more of its digits, 0 to 9 and a to f.",
-                                 kFewestDigits),
-                     {},
-                     hint};
+        return Error{
+            ErrorCode::usage,
+            Text("A study is named by the first {} or more of its digits, 0 to 9 and a to f.", kFewestDigits),
+            {},
+            hint};
     std::vector<const session::StudyEntry*> found;
     for (const session::StudyEntry& study : studies.entries)
         if (study.identity.starts_with(digits)) found.push_back(&study);
     if (found.empty())
-        return Error{ErrorCode::usage, fmt::format("No stored study begins with {}.", digits), {}, hint};
+        return Error{ErrorCode::usage, Text("No stored study begins with {}.", digits), {}, hint};
     if (found.size() > 1) return ambiguous(digits, found);
     return *found.front();
 }

@@ -63,8 +63,8 @@ Result<void> Device::loadFunctions(bool hasDebugUtils) {
     load(functions_.cmdPushDescriptorSet, "vkCmdPushDescriptorSetKHR");
     if (!functions_.cmdPushDescriptorSet)
         return Error{ErrorCode::deviceNotUsable,
-                     fmt::format("The device {} was opened without what Macula needs of it.", info_.name), "",
-                     "Open it with VK_KHR_push_descriptor."};
+                     Text("The device {} was opened without what Macula needs of it.", info_.name), "",
+                     Text("Open it with VK_KHR_push_descriptor.")};
     if (!hasDebugUtils) return {};
     load(functions_.setObjectName, "vkSetDebugUtilsObjectNameEXT");
     load(functions_.cmdBeginLabel, "vkCmdBeginDebugUtilsLabelEXT");

@@ -127,8 +127,8 @@ std::string listed(std::span<const DeviceInfo> devices) {
 
 Error notUsable(const DeviceInfo& device) {
     return {ErrorCode::deviceNotUsable,
-            fmt::format("The device {} cannot be used: {}.", device.name, device.whyNotUsable), "",
-            "Update its driver, or choose another device."};
+            Text("The device {} cannot be used: {}.", device.name, device.whyNotUsable), "",
+            Text("Update its driver, or choose another device.")};
 }
 
 }  // namespace
@@ -189,8 +189,8 @@ Result<DeviceInfo> chooseDevice(std::span<const DeviceInfo> devices, std::string
             if (named && !unusable) unusable = &device;
         }
         if (unusable) return notUsable(*unusable);
-        return Error{ErrorCode::usage, fmt::format("There is no graphics device \"{}\".", preferred), "",
-                     fmt::format("Choose one by its number or a part of its name: {}", listed(devices))};
+        return Error{ErrorCode::usage, Text("There is no graphics device \"{}\".", preferred), "",
+                     Text("Choose one by its number or a part of its name: {}", listed(devices))};
     }
 
     const DeviceInfo* best = nullptr;

@@ -44,7 +44,7 @@ struct DeviceInfo {
     // lanes.
     std::uint32_t threadsAtOnce = 0;
 
-    std::string whyNotUsable;  // empty when usable; else what it lacks: "Vulkan 1.3"
+    Text whyNotUsable;  // empty when usable; else what it lacks: "Vulkan 1.3"
     VkPhysicalDevice physical = VK_NULL_HANDLE;
 
     bool usable() const { return whyNotUsable.empty(); }

@@ -56,10 +56,11 @@ Result<DeviceInfo> chosenDevice(const Instance& instance, const DeviceOptions& o
             if (device.physical == options.physical) return chooseDevice(std::span(&device, 1), "");
         if (options.lent)
             return Error{ErrorCode::deviceNotUsable,
-                         "The graphics device that was lent is not one of its VkInstance.", "",
-                         "Give the VkInstance and the VkPhysicalDevice that the device was made of."};
-        return Error{ErrorCode::deviceNotUsable, "The headset asks for a graphics device that is not there.",
-                     "", "Restart the headset's software."};
+                         Text("The graphics device that was lent is not one of its VkInstance."), "",
+                         Text("Give the VkInstance and the VkPhysicalDevice that the device was made of.")};
+        return Error{ErrorCode::deviceNotUsable,
+                     Text("The headset asks for a graphics device that is not there."), "",
+                     Text("Restart the headset's software.")};
     }
     const char* environment = std::getenv("MACULA_DEVICE");
     const std::string preferred =
@@ -69,11 +70,11 @@ Result<DeviceInfo> chosenDevice(const Instance& instance, const DeviceOptions& o
 
 Result<OpenedDevice> borrowDevice(const LentDevice& lent, VkPhysicalDevice physical) {
     if (!lent.handle || !lent.queue || !physical)
-        return Error{ErrorCode::deviceNotUsable, "The program that lends a graphics device gave none.", "",
-                     "Give a device, a queue of it, and what it was made of."};
+        return Error{ErrorCode::deviceNotUsable, Text("The program that lends a graphics device gave none."),
+                     "", Text("Give a device, a queue of it, and what it was made of.")};
     if (!hasCompute(physical, lent.queueFamily))
-        return Error{ErrorCode::usage, "The queue that was lent is of a family that cannot compute.", "",
-                     "Give a queue with compute, and the number of its family."};
+        return Error{ErrorCode::usage, Text("The queue that was lent is of a family that cannot compute."),
+                     "", Text("Give a queue with compute, and the number of its family.")};
     return OpenedDevice{lent.handle, lent.queue, lent.queueFamily, true, lent.guard};
 }
 
@@ -85,8 +86,8 @@ Result<OpenedDevice> openDevice(const DeviceInfo& info, const DeviceOptions& opt
     for (const char* extension : extensions)
         if (!hasExtension(info.physical, extension))
             return Error{ErrorCode::deviceNotUsable,
-                         fmt::format("The device {} does not offer {}.", info.name, extension), "",
-                         "Update its driver, or choose another device with MACULA_DEVICE."};
+                         Text("The device {} does not offer {}.", info.name, extension), "",
+                         Text("Update its driver, or choose another device with MACULA_DEVICE.")};
     // What is good to have: memoryAvailableBytes, and images that other devices share (shared_image.h).
     for (const char* extension :
          {VK_EXT_MEMORY_BUDGET_EXTENSION_NAME, VK_KHR_EXTERNAL_MEMORY_FD_EXTENSION_NAME,

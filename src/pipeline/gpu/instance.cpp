@@ -93,10 +93,11 @@ Instance::State::~State() {
 }
 
 Error noVulkanDriver() {
-    return {ErrorCode::deviceNotUsable,
-            "There is no Vulkan driver on this computer, so nothing can be rendered.", "",
-            "Install the driver of the graphics card, or, to render on the CPU, the Debian/Ubuntu package "
-            "mesa-vulkan-drivers: sudo apt install mesa-vulkan-drivers"};
+    return {
+        ErrorCode::deviceNotUsable,
+        Text("There is no Vulkan driver on this computer, so nothing can be rendered."), "",
+        Text("Install the driver of the graphics card, or, to render on the CPU, the Debian/Ubuntu package "
+             "mesa-vulkan-drivers: sudo apt install mesa-vulkan-drivers")};
 }
 
 Result<Instance> Instance::borrow(const InstanceOptions& options) {
@@ -116,9 +117,9 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
     state->validating = options.validation == Validation::on || environmentWantsValidation();
     if (state->validating && !layerInstalled(kValidationLayer))
         return Error{ErrorCode::deviceNotUsable,
-                     "The Vulkan validation layer was asked for, but is not installed.", "",
-                     "Install it (Debian/Ubuntu: sudo apt install vulkan-validationlayers), or unset "
-                     "MACULA_VALIDATION."};
+                     Text("The Vulkan validation layer was asked for, but is not installed."), "",
+                     Text("Install it (Debian/Ubuntu: sudo apt install vulkan-validationlayers), or unset "
+                          "MACULA_VALIDATION.")};
 
     auto offered = extensionsOf(nullptr);
     std::vector<const char*> layers;
@@ -169,8 +170,8 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
         // Without any driver the loader offers no window system extensions.
         if (offered.empty() || !contains(offered, VK_KHR_SURFACE_EXTENSION_NAME)) return noVulkanDriver();
         return Error{ErrorCode::deviceNotUsable,
-                     fmt::format("The Vulkan driver of this computer does not offer {}.", missing), "",
-                     "Update the graphics driver."};
+                     Text("The Vulkan driver of this computer does not offer {}.", missing), "",
+                     Text("Update the graphics driver.")};
     }
     if (result != VK_SUCCESS) return vulkanError(result, "start Vulkan");
     keepDriversLoaded();

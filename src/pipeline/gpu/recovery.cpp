@@ -11,10 +11,11 @@ bool LossCount::mayGoOn(Clock::time_point now) {
 }
 
 Error lostTooOften() {
-    return {ErrorCode::deviceLost,
-            fmt::format("The graphics device stopped responding {} times within a minute.", kMostLosses), "",
-            "Update the graphics driver, or choose another device: `macula devices` lists them, --device or "
-            "MACULA_DEVICE takes one. The processor (llvmpipe) is slow but always there."};
+    return {
+        ErrorCode::deviceLost,
+        Text("The graphics device stopped responding {} times within a minute.", kMostLosses), "",
+        Text("Update the graphics driver, or choose another device: `macula devices` lists them, --device or "
+             "MACULA_DEVICE takes one. The processor (llvmpipe) is slow but always there.")};
 }
 
 LastingDevice::LastingDevice(Instance instance, DeviceOptions options, Tell tell)

@@ -11,12 +11,11 @@
 namespace macula::gpu {
 namespace {
 
-Error tooLarge(const Device& device, std::string_view what, const std::string& needs,
-               const std::string& allows) {
+Error tooLarge(const Device& device, Text what, const std::string& needs, const std::string& allows) {
     return {ErrorCode::outOfMemory,
-            fmt::format("The {} does not fit on the device {}: it needs {}, and the device allows {}.", what,
-                        device.info().name, needs, allows),
-            "", "Open a smaller series, or choose a device with more memory by MACULA_DEVICE."};
+            Text("The {} does not fit on the device {}: it needs {}, and the device allows {}.", what,
+                 device.info().name, needs, allows),
+            "", Text("Open a smaller series, or choose a device with more memory by MACULA_DEVICE.")};
 }
 
 // The first type that has the flags of the earliest alternative possible.

@@ -15,7 +15,7 @@ constexpr VkExternalSemaphoreHandleTypeFlagBits kSemaphoreHandle =
 constexpr const char* kDoing = "open the image that another program shares";
 constexpr const char* kAsMade = "Describe the image and its memory exactly as they were made.";
 
-Error refused(std::string what, std::string advice) {
+Error refused(Text what, Text advice) {
     return {ErrorCode::usage, std::move(what), "", std::move(advice)};
 }
 
@@ -28,17 +28,15 @@ Function functionOf(const Device& device, const char* name) {
 Result<void> checkDevice(const Device& device, const SharedMemoryHandles& options) {
     if (identityOf(device) != options.card)
         return refused(
-            fmt::format(
-                "The shared image is of another graphics card, or another driver, than {}, which draws.",
-                device.info().name),
-            "Ask macula_device_identify which card draws, and make the image on that one.");
+            Text("The shared image is of another graphics card, or another driver, than {}, which draws.",
+                 device.info().name),
+            Text("Ask macula_device_identify which card draws, and make the image on that one."));
     if (!functionOf<PFN_vkGetMemoryFdKHR>(device, "vkGetMemoryFdKHR"))
         return Error{
             ErrorCode::deviceNotUsable,
-            fmt::format("The device {} was opened without what images are shared by.", device.info().name),
-            "",
-            "Open it with VK_KHR_external_memory_fd; where it does not offer that, have pictures in "
-            "memory."};
+            Text("The device {} was opened without what images are shared by.", device.info().name), "",
+            Text("Open it with VK_KHR_external_memory_fd; where it does not offer that, have pictures in "
+                 "memory.")};
     return {};
 }
 
@@ -75,12 +73,12 @@ Result<void> checkImportable(const Device& device, const VkImageCreateInfo& imag
     const VkExternalMemoryFeatureFlags can = shared.externalMemoryProperties.externalMemoryFeatures;
     if (result < 0 || !(can & VK_EXTERNAL_MEMORY_FEATURE_IMPORTABLE_BIT) || image.extent.width > most.width ||
         image.extent.height > most.height)
-        return refused(fmt::format("The device {} cannot open a shared image like this.", device.info().name),
-                       "Share one of VK_FORMAT_R8G8B8A8_UNORM with optimal tiling, and for fewer uses.");
-    if ((can & VK_EXTERNAL_MEMORY_FEATURE_DEDICATED_ONLY_BIT) && !isDedicated)
         return refused(
-            fmt::format("The device {} shares an image only with memory of its own.", device.info().name),
-            "Allocate it with VkMemoryDedicatedAllocateInfo, and say so.");
+            Text("The device {} cannot open a shared image like this.", device.info().name),
+            Text("Share one of VK_FORMAT_R8G8B8A8_UNORM with optimal tiling, and for fewer uses."));
+    if ((can & VK_EXTERNAL_MEMORY_FEATURE_DEDICATED_ONLY_BIT) && !isDedicated)
+        return refused(Text("The device {} shares an image only with memory of its own.", device.info().name),
+                       Text("Allocate it with VkMemoryDedicatedAllocateInfo, and say so."));
     return {};
 }
 
@@ -105,26 +103,25 @@ Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryHa
     const VkMemoryRequirements& needs = requirements.memoryRequirements;
     if (options.offsetBytes % needs.alignment != 0 || needs.size > options.bytes - options.offsetBytes)
         return refused(
-            fmt::format("The shared image needs {} bytes at a multiple of {}, and has {} at {}.", needs.size,
-                        needs.alignment, options.bytes - options.offsetBytes, options.offsetBytes),
+            Text("The shared image needs {} bytes at a multiple of {}, and has {} at {}.", needs.size,
+                 needs.alignment, options.bytes - options.offsetBytes, options.offsetBytes),
             kAsMade);
     if (options.isDedicated && needs.size != options.bytes)
-        return refused(
-            fmt::format("The memory is said to be the shared image's alone, which needs {} bytes and "
-                        "not {}.",
-                        needs.size, options.bytes),
-            kAsMade);
+        return refused(Text("The memory is said to be the shared image's alone, which needs {} bytes and "
+                            "not {}.",
+                            needs.size, options.bytes),
+                       kAsMade);
     if (dedicated.requiresDedicatedAllocation && !options.isDedicated)
-        return refused("The shared image needs memory of its own, and is said to have none.",
-                       "Allocate it with VkMemoryDedicatedAllocateInfo, and say so.");
+        return refused(Text("The shared image needs memory of its own, and is said to have none."),
+                       Text("Allocate it with VkMemoryDedicatedAllocateInfo, and say so."));
     VkPhysicalDeviceMemoryProperties memory{};
     vkGetPhysicalDeviceMemoryProperties(device.physical(), &memory);
     if (options.memoryType >= memory.memoryTypeCount || !(needs.memoryTypeBits >> options.memoryType & 1))
-        return refused(fmt::format("The shared image cannot lie in memory of type {}.", options.memoryType),
-                       "Give VkMemoryAllocateInfo::memoryTypeIndex of the memory that is shared.");
+        return refused(Text("The shared image cannot lie in memory of type {}.", options.memoryType),
+                       Text("Give VkMemoryAllocateInfo::memoryTypeIndex of the memory that is shared."));
     if (options.bytes > memory.memoryHeaps[memory.memoryTypes[options.memoryType].heapIndex].size)
-        return refused(fmt::format("The device {} has no {} of memory that could be shared.",
-                                   device.info().name, bytesText(options.bytes)),
+        return refused(Text("The device {} has no {} of memory that could be shared.", device.info().name,
+                            bytesText(options.bytes)),
                        kAsMade);
     return {};
 }
@@ -149,9 +146,9 @@ Result<Handle<VkDeviceMemory>> importMemory(const std::shared_ptr<Device>& devic
     // Nothing was to be allocated: where memory is said to be missing, the shared one is smaller.
     if (result == VK_ERROR_INVALID_EXTERNAL_HANDLE || result == VK_ERROR_OUT_OF_DEVICE_MEMORY)
         return refused(
-            "What was shared is no memory of this graphics card, or smaller than it is said to be.",
-            "Give a file descriptor of vkGetMemoryFdKHR with "
-            "VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT, and the size of the allocation.");
+            Text("What was shared is no memory of this graphics card, or smaller than it is said to be."),
+            Text("Give a file descriptor of vkGetMemoryFdKHR with "
+                 "VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT, and the size of the allocation."));
     if (result < 0) return device->failed(result, kDoing);
     mine.release();  // to the driver, now that it was taken
     return Handle(device, memory);
@@ -164,15 +161,14 @@ Result<void> checkSemaphores(const Device& device) {
     vkGetPhysicalDeviceExternalSemaphoreProperties(device.physical(), &info, &properties);
     const std::string without = "Give none: then the picture is there when the call returns.";
     if (!(properties.externalSemaphoreFeatures & VK_EXTERNAL_SEMAPHORE_FEATURE_IMPORTABLE_BIT))
+        return Error{ErrorCode::deviceNotUsable,
+                     Text("The device {} cannot share semaphores with another program.", device.info().name),
+                     "", without};
+    if (!functionOf<PFN_vkImportSemaphoreFdKHR>(device, "vkImportSemaphoreFdKHR"))
         return Error{
             ErrorCode::deviceNotUsable,
-            fmt::format("The device {} cannot share semaphores with another program.", device.info().name),
-            "", without};
-    if (!functionOf<PFN_vkImportSemaphoreFdKHR>(device, "vkImportSemaphoreFdKHR"))
-        return Error{ErrorCode::deviceNotUsable,
-                     fmt::format("The device {} was opened without what semaphores are shared by.",
-                                 device.info().name),
-                     "", without + " Or open it with VK_KHR_external_semaphore_fd, if it offers that."};
+            Text("The device {} was opened without what semaphores are shared by.", device.info().name), "",
+            without + " Or open it with VK_KHR_external_semaphore_fd, if it offers that."};
     return {};
 }
 
@@ -195,9 +191,9 @@ Result<Handle<VkSemaphore>> importSemaphore(const std::shared_ptr<Device>& devic
     const auto importFd = functionOf<PFN_vkImportSemaphoreFdKHR>(*device, "vkImportSemaphoreFdKHR");
     const VkResult result = importFd(device->handle(), &import);
     if (result == VK_ERROR_INVALID_EXTERNAL_HANDLE)
-        return refused("What was shared as a semaphore is none of this graphics card.",
-                       "Give a file descriptor of vkGetSemaphoreFdKHR with "
-                       "VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT.");
+        return refused(Text("What was shared as a semaphore is none of this graphics card."),
+                       Text("Give a file descriptor of vkGetSemaphoreFdKHR with "
+                            "VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT."));
     if (result < 0) return device->failed(result, kDoing);
     mine.release();
     return semaphore;

@@ -19,7 +19,7 @@ constexpr std::uint32_t kUsages = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USA
 constexpr std::uint32_t kFlags =
     VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT | VK_IMAGE_CREATE_EXTENDED_USAGE_BIT | VK_IMAGE_CREATE_ALIAS_BIT;
 
-Error refused(std::string what, std::string advice) {
+Error refused(Text what, Text advice) {
     return {ErrorCode::usage, std::move(what), "", std::move(advice)};
 }
 
@@ -43,49 +43,49 @@ std::uint32_t usagesOf(std::uint32_t layout) {
 Result<void> checkImage(const SharedMemoryHandles& options) {
     if (options.width < 1 || options.height < 1 || options.width > kMostEdgePx ||
         options.height > kMostEdgePx)
-        return refused(
-            fmt::format("An image of {} x {} pixels cannot be shared.", options.width, options.height),
-            fmt::format("Give one of 1 to {} pixels a side.", kMostEdgePx));
+        return refused(Text("An image of {} x {} pixels cannot be shared.", options.width, options.height),
+                       Text("Give one of 1 to {} pixels a side.", kMostEdgePx));
     if (options.format != VK_FORMAT_R8G8B8A8_UNORM && options.format != VK_FORMAT_R8G8B8A8_SRGB)
-        return refused("The pixels of the shared image are of a kind that Macula does not write.",
-                       "Share one of VK_FORMAT_R8G8B8A8_UNORM or VK_FORMAT_R8G8B8A8_SRGB.");
+        return refused(Text("The pixels of the shared image are of a kind that Macula does not write."),
+                       Text("Share one of VK_FORMAT_R8G8B8A8_UNORM or VK_FORMAT_R8G8B8A8_SRGB."));
     if (options.tiling != VK_IMAGE_TILING_OPTIMAL && options.tiling != VK_IMAGE_TILING_LINEAR)
-        return refused("The tiling of the shared image is not known.",
-                       "Share one of VK_IMAGE_TILING_OPTIMAL or VK_IMAGE_TILING_LINEAR.");
+        return refused(Text("The tiling of the shared image is not known."),
+                       Text("Share one of VK_IMAGE_TILING_OPTIMAL or VK_IMAGE_TILING_LINEAR."));
     if (!(options.usage & VK_IMAGE_USAGE_TRANSFER_DST_BIT) || (options.usage & ~kUsages))
-        return refused("The shared image was not made for being written to, or for more than is known.",
-                       "Make it with VK_IMAGE_USAGE_TRANSFER_DST_BIT, and no more than transfers, sampling, "
-                       "storage, and attachments of colour.");
+        return refused(
+            Text("The shared image was not made for being written to, or for more than is known."),
+            Text("Make it with VK_IMAGE_USAGE_TRANSFER_DST_BIT, and no more than transfers, sampling, "
+                 "storage, and attachments of colour."));
     if (options.flags & ~kFlags)
-        return refused("The shared image was made with flags that Macula does not know.",
-                       "Use no more than those for a mutable format, extended usage and aliases.");
+        return refused(Text("The shared image was made with flags that Macula does not know."),
+                       Text("Use no more than those for a mutable format, extended usage and aliases."));
     if (!(usagesOf(options.layout) & options.usage))
         return refused(
-            "The shared image cannot be left in the layout that was asked for.",
-            "Ask for VK_IMAGE_LAYOUT_GENERAL, or for a layout of something that the image was made "
-            "for.");
+            Text("The shared image cannot be left in the layout that was asked for."),
+            Text("Ask for VK_IMAGE_LAYOUT_GENERAL, or for a layout of something that the image was made "
+                 "for."));
     return {};
 }
 
 Result<void> checkAllocation(const SharedMemoryHandles& options) {
     if (options.memory <= 0)
-        return refused("No memory was shared.", "Give a file descriptor of vkGetMemoryFdKHR, above 0.");
+        return refused(Text("No memory was shared."),
+                       Text("Give a file descriptor of vkGetMemoryFdKHR, above 0."));
     const std::uint64_t leastBytes = std::uint64_t{4} * options.width * options.height;
     if (options.offsetBytes > options.bytes || options.bytes - options.offsetBytes < leastBytes)
         return refused(
-            fmt::format(
-                "The shared memory of {} bytes has no room for an image of {} x {} pixels at byte {}.",
-                options.bytes, options.width, options.height, options.offsetBytes),
-            "Give VkMemoryAllocateInfo::allocationSize, and the offset that the image was bound at.");
+            Text("The shared memory of {} bytes has no room for an image of {} x {} pixels at byte {}.",
+                 options.bytes, options.width, options.height, options.offsetBytes),
+            Text("Give VkMemoryAllocateInfo::allocationSize, and the offset that the image was bound at."));
     if (options.isDedicated && options.offsetBytes != 0)
-        return refused("A dedicated allocation has its image at the beginning, and this one has not.",
-                       "Give the offset 0, or share memory that is not dedicated.");
+        return refused(Text("A dedicated allocation has its image at the beginning, and this one has not."),
+                       Text("Give the offset 0, or share memory that is not dedicated."));
     if (options.memoryType >= VK_MAX_MEMORY_TYPES)
-        return refused("The shared memory is of a type that does not exist.",
-                       "Give VkMemoryAllocateInfo::memoryTypeIndex.");
+        return refused(Text("The shared memory is of a type that does not exist."),
+                       Text("Give VkMemoryAllocateInfo::memoryTypeIndex."));
     if (options.card == CardIdentity())
-        return refused("It was not said which graphics card the shared memory is of.",
-                       "Give deviceUUID and driverUUID of VkPhysicalDeviceIDProperties.");
+        return refused(Text("It was not said which graphics card the shared memory is of."),
+                       Text("Give deviceUUID and driverUUID of VkPhysicalDeviceIDProperties."));
     return {};
 }
 
@@ -99,9 +99,8 @@ Result<FileDescriptor> copyFor(int descriptor, const char* what, const char* mad
     const bool isOfDisk = S_ISREG(file.st_mode) && fcntl(copy.get(), F_GET_SEALS) < 0;
     if (isOfDisk || S_ISFIFO(file.st_mode) || S_ISSOCK(file.st_mode) || S_ISDIR(file.st_mode))
         return refused(
-            fmt::format("What was shared as {} is a file, a pipe, a socket or a folder, and no {}.", what,
-                        what),
-            fmt::format("Give a file descriptor of {}.", madeBy));
+            Text("What was shared as {} is a file, a pipe, a socket or a folder, and no {}.", what, what),
+            Text("Give a file descriptor of {}.", madeBy));
     return copy;
 }
 

@@ -376,8 +376,8 @@ Result<Reflection> reflectSpirv(std::span<const std::uint32_t> words) {
     try {
         return Parser(words).parse();
     } catch (const Malformed& malformed) {
-        return Error{ErrorCode::inputNotUsable, fmt::format("A shader cannot be used: {}.", malformed.why),
-                     "", "Build Macula again."};
+        return Error{ErrorCode::inputNotUsable, Text("A shader cannot be used: {}.", malformed.why), "",
+                     Text("Build Macula again.")};
     }
 }
 

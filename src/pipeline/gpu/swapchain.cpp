@@ -53,8 +53,8 @@ Result<Swapchain> Swapchain::create(const std::shared_ptr<Device>& device, VkSur
         return device->failed(result, "ask whether the device can draw in the window");
     if (!canPresent)
         return Error{ErrorCode::deviceNotUsable,
-                     fmt::format("The device {} cannot draw in this window.", device->info().name), "",
-                     "Choose the device that drives the display by MACULA_DEVICE."};
+                     Text("The device {} cannot draw in this window.", device->info().name), "",
+                     Text("Choose the device that drives the display by MACULA_DEVICE.")};
     Swapchain swapchain;
     swapchain.device_ = device;
     swapchain.surface_ = surface;

@@ -52,28 +52,27 @@ std::string_view vkResultName(VkResult result) {
 Error vulkanError(VkResult result, std::string_view doing) {
     switch (result) {
         case VK_ERROR_OUT_OF_HOST_MEMORY:
-            return {ErrorCode::outOfMemory,
-                    fmt::format("Could not {}: the computer's memory is full.", doing), "",
-                    "Close other programs, or open a smaller series."};
+            return {ErrorCode::outOfMemory, Text("Could not {}: the computer's memory is full.", doing), "",
+                    Text("Close other programs, or open a smaller series.")};
         case VK_ERROR_OUT_OF_DEVICE_MEMORY:
-            return {
-                ErrorCode::outOfMemory, fmt::format("Could not {}: the graphics memory is full.", doing), "",
-                "Close other programs that draw in 3D, open a smaller series, or choose another device with "
-                "MACULA_DEVICE."};
+            return {ErrorCode::outOfMemory, Text("Could not {}: the graphics memory is full.", doing), "",
+                    Text("Close other programs that draw in 3D, open a smaller series, or choose another "
+                         "device with "
+                         "MACULA_DEVICE.")};
         case VK_ERROR_DEVICE_LOST:
-            return {
-                ErrorCode::deviceLost,
-                fmt::format("Could not {}: the graphics device stopped responding and was reset.", doing), "",
-                "Try again. If this comes back, update the graphics driver, or choose another device with "
-                "MACULA_DEVICE."};
+            return {ErrorCode::deviceLost,
+                    Text("Could not {}: the graphics device stopped responding and was reset.", doing), "",
+                    Text("Try again. If this comes back, update the graphics driver, or choose another "
+                         "device with "
+                         "MACULA_DEVICE.")};
         case VK_ERROR_SURFACE_LOST_KHR:
             return {ErrorCode::deviceNotUsable,
-                    fmt::format("Could not {}: the window system took the window away.", doing), "",
-                    "Open the window again."};
+                    Text("Could not {}: the window system took the window away.", doing), "",
+                    Text("Open the window again.")};
         default:
             return {ErrorCode::deviceNotUsable,
-                    fmt::format("Could not {}: the graphics driver reports {}.", doing, vkResultName(result)),
-                    "", "Update the graphics driver, or choose another device with MACULA_DEVICE."};
+                    Text("Could not {}: the graphics driver reports {}.", doing, vkResultName(result)), "",
+                    Text("Update the graphics driver, or choose another device with MACULA_DEVICE.")};
     }
 }
 

@@ -60,7 +60,9 @@ Result<void> DeviceScene::setVolume(std::shared_ptr<const Volume> volume) {
 }
 
 Result<void> DeviceScene::setTransferFunction(const TransferFunction& function) {
-    if (!volume_) return Error{ErrorCode::usage, "There is nothing to trace yet.", {}, "Open a study first."};
+    if (!volume_)
+        return Error{
+            ErrorCode::usage, Text("There is nothing to trace yet."), {}, Text("Open a study first.")};
     MACULA_TRY_VOID(validate(function));
     function_ = function;
     return makeTables();
@@ -82,9 +84,9 @@ Result<void> DeviceScene::makeMask() {
         const glm::dvec3 size(volume_->size());
         if (size.x * size.y * size.z > double(std::numeric_limits<std::int32_t>::max())) {
             return Error{ErrorCode::outOfMemory,
-                         "A volume of more than 2147 million voxels cannot be masked.",
+                         Text("A volume of more than 2147 million voxels cannot be masked."),
                          {},
-                         "Show it without a mask."};
+                         Text("Show it without a mask.")};
         }
         maskBits_ = maskBits(*clip_.mask, *volume_);
     }

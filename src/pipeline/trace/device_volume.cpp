@@ -54,11 +54,11 @@ Result<DeviceVolume> DeviceVolume::create(std::shared_ptr<gpu::Device> device,
                                           const MemoryLimits& limits) {
     MACULA_CHECK(volume != nullptr);
     if (grid.ranges.size() > std::size_t(std::numeric_limits<std::int32_t>::max())) {
-        return Error{ErrorCode::outOfMemory,
-                     fmt::format("A volume of {} million voxels is more than can be traced.",
-                                 volume->voxelCount() / 1000000),
-                     {},
-                     "Open a smaller series."};
+        return Error{
+            ErrorCode::outOfMemory,
+            Text("A volume of {} million voxels is more than can be traced.", volume->voxelCount() / 1000000),
+            {},
+            Text("Open a smaller series.")};
     }
     MACULA_TRY(auto table, gpu::TexelBuffer::create(device, {.label = "blocks of voxels",
                                                              .elements = tableTexels(grid),

@@ -104,8 +104,10 @@ glm::dvec3 rigRadiance(const LightRig& rig, const glm::dvec3& direction) {
 Result<Environment> Environment::fromImage(int width, int height, std::span<const glm::vec3> radiance,
                                            LightFrame frame) {
     const auto fail = [](const char* message) {
-        return Error{
-            ErrorCode::inputNotUsable, message, {}, "Choose another environment, or a built-in light rig."};
+        return Error{ErrorCode::inputNotUsable,
+                     message,
+                     {},
+                     Text("Choose another environment, or a built-in light rig.")};
     };
     if (width < 1 || height < 1 || radiance.size() != std::size_t(width) * std::size_t(height)) {
         return fail("The environment picture is empty.");

@@ -53,7 +53,8 @@ const DeviceScene& PathTracer::scene() const {
 Result<Box> PathTracer::seenMm() {
     MACULA_TRY_VOID(impl_->picture.prepare());
     if (isProjection(impl_->picture.settings().look))
-        return Error{ErrorCode::usage, "Projections show all of the volume.", {}, "Choose another look."};
+        return Error{
+            ErrorCode::usage, Text("Projections show all of the volume."), {}, Text("Choose another look.")};
     return impl_->picture.scene().scene().seenMm();
 }
 
@@ -205,7 +206,7 @@ Result<SurfacePoints> PathTracer::surfacePoints(const SurfacePointOptions& optio
     MACULA_TRY(std::optional<SurfacePoints> found, someSurfacePoints(options, keepGoing));
     impl_->picture.search().reset();
     if (found) return *std::move(found);
-    return Error{ErrorCode::cancelled, "The search for points on the surface was cancelled.", {}, {}};
+    return Error{ErrorCode::cancelled, Text("The search for points on the surface was cancelled."), {}, {}};
 }
 
 Result<TracedImage> PathTracer::readback() {

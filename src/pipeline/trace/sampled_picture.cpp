@@ -24,7 +24,7 @@ constexpr double kGrowth = 0.5;
 }  // namespace
 
 Error nothingToTrace() {
-    return {ErrorCode::usage, "There is nothing to trace yet.", {}, "Open a study first."};
+    return {ErrorCode::usage, Text("There is nothing to trace yet."), {}, Text("Open a study first.")};
 }
 
 // Other light arrives from each point of what is shown, along other paths.
@@ -174,7 +174,8 @@ Result<void> SampledPicture::addPrimaries(std::uint32_t samplesPerPixel,
                                           const std::function<bool()>& keepGoing) {
     MACULA_CHECK(samplesPerPixel >= 1 && samplesPerPixel <= shared::kPrimarySamples);
     if (!isPathTraced(settings_.look))
-        return Error{ErrorCode::usage, "This look traces no paths.", {}, "Choose the cinematic look."};
+        return Error{
+            ErrorCode::usage, Text("This look traces no paths."), {}, Text("Choose the cinematic look.")};
     // Primary vertices are kept by sample index, so all pixels need the same samples.
     const SamplingPlan& plan = accumulation_.plan();
     if (plan.hasPass() || plan.isAdaptive()) stale_ = true;
@@ -187,7 +188,7 @@ Result<void> SampledPicture::addPrimaries(std::uint32_t samplesPerPixel,
     if (!traced) return traced.error();
     if (!plan.hasAll(before + samplesPerPixel)) {
         stale_ = true;
-        return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
     }
     firstPrimary_ = before % shared::kPrimarySamples;
     primarySamples_ = samplesPerPixel;

@@ -171,14 +171,14 @@ Result<void> checkSettings(const Settings& settings) {
 Result<void> check(const Lens& lens) {
     if (!(lens.diameterMm >= 0.0 && lens.diameterMm <= kMostLensMm))
         return Error{ErrorCode::usage,
-                     "The diameter of the lens is not usable.",
+                     Text("The diameter of the lens is not usable."),
                      {},
-                     fmt::format("Choose a number from 0 to {} mm.", kMostLensMm)};
+                     Text("Choose a number from 0 to {} mm.", kMostLensMm)};
     if (lens.diameterMm > 0.0 && !(lens.focusMm > 0.0 && lens.focusMm <= kMostFocusMm))
         return Error{ErrorCode::usage,
-                     "The distance of what is sharp is not usable.",
+                     Text("The distance of what is sharp is not usable."),
                      {},
-                     fmt::format("Choose a number above 0, up to {} mm.", kMostFocusMm)};
+                     Text("Choose a number above 0, up to {} mm.", kMostFocusMm)};
     return {};
 }
 
@@ -210,7 +210,8 @@ FoveaInPlane foveaInPlane(const View& view) {
 Result<View> fovealWindow(const View& view, const glm::dvec2& gaze, double fieldDeg, int pixels) {
     MACULA_TRY(const CameraBasis eye, basis(view.camera));
     if (isParallel(view.camera))
-        return Error{ErrorCode::usage, "A parallel view has no fovea.", {}, "Trace all of the picture."};
+        return Error{
+            ErrorCode::usage, Text("A parallel view has no fovea."), {}, Text("Trace all of the picture.")};
     const glm::dvec2 inPlane = gaze * foveaInPlane(view).halfSize;
     View window{.camera = view.camera, .width = pixels, .height = pixels};
     window.camera.targetMm =
@@ -238,17 +239,18 @@ Result<shared::TraceParams> makeTraceParams(const Volume& volume, const Medium& 
     MACULA_TRY(const CameraBasis eye, basis(view.camera));
     if (view.width < 1 || view.height < 1 || view.width > kMaxPictureSide || view.height > kMaxPictureSide) {
         return Error{ErrorCode::usage,
-                     fmt::format("A picture of {} x {} pixels cannot be made.", view.width, view.height),
+                     Text("A picture of {} x {} pixels cannot be made.", view.width, view.height),
                      {},
-                     fmt::format("Choose a size from 1 to {} on each side.", kMaxPictureSide)};
+                     Text("Choose a size from 1 to {} on each side.", kMaxPictureSide)};
     }
     MACULA_TRY_VOID(checkSettings(settings));
     if (view.foveation && !isUsable(*view.foveation)) {
         return Error{
             ErrorCode::usage,
-            "The foveation is not usable.",
+            Text("The foveation is not usable."),
             {},
-            "Give a gaze inside the picture, a field above 0 and below 170 degrees, and 1 to 16 times."};
+            Text(
+                "Give a gaze inside the picture, a field above 0 and below 170 degrees, and 1 to 16 times.")};
     }
     MACULA_TRY_VOID(check(view.lens));
     const glm::dmat4 voxelFromWorld = glm::inverse(volume.worldFromVoxel());

@@ -228,7 +228,7 @@ Result<SurfacePointSearch> SurfacePointSearch::begin(const SceneView& scene,
     if (options.count < 1 || options.count > kMaxSurfacePoints || options.paths < 1 ||
         options.candidatesPerPoint < 1) {
         return Error{ErrorCode::usage,
-                     "This number of points on the surface makes no sense.",
+                     Text("This number of points on the surface makes no sense."),
                      {},
                      "Ask for 1 to " + std::to_string(kMaxSurfacePoints) + " points, with 1 path or more."};
     }

@@ -23,14 +23,14 @@ bool isShare(float x) {
 Result<void> validate(const DrawnSecondVolume& second) {
     if (!second.volume || !second.function || second.volume->format() != VoxelFormat::stored16)
         return Error{ErrorCode::usage,
-                     "There is no second volume with a preset.",
+                     Text("There is no second volume with a preset."),
                      {},
-                     "Open a second volume, and choose a preset for it."};
+                     Text("Open a second volume, and choose a preset for it.")};
     if (!isInvertibleAffine(second.secondFromVolumeMm))
         return Error{ErrorCode::usage,
-                     "Where the second volume lies is not usable.",
+                     Text("Where the second volume lies is not usable."),
                      {},
-                     "Register the two volumes again."};
+                     Text("Register the two volumes again.")};
     return validate(*second.function);
 }
 
@@ -50,21 +50,23 @@ Result<void> validate(const SegmentTints& tints, const Volume& volume,
     const bool isOf = tints.box && tints.box->volumeSize == volume.size() && isWhole(*tints.box);
     if (!isOf || tints.colours.size() > SegmentTints::kMostColours)
         return Error{ErrorCode::usage,
-                     "The coloured segments are not of this volume.",
+                     Text("The coloured segments are not of this volume."),
                      {},
-                     "Show the segmentation again."};
+                     Text("Show the segmentation again.")};
     if (!isKnown(tints, valid) &&
         std::size_t(*std::ranges::max_element(tints.box->voxels)) > tints.colours.size())
-        return Error{
-            ErrorCode::usage, "A coloured segment has no colour.", {}, "Show the segmentation again."};
+        return Error{ErrorCode::usage,
+                     Text("A coloured segment has no colour."),
+                     {},
+                     Text("Show the segmentation again.")};
     for (const SegmentTints::Colour& colour : tints.colours) {
         if (isShare(colour.rgb.r) && isShare(colour.rgb.g) && isShare(colour.rgb.b) &&
             isShare(colour.opacity))
             continue;
         return Error{ErrorCode::usage,
-                     "The colour of a segment is not usable.",
+                     Text("The colour of a segment is not usable."),
                      {},
-                     "Give red, green, blue and opacity from 0 to 1."};
+                     Text("Give red, green, blue and opacity from 0 to 1.")};
     }
     return {};
 }

@@ -56,7 +56,7 @@ struct SegmentTints {
 struct Additions {
     std::optional<DrawnSecondVolume> second;
     std::optional<SegmentTints> tints;  // of the volume; never of no voxel
-    std::string remark = {};            // of pictures with these: "with PT"; no patient data
+    Text remark = {};                   // of pictures with these: "with PT"; no patient data
 
     bool isNothing() const { return !second && !tints; }
     bool operator==(const Additions&) const = default;

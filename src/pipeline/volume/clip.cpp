@@ -17,7 +17,7 @@ bool isUnitVector(const glm::dvec3& v) {
 }
 
 Error notUsable(const char* what, const char* hint) {
-    return {ErrorCode::usage, fmt::format("The clip is not usable: {}.", what), {}, hint};
+    return {ErrorCode::usage, Text("The clip is not usable: {}.", what), {}, hint};
 }
 
 bool isInside(const HalfSpace& side, const glm::dvec3& point) {

@@ -60,7 +60,7 @@ struct Mask {
     // Instead of the three above: which voxels of the volume are shown. Of no other volume.
     std::shared_ptr<const MaskBits> bits = {};
     // What a picture lacks because of it, in a few words for its remarks: "table left out". No patient data.
-    std::string remark = {};
+    Text remark = {};
 
     bool operator==(const Mask&) const = default;
 };

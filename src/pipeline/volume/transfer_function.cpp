@@ -138,7 +138,8 @@ double extinctionPerMm(const TransferFunction& function, double value) {
 
 Result<void> validate(const TransferFunction& function) {
     const auto fail = [&](std::string message) {
-        return Error{ErrorCode::inputNotUsable, std::move(message), function.name, "Correct the preset."};
+        return Error{ErrorCode::inputNotUsable, std::move(message), function.name,
+                     Text("Correct the preset.")};
     };
     if (!isSortedAndFinite(function.opacity))
         return fail("The preset's opacity points are missing, not finite, or not sorted by value.");

@@ -93,8 +93,9 @@ TransferFunction fitted(const TransferFunction& function, const Volume& volume) 
 Result<TransferFunction> withFit(TransferFunction function) {
     if (function.fitToVolume) return function;
     if (!function.effectiveRange) {
-        return Error{ErrorCode::inputNotUsable, "The preset has no range of values that could be fitted.",
-                     function.name, "Use it without fitting, or give it an effectiveRange."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("The preset has no range of values that could be fitted."), function.name,
+                     Text("Use it without fitting, or give it an effectiveRange.")};
     }
     function.fitToVolume = TransferFunction::Fit{function.effectiveRange->low, function.effectiveRange->high};
     return function;

@@ -142,8 +142,8 @@ Result<CameraPath> readCameraPath(const std::filesystem::path& path) {
         const auto valid = basis(read.stops[i].camera);
         if (valid) continue;
         return Error{ErrorCode::inputNotUsable,
-                     fmt::format("Camera {} of the path is none: {}", i + 1, valid.error().message),
-                     path.string(), valid.error().hint};
+                     Text("Camera {} of the path is none: {}", i + 1, valid.error().message), path.string(),
+                     valid.error().hint};
     }
     return read;
 }

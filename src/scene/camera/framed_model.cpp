@@ -74,10 +74,11 @@ Result<std::vector<SplatCamera>> framedCameras(const splat::Splats& splats,
                                                const glm::ivec2& sizePx) {
     const bool isPatient = splats.axes == splat::Axes::patientLps;
     if (!isPatient && !from.empty())
-        return Error{ErrorCode::usage,
-                     "This model was made elsewhere and does not say where the patient's left or front is.",
-                     {},
-                     "Give --camera or --cameras, or none of these to look along its own +z."};
+        return Error{
+            ErrorCode::usage,
+            Text("This model was made elsewhere and does not say where the patient's left or front is."),
+            {},
+            Text("Give --camera or --cameras, or none of these to look along its own +z.")};
     std::vector<SplatCamera> cameras;
     const double near = usualNearOf(splats);
     if (!isPatient) {

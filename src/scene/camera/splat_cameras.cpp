@@ -72,9 +72,9 @@ SplatCamera cameraOf(const JsonNode& node) {
 }
 
 Error noList(const std::filesystem::path& path) {
-    return {ErrorCode::inputNotUsable, "The file is no list of cameras.", path.string(),
-            "Give --cameras the cameras.json that was written beside the model; --camera takes one of "
-            "Macula's own."};
+    return {ErrorCode::inputNotUsable, Text("The file is no list of cameras."), path.string(),
+            Text("Give --cameras the cameras.json that was written beside the model; --camera takes one of "
+                 "Macula's own.")};
 }
 
 }  // namespace
@@ -83,8 +83,9 @@ Result<SplatCamera> readSplatCamera(const std::filesystem::path& path, std::opti
     {
         MACULA_TRY(const std::string text, readText(path, kMostBytes));
         if (const auto start = text.find_first_not_of(" \t\r\n"); start != text.npos && text[start] == '[')
-            return Error{ErrorCode::inputNotUsable, "The file holds a list, not one camera of Macula's own.",
-                         path.string(), "Give it as --cameras."};
+            return Error{ErrorCode::inputNotUsable,
+                         Text("The file holds a list, not one camera of Macula's own."), path.string(),
+                         Text("Give it as --cameras.")};
     }
     MACULA_TRY(const Camera camera, readCamera(path));
     MACULA_TRY(const splat::RasterView view,
@@ -102,8 +103,8 @@ Result<std::vector<SplatCamera>> readSplatCameras(const std::filesystem::path& p
     const std::vector<JsonNode> nodes = root.items(0, kMostCameras);
     MACULA_TRY_VOID(document.status());
     if (nodes.empty())
-        return Error{ErrorCode::inputNotUsable, "The file holds no cameras.", path.string(),
-                     "Check that it is the cameras.json of this model."};
+        return Error{ErrorCode::inputNotUsable, Text("The file holds no cameras."), path.string(),
+                     Text("Check that it is the cameras.json of this model.")};
     std::vector<SplatCamera> cameras;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
         cameras.push_back(cameraOf(nodes[i]));

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/frames.h"
+#include "base/text.h"
 #include "base/volume.h"
 
 namespace macula::scene {
@@ -40,7 +41,7 @@ UsualView usualView(const Volume& volume);
 ViewDirection firstDirection(std::optional<ViewDirection> asked, const Volume& volume);
 
 // A sentence for the user: the direction of the view, and why.
-std::string sentenceOf(const UsualView& view);
+Text sentenceOf(const UsualView& view);
 
 // Whether a code of Body Part Examined is of the head (PS3.16 Annex L), in any case; ignores blanks and all
 // else but letters.

@@ -30,7 +30,7 @@ Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, std:
     const std::filesystem::path path = nameOrFile;
     std::error_code error;
     if (path.extension() != ".json" && !std::filesystem::exists(path, error))
-        return noSuchName(fmt::format("There is no such {}.", kind), nameOrFile, namesOf(files),
+        return noSuchName(Text("There is no such {}.", kind), nameOrFile, namesOf(files),
                           "Or give the path of a JSON file.");
     MACULA_TRY(std::string text, readText(path));
     return ChosenText{std::move(text), path.string()};

@@ -20,20 +20,20 @@ namespace {
 Result<trace::Environment> fromPicture(const fs::path& path) {
     MACULA_TRY(const image::Image picture, image::readImage(path));
     if (picture.encoding != image::Encoding::linear) {
-        return Error{ErrorCode::inputNotUsable, "The picture holds display colours, not light.",
-                     path.string(), "Give a Radiance HDR or OpenEXR picture."};
+        return Error{ErrorCode::inputNotUsable, Text("The picture holds display colours, not light."),
+                     path.string(), Text("Give a Radiance HDR or OpenEXR picture.")};
     }
     if (picture.width != 2 * picture.height) {
-        return Error{ErrorCode::inputNotUsable,
-                     fmt::format("The picture is {} by {} pixels, not twice as wide as high.", picture.width,
-                                 picture.height),
-                     path.string(), "Give an equirectangular panorama."};
+        return Error{
+            ErrorCode::inputNotUsable,
+            Text("The picture is {} by {} pixels, not twice as wide as high.", picture.width, picture.height),
+            path.string(), Text("Give an equirectangular panorama.")};
     }
     if (const image::Faults faults = image::countFaults(picture); faults.total() > 0) {
         return Error{ErrorCode::inputNotUsable,
-                     fmt::format("The picture holds {} values that are not finite and {} negative ones.",
-                                 faults.notFinite, faults.negative),
-                     path.string(), "Repair it, or give another one."};
+                     Text("The picture holds {} values that are not finite and {} negative ones.",
+                          faults.notFinite, faults.negative),
+                     path.string(), Text("Repair it, or give another one.")};
     }
     const std::size_t count =
         static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height);
@@ -62,7 +62,7 @@ Result<std::optional<trace::LightRig>> rigNamed(const std::string& nameOrFile) {
     const fs::path path = nameOrFile;
     std::error_code error;
     if (!path.has_extension() && !fs::exists(path, error))
-        return noSuchName("There are no such lights.", nameOrFile, namesOf(presets::lightFiles()),
+        return noSuchName(Text("There are no such lights."), nameOrFile, namesOf(presets::lightFiles()),
                           "Or give the path of a JSON, HDR or EXR file.");
     if (path.extension() != ".json") return std::optional<trace::LightRig>();
     MACULA_TRY(const std::string text, readText(path));
@@ -88,8 +88,8 @@ Result<trace::Environment> chooseLights(const std::string& nameOrFile) {
 Result<trace::LightRig> chooseLightRig(const std::string& nameOrFile) {
     MACULA_TRY(std::optional<trace::LightRig> rig, rigNamed(nameOrFile));
     if (rig) return *std::move(rig);
-    return Error{ErrorCode::usage, "A picture is no rig of lights.", nameOrFile,
-                 "Choose lights by name, or those of a JSON file."};
+    return Error{ErrorCode::usage, Text("A picture is no rig of lights."), nameOrFile,
+                 Text("Choose lights by name, or those of a JSON file.")};
 }
 
 std::string publicLightsName(const std::string& nameOrFile) {
@@ -103,8 +103,9 @@ std::string publicLightsName(const trace::LightRig& rig) {
 
 Result<void> checkPatientLights(const trace::Environment& lights, const std::string& name) {
     if (lights.frame() == trace::LightFrame::patient) return {};
-    return Error{ErrorCode::usage, "These lights hang on the camera.", name,
-                 "A peripheral model holds light that stays where it is: choose lights of the patient."};
+    return Error{
+        ErrorCode::usage, Text("These lights hang on the camera."), name,
+        Text("A peripheral model holds light that stays where it is: choose lights of the patient.")};
 }
 
 Result<trace::Environment> choosePatientLights(const std::string& nameOrFile) {

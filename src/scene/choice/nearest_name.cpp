@@ -46,10 +46,10 @@ std::string choiceAmong(std::string_view typed, const std::vector<std::string>& 
                        fmt::join(names, ", "));
 }
 
-Error noSuchName(std::string_view sentence, const std::string& typed, const std::vector<std::string>& names,
+Error noSuchName(Text sentence, const std::string& typed, const std::vector<std::string>& names,
                  std::string_view orElse) {
     return {ErrorCode::usage, std::string(sentence), typed,
-            fmt::format("{}{}{}", choiceAmong(typed, names), orElse.empty() ? "" : " ", orElse)};
+            Text("{}{}{}", choiceAmong(typed, names), orElse.empty() ? "" : " ", orElse)};
 }
 
 }  // namespace macula::scene

@@ -17,7 +17,7 @@ std::string choiceAmong(std::string_view typed, const std::vector<std::string>& 
 
 // A usage error. `sentence` says that there is no such thing; the hint is choiceAmong, then `orElse`, a
 // sentence on what else is accepted, which may be empty.
-Error noSuchName(std::string_view sentence, const std::string& typed, const std::vector<std::string>& names,
+Error noSuchName(Text sentence, const std::string& typed, const std::vector<std::string>& names,
                  std::string_view orElse = {});
 
 }  // namespace macula::scene

@@ -39,7 +39,7 @@ Result<presets::ImportedPreset> choosePreset(const std::string& typed) {
     std::error_code error;
     if (!path.has_extension() && !std::filesystem::exists(typed, error) &&
         !std::filesystem::exists(path, error)) {
-        return noSuchName("There is no such preset.", typed, builtInNames(),
+        return noSuchName(Text("There is no such preset."), typed, builtInNames(),
                           "Or give a number from macula presets, or the path of a preset file.");
     }
     return presets::readPresetFrom(typed);

@@ -39,8 +39,8 @@ Result<glm::ivec2> parseSize(const std::string& text) {
                       used == static_cast<int>(text.size());
     if (!read || std::min(size.x, size.y) < 1 || std::max(size.x, size.y) > trace::kMaxPictureSide) {
         return Error{
-            ErrorCode::usage, "The size of the picture is not usable.", text,
-            fmt::format("Give --size as WIDTHxHEIGHT in pixels, each from 1 to {}.", trace::kMaxPictureSide)};
+            ErrorCode::usage, Text("The size of the picture is not usable."), text,
+            Text("Give --size as WIDTHxHEIGHT in pixels, each from 1 to {}.", trace::kMaxPictureSide)};
     }
     return size;
 }
@@ -48,8 +48,8 @@ Result<glm::ivec2> parseSize(const std::string& text) {
 Result<DisplayWindow> parseWindow(const std::string& text) {
     const auto read = numbersIn<2>(text);
     if (!read || !((*read)[1] > 0.0)) {
-        return Error{ErrorCode::usage, "The window is not usable.", text,
-                     "Give --window as CENTRE,WIDTH in units of the series, the width above 0."};
+        return Error{ErrorCode::usage, Text("The window is not usable."), text,
+                     Text("Give --window as CENTRE,WIDTH in units of the series, the width above 0.")};
     }
     return DisplayWindow{
         .center = (*read)[0], .width = (*read)[1], .explanation = {}, .function = "LINEAR_EXACT"};
@@ -59,8 +59,8 @@ Result<glm::vec3> parseBackground(const std::string& text) {
     const auto read = numbersIn<3>(text);
     const auto isShare = [](double v) { return v >= 0.0 && v <= 1.0; };
     if (!read || !std::ranges::all_of(*read, isShare)) {
-        return Error{ErrorCode::usage, "The background is not usable.", text,
-                     "Give --background as R,G,B, each from 0 to 1: 1,1,1 is white."};
+        return Error{ErrorCode::usage, Text("The background is not usable."), text,
+                     Text("Give --background as R,G,B, each from 0 to 1: 1,1,1 is white.")};
     }
     return glm::vec3((*read)[0], (*read)[1], (*read)[2]);
 }

@@ -207,8 +207,10 @@ std::vector<PlacedHandle> handlesOn(const slices::SliceFrame& frame, const Optio
 
 Result<MovedClip> withHandleAt(const OptionalClip& clip, const Cuts& cuts, const ClipHandle& handle,
                                const glm::dvec3& mm, const Volume& volume) {
-    const Error gone{
-        ErrorCode::usage, "That part of the clip is not there any more.", {}, "Take hold of another one."};
+    const Error gone{ErrorCode::usage,
+                     Text("That part of the clip is not there any more."),
+                     {},
+                     Text("Take hold of another one.")};
     MovedClip moved{.clip = clip, .cuts = cuts};
     const double at = mm[axisOf(handle.face)];
     switch (handle.kind) {

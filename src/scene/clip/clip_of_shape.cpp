@@ -13,8 +13,10 @@ namespace {
 constexpr double kTurned = 1e-9;
 
 Error notKept() {
-    return {
-        ErrorCode::usage, "This clip cannot be kept with the study.", {}, "Reset the clips, and cut again."};
+    return {ErrorCode::usage,
+            Text("This clip cannot be kept with the study."),
+            {},
+            Text("Reset the clips, and cut again.")};
 }
 
 bool isAlongPatient(const OrientedBox& box) {

@@ -12,12 +12,13 @@ Result<std::optional<Mask>> combinedMask(std::span<const Mask> masks, const Volu
                                          Progress& progress) try {
     if (masks.empty()) return std::optional<Mask>();
     if (masks.size() == 1) return std::optional<Mask>(masks.front());
-    progress.beginStage("Hiding voxels", masks.size());
+    progress.beginStage(Text("Hiding voxels"), masks.size());
     MaskBits shown = maskBits(masks.front(), volume);
     std::string remark = masks.front().remark;
     for (const Mask& mask : masks.subspan(1)) {
         progress.advance();
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Hiding voxels was cancelled.", {}, {}};
+        if (progress.cancelled())
+            return Error{ErrorCode::cancelled, Text("Hiding voxels was cancelled."), {}, {}};
         const MaskBits other = maskBits(mask, volume);
         for (std::size_t n = 0; n < shown.words.size(); ++n) shown.words[n] &= other.words[n];
         if (!remark.empty() && !mask.remark.empty()) remark += ", ";
@@ -29,9 +30,9 @@ Result<std::optional<Mask>> combinedMask(std::span<const Mask> masks, const Volu
     return std::optional<Mask>(std::move(all));
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory,
-                 "There is not enough memory to hide parts of the volume.",
+                 Text("There is not enough memory to hide parts of the volume."),
                  {},
-                 "Close other programs, or hide less. The picture and what is chosen stay as before."};
+                 Text("Close other programs, or hide less. The picture and what is chosen stay as before.")};
 }
 
 }  // namespace macula::scene

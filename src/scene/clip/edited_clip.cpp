@@ -22,16 +22,17 @@ constexpr double kBeyond = 0.5;
 constexpr double kAtBorder = 1e-9;   // likewise in its sizes: an open face
 constexpr double kSamePlace = 1e-6;  // in voxels: a face that is there already
 
-Error error(std::string message, std::string hint) {
+Error error(Text message, Text hint) {
     return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
 }
 
 Error notANumber() {
-    return error("The place of the clip is not a number.", "Give it in mm.");
+    return error(Text("The place of the clip is not a number."), Text("Give it in mm."));
 }
 
 Error nothingLeft() {
-    return error("Nothing of the volume would be left.", "Choose another place, or begin without a clip.");
+    return error(Text("Nothing of the volume would be left."),
+                 Text("Choose another place, or begin without a clip."));
 }
 
 bool isWithin(const Box& box, const glm::dvec3& point) {
@@ -101,8 +102,8 @@ Result<OptionalClip> withKept(ClipPreset next, const Box& keptMm, const Volume& 
         return own(std::move(next), volume);
     }
     if (next.clip.planes.size() + cut.size() > Clip::kMostPlanes)
-        return error("A clip with a box of another kind has six planes and no more.",
-                     "Open another face first, or begin without a clip.");
+        return error(Text("A clip with a box of another kind has six planes and no more."),
+                     Text("Open another face first, or begin without a clip."));
     for (const Face face : cut) {
         const int axis = axisOf(face);
         HalfSpace plane{.normal = glm::dvec3(0.0), .offsetMm = 0.0};
@@ -148,8 +149,8 @@ Result<OptionalClip> withSideRemoved(const OptionalClip& clip, Face side, const 
     const double voxelMm = voxelExtentMm(volume)[axis];
     const double removedMm = isHigh(side) ? kept.high[axis] - atMm : atMm - kept.low[axis];
     if (removedMm < kSamePlace * voxelMm)
-        return error(fmt::format("Nothing is left to remove on the {} side.", nameOf(side)),
-                     "Move the cross-hair into what is shown.");
+        return error(Text("Nothing is left to remove on the {} side.", nameOf(side)),
+                     Text("Move the cross-hair into what is shown."));
     const double leftMm = isHigh(side) ? atMm - kept.low[axis] : kept.high[axis] - atMm;
     if (leftMm < voxelMm) return nothingLeft();
     return withFace(clip, side, atMm, volume);
@@ -159,7 +160,7 @@ Result<OptionalClip> withSlabKept(const OptionalClip& clip, slices::Orientation 
                                   const glm::dvec3& pointMm, double thicknessMm, const Volume& volume) {
     if (!isFinite(pointMm)) return notANumber();
     if (!std::isfinite(thicknessMm) || thicknessMm <= 0.0)
-        return error("The slab has no thickness.", "Give it in mm, more than 0.");
+        return error(Text("The slab has no thickness."), Text("Give it in mm, more than 0."));
     MACULA_TRY(Box kept, keptBox(clip, volume));
     const Box all = volume.worldBox();
     const int axis = orientation == slices::Orientation::axial     ? 2
@@ -167,7 +168,8 @@ Result<OptionalClip> withSlabKept(const OptionalClip& clip, slices::Orientation 
                                                                    : 0;
     const double atMm = pointMm[axis];
     if (atMm < all.low[axis] || atMm > all.high[axis])
-        return error("The slab would be outside of the volume.", "Move the cross-hair into the volume.");
+        return error(Text("The slab would be outside of the volume."),
+                     Text("Move the cross-hair into the volume."));
     const double voxelMm = voxelExtentMm(volume)[axis];
     const double halfMm = 0.5 * std::max(thicknessMm, voxelMm);
     double& low = kept.low[axis];
@@ -183,7 +185,8 @@ Result<OptionalClip> withCornerRemoved(const OptionalClip& clip, const std::arra
                                        const glm::dvec3& pointMm, const Volume& volume) {
     if (!isFinite(pointMm)) return notANumber();
     if (!isWithin(volume.worldBox(), pointMm))
-        return error("The corner would be outside of the volume.", "Move the cross-hair into the volume.");
+        return error(Text("The corner would be outside of the volume."),
+                     Text("Move the cross-hair into the volume."));
     glm::dvec3 towards(0.0);
     for (const Face side : sides) towards[axisOf(side)] = isHigh(side) ? 1.0 : -1.0;
     ClipPreset next = clip.value_or(ClipPreset{});
@@ -204,11 +207,12 @@ Result<OptionalClip> withBallRemoved(const OptionalClip& clip, const glm::dvec3&
     if (!isFinite(centreMm)) return notANumber();
     const ValueRange radii = ballRadiiMm(volume);
     if (!(radii.low <= radiusMm && radiusMm <= radii.high))
-        return error("A ball of that size is not possible here.",
-                     fmt::format("Give a radius from {:.4g} to {:.4g} mm.", radii.low, radii.high));
+        return error(Text("A ball of that size is not possible here."),
+                     Text("Give a radius from {:.4g} to {:.4g} mm.", radii.low, radii.high));
     const Box all = volume.worldBox();
     if (!isWithin(all, centreMm))
-        return error("The ball would be outside of the volume.", "Move the cross-hair into the volume.");
+        return error(Text("The ball would be outside of the volume."),
+                     Text("Move the cross-hair into the volume."));
     const glm::dvec3 size = all.high - all.low;
     ClipPreset next = clip.value_or(ClipPreset{});
     next.clip.ball = Ball{.centreMm = fractionOf(volume, centreMm),
@@ -228,7 +232,7 @@ glm::dvec3 fractionOnPlane(const glm::dvec3& normal, double fromMiddleMm, const 
 namespace {
 
 Error notThere() {
-    return error("That part of the clip is not there any more.", "Take hold of another one.");
+    return error(Text("That part of the clip is not there any more."), Text("Take hold of another one."));
 }
 
 glm::dvec3 nearestIn(const Box& box, const glm::dvec3& point) {
@@ -335,11 +339,12 @@ Result<OptionalClip> cornerKept(ClipPreset next, const Volume& volume) {
 
 Result<OptionalClip> turnedInsideOut(const OptionalClip& clip, const Volume& volume) {
     if (!clip || !clip->clip.hasShape())
-        return error("There is no clip to turn inside out.", "Choose a clip, or cut something off.");
+        return error(Text("There is no clip to turn inside out."),
+                     Text("Choose a clip, or cut something off."));
     const Parts parts = partsOf(clip->clip);
     if (parts.count() != 1)
-        return error("Only a clip of one part can be turned inside out.",
-                     fmt::format("This one has {}; begin without a clip.", parts.count()));
+        return error(Text("Only a clip of one part can be turned inside out."),
+                     Text("This one has {}; begin without a clip.", parts.count()));
     ClipPreset next = *clip;
     if (parts.corner) return cornerKept(std::move(next), volume);
     if (parts.ball) {

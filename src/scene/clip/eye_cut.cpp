@@ -38,7 +38,8 @@ EyeCut through(EyeCut cut, const glm::dvec3& mm, const Volume& volume) {
 Result<EyeCut> eyeCut(const Camera& camera, double fromMiddleMm, bool followsCamera, const Volume& volume) {
     MACULA_TRY(const CameraBasis axes, basis(camera));
     if (!std::isfinite(fromMiddleMm))
-        return Error{ErrorCode::usage, "The depth of the cut is not a number.", {}, "Give it in mm."};
+        return Error{
+            ErrorCode::usage, Text("The depth of the cut is not a number."), {}, Text("Give it in mm.")};
     return at({.plane = {.normal = axes.forward, .offsetMm = 0.0},
                .fromMiddleMm = 0.0,
                .followsCamera = followsCamera},

@@ -64,8 +64,10 @@ Result<Box> keptBox(const OptionalClip& clip, const Volume& volume) {
         }
     }
     if (!glm::all(glm::lessThan(kept.low, kept.high)))
-        return Error{
-            ErrorCode::usage, "The clip leaves nothing of this volume.", {}, "Begin again without a clip."};
+        return Error{ErrorCode::usage,
+                     Text("The clip leaves nothing of this volume."),
+                     {},
+                     Text("Begin again without a clip.")};
     return kept;
 }
 

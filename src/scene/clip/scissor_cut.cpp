@@ -14,7 +14,7 @@ constexpr double kLeastExtent = 1e-6;  // half heights: an outline that is thinn
 constexpr std::size_t kRows = 256;
 
 Error notUsable(const char* what) {
-    return {ErrorCode::usage, what, {}, "Draw around what is to be removed, in one go."};
+    return {ErrorCode::usage, what, {}, Text("Draw around what is to be removed, in one go.")};
 }
 
 double distanceToLine(const glm::dvec2& point, const glm::dvec2& a, const glm::dvec2& b) {

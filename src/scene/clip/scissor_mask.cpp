@@ -86,7 +86,7 @@ Result<std::optional<Mask>> scissorMask(std::optional<Mask> before, std::span<co
         const std::size_t voxels = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
         MaskBits bits{size, std::vector<std::uint32_t>((voxels + 31) / 32)};
         std::atomic<bool> isAnyShown{false};
-        progress.beginStage("Cutting with the scissors", std::size_t(size.z));
+        progress.beginStage(Text("Cutting with the scissors"), std::size_t(size.z));
         parallelFor(
             std::size_t(size.z),
             [&](std::size_t k) {
@@ -95,21 +95,21 @@ Result<std::optional<Mask>> scissorMask(std::optional<Mask> before, std::span<co
                 progress.advance();
             },
             progress.token());
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "The cut was cancelled.", {}, {}};
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("The cut was cancelled."), {}, {}};
         if (!isAnyShown)
             return Error{ErrorCode::usage,
-                         "Nothing of the volume would be left.",
+                         Text("Nothing of the volume would be left."),
                          {},
-                         "Draw the outline around less, or keep the inside with Shift."};
+                         Text("Draw the outline around less, or keep the inside with Shift.")};
         Mask left;
         left.bits = std::make_shared<const MaskBits>(std::move(bits));
         left.remark = kCutWithScissors;
         return std::optional<Mask>(std::move(left));
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::outOfMemory,
-                     "There is not enough memory to cut this volume with the scissors.",
+                     Text("There is not enough memory to cut this volume with the scissors."),
                      {},
-                     "Close other programs, or clip with a box, planes or a ball."};
+                     Text("Close other programs, or clip with a box, planes or a ball.")};
     }
 }
 

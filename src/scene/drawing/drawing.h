@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/text.h"
 #include "pipeline/trace/environment.h"
 #include "pipeline/trace/settings.h"
 #include "pipeline/volume/additions.h"
@@ -23,7 +24,7 @@ struct Drawing {
     std::shared_ptr<const Additions> additions{};  // second volume, segment colours; null: none
     trace::Settings settings{};
     std::optional<BackgroundColour> background{};  // nothing: nearly black in a window, black in a file
-    std::string remarks{};                         // text shown with its pictures; no patient data
+    Text remarks{};                                // text shown with its pictures; no patient data
 
     bool operator==(const Drawing&) const = default;
 };

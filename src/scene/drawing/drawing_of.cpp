@@ -56,18 +56,18 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
                     .settings = settingsOf(state, seriesWindows, volume.get()),
                     .background = state.background};
     std::vector<std::string> remarks;
-    if (drawing.settings.shading == trace::Shading::headlight) remarks.emplace_back("shaded");
+    if (drawing.settings.shading == trace::Shading::headlight) remarks.emplace_back(Text("shaded"));
     if (trace::isProjection(look) && volume)
         remarks.push_back(windowText(*drawing.settings.window, volume->unitName()));
     for (const Parameter& p : parameters()) {
         if (p.get(state.settings) != p.fallback()) remarks.push_back(numberText(p, state.settings));
     }
     if (state.settings.toneMap == trace::ToneMap::hue && !trace::isProjection(look))
-        remarks.emplace_back("hues kept");
+        remarks.emplace_back(Text("hues kept"));
     if (state.preset && trace::isPathTraced(look)) addMatter(remarks, *state.preset, catalogue);
     if (drawing.clip && drawing.clip->mask)
         remarks.push_back(drawing.clip->mask->remark.empty() ? "masked" : drawing.clip->mask->remark);
-    if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back("clipped");
+    if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back(Text("clipped"));
     drawing.remarks = fmt::format("{}", fmt::join(remarks, ", "));
     return drawing;
 }

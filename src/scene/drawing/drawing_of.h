@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "base/text.h"
 #include "base/volume.h"
 #include "pipeline/trace/look.h"
 #include "pipeline/volume/additions.h"
@@ -30,7 +31,7 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
                   const std::shared_ptr<const Volume>& volume, std::shared_ptr<const Clip> clip);
 
 // The remark on these additions for a picture of that look; empty for a projection, which does not draw them.
-std::string remarkOf(const Additions& additions, trace::Look look);
+Text remarkOf(const Additions& additions, trace::Look look);
 
 // Sets the additions and appends their remark. Null: there are none. A projection keeps them undrawn, so that
 // they are there when the look changes back.

@@ -3,14 +3,15 @@
 
 #include <string>
 
+#include "base/text.h"
 #include "base/volume.h"
 
 namespace macula::scene {
 
 // The range of the values, and up to six built-in presets that show some of them. The volume must be
 // stored16.
-std::string whyNothingIsVisible(const Volume& volume);
+Text whyNothingIsVisible(const Volume& volume);
 // For a projection, which has no preset: the range of the values, and the window.
-std::string whyNothingIsVisible(const Volume& volume, const DisplayWindow& window);
+Text whyNothingIsVisible(const Volume& volume, const DisplayWindow& window);
 
 }  // namespace macula::scene

@@ -24,8 +24,8 @@ std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& fo
 
 struct ShownClip {
     Clip clip;
-    bool tableRemoved = false;       // only if something was removed
-    std::vector<std::string> notes;  // on the table, and on what of the state is not drawn
+    bool tableRemoved = false;  // only if something was removed
+    std::vector<Text> notes;    // on the table, and on what of the state is not drawn
 };
 
 // What happens to a table when the user did not decide: it is shown, or it is removed if segment::Confidence

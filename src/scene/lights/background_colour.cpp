@@ -42,8 +42,8 @@ Result<BackgroundColour> backgroundOf(std::string_view text) {
     const auto* const named = std::ranges::find(kNamed, text, &decltype(kNamed)::value_type::first);
     if (named != kNamed.end()) return named->second;
     if (const auto colour = colourOfHex(text)) return *colour;
-    return Error{ErrorCode::usage, "The background is no colour.", std::string(text),
-                 "Give black, white, grey, or red, green and blue as #rrggbb: #202830 is a dark blue."};
+    return Error{ErrorCode::usage, Text("The background is no colour."), std::string(text),
+                 Text("Give black, white, grey, or red, green and blue as #rrggbb: #202830 is a dark blue.")};
 }
 
 glm::vec3 lightOf(BackgroundColour colour) {

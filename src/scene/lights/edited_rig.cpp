@@ -35,7 +35,7 @@ SoftLight asInFile(SoftLight light) {
 }
 
 Error noSuchLight() {
-    return {ErrorCode::usage, "There is no such light.", {}, "Choose another one of the rig."};
+    return {ErrorCode::usage, Text("There is no such light."), {}, Text("Choose another one of the rig.")};
 }
 
 Result<LightRig> own(LightRig rig) {
@@ -43,9 +43,9 @@ Result<LightRig> own(LightRig rig) {
         rig.lights, [](const SoftLight& light) { return light.colour * light.radiance != glm::dvec3(0.0); });
     if (!shines && rig.ambientZenith + rig.ambientHorizon + rig.ambientNadir == glm::dvec3(0.0))
         return Error{ErrorCode::usage,
-                     "Without any light the picture would be black.",
+                     Text("Without any light the picture would be black."),
                      {},
-                     "Leave a light, or a sky that is not black."};
+                     Text("Leave a light, or a sky that is not black.")};
     rig.name = kOwnLightsName;
     rig.title = kOwnLightsTitle;
     return rig;
@@ -61,7 +61,8 @@ Result<LightRig> withLight(LightRig rig, std::size_t index, const SoftLight& lig
 
 Result<LightRig> withLightAdded(LightRig rig, const SoftLight& light) {
     if (rig.lights.size() >= trace::kMostLights)
-        return Error{ErrorCode::usage, "The rig has no room for one more light.", {}, "Remove one first."};
+        return Error{
+            ErrorCode::usage, Text("The rig has no room for one more light."), {}, Text("Remove one first.")};
     rig.lights.push_back(asInFile(light));
     return own(std::move(rig));
 }

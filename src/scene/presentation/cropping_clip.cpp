@@ -42,7 +42,8 @@ class Cutting {
 
     Result<std::optional<ClipPreset>> clip(const std::string& where) const {
         const auto refuse = [&](const char* message) {
-            return Error{ErrorCode::inputNotUsable, message, where, "Choose another presentation state."};
+            return Error{ErrorCode::inputNotUsable, message, where,
+                         Text("Choose another presentation state.")};
         };
         if (isEmpty_ || !glm::all(glm::lessThan(left_.low, left_.high)))
             return refuse("The clip of the presentation state leaves nothing of this series.");

@@ -35,11 +35,12 @@ Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom
     });
     if (stack.frames.empty() || !isNamed || series.seriesInstanceUid.empty() ||
         images.series.frameOfReferenceUid.empty())
-        return Error{ErrorCode::usage,
-                     "A presentation state refers to DICOM images with identifiers and a frame of reference, "
-                     "and this series has none.",
-                     {},
-                     "Save it as a view."};
+        return Error{
+            ErrorCode::usage,
+            Text("A presentation state refers to DICOM images with identifiers and a frame of reference, "
+                 "and this series has none."),
+            {},
+            Text("Save it as a view.")};
     const dicom::Instance& middle = *stack.frames[stack.frames.size() / 2].instance;
     images.middleFile = middle.file;
     images.middleSopInstanceUid = middle.sopInstanceUid;

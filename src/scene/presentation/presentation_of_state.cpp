@@ -202,9 +202,9 @@ Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, 
                                  bool isDeidentified) {
     if (!state.preset || !state.camera || !(aspectWidthOverHeight > 0.0))
         return Error{ErrorCode::usage,
-                     "There is no picture yet to make a presentation state of.",
+                     Text("There is no picture yet to make a presentation state of."),
                      {},
-                     "Wait until the study is shown."};
+                     Text("Wait until the study is shown.")};
     MACULA_TRY(const CameraBasis axes, basis(*state.camera));
     SaidState said;
     said.presentation.label = "MACULA 3D";

@@ -40,8 +40,8 @@ class Showing {
     Result<SoftcopyOnSlices> show(const std::string& where) {
         findImages();
         if (images_.empty())
-            return Error{ErrorCode::inputNotUsable, "The presentation state is of other images.", where,
-                         "Open the series of these images, or choose another presentation state."};
+            return Error{ErrorCode::inputNotUsable, Text("The presentation state is of other images."), where,
+                         Text("Open the series of these images, or choose another presentation state.")};
         for (const std::string& what : said_.leftOut)
             shown_.notes.push_back(
                 dicom::message(dicom::key::kPresentationLeftOut, {{"what", what}}).sentence);
@@ -184,9 +184,9 @@ Result<SoftcopyOnSlices> openSoftcopy(const std::filesystem::path& path, const s
                                       SliceState usual) {
     if (!study.volume || !study.found)
         return Error{ErrorCode::usage,
-                     "No DICOM study is open.",
+                     Text("No DICOM study is open."),
                      {},
-                     "Open the series of the presentation state first."};
+                     Text("Open the series of the presentation state first.")};
     MACULA_TRY(const dicom::SoftcopyState said, dicom::readSoftcopyState(path));
     return softcopyOn(said, *study.found->volumes().at(study.volumeIndex).stack, *study.volume,
                       study.isLowBright, std::move(usual), path.string());

@@ -26,8 +26,8 @@ struct SliceArea {
 
 struct SoftcopyOnSlices {
     SliceState slices;
-    std::optional<SliceArea> area;   // nothing: all of the volume
-    std::vector<std::string> notes;  // sentences: what of it is not shown, or shown differently
+    std::optional<SliceArea> area;  // nothing: all of the volume
+    std::vector<Text> notes;        // sentences: what of it is not shown, or shown differently
 };
 
 // Applies the object to its images in the stack. The cross-hair goes to the middle of the part shown of the

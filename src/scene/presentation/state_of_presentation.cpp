@@ -28,8 +28,9 @@ class Telling {
         tellColours();
         const auto camera = cameraOf();
         if (!camera)
-            return Error{ErrorCode::inputNotUsable, "The camera of the presentation state is not usable.",
-                         where, "Choose another presentation state."};
+            return Error{ErrorCode::inputNotUsable,
+                         Text("The camera of the presentation state is not usable."), where,
+                         Text("Choose another presentation state.")};
         presented_.state.camera = *camera;
         return {};
     }
@@ -177,7 +178,7 @@ Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState 
             return presented;
         }
         presented.notes.emplace_back(
-            "What a newer Macula has written cannot be read; the picture is as others show it.");
+            Text("What a newer Macula has written cannot be read; the picture is as others show it."));
     }
     presented.state = std::move(usual);
     presented.state.clip.reset();
@@ -195,23 +196,24 @@ Result<void> completeFor(PresentedState& presented, const dicom::PresentationSta
                          std::span<const dicom::ReferencedFrames> images, const std::string& where) {
     const dicom::VolumePresentation& said = read.presentation;
     if (!isSeries(said.series, seriesDigest))
-        return Error{ErrorCode::inputNotUsable, "The presentation state is of another series.", where,
-                     "Open that series, or choose another presentation state."};
+        return Error{ErrorCode::inputNotUsable, Text("The presentation state is of another series."), where,
+                     Text("Open that series, or choose another presentation state.")};
     const auto shown = imagesShown(said.series.images, images);
     if (shown == ImagesShown::none)
         return Error{ErrorCode::inputNotUsable,
-                     "The presentation state is of other images of this series, such as another phase.",
-                     where, "Choose the volume of these images, or another presentation state."};
+                     Text("The presentation state is of other images of this series, such as another phase."),
+                     where, Text("Choose the volume of these images, or another presentation state.")};
     if (shown == ImagesShown::some)
-        presented.notes.emplace_back(
-            "The presentation state is of other images of this series, too, or of a part of these alone.");
+        presented.notes.emplace_back(Text(
+            "The presentation state is of other images of this series, too, or of a part of these alone."));
     StudyState& state = presented.state;
     state.seriesDigest = std::string(seriesDigest);
     if (presented.isOwn) return {};
     if (volume.unit() == Unit::suvBodyWeight)
-        return Error{ErrorCode::inputNotUsable,
-                     "The presentation state is of the values of the images, and this PET is shown in SUV.",
-                     where, "Choose a preset or a window in SUV."};
+        return Error{
+            ErrorCode::inputNotUsable,
+            Text("The presentation state is of the values of the images, and this PET is shown in SUV."),
+            where, Text("Choose a preset or a window in SUV.")};
     if (said.method == dicom::RenderingMethod::volumeRendered) {
         TransferFunction function = *state.preset;
         function.unit = volume.unit();
@@ -220,7 +222,7 @@ Result<void> completeFor(PresentedState& presented, const dicom::PresentationSta
     }
     MACULA_TRY(state.clip, clipOf(said.cropping, volume, where));
     if (cutsByDepth(said.view, volume))
-        presented.notes.emplace_back("What lies before or behind the depth of its view is shown, too.");
+        presented.notes.emplace_back(Text("What lies before or behind the depth of its view is shown, too."));
     return {};
 }
 

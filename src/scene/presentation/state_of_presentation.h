@@ -17,9 +17,9 @@ namespace macula::scene {
 
 struct PresentedState {
     StudyState state;
-    bool isOwn = false;              // read from Macula's own state, so the picture is the same
-    double widthOverHeight = 0.0;    // of the view that another program wrote; 0: that of the window
-    std::vector<std::string> notes;  // sentences: what of it is not shown, or shown differently
+    bool isOwn = false;            // read from Macula's own state, so the picture is the same
+    double widthOverHeight = 0.0;  // of the view that another program wrote; 0: that of the window
+    std::vector<Text> notes;       // sentences: what of it is not shown, or shown differently
 };
 
 // Converts what needs no volume: look, camera, colours, windows, lights. What the object lacks stays as in

@@ -36,6 +36,6 @@ DrawnSecondVolume secondIn3d(const SecondVolumeState& state, std::shared_ptr<con
 
 // The remark for pictures, without patient data: "with PT", and whether the registration is doubtful, or the
 // patient is, or may be, another.
-std::string secondRemark(const Volume& second, const SecondVolumeState& state, study::SamePatient patient);
+Text secondRemark(const Volume& second, const SecondVolumeState& state, study::SamePatient patient);
 
 }  // namespace macula::scene

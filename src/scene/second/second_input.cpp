@@ -36,7 +36,7 @@ void placeByPositions(const study::LoadedStudy& study, const study::LoadedStudy&
     } else {
         state.link = SecondVolumeLink::sameFrame;
         drawn.notes.emplace_back(
-            "Second volume: Same frame of reference, not registered: the patient may have moved.");
+            Text("Second volume: Same frame of reference, not registered: the patient may have moved."));
     }
 }
 
@@ -53,7 +53,7 @@ Result<void> place(const SecondVolumeRequest& request, const study::LoadedStudy&
         state.boundMm = found.boundMm;
         state.isDoubtful = found.isDoubtful();
         if (found.hasRival()) state.rivalMm = found.rivalMm;
-        drawn.notes.push_back(fmt::format("The second volume was registered, to {:.1f} mm.", found.boundMm));
+        drawn.notes.push_back(Text("The second volume was registered, to {:.1f} mm.", found.boundMm));
         if (found.hasRival())
             warn(drawn,
                  fmt::format("The second volume fits the study nearly as well {:.0f} mm from where it was "
@@ -67,10 +67,11 @@ Result<void> place(const SecondVolumeRequest& request, const study::LoadedStudy&
         placeByPositions(ofStudy, ofSecond, state, drawn);
     }
     if (registration::boxOverlap(study, second, state.secondFromStudy) > 0.0) return {};
-    return Error{ErrorCode::inputNotUsable,
-                 "Nothing of the second volume lies in the study.",
-                 {},
-                 "Choose another series by --second-series, or register both by --registration search."};
+    return Error{
+        ErrorCode::inputNotUsable,
+        Text("Nothing of the second volume lies in the study."),
+        {},
+        Text("Choose another series by --second-series, or register both by --registration search.")};
 }
 
 // What was registered of one phase says nothing of another.
@@ -91,9 +92,9 @@ Known known(const SecondVolumeState* beside, const study::LoadedStudy& study,
     if (beside == nullptr) return {};
     if (!namesSecond(*beside, second)) {
         if (isSecondIn3d(*beside))
-            drawn.notes.emplace_back(
+            drawn.notes.emplace_back(Text(
                 "The view was saved with another second volume: its place and look are not those of this "
-                "one.");
+                "one."));
         return {};
     }
     if (beside->pair == pairDigest(fingerprint(*study.volume), fingerprint(*second.volume)))
@@ -117,30 +118,31 @@ Result<study::SamePatient> patientOf(const study::LoadedStudy& study, const stud
     const study::SamePatient same = study::samePatient(study.identity, second.identity);
     if (same == study::SamePatient::no)
         return Error{ErrorCode::inputNotUsable,
-                     "The second volume is of another patient than the study.",
+                     Text("The second volume is of another patient than the study."),
                      {},
-                     "Choose a series of the same patient by --second and --second-series."};
+                     Text("Choose a series of the same patient by --second and --second-series.")};
     if (same == study::SamePatient::unknown)
-        drawn.notes.emplace_back("The images do not tell whether both volumes are of one patient.");
+        drawn.notes.emplace_back(Text("The images do not tell whether both volumes are of one patient."));
     return same;
 }
 
 }  // namespace
 
 Error secondIsTheStudy() {
-    return {ErrorCode::inputNotUsable,
-            "The second volume is the study itself.",
-            {},
-            "Choose another series by --second-series, of those that macula info lists, or another file by "
-            "--second."};
+    return {
+        ErrorCode::inputNotUsable,
+        Text("The second volume is the study itself."),
+        {},
+        Text("Choose another series by --second-series, of those that macula info lists, or another file by "
+             "--second.")};
 }
 
 Result<void> check(const SecondVolumeRequest& request, bool linkIsGiven) {
     if (request.isGiven() || (request.series.empty() && request.preset.empty() && !linkIsGiven)) return {};
     return Error{ErrorCode::usage,
-                 "There is no second volume.",
+                 Text("There is no second volume."),
                  {},
-                 "Give its folder or file by --second, or leave out what else is said of it."};
+                 Text("Give its folder or file by --second, or leave out what else is said of it.")};
 }
 
 Result<DrawableSecond> secondToDraw(const SecondVolumeRequest& request, const study::LoadedStudy& study,
@@ -165,9 +167,10 @@ Result<DrawableSecond> secondToDraw(const SecondVolumeRequest& request, const st
         state.preset = std::make_shared<const TransferFunction>(std::move(preset.function));
     }
     if (state.preset && usesGradientOpacity(*state.preset))
-        drawn.notes.emplace_back("The gradient opacity of the second volume's preset is not drawn.");
+        drawn.notes.emplace_back(Text("The gradient opacity of the second volume's preset is not drawn."));
     if (state.preset && usesSteepCurves(*state.preset))
-        drawn.notes.emplace_back("The second volume's preset is drawn without its curves of steep matter.");
+        drawn.notes.emplace_back(
+            Text("The second volume's preset is drawn without its curves of steep matter."));
     drawn.remark = secondRemark(*input.volume, state, patient);
     drawn.second = secondIn3d(state, input.volume);
     return drawn;

@@ -39,9 +39,9 @@ Error secondIsTheStudy();
 
 struct DrawableSecond {
     DrawnSecondVolume second;
-    std::string remark;                 // secondRemark
-    std::vector<std::string> notes;     // sentences, without patient data
-    std::vector<std::string> warnings;  // those of them that change what is seen
+    Text remark;                 // secondRemark
+    std::vector<Text> notes;     // sentences, without patient data
+    std::vector<Text> warnings;  // those of them that change what is seen
 };
 
 // Loads the second volume for a `study` that is stored16. A saved view of both (`beside`, or null) sets its

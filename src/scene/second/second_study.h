@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "base/volume.h"
 #include "scene/second/second_volume_state.h"
 #include "study/open/found_volumes.h"
@@ -23,7 +24,7 @@ PlaceInSeries placeInSeries(const study::OpenedStudy& study);
 
 // "CT, 2020-03-04, series 3, volume 2 of 20": shown over a pane even if other text is hidden, so it contains
 // no word that a person typed.
-std::string plainTag(const study::OpenedStudy& study);
+Text plainTag(const study::OpenedStudy& study);
 
 // The link before any registration: by the frame of reference, or by hand with the middles of both volumes
 // aligned. Phases of one series share a window. `pair` is pairDigest of both.

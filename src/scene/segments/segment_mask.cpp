@@ -50,7 +50,7 @@ Result<std::optional<Mask>> segmentMask(std::span<const SegmentationSettings> ch
                                         Progress& progress) try {
     const Wanted wanted = wantedOf(choices, loaded);
     if (wanted.alone.empty() && wanted.hidden.empty()) return std::optional<Mask>();
-    progress.beginStage("Hiding segments", wanted.alone.size() + wanted.hidden.size());
+    progress.beginStage(Text("Hiding segments"), wanted.alone.size() + wanted.hidden.size());
     const glm::ivec3 size = volume.size();
     MaskBits bits{size, {}};
     bits.words.resize((volume.voxelCount() + 31) / 32, wanted.alone.empty() ? ~std::uint32_t{0} : 0u);
@@ -63,7 +63,7 @@ Result<std::optional<Mask>> segmentMask(std::span<const SegmentationSettings> ch
         return true;
     };
     if (!apply(wanted.alone, true) || !apply(wanted.hidden, false))
-        return Error{ErrorCode::cancelled, "Hiding segments was cancelled.", {}, {}};
+        return Error{ErrorCode::cancelled, Text("Hiding segments was cancelled."), {}, {}};
     Mask mask;
     mask.bits = std::make_shared<const MaskBits>(std::move(bits));
     const auto remark = [](std::size_t count, const char* one, const char* many) {
@@ -76,9 +76,9 @@ Result<std::optional<Mask>> segmentMask(std::span<const SegmentationSettings> ch
     return std::optional<Mask>(std::move(mask));
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory,
-                 "There is not enough memory to hide segments.",
+                 Text("There is not enough memory to hide segments."),
                  {},
-                 "Close other programs, or hide fewer. The picture and what is chosen stay as before."};
+                 Text("Close other programs, or hide fewer. The picture and what is chosen stay as before.")};
 }
 
 }  // namespace macula::scene

@@ -71,9 +71,9 @@ Result<PlannedTints> plannedTints(std::span<const SegmentationSettings> choices,
         if (colour == planned.colours.end()) {
             if (planned.colours.size() == SegmentTints::kMostColours)
                 return Error{ErrorCode::inputNotUsable,
-                             "More than 255 segments of different colours cannot be shown in 3D.",
+                             Text("More than 255 segments of different colours cannot be shown in 3D."),
                              {},
-                             "Colour fewer of them, or give some the same colour."};
+                             Text("Colour fewer of them, or give some the same colour.")};
             planned.colours.push_back(each.colour);
             colour = planned.colours.end() - 1;
         }
@@ -86,20 +86,21 @@ Result<PlannedTints> plannedTints(std::span<const SegmentationSettings> choices,
 Result<std::shared_ptr<const TintBox>> tintBox(const TintGeometry& geometry, const Volume& volume,
                                                Progress& progress) try {
     MACULA_CHECK(!geometry.parts.empty());
-    progress.beginStage("Colouring segments", geometry.parts.size());
+    progress.beginStage(Text("Colouring segments"), geometry.parts.size());
     TintBox box = boxAround(geometry.parts, volume);
     for (const TintGeometry::Part& each : geometry.parts) {
         if (progress.cancelled())
-            return Error{ErrorCode::cancelled, "Colouring segments was cancelled.", {}, {}};
+            return Error{ErrorCode::cancelled, Text("Colouring segments was cancelled."), {}, {}};
         fill(box, *each.voxels, each.colour);
         progress.advance();
     }
     return std::make_shared<const TintBox>(std::move(box));
 } catch (const std::bad_alloc&) {
-    return Error{ErrorCode::outOfMemory,
-                 "There is not enough memory to colour segments.",
-                 {},
-                 "Close other programs, or colour fewer. The picture and what is chosen stay as before."};
+    return Error{
+        ErrorCode::outOfMemory,
+        Text("There is not enough memory to colour segments."),
+        {},
+        Text("Close other programs, or colour fewer. The picture and what is chosen stay as before.")};
 }
 
 Result<std::optional<SegmentTints>> segmentTints(std::span<const SegmentationSettings> choices,

@@ -50,8 +50,8 @@ Result<SegmentRequest> segmentRequestFrom(const std::string& typed) {
     if (what == "hide") request.in3d = In3d::hidden;
     request.isColoured = what == "colour";
     if ((what != "keep" && what != "hide" && !request.isColoured) || request.label.empty())
-        return Error{ErrorCode::usage, "That does not say what to do with which segment.", typed,
-                     "Write keep:LABEL, hide:LABEL or colour:LABEL; macula info lists the labels."};
+        return Error{ErrorCode::usage, Text("That does not say what to do with which segment."), typed,
+                     Text("Write keep:LABEL, hide:LABEL or colour:LABEL; macula info lists the labels.")};
     return request;
 }
 
@@ -63,8 +63,9 @@ Result<SegmentsToDraw> segmentsToDraw(const study::FoundVolumes& found, const st
                study::findSegmentations(found, volume, progress));
     for (const SegmentRequest& request : requests) {
         if (!chooseByLabel(all, request, choices))
-            return Error{ErrorCode::usage, "No segmentation of this volume has a segment of that label.",
-                         request.label, "macula info lists the labels."};
+            return Error{ErrorCode::usage,
+                         Text("No segmentation of this volume has a segment of that label."), request.label,
+                         Text("macula info lists the labels.")};
     }
     SegmentsToDraw drawn;
     LoadedSegmentations loaded;
@@ -86,12 +87,12 @@ Result<SegmentsToDraw> segmentsToDraw(const study::FoundVolumes& found, const st
     });
     if (isMissing)
         drawn.notes.emplace_back(
-            "A segmentation of the view is not in the folder, and nothing of it is kept, hidden or "
-            "coloured.");
+            Text("A segmentation of the view is not in the folder, and nothing of it is kept, hidden or "
+                 "coloured."));
     MACULA_TRY(drawn.mask, segmentMask(choices, loaded, voxels, progress));
     MACULA_TRY(drawn.tints, segmentTints(choices, loaded, voxels, progress));
     if (!hidden.empty() && !drawn.mask)
-        drawn.notes.emplace_back("No voxel of these segments lies in the volume; all of it is shown.");
+        drawn.notes.emplace_back(Text("No voxel of these segments lies in the volume; all of it is shown."));
     return drawn;
 }
 

@@ -28,7 +28,7 @@ Result<SegmentRequest> segmentRequestFrom(const std::string& typed);
 struct SegmentsToDraw {
     std::optional<Mask> mask;           // nothing: all is shown
     std::optional<SegmentTints> tints;  // nothing: none is coloured
-    std::vector<std::string> notes;     // sentences, without patient data
+    std::vector<Text> notes;            // sentences, without patient data
 };
 
 // Adds `requests` to the choices of a view. A request applies to all segments with its label, in upper or

@@ -178,8 +178,8 @@ Result<void> writeMeasurements(const std::filesystem::path& path, std::span<cons
     const std::string extension = loweredExtension(path);
     if (extension == ".csv") return writeTextAtomically(path, measurementsCsv(measurements, of));
     if (extension == ".json") return writeTextAtomically(path, measurementsJsonText(measurements, of));
-    return Error{ErrorCode::usage, "Measurements are written to a .csv or .json file.", path.string(),
-                 "Choose a name with one of these endings."};
+    return Error{ErrorCode::usage, Text("Measurements are written to a .csv or .json file."), path.string(),
+                 Text("Choose a name with one of these endings.")};
 }
 
 }  // namespace macula::scene

@@ -105,14 +105,15 @@ Result<std::vector<OwnWindow>> withOwnWindow(std::vector<OwnWindow> all, OwnWind
     added.name = trimmed(startOf(trimmed(added.name), kLongestWindowName));
     added.window.explanation.clear();
     if (!isSound(added))
-        return Error{ErrorCode::usage, "A window is kept under a name.", {}, "Type one, such as Kidney."};
+        return Error{
+            ErrorCode::usage, Text("A window is kept under a name."), {}, Text("Type one, such as Kidney.")};
     std::erase_if(all,
                   [&](const OwnWindow& own) { return own.name == added.name && own.unit == added.unit; });
     if (all.size() >= kMostOwnWindows)
         return Error{ErrorCode::usage,
-                     fmt::format("There are {} windows of your own already.", all.size()),
+                     Text("There are {} windows of your own already.", all.size()),
                      {},
-                     "Remove one first."};
+                     Text("Remove one first.")};
     all.push_back(std::move(added));
     return all;
 }

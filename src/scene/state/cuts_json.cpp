@@ -147,8 +147,8 @@ Cuts cutsFrom(const JsonNode& node) {
 
 Result<std::vector<NamedClip>> namedClipsFrom(const Json& all, const std::string& where) {
     if (!all.is_array() || all.size() > kMostNamedClips)
-        return Error{ErrorCode::inputNotUsable, "namedClips: expected another thing.", where,
-                     fmt::format("A list of at most {} clips.", kMostNamedClips)};
+        return Error{ErrorCode::inputNotUsable, Text("namedClips: expected another thing."), where,
+                     Text("A list of at most {} clips.", kMostNamedClips)};
     std::vector<NamedClip> clips;
     for (const Json& json : all) {
         MACULA_TRY(NamedClip named, namedClipFrom(json, where));

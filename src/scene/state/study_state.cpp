@@ -92,15 +92,16 @@ Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest,
                          const std::string& where) {
     if (state.seriesDigest.empty()) return {};
     if (state.seriesDigest != seriesDigest)
-        return Error{ErrorCode::inputNotUsable, "The view was saved of another series.", where,
-                     "Open that series, or choose another view."};
+        return Error{ErrorCode::inputNotUsable, Text("The view was saved of another series."), where,
+                     Text("Open that series, or choose another view.")};
     if (state.grid && !liesAt(volume, *state.grid))
-        return Error{
-            ErrorCode::inputNotUsable,
-            "The view was saved when the images lay in other places, or of another volume of the series.",
-            where,
-            "Make it anew; or choose the volume that it is of. Without \"grid\" in the file it is taken as "
-            "it is."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("The view was saved when the images lay in other places, or of another volume of "
+                          "the series."),
+                     where,
+                     Text("Make it anew; or choose the volume that it is of. Without \"grid\" in the file it "
+                          "is taken as "
+                          "it is.")};
     return {};
 }
 

@@ -95,7 +95,7 @@ Result<Histogram> histogramOf(const Volume& volume, const Bins& bins, const Canc
             [units = volume.unitsFromStored()](std::uint16_t voxel) { return units(voxel); }, token,
             histogram);
     }
-    if (!isWhole) return Error{ErrorCode::cancelled, "The values were not counted.", {}, {}};
+    if (!isWhole) return Error{ErrorCode::cancelled, Text("The values were not counted."), {}, {}};
     return histogram;
 }
 

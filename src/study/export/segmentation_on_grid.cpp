@@ -53,15 +53,15 @@ Result<SegmentationOnGrid> loadSegmentation(const dicom::Scan& scan, const dicom
     const auto all = segmentationsOf(series);
     if (number == 0 && all.size() > 1) {
         return Error{ErrorCode::usage,
-                     fmt::format("The series has {} segmentations.", all.size()),
+                     Text("The series has {} segmentations.", all.size()),
                      {},
-                     "Choose one of them with --volume."};
+                     Text("Choose one of them with --volume.")};
     }
     if (number > all.size()) {
         return Error{ErrorCode::usage,
-                     fmt::format("There is no segmentation {}; the series has {}.", number, all.size()),
+                     Text("There is no segmentation {}; the series has {}.", number, all.size()),
                      {},
-                     "Choose another with --volume."};
+                     Text("Choose another with --volume.")};
     }
     MACULA_TRY(const dicom::Segmentation segmentation,
                dicom::readSegmentation(all[std::max<std::size_t>(number, 1) - 1]->file));

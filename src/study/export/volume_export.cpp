@@ -13,9 +13,9 @@ namespace macula::study {
 
 void noteWhatOthersMisread(LoadedStudy& study) {
     if (!isSheared(study.volume->worldFromVoxel())) return;
-    study.notes.emplace_back(
+    study.notes.emplace_back(Text(
         "The slices are tilted against their axis, and the file says so; some programs do not understand "
-        "that, and show the patient askew.");
+        "that, and show the patient askew."));
     study.warnings.push_back(study.notes.back());
 }
 

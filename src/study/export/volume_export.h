@@ -24,7 +24,7 @@ struct ExportedVolume {
     std::optional<ValueRange> valueRange;
     glm::dmat4 worldFromVoxel{1.0};  // patient LPS mm
     double writeSeconds = 0.0;
-    std::vector<std::string> notes;  // of the study
+    std::vector<Text> notes;  // of the study
 };
 
 // Adds to notes and warnings that other programs may show a sheared volume (isSheared) skewed.
@@ -45,11 +45,11 @@ struct ExportedSegmentation {
     glm::ivec3 size{0};
     glm::dmat4 worldFromVoxel{1.0};  // patient LPS mm
     std::vector<ExportedSegment> segments;
-    std::vector<std::string> notes;
+    std::vector<Text> notes;
 };
 
 // Sentences without patient data: whether the map is on a grid of its own, and the messages of the map.
-std::vector<std::string> notesOf(const SegmentationOnGrid& input);
+std::vector<Text> notesOf(const SegmentationOnGrid& input);
 
 // Reports `seriesUid` only as a digest. Fails as formats::writeVolumeFile.
 Result<ExportedSegmentation> exportSegmentation(const SegmentationOnGrid& input, const std::string& seriesUid,

@@ -65,7 +65,8 @@ std::vector<Cover> coversOf(int from, int to) {
 
 Result<Thumbnail> make(const dicom::Stack& stack, const CancelToken& cancel) {
     if (stack.frames.empty())
-        return Error{ErrorCode::inputNotUsable, "There is no image.", {}, "Choose another series."};
+        return Error{
+            ErrorCode::inputNotUsable, Text("There is no image."), {}, Text("Choose another series.")};
     const std::size_t middle = middleOf(stack);
     const dicom::Frame& frame = stack.frames[middle];
     MACULA_TRY(const dicom::LoadedFrame image, dicom::loadFrame(stack, middle, cancel));
@@ -120,9 +121,9 @@ Result<Thumbnail> thumbnailOf(const dicom::Stack& stack, const CancelToken& canc
         return make(stack, cancel);
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::outOfMemory,
-                     "There is not enough memory for a picture of the series.",
+                     Text("There is not enough memory for a picture of the series."),
                      {},
-                     "Close other programs."};
+                     Text("Close other programs.")};
     }
 }
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text.h"
 #include "study/open/found_volumes.h"
 
 namespace macula::study {
@@ -38,12 +39,12 @@ struct StudyRow {
     std::vector<std::size_t> children = {};  // in the order shown
 
     std::string title = {};
-    std::string titleOfFile = {};           // the end of `title` that is text of a file, not to be translated
-    std::vector<std::string> details = {};  // lines; lengths have their unit
-    std::size_t detailOfFile = kNoRow;      // the index in `details` of a line that is such text
+    std::string titleOfFile = {};       // the end of `title` that is text of a file, not to be translated
+    std::vector<Text> details = {};     // lines; lengths have their unit
+    std::size_t detailOfFile = kNoRow;  // the index in `details` of a line that is such text
     // A sentence where a series or stack has no volume, or a presentation state cannot be shown; else empty.
-    std::string whyNot = {};
-    std::vector<std::string> messages = {};  // sentences, each with the advised action
+    Text whyNot = {};
+    std::vector<Text> messages = {};  // sentences, each with the advised action
     // The volume that the row opens, in FoundVolumes::volumes(): of a stack, or of a series with only one.
     std::optional<std::size_t> volume = {};
     std::optional<Presentation> presentation = {};  // what opening the row shows

@@ -14,9 +14,9 @@ namespace macula::study {
 
 namespace {
 
-Error notUsable(std::string sentence, const std::filesystem::path& where) {
+Error notUsable(Text sentence, const std::filesystem::path& where) {
     return {ErrorCode::inputNotUsable, std::move(sentence), where.string(),
-            "Choose a folder with a CT or MR series of several parallel slices."};
+            Text("Choose a folder with a CT or MR series of several parallel slices.")};
 }
 
 bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
@@ -107,7 +107,8 @@ Result<FoundVolumes::ChosenVolume> FoundVolumes::ofSeries(const std::string& wan
         return Error{ErrorCode::inputNotUsable,
                      all.empty() ? "The series that was asked for is not in this folder."
                                  : "Several studies of this folder have the series that was asked for.",
-                     folder.string(), "Check its Series Instance UID or number, or choose another folder."};
+                     folder.string(),
+                     Text("Check its Series Instance UID or number, or choose another folder.")};
     const dicom::ChosenStack choice = dicom::bestVolume(*series);
     const auto index = indexOf(choice.stack);
     if (!index) return notUsable(choice.why, folder);
@@ -135,7 +136,7 @@ Result<FoundVolumes::ChosenVolume> FoundVolumes::holding(const std::filesystem::
     for (const dicom::SkippedFile& skipped : scan_.skipped) {
         if (sameFile(skipped.file, file)) return notUsable(skipped.message.sentence, file);
     }
-    return notUsable("The file is not a DICOM image.", file);
+    return notUsable(Text("The file is not a DICOM image."), file);
 }
 
 std::optional<std::size_t> FoundVolumes::indexOf(const dicom::Stack* stack) const {

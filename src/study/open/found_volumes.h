@@ -35,11 +35,11 @@ class FoundVolumes {
     const std::vector<FoundVolume>& volumes() const { return volumes_; }         // in the order of the scan
     const std::string& key(std::size_t index) const { return keys_.at(index); }  // volumeKeys
     // One line each; with the patient and the date of the study where there are several.
-    std::vector<std::string> titles() const;
+    std::vector<Text> titles() const;
 
     struct ChosenVolume {
         std::size_t index = 0;
-        std::string why;  // a sentence, without patient data
+        Text why;  // a sentence, without patient data
     };
     // The best volume. inputNotUsable when there is none; the error's place is `folder`.
     Result<ChosenVolume> best(const std::filesystem::path& folder) const;

@@ -38,8 +38,10 @@ Result<dicom::ChosenStack> chooseStack(const dicom::Series& series, std::optiona
                 return Error{ErrorCode::inputNotUsable, message.sentence, {}, message.action};
             }
         }
-        return Error{
-            ErrorCode::inputNotUsable, choice.why, {}, "Choose another series; macula info lists them."};
+        return Error{ErrorCode::inputNotUsable,
+                     choice.why,
+                     {},
+                     Text("Choose another series; macula info lists them.")};
     }
     if (*place < 1 || *place > series.stacks.size()) {
         return Error{ErrorCode::usage,
@@ -47,7 +49,7 @@ Result<dicom::ChosenStack> chooseStack(const dicom::Series& series, std::optiona
                          ? "The series has 1 stack of images."
                          : fmt::format("The series has {} stacks of images.", series.stacks.size()),
                      {},
-                     "See macula info for the list."};
+                     Text("See macula info for the list.")};
     }
     return dicom::ChosenStack{&series, &series.stacks[*place - 1], {}};
 }
@@ -72,7 +74,7 @@ Result<dicom::ChosenStack> chooseVolume(const dicom::Scan& scan, const std::stri
         return Error{ErrorCode::inputNotUsable,
                      dicom::bestVolume(scan).why,
                      {},
-                     "Choose another folder; macula info tells more about this one."};
+                     Text("Choose another folder; macula info tells more about this one.")};
     }
     const std::size_t point = wanted.find('.');
     const bool isUid = !dicom::findAllSeries(scan, wanted).empty();
@@ -83,12 +85,13 @@ Result<dicom::ChosenStack> chooseVolume(const dicom::Scan& scan, const std::stri
     if (series != nullptr && (stack || isUid || point == std::string::npos))
         return chooseStack(*series, stack);
     if (isUid) {
-        return Error{ErrorCode::usage, "Several patients have a series of this UID.", wanted,
-                     "Choose by the number in front of it in macula info."};
+        return Error{ErrorCode::usage, Text("Several patients have a series of this UID."), wanted,
+                     Text("Choose by the number in front of it in macula info.")};
     }
-    return Error{ErrorCode::usage, "There is no such series in the folder.", wanted,
-                 "See macula info for the list; --series takes the number in front (3, or 3.2 for its second "
-                 "stack), or the series UID."};
+    return Error{
+        ErrorCode::usage, Text("There is no such series in the folder."), wanted,
+        Text("See macula info for the list; --series takes the number in front (3, or 3.2 for its second "
+             "stack), or the series UID.")};
 }
 
 Result<LoadedStudy> loadStudy(const std::filesystem::path& path, const std::string& series,
@@ -98,9 +101,9 @@ Result<LoadedStudy> loadStudy(const std::filesystem::path& path, const std::stri
     if (formats::isVolumeFileName(path)) {
         if (!series.empty()) {
             return Error{ErrorCode::usage,
-                         "The file is one volume; there is nothing to choose from.",
+                         Text("The file is one volume; there is nothing to choose from."),
                          {},
-                         "Leave --series and --volume out."};
+                         Text("Leave --series and --volume out.")};
         }
         MACULA_TRY(input.volume, formats::readVolumeFile(path, progress, std::max<std::size_t>(volume, 1)));
         input.notes = input.volume->provenance().assumptions;
@@ -109,10 +112,13 @@ Result<LoadedStudy> loadStudy(const std::filesystem::path& path, const std::stri
     }
     if (path.empty() || path == "phantom:") {
         if (!series.empty()) {
-            return Error{
-                ErrorCode::usage, "The phantom has no series to choose from.", {}, "Leave --series out."};
+            return Error{ErrorCode::usage,
+                         Text("The phantom has no series to choose from."),
+                         {},
+                         Text("Leave --series out.")};
         }
-        if (path.empty()) input.notes.emplace_back("No folder was given: this is the built-in phantom.");
+        if (path.empty())
+            input.notes.emplace_back(Text("No folder was given: this is the built-in phantom."));
         input.volume = std::make_shared<const Volume>(phantom::make());
         input.seriesDigest = "phantom";
         input.identity.isOfNobody = true;

@@ -17,8 +17,8 @@ namespace macula::study {
 
 struct LoadedStudy {
     std::shared_ptr<const Volume> volume;
-    std::vector<std::string> notes;                    // sentences for the user, without patient data
-    std::vector<std::string> warnings;                 // those notes that change what is seen
+    std::vector<Text> notes;                           // sentences for the user, without patient data
+    std::vector<Text> warnings;                        // those notes that change what is seen
     std::vector<dicom::ReferencedFrames> images = {};  // as imagesOf; empty: unknown
     std::string seriesDigest;    // SHA-256 of the Series Instance UID, of the voxels of a file, or "phantom"
     std::string volumeKey = {};  // FoundVolumes::key; empty where there is no series

@@ -29,9 +29,9 @@ namespace {
 constexpr std::string_view kPet = "PT";
 
 Result<OpenedStudy> openPhantom(Progress& progress) {
-    progress.beginStage("Making the phantom", 1);
+    progress.beginStage(Text("Making the phantom"), 1);
     auto volume = std::make_shared<const Volume>(phantom::make());
-    if (progress.cancelled()) return Error{ErrorCode::cancelled, "Loading was cancelled.", {}, {}};
+    if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Loading was cancelled."), {}, {}};
     progress.advance();
     return OpenedStudy{.volume = std::move(volume),
                        .seriesDigest = "phantom",
@@ -143,8 +143,8 @@ Result<OpenedStudy> loadBest(const std::shared_ptr<const FoundVolumes>& found,
 
 // Only images of DICOM have one.
 Error hasNoSeries(const std::filesystem::path& path) {
-    return {ErrorCode::usage, "A series was asked for of what is no folder of DICOM images.", path.string(),
-            "Ask for none, or give a folder."};
+    return {ErrorCode::usage, Text("A series was asked for of what is no folder of DICOM images."),
+            path.string(), Text("Ask for none, or give a folder.")};
 }
 
 Result<OpenedStudy> openPath(const std::filesystem::path& given, Progress& progress, const OpenRequest& how) {

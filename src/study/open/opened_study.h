@@ -24,16 +24,16 @@ struct OpenedStudy {
     std::shared_ptr<const Volume> inFloats = {};
     std::string seriesDigest = {};  // see LoadedStudy
     Identity identity = {};
-    std::string description = {};
-    std::string whyThisSeries = {};          // empty for the phantom
-    std::vector<std::string> messages = {};  // warnings about the series and about files left out
+    Text description = {};
+    Text whyThisSeries = {};          // empty for the phantom
+    std::vector<Text> messages = {};  // warnings about the series and about files left out
     // All volumes of the folder, and which of them this is; null for the phantom and files of one volume.
     std::shared_ptr<const FoundVolumes> found = {};
     std::vector<std::string> volumeTitles = {};
     std::size_t volumeIndex = 0;
     std::vector<int> imageNumbers = {};    // of its slices: see imageNumbersOf()
     bool isLowBright = false;              // low values are drawn white: MONOCHROME1, and PET by custom
-    std::string joinQuestion = {};         // see dicom::ScanOptions
+    Text joinQuestion = {};                // see dicom::ScanOptions
     std::string frameOfReferenceUid = {};  // PS3.3 C.7.4.1; empty: unknown
     std::string stateAsLeft = {};          // StudyKeeper::stateOf; empty: no state was kept
 

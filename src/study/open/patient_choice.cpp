@@ -52,11 +52,11 @@ std::optional<Error> whichPatient(const FoundVolumes& found, const std::filesyst
             fmt::format("patient {} has series {}", patient + 1, listOf(ofPatient, kMostOfPatient, ", ")));
     return Error{
         ErrorCode::inputNotUsable,
-        fmt::format("This folder is of {}, and nothing says which is meant: {}.",
-                    dicom::patientsText(found.scan()), listOf(patients, kMostPatients, "; ")),
+        Text("This folder is of {}, and nothing says which is meant: {}.", dicom::patientsText(found.scan()),
+             listOf(patients, kMostPatients, "; ")),
         folder.string(),
-        "Ask who knows the patient, and open one of the series by its Series Instance UID or by that "
-        "number (series_uid)."};
+        Text("Ask who knows the patient, and open one of the series by its Series Instance UID or by that "
+             "number (series_uid).")};
 }
 
 }  // namespace macula::study

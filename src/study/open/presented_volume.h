@@ -5,13 +5,14 @@
 #include <optional>
 #include <string>
 
+#include "base/text.h"
 #include "study/open/found_volumes.h"
 
 namespace macula::study {
 
 struct PresentedVolume {
     std::optional<std::size_t> index = {};  // in FoundVolumes::volumes(); nothing: see whyNot
-    std::string whyNot = {};                // a sentence; empty where there is a volume
+    Text whyNot = {};                       // a sentence; empty where there is a volume
 };
 
 // Of the series that the object refers to, chooses the volume with the most of its images or frames. Object

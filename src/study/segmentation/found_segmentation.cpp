@@ -89,11 +89,11 @@ Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& fou
     const std::vector<Candidate> candidates = candidatesOf(found.scan());
     std::vector<FoundSegmentation> all;
     if (!candidates.empty())
-        progress.beginStage(fmt::format("Reading {} segmentations", candidates.size()), candidates.size());
+        progress.beginStage(Text("Reading {} segmentations", candidates.size()), candidates.size());
     std::set<std::string> digests;
     for (const Candidate& candidate : candidates) {
         if (progress.cancelled())
-            return Error{ErrorCode::cancelled, "Reading segmentations was cancelled.", {}, {}};
+            return Error{ErrorCode::cancelled, Text("Reading segmentations was cancelled."), {}, {}};
         FoundSegmentation each = read(found.scan(), candidate, volume);
         if (digests.insert(each.digest).second) all.push_back(std::move(each));  // copies are one
         progress.advance();

@@ -16,9 +16,9 @@ struct FoundSegmentation {
     dicom::Segmentation header;  // default where the file cannot be read
     std::string digest;          // SHA-256 of its SOP Instance UID, or of its path without one
     std::string title;           // its content label and the description of its series
-    std::string whyNot = {};     // a sentence: why it cannot be shown; empty: it can
+    Text whyNot = {};            // a sentence: why it cannot be shown; empty: it can
     // A sentence where it was drawn on another series of the same coordinate system; else empty.
-    std::string note = {};
+    Text note = {};
 
     bool canBeShown() const { return whyNot.empty(); }
 };

@@ -29,18 +29,18 @@ std::vector<std::string> notesOf(const FoundSegmentation& found, const dicom::Se
     if (!found.note.empty()) notes.push_back(found.note);
     if (sets.isResampled)
         notes.emplace_back(
-            "It was drawn on other voxels than those of this volume; the nearest voxel is shown.");
+            Text("It was drawn on other voxels than those of this volume; the nearest voxel is shown."));
     if (found.header.type == dicom::SegmentationType::fractional)
-        notes.emplace_back("It has fractions; what is half or more is shown as the segment.");
+        notes.emplace_back(Text("It has fractions; what is half or more is shown as the segment."));
     for (const std::uint16_t number : found.header.paddedSegments)
         notes.push_back(
             dicom::message(dicom::key::kSegmentIsPadding, {{"number", std::int64_t(number)}}).sentence);
     if (sets.outside > 0)
         notes.push_back(
-            fmt::format("{} of its voxels lie outside of this volume, and are not counted.", sets.outside));
+            Text("{} of its voxels lie outside of this volume, and are not counted.", sets.outside));
     const bool isSeen = std::ranges::any_of(
         sets.segments, [](const dicom::SegmentVoxels& each) { return !each.voxels.isEmpty(); });
-    if (!isSeen) notes.emplace_back("No voxel of it lies in this volume.");
+    if (!isSeen) notes.emplace_back(Text("No voxel of it lies in this volume."));
     return notes;
 }
 

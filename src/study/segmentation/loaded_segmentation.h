@@ -28,7 +28,7 @@ struct LoadedSegment {
 struct LoadedSegmentation {
     std::string digest;
     std::vector<LoadedSegment> segments;  // by number
-    std::vector<std::string> notes;       // sentences on how it was loaded, without patient data
+    std::vector<Text> notes;              // sentences on how it was loaded, without patient data
     bool isResampled = false;             // drawn on another grid: each voxel takes the nearest one
     bool hasFractions = false;            // fractional: a voxel belongs to a segment from one half on
 

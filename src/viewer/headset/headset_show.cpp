@@ -127,17 +127,17 @@ void HeadsetShow::start([[maybe_unused]] HeadsetShowRequest request) {
             return showIn(std::move(request), words, *told, wanted, progress);
         } catch (const std::exception&) {
             return Error{ErrorCode::outOfMemory,
-                         "There is not enough memory for the headset.",
+                         Text("There is not enough memory for the headset."),
                          {},
-                         "Close other programs."};
+                         Text("Close other programs.")};
         }
     });
 #else
     job_.start([](Progress&) -> Result<std::string> {
         return Error{ErrorCode::deviceNotUsable,
-                     "This build of Macula knows no headsets.",
+                     Text("This build of Macula knows no headsets."),
                      {},
-                     "Build it with the package libopenxr-dev installed."};
+                     Text("Build it with the package libopenxr-dev installed.")};
     });
 #endif
     Q_EMIT began();

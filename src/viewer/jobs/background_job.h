@@ -80,7 +80,8 @@ class BackgroundJob {
     };
 
     static Error noMemory() {
-        return {ErrorCode::outOfMemory, "There is not enough memory.", {}, "Close other programs."};
+        return {
+            ErrorCode::outOfMemory, Text("There is not enough memory."), {}, Text("Close other programs.")};
     }
 
     // Libraries' own exceptions are caught by their callers: what arrives here means no memory.

@@ -82,9 +82,9 @@ void ModelExport::onTaken(const live::ModelSnapshot& taken) {
             return live::writeModelFile(path, model, displayColours, progress);
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
-                         "There is not enough memory to write the model.",
+                         Text("There is not enough memory to write the model."),
                          {},
-                         "Close other programs."};
+                         Text("Close other programs.")};
         }
     });
 }

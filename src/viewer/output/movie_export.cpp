@@ -59,9 +59,9 @@ void MovieExport::start(MovieRequest request) {
                 return pictures::writeViewSequence(sequence, device, progress);
             } catch (const std::bad_alloc&) {
                 return Error{ErrorCode::outOfMemory,
-                             "There is not enough memory for these pictures.",
+                             Text("There is not enough memory for these pictures."),
                              {},
-                             "Choose a smaller size, or close other programs."};
+                             Text("Choose a smaller size, or close other programs.")};
             }
         });
     Q_EMIT began();

@@ -24,9 +24,9 @@ void PictureExport::start(pictures::ViewPicture picture) {
             return pictures::writeViewPicture(picture, device, progress);
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
-                         "There is not enough memory for this picture.",
+                         Text("There is not enough memory for this picture."),
                          {},
-                         "Choose a smaller size, or close other programs."};
+                         Text("Choose a smaller size, or close other programs.")};
         }
     });
     Q_EMIT began();

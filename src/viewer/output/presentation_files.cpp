@@ -18,24 +18,24 @@ QStringList listOf(const std::vector<std::string>& sentences) {
 
 Error tooLarge() {
     return {ErrorCode::outOfMemory,
-            "There is not enough memory for the presentation state.",
+            Text("There is not enough memory for the presentation state."),
             {},
-            "Close other programs."};
+            Text("Close other programs.")};
 }
 
 // Of a library or a file system, in words that may be those of a path: they are not told.
 Error notWritten() {
     return {ErrorCode::outputNotWritable,
-            "The presentation state could not be written.",
+            Text("The presentation state could not be written."),
             {},
-            "Choose another folder, and check free space and permissions."};
+            Text("Choose another folder, and check free space and permissions.")};
 }
 
 Error notRead() {
     return {ErrorCode::inputNotUsable,
-            "The presentation state could not be read.",
+            Text("The presentation state could not be read."),
             {},
-            "The file may be damaged; choose another one."};
+            Text("The file may be damaged; choose another one.")};
 }
 
 }  // namespace

@@ -86,9 +86,9 @@ class ComparisonJob : public QObject {
             return pictures::drawViewPictures(pictures, device, progress);
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
-                         "There is not enough memory for both pictures.",
+                         Text("There is not enough memory for both pictures."),
                          {},
-                         "Close other programs."};
+                         Text("Close other programs.")};
         }
     }
 

@@ -164,7 +164,8 @@ std::shared_ptr<const TransferFunction> PresetLibrary::functionOf(const scene::S
 
 Result<live::PresetRef> PresetLibrary::saveCurve(const QString& title, const scene::StudyState& state) {
     if (!session_.hasStudy())
-        return Error{ErrorCode::usage, "There is no preset to save yet.", {}, "Open a study first."};
+        return Error{
+            ErrorCode::usage, Text("There is no preset to save yet."), {}, Text("Open a study first.")};
     MACULA_TRY(const live::PresetRef ref, shelf_.add(typed(title), *functionOf(state)));
     tellChange();
     showAs(tr("Keep preset"), state.preset, ref);
@@ -173,7 +174,8 @@ Result<live::PresetRef> PresetLibrary::saveCurve(const QString& title, const sce
 
 Result<live::PresetRef> PresetLibrary::saveSeen(const QString& title, const scene::StudyState& state) {
     if (!session_.hasStudy())
-        return Error{ErrorCode::usage, "There is nothing to be seen yet.", {}, "Open a study first."};
+        return Error{
+            ErrorCode::usage, Text("There is nothing to be seen yet."), {}, Text("Open a study first.")};
     MACULA_TRY(const live::PresetRef ref,
                shelf_.add(typed(title), *functionOf(state), live::seenOf(state, *session_.study().volume)));
     tellChange();
@@ -183,7 +185,7 @@ Result<live::PresetRef> PresetLibrary::saveSeen(const QString& title, const scen
 
 Result<live::PresetRef> PresetLibrary::saveCopy(const QString& title, const live::PresetRef& ref) {
     const auto preset = find(ref);
-    if (!preset) return Error{ErrorCode::usage, "The preset is gone.", {}, "Choose another one."};
+    if (!preset) return Error{ErrorCode::usage, Text("The preset is gone."), {}, Text("Choose another one.")};
     MACULA_TRY(const live::PresetRef copy,
                shelf_.add(typed(title), *preset->function, preset->own ? preset->own->seen : std::nullopt));
     tellChange();
@@ -251,8 +253,8 @@ void PresetLibrary::importFile(const std::string& path) {
         try {
             return presets::readPresetFile(path);
         } catch (const std::bad_alloc&) {
-            return Error{ErrorCode::outOfMemory, "There is not enough memory to read the presets.", path,
-                         "Close other programs."};
+            return Error{ErrorCode::outOfMemory, Text("There is not enough memory to read the presets."),
+                         path, Text("Close other programs.")};
         }
     });
 }
@@ -292,7 +294,7 @@ void PresetLibrary::onImported(const Result<presets::ImportedPresets>& read) {
 
 Result<void> PresetLibrary::exportTo(const std::string& path, const live::PresetRef& ref) const {
     const auto preset = find(ref);
-    if (!preset) return Error{ErrorCode::usage, "The preset is gone.", {}, "Choose another one."};
+    if (!preset) return Error{ErrorCode::usage, Text("The preset is gone."), {}, Text("Choose another one.")};
     return writeTextAtomically(path, toJson(*preset->function));
 }
 

@@ -30,7 +30,7 @@ void PresetNaming::ask(const QString& title, const QString& what, const QString&
 void PresetNaming::askToSaveCurve() {
     if (!session_.hasStudy())
         return Q_EMIT failed(
-            {ErrorCode::usage, "There is no preset to save yet.", {}, "Open a study first."});
+            {ErrorCode::usage, Text("There is no preset to save yet."), {}, Text("Open a study first.")});
     const scene::StudyState state = stateNow_();
     const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
     ask(tr("Keep the curve"), tr("The transfer function that is shown, as a preset of your own."),
@@ -43,7 +43,7 @@ void PresetNaming::askToSaveCurve() {
 void PresetNaming::askToSaveSeen() {
     if (!session_.hasStudy())
         return Q_EMIT failed(
-            {ErrorCode::usage, "There is nothing to be seen yet.", {}, "Open a study first."});
+            {ErrorCode::usage, Text("There is nothing to be seen yet."), {}, Text("Open a study first.")});
     const scene::StudyState state = stateNow_();
     const QString shown = state.preset ? titleOr(state.preset->title, state.preset->name) : tr("Preset");
     ask(tr("Keep all that is seen"),

@@ -44,9 +44,9 @@ void PresetPictures::draw(const LibraryPreset& preset) {
             return drawn;
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
-                         "There is not enough memory for small pictures.",
+                         Text("There is not enough memory for small pictures."),
                          {},
-                         "Close other programs."};
+                         Text("Close other programs.")};
         }
     });
 }

@@ -108,7 +108,7 @@ void QualityController::calibrate(const std::optional<std::filesystem::path>& fo
         try {
             return live::calibrationOf(device, folder, false, progress);
         } catch (const std::exception&) {
-            return Error{ErrorCode::outOfMemory, "There is not enough memory to measure.", {}, {}};
+            return Error{ErrorCode::outOfMemory, Text("There is not enough memory to measure."), {}, {}};
         }
     });
 }

@@ -54,9 +54,9 @@ class Members {
 
 Error notReadable() {
     return {ErrorCode::inputNotUsable,
-            "The file of settings is damaged.",
+            Text("The file of settings is damaged."),
             {},
-            "The usual settings are taken; what you set next is saved, and the damaged file is kept."};
+            Text("The usual settings are taken; what you set next is saved, and the damaged file is kept.")};
 }
 
 }  // namespace
@@ -151,8 +151,8 @@ Result<void> writeSettings(const Settings& settings, const fs::path& file) {
     fs::create_directories(file.parent_path(), error);
     if (error)
         return Error{ErrorCode::outputNotWritable,
-                     "The settings could not be saved: their folder cannot be made.",
-                     file.parent_path().string(), "Check free space and permissions."};
+                     Text("The settings could not be saved: their folder cannot be made."),
+                     file.parent_path().string(), Text("Check free space and permissions.")};
     if (!readSettings(file)) fs::rename(file, fs::path(file).concat(".damaged"), error);
     MACULA_TRY_VOID(writeTextAtomically(file, toJson(settings)));
     // Folders are nobody else's business.

@@ -18,8 +18,10 @@ session::DocumentId documentId(const char* name = "windows of slices") {
 }
 
 Error noMemory() {
-    return {
-        ErrorCode::outOfMemory, "There is not enough memory to keep windows.", {}, "Close other programs."};
+    return {ErrorCode::outOfMemory,
+            Text("There is not enough memory to keep windows."),
+            {},
+            Text("Close other programs.")};
 }
 
 }  // namespace

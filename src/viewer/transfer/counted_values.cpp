@@ -46,9 +46,9 @@ void CountedValues::count(bool withForeground) {
             return std::make_shared<const Seen>(std::move(seen));
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
-                         "There is not enough memory to count the values.",
+                         Text("There is not enough memory to count the values."),
                          {},
-                         "Close other programs, and open the study again."};
+                         Text("Close other programs, and open the study again.")};
         }
     });
 }

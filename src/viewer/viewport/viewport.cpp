@@ -23,8 +23,8 @@ Result<gpu::Instance> createInstanceForWindows() {
     } else if (platform.startsWith(QLatin1String("wayland"))) {
         options.extensions.push_back("VK_KHR_wayland_surface");
     } else {
-        return Error{ErrorCode::deviceNotUsable, "This kind of display cannot show Vulkan pictures.",
-                     platform.toStdString(), "Use an X11 or a Wayland display, or `macula render`."};
+        return Error{ErrorCode::deviceNotUsable, Text("This kind of display cannot show Vulkan pictures."),
+                     platform.toStdString(), Text("Use an X11 or a Wayland display, or `macula render`.")};
     }
     return gpu::Instance::create(options);
 }
@@ -71,9 +71,9 @@ void Viewport::connectWindow() {
     });
     connect(window_, &VulkanWindow::surfaceFailed, this, [this] {
         Q_EMIT rendered(live::RenderFailure{.error = {ErrorCode::deviceNotUsable,
-                                                      "The window cannot show Vulkan pictures.",
+                                                      Text("The window cannot show Vulkan pictures."),
                                                       {},
-                                                      "Install a Vulkan driver for this display."}});
+                                                      Text("Install a Vulkan driver for this display.")}});
     });
     connect(window_, &VulkanWindow::exposed, this, [this] {
         ++input_.exposures;

@@ -66,7 +66,10 @@ scene::StudyState ShownVolume::state() const {
 
 Result<void> ShownVolume::take(const scene::StudyState& state) {
     if (!session_.hasStudy())
-        return Error{ErrorCode::usage, "No study is open.", {}, "Open the study that the view is of first."};
+        return Error{ErrorCode::usage,
+                     Text("No study is open."),
+                     {},
+                     Text("Open the study that the view is of first.")};
     const study::OpenedStudy& study = session_.study();
     MACULA_TRY_VOID(scene::checkSeries(state, study.seriesDigest, *study.volume, {}));
     // What cannot be read again would be lost with all else of the study the next time it is opened.

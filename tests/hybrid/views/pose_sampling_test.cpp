@@ -129,7 +129,7 @@ TEST(PoseSampling, GivesUpAndSaysSo) {
     EXPECT_FALSE(views[0].accepted);
     EXPECT_TRUE(views[1].accepted);
     const auto failed = samplePoses(kBox, groundTruth(2), [](const Camera&) -> Result<bool> {
-        return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
     });
     ASSERT_FALSE(failed.ok());
     EXPECT_EQ(failed.error().code, ErrorCode::cancelled);

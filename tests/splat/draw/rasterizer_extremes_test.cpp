@@ -437,7 +437,7 @@ TEST_F(RasterizerExtremes, BandsAreThePictureInParts) {
         int taken = 0;
         const auto refuse = [&](const SplatPicture&) -> Result<void> {
             return ++taken < 2 ? Result<void>()
-                               : Result<void>(Error{ErrorCode::cancelled, "Stopped.", {}, {}});
+                               : Result<void>(Error{ErrorCode::cancelled, Text("Stopped."), {}, {}});
         };
         EXPECT_EQ(painter.drawBands(view, refuse, 160 * 25).error().code, ErrorCode::cancelled);
         EXPECT_EQ(taken, 2);

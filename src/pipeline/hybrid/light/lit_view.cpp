@@ -64,9 +64,9 @@ Result<void> LightTable::begin(trace::PathTracer& tracer, const Camera& camera, 
                                LitPicture& picture) {
     if (isParallel(camera))
         return Error{ErrorCode::usage,
-                     "Light is learnt from what an eye sees, not from parallel rays.",
+                     Text("Light is learnt from what an eye sees, not from parallel rays."),
                      {},
-                     "Take a camera that is not parallel."};
+                     Text("Take a camera that is not parallel.")};
     MACULA_TRY(const CameraBasis eye, basis(camera));
     shared::LitPush push = pushFor(eye, camera, sizePx);
     const int side = push.raysAside;

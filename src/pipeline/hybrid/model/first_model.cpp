@@ -38,7 +38,7 @@ class Allowance {
 };
 
 Error cancelled() {
-    return {ErrorCode::cancelled, "The training was cancelled.", {}, {}};
+    return {ErrorCode::cancelled, Text("The training was cancelled."), {}, {}};
 }
 
 // Adds pictures and stand-ins in turn, because the trainer draws new views in the order in which they were
@@ -57,7 +57,7 @@ Result<void> learnFromAll(splat::Trainer& trainer, const Box& seenMm, TrainingPi
 
 Result<void> train(FirstModel& model, const FirstModelOptions& options, const TimeBudget& budget,
                    Progress& progress) {
-    progress.beginStage("Training", static_cast<std::size_t>(options.iterations));
+    progress.beginStage(Text("Training"), static_cast<std::size_t>(options.iterations));
     const auto keepGoing = [&] {
         progress.advance();
         return !options.beginsOnly && !progress.cancelled() && !budget.isSpent();

@@ -6,7 +6,7 @@ namespace macula::hybrid {
 
 Result<ModelStart> startFromPoints(trace::PathTracer& tracer, const Box& seenMm, const std::string& key,
                                    const trace::SurfacePointOptions& options, Progress& progress) {
-    progress.beginStage("Finding points", 1);
+    progress.beginStage(Text("Finding points"), 1);
     // The search for points needs a view to be set, though it finds what can be seen from anywhere.
     MACULA_TRY_VOID(tracer.setView(
         {.camera = frameBox(seenMm, ViewDirection::anterior, 20.0, 1.0), .width = 64, .height = 64}));
@@ -14,9 +14,9 @@ Result<ModelStart> startFromPoints(trace::PathTracer& tracer, const Box& seenMm,
                tracer.surfacePoints(options, [&] { return !progress.cancelled(); }));
     if (points.points.empty())
         return Error{ErrorCode::inputNotUsable,
-                     "Nothing of the series can be seen.",
+                     Text("Nothing of the series can be seen."),
                      {},
-                     "Choose another preset or clip."};
+                     Text("Choose another preset or clip.")};
     progress.advance();
     return ModelStart{.splats = initialSplats(points), .seenMm = seenMm, .key = key};
 }

@@ -43,9 +43,9 @@ Result<splat::Trainer> PeripheralModel::beginTrainer(const std::shared_ptr<gpu::
                                                      const PeripheralOptions& options) {
     if (!(start.seenMm.diagonal() > 0.0))
         return Error{ErrorCode::usage,
-                     "There is nothing to be seen.",
+                     Text("There is nothing to be seen."),
                      {},
-                     "Choose a preset that shows something of the series."};
+                     Text("Choose a preset that shows something of the series.")};
     splat::Splats splats = start.splats;
     splats.setShDegree(std::max(options.shDegree, splats.shDegree));
     return splat::Trainer::create(device, splats, firstRound(start.key, options));

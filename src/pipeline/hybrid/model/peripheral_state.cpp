@@ -35,9 +35,9 @@ Result<void> PeripheralState::validate() const {
         (first.capacity == 0 || first.key == training.options.key))
         return {};
     return Error{ErrorCode::inputNotUsable,
-                 "The state of the peripheral model is damaged: its parts do not belong together.",
+                 Text("The state of the peripheral model is damaged: its parts do not belong together."),
                  {},
-                 "Load it again, or have it learnt anew."};
+                 Text("Load it again, or have it learnt anew.")};
 }
 
 }  // namespace macula::hybrid

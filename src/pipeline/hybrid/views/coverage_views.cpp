@@ -9,11 +9,11 @@ namespace macula::hybrid {
 Result<std::vector<TracedView>> coverageViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                               const glm::ivec2& sizePx, Progress& progress,
                                               const std::function<bool()>& hasTime) {
-    progress.beginStage("Finding outlines", cameras.size());
+    progress.beginStage(Text("Finding outlines"), cameras.size());
     std::vector<TracedView> views;
     for (const Camera& camera : cameras) {
         if (hasTime && !hasTime()) break;
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
         MACULA_TRY_VOID(tracer.setView({.camera = camera, .width = sizePx.x, .height = sizePx.y}));
         MACULA_TRY(const std::vector<trace::GuidePixel> guides, tracer.readGuides());
         TracedView view{.camera = camera, .sizePx = sizePx};

@@ -48,8 +48,8 @@ Result<void> PictureCache::prepare() const {
     std::error_code error;
     if (folder_.empty() || fs::is_directory(folder_, error)) return {};
     if (!fs::create_directories(folder_, error) || error)
-        return Error{ErrorCode::outputNotWritable, "The folder for pictures cannot be made.",
-                     folder_.string(), "Check the path and the permissions."};
+        return Error{ErrorCode::outputNotWritable, Text("The folder for pictures cannot be made."),
+                     folder_.string(), Text("Check the path and the permissions.")};
     return {};
 }
 

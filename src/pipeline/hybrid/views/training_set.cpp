@@ -100,13 +100,13 @@ Result<TrainingPictures> litByAll(trace::PathTracer& tracer, const Box& seenMm, 
         MACULA_TRY(table, LightTable::create(tracer.device(), light));
     }
     const double own = kSeenByOneIn / (kSeenByOneIn + double(pictures.traced.size()));
-    progress.beginStage("Lighting views", set.traced.size() + set.sides.size());
+    progress.beginStage(Text("Lighting views"), set.traced.size() + set.sides.size());
     std::vector<Camera> sides = std::move(traced.leftOut);
     sides.insert(sides.end(), set.sides.begin(), set.sides.end());
     pictures.sides.reserve(sides.size());  // where they lie they stay
     Lighting lighting(tracer, *table, tracing.sizePx, pictures.times);
     const auto lightNext = [&](const Camera& camera, std::function<void(TracedView)> ready) -> Result<void> {
-        if (progress.cancelled()) return Error{ErrorCode::cancelled, "Stopped.", {}, {}};
+        if (progress.cancelled()) return Error{ErrorCode::cancelled, Text("Stopped."), {}, {}};
         progress.advance();
         return lighting.add(camera, std::move(ready));
     };

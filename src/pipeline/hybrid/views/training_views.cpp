@@ -18,7 +18,8 @@ glm::dvec3 forwardOf(const splat::RasterView& view) {
 Result<splat::TrainingView> weighedByArea(const splat::Trainer& trainer, const Box& seenMm, TracedView view) {
     const glm::dvec3 originMm = trainer.lastGood().splats.originMm;
     if (isParallel(view.camera))
-        return Error{ErrorCode::usage, "Splats learn from what an eye sees, not from parallel rays.", {}, {}};
+        return Error{
+            ErrorCode::usage, Text("Splats learn from what an eye sees, not from parallel rays."), {}, {}};
     MACULA_TRY(const splat::RasterView from, splat::rasterView(view.camera, view.sizePx, originMm));
     return splat::TrainingView{
         .view = from, .pixels = std::move(view.rgba), .weight = weightByArea(from, seenMm, originMm)};

@@ -48,10 +48,10 @@ Result<std::vector<TruthPicture>> truthPictures(trace::PathTracer& tracer, const
                                                 std::span<const Camera> cameras, const TruthOptions& options,
                                                 const PictureCache& cache, Progress& progress) {
     if (options.samplesPerPixel < 2 || options.samplesPerPixel % 2 != 0)
-        return Error{ErrorCode::usage, "The samples of what is compared with cannot be halved.",
-                     fmt::format("{}", options.samplesPerPixel), "Give an even number of them."};
+        return Error{ErrorCode::usage, Text("The samples of what is compared with cannot be halved."),
+                     fmt::format("{}", options.samplesPerPixel), Text("Give an even number of them.")};
     MACULA_TRY_VOID(cache.prepare());
-    progress.beginStage("Tracing what is compared with", cameras.size() * options.samplesPerPixel);
+    progress.beginStage(Text("Tracing what is compared with"), cameras.size() * options.samplesPerPixel);
     std::vector<TruthPicture> pictures;
     for (std::size_t i = 0; i < cameras.size(); ++i) {
         const trace::View view{.camera = cameras[i], .width = options.sizePx.x, .height = options.sizePx.y};

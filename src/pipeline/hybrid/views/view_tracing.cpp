@@ -17,7 +17,7 @@ namespace macula::hybrid {
 namespace {
 
 Error cancelled() {
-    return {ErrorCode::cancelled, "Stopped.", {}, {}};
+    return {ErrorCode::cancelled, Text("Stopped."), {}, {}};
 }
 
 // Adds samples in small portions, so that progress moves.
@@ -139,7 +139,7 @@ Result<TracedView> readToLearnFrom(trace::PathTracer& tracer, const Camera& came
 Result<TracedViews> traceViews(trace::PathTracer& tracer, std::span<const Camera> cameras,
                                const ViewTracing& options, Progress& progress) {
     const std::uint32_t samples = options.samplesPerPixel;
-    progress.beginStage("Tracing views", cameras.size() * samples);
+    progress.beginStage(Text("Tracing views"), cameras.size() * samples);
     TracedViews learnt;
     std::vector<std::optional<TracedView>> made(cameras.size());
     std::optional<LitTracing> lit;

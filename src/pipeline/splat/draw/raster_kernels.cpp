@@ -45,9 +45,9 @@ Result<RasterKernels> RasterKernels::create(const std::shared_ptr<gpu::Device>& 
     if (shDegree > 1) return kernels;
     if (subgroup < shared::kTileColumns)
         return Error{ErrorCode::deviceNotUsable,
-                     "This device runs too few threads together to train models.",
+                     Text("This device runs too few threads together to train models."),
                      {},
-                     "Choose another device: `macula devices` lists them."};
+                     Text("Choose another device: `macula devices` lists them.")};
     MACULA_TRY(kernels.rasterBack,
                gpu::Kernel::create(device, shaders::splat_raster_back_comp,
                                    {.specializations = tileSlots, .subgroupSize = asked}));

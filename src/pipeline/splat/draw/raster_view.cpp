@@ -8,7 +8,7 @@ namespace macula::splat {
 
 namespace {
 
-Error notUsable(std::string message, std::string hint) {
+Error notUsable(Text message, Text hint) {
     return {ErrorCode::usage, std::move(message), {}, std::move(hint)};
 }
 
@@ -32,11 +32,11 @@ glm::dvec2 wholeSize(const RasterView& view) {
 
 Result<void> checkPicture(const glm::ivec2& sizePx, double nearMm) {
     if (sizePx.x < 1 || sizePx.y < 1 || sizePx.x > kMaxRasterSide || sizePx.y > kMaxRasterSide)
-        return notUsable(fmt::format("A picture of {} x {} pixels cannot be made.", sizePx.x, sizePx.y),
-                         fmt::format("Choose a size from 1 to {} on each side.", kMaxRasterSide));
+        return notUsable(Text("A picture of {} x {} pixels cannot be made.", sizePx.x, sizePx.y),
+                         Text("Choose a size from 1 to {} on each side.", kMaxRasterSide));
     if (!(nearMm >= 1e-3 && nearMm <= 1e6))
-        return notUsable("The camera's near plane is not usable.",
-                         "Choose a distance from 0.001 to 1000000 mm.");
+        return notUsable(Text("The camera's near plane is not usable."),
+                         Text("Choose a distance from 0.001 to 1000000 mm."));
     return {};
 }
 
@@ -82,19 +82,20 @@ glm::dvec2 highestSlope(const RasterView& view) {
 Result<void> validate(const RasterView& view) {
     MACULA_TRY_VOID(checkPicture(view.sizePx, view.nearMm));
     if (!isRotation(view.cameraFromWorld))
-        return notUsable("The camera's orientation is not a rotation.",
-                         "Give three perpendicular unit axes that are not mirrored.");
+        return notUsable(Text("The camera's orientation is not a rotation."),
+                         Text("Give three perpendicular unit axes that are not mirrored."));
     const glm::dvec3& eye = view.eyeMm;
     if (!isFinite(eye) || !(glm::length(eye) < 1e9))
-        return notUsable("The camera's position is not usable.",
-                         "Give a position within 1000 km of the model.");
+        return notUsable(Text("The camera's position is not usable."),
+                         Text("Give a position within 1000 km of the model."));
     for (int i = 0; i < 2; ++i) {
         const double least = view.isParallel ? 1e-6 : 1e-2;  // pixels per mm may be few
         if (!(view.focalPx[i] >= least && view.focalPx[i] <= 1e8))
-            return notUsable("The camera's focal length is not usable.", "Choose 0.01 to 100000000 pixels.");
+            return notUsable(Text("The camera's focal length is not usable."),
+                             Text("Choose 0.01 to 100000000 pixels."));
         if (!(std::abs(view.principalPx[i]) <= 1e6))
-            return notUsable("The camera's principal point is not usable.",
-                             "Choose a point within 1000000 pixels of the picture.");
+            return notUsable(Text("The camera's principal point is not usable."),
+                             Text("Choose a point within 1000000 pixels of the picture."));
     }
     return {};
 }
@@ -116,10 +117,11 @@ Result<void> validate(const Blending& blending) {
         within(blending.fringe, 1.1, 1e6) && within(blending.minTransmittance, 0.0, 0.1))
         return {};
     return notUsable(
-        "The way in which splats blend is not usable.",
-        "Choose a low-pass of 0.01 to 100 square pixels, the least of it no more, a most opaque splat of "
-        "0.01 to 0.9999, a "
-        "faintest of 1e-9 to 0.009, a fringe of 1.1 to 1000000, and a least transmittance of 0 to 0.1.");
+        Text("The way in which splats blend is not usable."),
+        Text(
+            "Choose a low-pass of 0.01 to 100 square pixels, the least of it no more, a most opaque splat of "
+            "0.01 to 0.9999, a "
+            "faintest of 1e-9 to 0.009, a fringe of 1.1 to 1000000, and a least transmittance of 0 to 0.1."));
 }
 
 shared::SplatView splatView(const RasterView& view, const Blending& blending) {

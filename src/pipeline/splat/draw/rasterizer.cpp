@@ -192,12 +192,11 @@ Result<void> Rasterizer::makePicture(glm::ivec2 sizePx) {
     const std::uint64_t most =
         std::min<std::uint64_t>(device_->info().maxStorageBufferBytes, device_->info().maxAllocationBytes);
     if (bytes > most)
-        return Error{
-            ErrorCode::outOfMemory,
-            fmt::format("A picture of {} x {} pixels is too large for this device.", sizePx.x, sizePx.y),
-            {},
-            fmt::format("Choose one of at most {:.1f} million pixels.",
-                        static_cast<double>(most) / sizeof(glm::vec4) / 1e6)};
+        return Error{ErrorCode::outOfMemory,
+                     Text("A picture of {} x {} pixels is too large for this device.", sizePx.x, sizePx.y),
+                     {},
+                     Text("Choose one of at most {:.1f} million pixels.",
+                          static_cast<double>(most) / sizeof(glm::vec4) / 1e6)};
     MACULA_TRY(picture_, DevicePicture::create(device_, "picture of splats", sizePx.x, sizePx.y));
     MACULA_TRY(depths_,
                gpu::Buffer::create(device_, {.label = "depths of splats", .bytes = pixels * sizeof(float)}));

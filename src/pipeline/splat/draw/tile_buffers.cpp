@@ -9,9 +9,9 @@ namespace macula::splat {
 
 Error tooManyPairs() {
     return {ErrorCode::outOfMemory,
-            "The splats of this model are too large and too many for this device.",
+            Text("The splats of this model are too large and too many for this device."),
             {},
-            "Draw a smaller picture, or a model of fewer splats."};
+            Text("Draw a smaller picture, or a model of fewer splats.")};
 }
 
 Result<void> makeRoom(std::optional<gpu::TexelBuffer>& texels, const std::shared_ptr<gpu::Device>& device,

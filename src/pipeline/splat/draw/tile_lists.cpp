@@ -192,9 +192,9 @@ Result<void> sortIntoTiles(std::span<const glm::vec4> screen, const RasterView& 
     mostPairs = std::min<std::uint64_t>(mostPairs, std::numeric_limits<std::uint32_t>::max());
     if (!collectPairs(screen, Host(view, blending), tileSize, parts, mostPairs, lists)) {
         return Error{ErrorCode::outOfMemory,
-                     "The splats of this model are too large and too many for this device.",
+                     Text("The splats of this model are too large and too many for this device."),
                      {},
-                     "Draw a smaller picture, or a model of fewer splats."};
+                     Text("Draw a smaller picture, or a model of fewer splats.")};
     }
     // Pairs are numbered through all parts.
     std::vector<std::uint32_t> firstPairs;

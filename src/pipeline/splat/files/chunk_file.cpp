@@ -75,7 +75,8 @@ std::optional<std::vector<std::byte>> room(std::uint64_t bytes) {
 }
 
 Error noMemory() {
-    return {ErrorCode::outOfMemory, "There is no memory for the model.", {}, "Close other programs."};
+    return {
+        ErrorCode::outOfMemory, Text("There is no memory for the model."), {}, Text("Close other programs.")};
 }
 
 }  // namespace
@@ -86,9 +87,9 @@ std::uint32_t checksum(std::span<const std::byte> bytes) {
 
 Error damagedModel() {
     return {ErrorCode::inputNotUsable,
-            "The model is damaged or cut off.",
+            Text("The model is damaged or cut off."),
             {},
-            "Copy it again, or train it again."};
+            Text("Copy it again, or train it again.")};
 }
 
 void forEachChunk(std::size_t count, std::uint64_t bytes, const std::function<void(std::size_t)>& body) {
@@ -129,9 +130,9 @@ Result<void> writeChunks(std::ostream& stream, std::uint32_t version, std::span<
     stream.flush();
     if (!stream)
         return Error{ErrorCode::outputNotWritable,
-                     "The model could not be written.",
+                     Text("The model could not be written."),
                      {},
-                     "Check free space and permissions."};
+                     Text("Check free space and permissions.")};
     return {};
 }
 
@@ -148,8 +149,8 @@ Result<ChunkFile> ChunkFile::openUntil(std::istream& stream, std::uint64_t size,
     if (std::string_view(file.magic.data(), file.magic.size()) != kChunkFileMagic) return damagedModel();
     if (file.version != version)
         return Error{ErrorCode::inputNotUsable,
-                     fmt::format("The model is a .macula file of version {}; this Macula reads version {}.",
-                                 file.version, version),
+                     Text("The model is a .macula file of version {}; this Macula reads version {}.",
+                          file.version, version),
                      {},
                      file.version > version ? "Use a newer Macula, or export the model as PLY there."
                                             : "Export it as PLY with the Macula that made it."};

@@ -14,9 +14,9 @@ Bytef* zlibBytes(std::span<const std::byte> data) {
 
 Error noMemoryToPack() {
     return {ErrorCode::outOfMemory,
-            "There is no memory to pack or unpack the model.",
+            Text("There is no memory to pack or unpack the model."),
             {},
-            "Close other programs."};
+            Text("Close other programs.")};
 }
 
 Result<std::vector<std::byte>> deflated(std::span<const std::byte> data, const DeflateSettings& settings,

@@ -173,11 +173,12 @@ void putChunk(std::ostream& stream, std::uint32_t kind, const std::string& bytes
 Result<std::size_t> writeGlb(std::ostream& stream, const Splats& splats) {
     MACULA_TRY_VOID(splats.validate());
     const Error tooLarge{ErrorCode::inputNotUsable,
-                         "The model is too large for a glTF file.",
+                         Text("The model is too large for a glTF file."),
                          {},
-                         "Write it as .ply instead."};
+                         Text("Write it as .ply instead.")};
     if (splats.size() == 0)
-        return Error{ErrorCode::inputNotUsable, "The model holds no splats.", {}, "Train it again."};
+        return Error{
+            ErrorCode::inputNotUsable, Text("The model holds no splats."), {}, Text("Train it again.")};
     const std::uint64_t floats = 3 + 4 + 3 + 1 + 1 + 3 * (1 + shCount(splats.shDegree));
     if (splats.size() > (kMostGlbBytes - (1u << 20)) / (4 * floats)) return tooLarge;
     std::size_t clamped = 0;

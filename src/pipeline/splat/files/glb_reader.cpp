@@ -21,11 +21,11 @@ namespace {
 using Json = nlohmann::json;
 using Bytes = std::span<const std::byte>;
 
-Error unusable(std::string message, std::string hint = "Export the model again from where it came.") {
+Error unusable(Text message, Text hint = Text("Export the model again from where it came.")) {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
 }
 Error damaged() {
-    return unusable("The glTF file is damaged or cut off.");
+    return unusable(Text("The glTF file is damaged or cut off."));
 }
 
 std::uint32_t numberAt(Bytes bytes, std::size_t at) {
@@ -97,14 +97,14 @@ Result<Parts> partsOf(Bytes bytes) {
     constexpr std::size_t kFirst = glb::kHeaderBytes + glb::kChunkHeaderBytes;
     if (bytes.size() < kFirst) return damaged();
     if (numberAt(bytes, 4) != glb::kVersion)
-        return unusable("The glTF file is not of version 2.", "Export it as binary glTF 2.0.");
+        return unusable(Text("The glTF file is not of version 2."), Text("Export it as binary glTF 2.0."));
     const std::uint64_t length = numberAt(bytes, 8);
     const std::uint64_t jsonBytes = numberAt(bytes, glb::kHeaderBytes);
     if (length > bytes.size() || numberAt(bytes, glb::kHeaderBytes + 4) != glb::kJsonChunk ||
         jsonBytes > length - std::min<std::uint64_t>(length, kFirst))
         return damaged();
     if (jsonBytes > kMostJsonBytes)
-        return unusable("The glTF file holds far more than a model.", "Export the model alone.");
+        return unusable(Text("The glTF file holds far more than a model."), Text("Export the model alone."));
     const Bytes text = bytes.subspan(kFirst, jsonBytes);
     Parts parts;
     parts.json = Json::parse(reinterpret_cast<const char*>(text.data()),
@@ -127,19 +127,20 @@ class Reader {
         MACULA_TRY_VOID(checkExtensions());
         const Json* primitive = findPrimitive();
         if (primitive == nullptr)
-            return unusable("The glTF file holds no Gaussians.",
-                            "Choose one with the extension KHR_gaussian_splatting.");
+            return unusable(Text("The glTF file holds no Gaussians."),
+                            Text("Choose one with the extension KHR_gaussian_splatting."));
         const Json& splatting = (*primitive)["extensions"][glb::kExtension];
         if (textIn(splatting, "kernel") != glb::kKernel)
-            return unusable("The Gaussians of the glTF file are of another kind than ellipses.");
+            return unusable(Text("The Gaussians of the glTF file are of another kind than ellipses."));
         const Json* names = member(*primitive, "attributes");
         if (names == nullptr) return damaged();
         MACULA_TRY(Splats splats, readAttributes(*names));
         MACULA_TRY_VOID(applyNotes(notes(), splats));
         const bool isLinear = textIn(splatting, "colorSpace") == glb::kLinearColours;
         if (isLinear != (splats.colourSpace == ColourSpace::linear))
-            return unusable("The glTF file has colours in linear light of a display, which cannot be drawn.",
-                            "Export it with colours in sRGB.");
+            return unusable(
+                Text("The glTF file has colours in linear light of a display, which cannot be drawn."),
+                Text("Export it with colours in sRGB."));
         return splats;
     }
 
@@ -150,8 +151,8 @@ class Reader {
         if (required == nullptr || !required->is_array()) return {};
         for (const Json& name : *required) {
             if (name != glb::kExtension)
-                return unusable("The Gaussians of the glTF file are packed in a way that is not known.",
-                                "Export it without compression, or as PLY or SPZ.");
+                return unusable(Text("The Gaussians of the glTF file are packed in a way that is not known."),
+                                Text("Export it without compression, or as PLY or SPZ."));
         }
         return {};
     }
@@ -226,15 +227,16 @@ class Reader {
         const Json* view = element(json_, "bufferViews", index);
         if (view == nullptr || wholeNumber(*view, "buffer") != std::optional<std::uint64_t>(0) ||
             member(*view, "extensions") != nullptr)
-            return unusable("The Gaussians are not in the glTF file itself.",
-                            "Export it as one binary file (.glb), without compression.");
+            return unusable(Text("The Gaussians are not in the glTF file itself."),
+                            Text("Export it as one binary file (.glb), without compression."));
         const std::uint64_t from = wholeNumber(*view, "byteOffset").value_or(0);
         const auto bytes = wholeNumber(*view, "byteLength");
         const std::uint64_t stride = wholeNumber(*view, "byteStride").value_or(rowBytes);
         if (!bytes || from > binary_.size() || *bytes > binary_.size() - from || stride < rowBytes ||
             stride > *bytes || offset > *bytes || count == 0 || rowBytes > *bytes - offset ||
             count - 1 > (*bytes - offset - rowBytes) / stride)
-            return count == 0 ? unusable("The model holds no splats.", "Export it again.") : damaged();
+            return count == 0 ? unusable(Text("The model holds no splats."), Text("Export it again."))
+                              : damaged();
         return Rows{.first = binary_.data() + from + offset, .stride = stride};
     }
 
@@ -242,7 +244,7 @@ class Reader {
                                       std::size_t count) const {
         MACULA_TRY(auto found, values(names, name, columns));
         if (!found || found->size() != count * columns)
-            return unusable(fmt::format("The glTF file lacks the attribute {} of some Gaussians.", name));
+            return unusable(Text("The glTF file lacks the attribute {} of some Gaussians.", name));
         return std::move(*found);
     }
 

@@ -41,13 +41,13 @@ std::string modelNames() {
 }
 
 Error unreadable(const fs::path& path) {
-    return {ErrorCode::inputNotUsable, "The model cannot be read.", path.string(),
-            "Check the path and its permissions."};
+    return {ErrorCode::inputNotUsable, Text("The model cannot be read."), path.string(),
+            Text("Check the path and its permissions.")};
 }
 
 Error tooLarge(const fs::path& path, std::string_view format) {
-    return {ErrorCode::inputNotUsable, fmt::format("The file is larger than any {} model.", format),
-            path.string(), "Check that it is the file you meant."};
+    return {ErrorCode::inputNotUsable, Text("The file is larger than any {} model.", format), path.string(),
+            Text("Check that it is the file you meant.")};
 }
 
 Result<std::vector<std::byte>> bytesOf(std::istream& stream, std::uint64_t size) {
@@ -60,11 +60,11 @@ Result<std::vector<std::byte>> bytesOf(std::istream& stream, std::uint64_t size)
 Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
     std::error_code error;
     if (fs::is_directory(path, error))
-        return Error{ErrorCode::inputNotUsable, "That is a folder, not a model.", path.string(),
+        return Error{ErrorCode::inputNotUsable, Text("That is a folder, not a model."), path.string(),
                      "Choose a " + modelExtensions(true) + " file."};
     if (!fs::is_regular_file(path, error))
-        return Error{ErrorCode::inputNotUsable, "The model does not exist.", path.string(),
-                     "Check the path."};
+        return Error{ErrorCode::inputNotUsable, Text("The model does not exist."), path.string(),
+                     Text("Check the path.")};
     const std::uint64_t size = fs::file_size(path, error);
     std::ifstream stream(path, std::ios::binary);
     if (error || !stream) return unreadable(path);
@@ -82,7 +82,7 @@ Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
     }
     if (!looksLikeSpz(begin.substr(0, 4)))
         return Error{ErrorCode::inputNotUsable, "The file is no " + modelNames() + " model.", path.string(),
-                     "Choose a model of Gaussians, or convert it to PLY."};
+                     Text("Choose a model of Gaussians, or convert it to PLY.")};
     if (size > kMostSpzBytes) return tooLarge(path, "SPZ");
     MACULA_TRY(const std::vector<std::byte> bytes, bytesOf(stream, size));
     return decodeSpz(bytes, bad);
@@ -111,9 +111,9 @@ Result<std::size_t> writeTo(std::ostream& stream, const Splats& splats, ModelKin
     stream.flush();
     if (!stream)
         return Error{ErrorCode::outputNotWritable,
-                     "The model could not be written.",
+                     Text("The model could not be written."),
                      {},
-                     "Check free space and permissions."};
+                     Text("Check free space and permissions.")};
     return clamped;
 }
 
@@ -147,7 +147,7 @@ Result<std::size_t> writeModel(const fs::path& path, const Splats& splats) {
     const ModelFormat* format = modelFormatOf(path);
     if (format == nullptr || format->keepsTraining())
         return Error{ErrorCode::usage, "Models are written as " + modelExtensions(false) + ".", path.string(),
-                     "Give the file one of these extensions."};
+                     Text("Give the file one of these extensions.")};
     std::size_t clamped = 0;
     MACULA_TRY_VOID(writeAtomically(path, [&](const fs::path& temporary) -> Result<void> {
         std::ofstream stream(temporary, std::ios::binary);
@@ -169,7 +169,7 @@ Result<ModelFile> finishModel(Splats splats, BadSplats bad) {
                      model.repaired.dropped > 0 ? "None of the model's splats can be used."
                                                 : "The model holds no splats.",
                      {},
-                     "Export or train it again."};
+                     Text("Export or train it again.")};
     return model;
 }
 

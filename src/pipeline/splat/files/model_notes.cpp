@@ -33,12 +33,11 @@ std::optional<glm::dvec3> threeNumbers(std::string_view text) {
     return values;
 }
 
-Error notUnderstood(std::string_view what) {
-    return {
-        ErrorCode::inputNotUsable,
-        fmt::format("The model is one of Macula's, but what it says about its {} is not understood.", what),
-        {},
-        "It is damaged or of a later version: export it again, or use a newer Macula."};
+Error notUnderstood(Text what) {
+    return {ErrorCode::inputNotUsable,
+            Text("The model is one of Macula's, but what it says about its {} is not understood.", what),
+            {},
+            Text("It is damaged or of a later version: export it again, or use a newer Macula.")};
 }
 
 // One of two values, by the word that stands for it.
@@ -78,16 +77,16 @@ Result<void> applyNotes(const std::vector<std::string>& lines, Splats& splats) {
         splats.lowPass = LowPass::classic;
         return {};
     }
-    if (notes["model"] != "1") return notUnderstood("version");
+    if (notes["model"] != "1") return notUnderstood(Text("version"));
     const auto axes = eitherOf(notes["axes"], "patient-lps-mm", Axes::patientLps, "unknown", Axes::unknown);
-    if (!axes) return notUnderstood("axes");
+    if (!axes) return notUnderstood(Text("axes"));
     const auto origin = threeNumbers(notes["origin-mm"]);
-    if (!origin) return notUnderstood("origin");
+    if (!origin) return notUnderstood(Text("origin"));
     const auto colours =
         eitherOf(notes["colours"], "linear", ColourSpace::linear, "display", ColourSpace::display);
-    if (!colours) return notUnderstood("colours");
+    if (!colours) return notUnderstood(Text("colours"));
     const auto lowPass = std::find(kLowPassNames.begin(), kLowPassNames.end(), notes["low-pass"]);
-    if (lowPass == kLowPassNames.end()) return notUnderstood("low-pass");
+    if (lowPass == kLowPassNames.end()) return notUnderstood(Text("low-pass"));
     splats.axes = *axes;
     splats.originMm = *origin;
     splats.colourSpace = *colours;

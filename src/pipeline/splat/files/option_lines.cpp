@@ -124,11 +124,12 @@ Result<TrainerOptions> optionsOf(const std::vector<std::string>& lines) {
         ++found;
     });
     if (good && values.size() == found) return options;
-    return Error{ErrorCode::inputNotUsable,
-                 "What the file says about the settings of its training is not understood.",
-                 {},
-                 "It is damaged or of another version: go on with the Macula it was begun with, or train "
-                 "anew."};
+    return Error{
+        ErrorCode::inputNotUsable,
+        Text("What the file says about the settings of its training is not understood."),
+        {},
+        Text("It is damaged or of another version: go on with the Macula it was begun with, or train "
+             "anew.")};
 }
 
 }  // namespace macula::splat

@@ -20,7 +20,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "rows are written as they lie in memory");
 
-Error unusable(std::string message, std::string hint = "Export the model again from where it came.") {
+Error unusable(Text message, Text hint = Text("Export the model again from where it came.")) {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
 }
 
@@ -92,8 +92,8 @@ Result<Splats> readVertices(PlyValues& values, const PlyElement& vertex, const P
             double value = 0.0;
             const bool read = property.countType ? values.skip(property) : values.next(property.type, value);
             if (!read)
-                return unusable(fmt::format("The PLY file is cut off or damaged at splat {} of {}.", i + 1,
-                                            vertex.count));
+                return unusable(
+                    Text("The PLY file is cut off or damaged at splat {} of {}.", i + 1, vertex.count));
             if (layout.slots[p] != PlyLayout::kNone) row[layout.slots[p]] = toFloat(value);
         }
         setRow(splats, i, layout, row);
@@ -127,11 +127,11 @@ Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats b
         // This is checked before memory is taken for the elements, or they are read.
         if (!values.canHold(element))
             return unusable(
-                fmt::format("The PLY file is cut off: its header counts {} {}, for which it is "
-                            "too small.",
-                            element.count, element.name == "vertex" ? "splats" : "elements"));
+                Text("The PLY file is cut off: its header counts {} {}, for which it is "
+                     "too small.",
+                     element.count, element.name == "vertex" ? "splats" : "elements"));
         if (element.name != "vertex") {
-            if (!values.skip(element)) return unusable("The PLY file is cut off or damaged.");
+            if (!values.skip(element)) return unusable(Text("The PLY file is cut off or damaged."));
             continue;
         }
         MACULA_TRY(const PlyLayout layout, plyLayoutOf(element));
@@ -142,17 +142,17 @@ Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats b
             return finishModel(std::move(splats), bad);
         } catch (const std::bad_alloc&) {
             return Error{ErrorCode::outOfMemory,
-                         "The model does not fit into memory.",
+                         Text("The model does not fit into memory."),
                          {},
-                         "Close other programs, or export a smaller one."};
+                         Text("Close other programs, or export a smaller one.")};
         }
     }
-    return unusable("The PLY file holds no points.", "Choose a model of Gaussians.");
+    return unusable(Text("The PLY file holds no points."), Text("Choose a model of Gaussians."));
 }
 
 Result<void> writePly(std::ostream& stream, const Splats& splats) {
     MACULA_TRY_VOID(splats.validate());
-    if (splats.size() == 0) return unusable("The model holds no splats.", "Train it first.");
+    if (splats.size() == 0) return unusable(Text("The model holds no splats."), Text("Train it first."));
     const std::string header = headerOf(splats);
     stream.write(header.data(), static_cast<std::streamsize>(header.size()));
     constexpr std::size_t kOurs = PlyLayout::kFilter;  // of the slots up to it there is one property each

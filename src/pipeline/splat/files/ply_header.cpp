@@ -33,15 +33,15 @@ constexpr std::array<TypeName, 16> kTypes{{{"char", PlyType::int8},
                                            {"float32", PlyType::float32},
                                            {"float64", PlyType::float64}}};
 
-Error badHeader(std::string_view what) {
+Error badHeader(Text what) {
     return {ErrorCode::inputNotUsable,
-            fmt::format("The header of the PLY file {}.", what),
+            Text("The header of the PLY file {}.", what),
             {},
-            "Export the model again from where it came."};
+            Text("Export the model again from where it came.")};
 }
 
 Error notPly() {
-    return {ErrorCode::inputNotUsable, "The file is no PLY.", {}, "Choose a model of Gaussians."};
+    return {ErrorCode::inputNotUsable, Text("The file is no PLY."), {}, Text("Choose a model of Gaussians.")};
 }
 
 // Lines as the header has them, ended by \n or \r\n; never more than the header may hold.
@@ -52,9 +52,9 @@ class Lines {
     Result<std::string> next() {
         std::string line;
         for (;; ++bytes_) {
-            if (bytes_ >= kMostHeaderBytes) return badHeader("is longer than that of any model");
+            if (bytes_ >= kMostHeaderBytes) return badHeader(Text("is longer than that of any model"));
             const int c = stream_.get();
-            if (c == std::istream::traits_type::eof()) return badHeader("is cut off");
+            if (c == std::istream::traits_type::eof()) return badHeader(Text("is cut off"));
             if (c == '\n') break;
             line.push_back(static_cast<char>(c));
         }
@@ -86,21 +86,21 @@ std::optional<PlyType> typeOf(std::string_view name) {
 
 Result<PlyFormat> formatOf(std::string_view line) {
     const std::string_view name = word(line);
-    if (word(line) != "1.0") return badHeader("names a version that is not 1.0");
+    if (word(line) != "1.0") return badHeader(Text("names a version that is not 1.0"));
     if (name == "ascii") return PlyFormat::ascii;
     if (name == "binary_little_endian") return PlyFormat::littleEndian;
     if (name == "binary_big_endian") return PlyFormat::bigEndian;
-    return badHeader("names an unknown format");
+    return badHeader(Text("names an unknown format"));
 }
 
 Result<PlyElement> elementOf(std::string_view line) {
     PlyElement element;
     element.name = word(line);
     const std::string_view count = word(line);
-    if (count.starts_with('-')) return badHeader("counts fewer elements than none");
+    if (count.starts_with('-')) return badHeader(Text("counts fewer elements than none"));
     const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
     if (element.name.empty() || error != std::errc() || end != count.data() + count.size())
-        return badHeader("does not say how many elements there are");
+        return badHeader(Text("does not say how many elements there are"));
     return element;
 }
 
@@ -111,14 +111,14 @@ Result<PlyProperty> propertyOf(std::string_view line) {
         property.countType = typeOf(word(line));
         if (!property.countType || *property.countType == PlyType::float32 ||
             *property.countType == PlyType::float64)
-            return badHeader("has a list whose length is no whole number");
+            return badHeader(Text("has a list whose length is no whole number"));
         type = word(line);
     }
     const auto known = typeOf(type);
-    if (!known) return badHeader("names an unknown type of number");
+    if (!known) return badHeader(Text("names an unknown type of number"));
     property.type = *known;
     property.name = word(line);
-    if (property.name.empty()) return badHeader("has a property without a name");
+    if (property.name.empty()) return badHeader(Text("has a property without a name"));
     return property;
 }
 
@@ -182,10 +182,10 @@ Result<PlyHeader> readPlyHeader(std::istream& stream) {
             MACULA_TRY(PlyProperty property, propertyOf(line));
             header.elements.back().properties.push_back(std::move(property));
         } else if (key != "obj_info" && !key.empty()) {
-            return badHeader("has a line that is none of a PLY");
+            return badHeader(Text("has a line that is none of a PLY"));
         }
     }
-    if (!hasFormat) return badHeader("does not name a format");
+    if (!hasFormat) return badHeader(Text("does not name a format"));
     header.bytes = magic.size() + lines.bytes();
     return header;
 }

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 3> kColours{"red", "green", "blue"};
 
 constexpr std::size_t kMostRest = 1000;
 
-Error unusable(std::string message, std::string hint = "Export the model again from where it came.") {
+Error unusable(Text message, Text hint = Text("Export the model again from where it came.")) {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
 }
 
@@ -76,8 +76,9 @@ std::string missingIn(const PlyLayout& layout, const std::vector<bool>& seen) {
 
 Result<PlyLayout> plyLayoutOf(const PlyElement& vertex) {
     if (has(vertex, "packed_position"))
-        return unusable("The PLY file holds a model in the packed form of SuperSplat, which is not read.",
-                        "Export it there as a PLY that is not compressed, or as SPZ.");
+        return unusable(
+            Text("The PLY file holds a model in the packed form of SuperSplat, which is not read."),
+            Text("Export it there as a PLY that is not compressed, or as SPZ."));
     PlyLayout layout;
     layout.hasColourBytes =
         !has(vertex, "f_dc_0") && has(vertex, "red") &&
@@ -91,24 +92,25 @@ Result<PlyLayout> plyLayoutOf(const PlyElement& vertex) {
         layout.slots.push_back(slot);
         if (slot == PlyLayout::kNone) continue;
         if (property.countType)
-            return unusable(fmt::format("The PLY file has a list in the place of {}.", property.name));
-        if (seen[slot]) return unusable(fmt::format("The PLY file has {} twice.", property.name));
+            return unusable(Text("The PLY file has a list in the place of {}.", property.name));
+        if (seen[slot]) return unusable(Text("The PLY file has {} twice.", property.name));
         seen[slot] = true;
         rest += slot >= PlyLayout::kRest ? 1 : 0;
     }
     layout.hasFilter = seen[PlyLayout::kFilter];
     if (const std::string missing = missingIn(layout, seen); !missing.empty())
-        return unusable(fmt::format("The PLY file is no model of Gaussians: it lacks {}.", missing),
-                        "Choose a model as 3D Gaussian splatting writes it, not a mesh or a point cloud.");
+        return unusable(
+            Text("The PLY file is no model of Gaussians: it lacks {}.", missing),
+            Text("Choose a model as 3D Gaussian splatting writes it, not a mesh or a point cloud."));
     const auto degree = degreeOf(rest);
     if (!degree || !std::all_of(seen.begin() + PlyLayout::kRest,
                                 seen.begin() + static_cast<std::ptrdiff_t>(PlyLayout::kRest + rest),
                                 [](bool is) { return is; }))
         return unusable(
-            fmt::format("The PLY file has {} coefficients of colour f_rest; 0, 9, 24 or 45 without a gap are "
-                        "understood.",
-                        rest),
-            "Export it with spherical harmonics of degree 3 or less.");
+            Text("The PLY file has {} coefficients of colour f_rest; 0, 9, 24 or 45 without a gap are "
+                 "understood.",
+                 rest),
+            Text("Export it with spherical harmonics of degree 3 or less."));
     layout.shDegree = *degree;
     return layout;
 }

@@ -80,12 +80,12 @@ glm::vec4 turned(const glm::vec4& q) {
     return {q[0], q[1], -q[2], -q[3]};
 }
 
-Error unusable(std::string message, std::string hint = "Get the file again from where it came.") {
+Error unusable(Text message, Text hint = Text("Get the file again from where it came.")) {
     return {ErrorCode::inputNotUsable, std::move(message), {}, std::move(hint)};
 }
 
 Error damaged() {
-    return unusable("The SPZ file is cut off or damaged.");
+    return unusable(Text("The SPZ file is cut off or damaged."));
 }
 
 Result<int> fractionalBits(const Splats& splats) {
@@ -97,8 +97,8 @@ Result<int> fractionalBits(const Splats& splats) {
     for (int bits = kMostFractionalBits; bits >= 0; --bits) {
         if (std::round(std::ldexp(farthest, bits)) <= kMostFixed) return bits;
     }
-    return unusable("The model reaches farther than an SPZ file can say: 8 km from its origin.",
-                    "Remove the splats that are so far away, or write a PLY.");
+    return unusable(Text("The model reaches farther than an SPZ file can say: 8 km from its origin."),
+                    Text("Remove the splats that are so far away, or write a PLY."));
 }
 
 // The constant coefficient as the file has it: of a colour of the display.
@@ -187,23 +187,23 @@ bool mayBeUnpacked(std::uint64_t bytes, std::uint64_t packedBytes) {
 
 Result<void> check(const Header& header, std::size_t packedBytes) {
     if (header.magic != kMagic)
-        return unusable("The file is gzip, but no SPZ model is in it.", "Choose a model of Gaussians.");
+        return unusable(Text("The file is gzip, but no SPZ model is in it."),
+                        Text("Choose a model of Gaussians."));
     if (header.version < 1 || header.version > kContainerVersion)
         return unusable(
-            fmt::format("The SPZ file has version {}; 1 to {} are read.", header.version, kContainerVersion),
-            "Convert it to version 4, or to PLY.");
+            Text("The SPZ file has version {}; 1 to {} are read.", header.version, kContainerVersion),
+            Text("Convert it to version 4, or to PLY."));
     if (header.shDegree > kMaxShDegree)
-        return unusable(fmt::format("The SPZ file has spherical harmonics of degree {}; 0 to {} are read.",
-                                    header.shDegree, kMaxShDegree),
-                        "Export it with a lower degree.");
+        return unusable(Text("The SPZ file has spherical harmonics of degree {}; 0 to {} are read.",
+                             header.shDegree, kMaxShDegree),
+                        Text("Export it with a lower degree."));
     if (header.version > 1 && header.fractionalBits > kMostFractionalBitsRead) return damaged();
     if (header.count > kMostSplats)
-        return unusable(fmt::format("The SPZ file counts {} splats; no more than {} are read.", header.count,
-                                    kMostSplats),
-                        "Convert it to PLY, of which there is no such limit.");
-    if (!mayBeUnpacked(header.bytes(), packedBytes))
         return unusable(
-            fmt::format("The SPZ file counts {} splats, for which it is too small.", header.count));
+            Text("The SPZ file counts {} splats; no more than {} are read.", header.count, kMostSplats),
+            Text("Convert it to PLY, of which there is no such limit."));
+    if (!mayBeUnpacked(header.bytes(), packedBytes))
+        return unusable(Text("The SPZ file counts {} splats, for which it is too small.", header.count));
     return {};
 }
 
@@ -270,11 +270,11 @@ std::vector<std::uint8_t> payload(const Splats& splats, const Header& header, st
 
 Result<SpzBytes> encodeSpz(const Splats& splats, SpzVersion version) {
     MACULA_TRY_VOID(splats.validate());
-    if (splats.size() == 0) return unusable("The model holds no splats.", "Train it first.");
+    if (splats.size() == 0) return unusable(Text("The model holds no splats."), Text("Train it first."));
     if (splats.size() > kMostSplats)
         return unusable(
-            fmt::format("The model has {} splats; an SPZ file holds at most {}.", splats.size(), kMostSplats),
-            "Write a PLY.");
+            Text("The model has {} splats; an SPZ file holds at most {}.", splats.size(), kMostSplats),
+            Text("Write a PLY."));
     MACULA_TRY(const int bits, fractionalBits(splats));
     const bool zstd = version == SpzVersion::zstd;
     const Header header{.version = zstd ? kContainerVersion : kLastGzipVersion,
@@ -295,8 +295,9 @@ Result<SpzBytes> encodeSpz(const Splats& splats, SpzVersion version) {
     }
     if (!mayBeUnpacked(header.bytes(), file.bytes.size()))
         return unusable(
-            "The model's splats are so much alike that its SPZ file could not be told from a false one.",
-            "Write a PLY.");
+            Text(
+                "The model's splats are so much alike that its SPZ file could not be told from a false one."),
+            Text("Write a PLY."));
     return file;
 }
 
@@ -345,16 +346,17 @@ Result<ModelFile> decodeGzip(std::span<const std::byte> bytes, BadSplats bad) {
 
 Result<ModelFile> decodeSpz(std::span<const std::byte> bytes, BadSplats bad) {
     if (bytes.size() > std::numeric_limits<std::uint32_t>::max())
-        return unusable("The file is larger than any SPZ model.", "Check that it is the file you meant.");
+        return unusable(Text("The file is larger than any SPZ model."),
+                        Text("Check that it is the file you meant."));
     const bool container = bytes.size() >= kMagicText.size() &&
                            std::memcmp(bytes.data(), kMagicText.data(), kMagicText.size()) == 0;
     try {
         return container ? decodeContainer(bytes, bad) : decodeGzip(bytes, bad);
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::outOfMemory,
-                     "The model does not fit into memory.",
+                     Text("The model does not fit into memory."),
                      {},
-                     "Close other programs, or export a smaller one."};
+                     Text("Close other programs, or export a smaller one.")};
     }
 }
 

@@ -35,7 +35,10 @@ T at(std::span<const std::byte> bytes, std::size_t offset) {
 }
 
 Error noMemory() {
-    return {ErrorCode::outOfMemory, "The model does not fit into memory.", {}, "Close other programs."};
+    return {ErrorCode::outOfMemory,
+            Text("The model does not fit into memory."),
+            {},
+            Text("Close other programs.")};
 }
 
 }  // namespace

@@ -56,11 +56,10 @@ Result<void> heedSpzAxes(std::uint32_t axes, Splats& splats) {
     constexpr std::uint32_t kRightUpBack = 4;
     constexpr std::uint32_t kLast = 16;
     if (axes > kLast) {
-        return Error{
-            ErrorCode::inputNotUsable,
-            fmt::format("The SPZ file names axes (number {}) that this version does not know.", axes),
-            {},
-            "Convert it to one with the axes of the format (right, up, back), or to PLY."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("The SPZ file names axes (number {}) that this version does not know.", axes),
+                     {},
+                     Text("Convert it to one with the axes of the format (right, up, back), or to PLY.")};
     }
     if (axes == kUnspecified || axes == kRightUpBack) return {};
     const std::uint32_t bits = axes - 1;

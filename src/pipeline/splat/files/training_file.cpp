@@ -138,18 +138,19 @@ Result<TrainingState> readTraining(std::istream& stream, std::uint64_t size) {
 Result<TrainingState> readTraining(const fs::path& path) {
     std::error_code error;
     if (!fs::is_regular_file(path, error))
-        return Error{ErrorCode::inputNotUsable, "The model does not exist.", path.string(),
-                     "Check the path."};
+        return Error{ErrorCode::inputNotUsable, Text("The model does not exist."), path.string(),
+                     Text("Check the path.")};
     const std::uint64_t size = fs::file_size(path, error);
     std::ifstream stream(path, std::ios::binary);
     if (error || !stream)
-        return Error{ErrorCode::inputNotUsable, "The model cannot be read.", path.string(),
-                     "Check the path and its permissions."};
+        return Error{ErrorCode::inputNotUsable, Text("The model cannot be read."), path.string(),
+                     Text("Check the path and its permissions.")};
     std::string begin(kChunkFileMagic.size(), '\0');
     stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
     if (!looksLikeTraining(begin))
-        return Error{ErrorCode::inputNotUsable, "The file holds no training that could go on.", path.string(),
-                     "Choose a .macula file, or train anew: PLY and SPZ hold only the model."};
+        return Error{ErrorCode::inputNotUsable, Text("The file holds no training that could go on."),
+                     path.string(),
+                     Text("Choose a .macula file, or train anew: PLY and SPZ hold only the model.")};
     Result<TrainingState> state = readTraining(stream, size);
     if (state.ok()) return state;
     Error named = state.error();

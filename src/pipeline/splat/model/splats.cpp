@@ -30,24 +30,25 @@ bool isGood(const Splats& splats, std::size_t i) {
 Result<void> validateWhole(const Splats& splats) {
     if (splats.shDegree < 0 || splats.shDegree > kMaxShDegree)
         return Error{ErrorCode::inputNotUsable,
-                     fmt::format("The model has spherical harmonics of degree {}; 0 to {} are supported.",
-                                 splats.shDegree, kMaxShDegree),
+                     Text("The model has spherical harmonics of degree {}; 0 to {} are supported.",
+                          splats.shDegree, kMaxShDegree),
                      {},
-                     "Export it with a lower degree."};
+                     Text("Export it with a lower degree.")};
     const std::size_t count = splats.size();
     if (splats.logScale.size() != count || splats.rotation.size() != count ||
         splats.opacityLogit.size() != count || splats.dc.size() != count ||
         splats.sh.size() != count * shCount(splats.shDegree))
-        return Error{ErrorCode::inputNotUsable,
-                     "The model is damaged: it does not have the same number of entries for all properties.",
-                     {},
-                     "Load or train it again."};
+        return Error{
+            ErrorCode::inputNotUsable,
+            Text("The model is damaged: it does not have the same number of entries for all properties."),
+            {},
+            Text("Load or train it again.")};
     const glm::dvec3& o = splats.originMm;
     if (!std::isfinite(o.x) || !std::isfinite(o.y) || !std::isfinite(o.z))
         return Error{ErrorCode::inputNotUsable,
-                     "The model's place in the patient is not a number.",
+                     Text("The model's place in the patient is not a number."),
                      {},
-                     "Load or train it again."};
+                     Text("Load or train it again.")};
     return {};
 }
 
@@ -109,11 +110,10 @@ Result<void> Splats::validate() const {
     std::size_t bad = 0;
     for (std::size_t i = 0; i < size(); ++i) bad += isGood(*this, i) ? 0 : 1;
     if (bad > 0)
-        return Error{
-            ErrorCode::inputNotUsable,
-            fmt::format("{} of the {} splats of the model hold values that are not numbers.", bad, size()),
-            {},
-            "Export or train it again."};
+        return Error{ErrorCode::inputNotUsable,
+                     Text("{} of the {} splats of the model hold values that are not numbers.", bad, size()),
+                     {},
+                     Text("Export or train it again.")};
     return {};
 }
 

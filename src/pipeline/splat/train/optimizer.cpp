@@ -40,13 +40,13 @@ Result<void> check(const OptimizerOptions& o) {
     const auto isBeta = [](double beta) { return beta >= 0.0 && static_cast<float>(beta) < 1.0f; };
     const bool betas = isBeta(o.beta1) && isBeta(o.beta2);
     if (rates && positions && betas && o.epsilon >= 1e-30 && o.epsilon <= 1.0) return {};
-    return Error{.code = ErrorCode::usage,
-                 .message = "The settings of the training make no sense.",
-                 .where = {},
-                 .hint =
-                     "Position rates and decays must be above 0, other rates not below 0, both betas "
+    return Error{
+        .code = ErrorCode::usage,
+        .message = Text("The settings of the training make no sense."),
+        .where = {},
+        .hint = Text("Position rates and decays must be above 0, other rates not below 0, both betas "
                      "from 0 to below 1, "
-                     "and epsilon from 1e-30 to 1."};
+                     "and epsilon from 1e-30 to 1.")};
 }
 
 Result<gpu::Buffer> zeroes(const std::shared_ptr<gpu::Device>& device, const char* label,
@@ -139,9 +139,9 @@ Result<void> Optimizer::upload(const OptimizerState& state) {
     if (state.steps.size() > first_.capacity() || state.first.size() != numbers ||
         state.second.size() != numbers) {
         return Error{.code = ErrorCode::inputNotUsable,
-                     .message = "The state of the training does not fit the model.",
+                     .message = Text("The state of the training does not fit the model."),
                      .where = {},
-                     .hint = "It was saved for another model, or is damaged: train anew."};
+                     .hint = Text("It was saved for another model, or is damaged: train anew.")};
     }
     std::vector<std::uint32_t> steps = state.steps;
     steps.resize(first_.capacity(), 0);

@@ -36,9 +36,9 @@ Result<PicturePyramid> PicturePyramid::upload(const std::shared_ptr<gpu::Device>
     MACULA_TRY_VOID(validate(given.view));
     if (!isUsable(given)) {
         return Error{ErrorCode::inputNotUsable,
-                     "A picture to learn from is empty or not of its view's size.",
+                     Text("A picture to learn from is empty or not of its view's size."),
                      {},
-                     "Make it again."};
+                     Text("Make it again.")};
     }
     const glm::ivec2 size = given.view.sizePx;
     MACULA_TRY(DevicePicture picture,

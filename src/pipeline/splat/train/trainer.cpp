@@ -30,12 +30,12 @@ Result<void> check(const TrainerOptions& o) {
     if (stages && density && o.loss.dssimWeight >= 0.0f && o.loss.dssimWeight <= 1.0f &&
         o.loss.exposure > 0.0f && std::isfinite(o.loss.exposure))
         return {};
-    return Error{
-        ErrorCode::usage,
-        "The settings of the training make no sense.",
-        {},
-        "Pictures are halved 0 to 15 times, the weight of D-SSIM and the shares of splats are 0 to 1, the "
-        "exposure and the steps between density control above 0."};
+    return Error{ErrorCode::usage,
+                 Text("The settings of the training make no sense."),
+                 {},
+                 Text("Pictures are halved 0 to 15 times, the weight of D-SSIM and the shares of splats are "
+                      "0 to 1, the "
+                      "exposure and the steps between density control above 0.")};
 }
 
 }  // namespace
@@ -58,9 +58,9 @@ Result<Trainer> Trainer::create(const std::shared_ptr<gpu::Device>& device, cons
     MACULA_TRY_VOID(model.validate());
     if (model.shDegree > 1) {
         return Error{ErrorCode::usage,
-                     "Models of this degree of colour can be shown, but not trained.",
+                     Text("Models of this degree of colour can be shown, but not trained."),
                      {},
-                     "Reduce the model to degree 1."};
+                     Text("Reduce the model to degree 1.")};
     }
     const auto count = static_cast<std::uint32_t>(model.size());
     const std::uint32_t capacity = std::max({options.capacity, count, 1u});
@@ -250,7 +250,8 @@ Result<void> Trainer::regroupSplats() {
 
 Result<TrainingReport> Trainer::step(std::uint64_t steps, const std::function<bool()>& keepGoing) {
     if (views_.size() == 0)
-        return Error{ErrorCode::usage, "There is no picture to learn from.", {}, "Add views first."};
+        return Error{
+            ErrorCode::usage, Text("There is no picture to learn from."), {}, Text("Add views first.")};
     for (std::uint64_t i = 0; i < steps; ++i) {
         MACULA_TRY_VOID(oneStep());
         if (!(millisecondsSince(keptAt_) < options_.keepEveryMs)) MACULA_TRY_VOID(keep());

@@ -11,11 +11,11 @@ Result<void> TrainingState::validate() const {
     if (trainerVersion != kTrainerVersion)
         return Error{
             ErrorCode::inputNotUsable,
-            fmt::format("The training was begun by version {} of the trainer, and would go on otherwise "
-                        "with version {}.",
-                        trainerVersion, kTrainerVersion),
+            Text("The training was begun by version {} of the trainer, and would go on otherwise "
+                 "with version {}.",
+                 trainerVersion, kTrainerVersion),
             {},
-            "Go on with the Macula it was begun with, or train anew; its model can still be drawn."};
+            Text("Go on with the Macula it was begun with, or train anew; its model can still be drawn.")};
     MACULA_TRY_VOID(splats.validate());
     const std::size_t count = splats.size();
     const std::size_t numbers = count * static_cast<std::size_t>(componentCount(splats.shDegree));
@@ -35,9 +35,9 @@ Result<void> TrainingState::validate() const {
         !std::all_of(statistics.begin(), statistics.end(), isStatistic) ||
         !std::all_of(views.begin(), views.end(), isView))
         return Error{ErrorCode::inputNotUsable,
-                     "The state of the training is damaged: its parts do not belong together.",
+                     Text("The state of the training is damaged: its parts do not belong together."),
                      {},
-                     "Load it again, or train anew."};
+                     Text("Load it again, or train anew.")};
     return {};
 }
 
