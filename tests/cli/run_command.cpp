@@ -9,8 +9,12 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <span>
 #include <sstream>
+#include <string_view>
 #include <thread>
+
+#include "base/phantom.h"
 
 namespace macula::cli {
 
@@ -172,22 +176,53 @@ std::string CommandTest::write(const std::string& name, std::string_view text) c
     return at(name);
 }
 
+namespace {
+
+// `header` names sizes and space; the values are in HU.
+std::string nrrdOf(std::string_view header, std::span<const std::int16_t> hu) {
+    std::string text = fmt::format(
+        "NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\n{}encoding: raw\n"
+        "endian: little\nMaculaValues:=Macula|int16|HU|CT\n\n",
+        header);
+    for (const std::int16_t value : hu)
+        text += {static_cast<char>(value & 0xff), static_cast<char>(value >> 8)};
+    return text;
+}
+
+}  // namespace
+
 std::string CommandTest::writeBall(const std::string& name) const {
     constexpr int kSide = 24;
-    std::string text =
-        "NRRD0004\ntype: int16\ndimension: 3\nspace: left-posterior-superior\nsizes: 24 24 24\n"
-        "space directions: (4,0,0) (0,4,0) (0,0,4)\nspace origin: (-46,-46,-46)\nencoding: raw\n"
-        "endian: little\nMaculaValues:=Macula|int16|HU|CT\n\n";
+    std::vector<std::int16_t> hu;
     for (int i = 0; i < kSide * kSide * kSide; ++i) {
         const auto from = [&](int index) { return 2 * index + 1 - kSide; };
         const int x = from(i % kSide);
         const int y = from(i / kSide % kSide);
         const int z = from(i / kSide / kSide);
         const int squared = x * x + y * y + z * z;
-        const auto hu = static_cast<std::int16_t>(squared < 100 ? 1000 : squared < 400 ? 0 : -1000);
-        text += {static_cast<char>(hu & 0xff), static_cast<char>(hu >> 8)};
+        hu.push_back(static_cast<std::int16_t>(squared < 100 ? 1000 : squared < 400 ? 0 : -1000));
     }
-    return write(name, text);
+    return write(name, nrrdOf("sizes: 24 24 24\nspace directions: (4,0,0) (0,4,0) (0,0,4)\n"
+                              "space origin: (-46,-46,-46)\n",
+                              hu));
+}
+
+std::string CommandTest::writeSmallPhantom(const std::string& name) const {
+    const Volume small = phantom::make({.size = {48, 42, 30}, .spacingMm = {6.4, 6.4, 10.0}});
+    const glm::ivec3 size = small.size();
+    std::vector<std::int16_t> hu;
+    for (int z = 0; z < size.z; ++z) {
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) hu.push_back(static_cast<std::int16_t>(small.value(x, y, z)));
+        }
+    }
+    const auto column = [&](int axis) {
+        const glm::dvec4& of = small.worldFromVoxel()[axis];
+        return fmt::format("({},{},{})", of.x, of.y, of.z);
+    };
+    return write(name, nrrdOf(fmt::format("sizes: {} {} {}\nspace directions: {} {} {}\nspace origin: {}\n",
+                                          size.x, size.y, size.z, column(0), column(1), column(2), column(3)),
+                              hu));
 }
 
 std::size_t CommandTest::fileCount(const std::string& name) const {

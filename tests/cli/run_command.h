@@ -49,6 +49,9 @@ class CommandTest : public ::testing::Test {
     // A volume of 24 voxels a side, a ball of bone in water in air: where any volume does, since this one is
     // read and drawn in no time. Returns its path.
     std::string writeBall(const std::string& name = "ball.nrrd") const;
+    // The phantom in voxels of 6 to 10 mm, where its shape matters and its detail does not: opened in no
+    // time, too.
+    std::string writeSmallPhantom(const std::string& name = "small.nrrd") const;
     std::size_t fileCount(const std::string& name = ".") const;
 
     std::filesystem::path folder_;

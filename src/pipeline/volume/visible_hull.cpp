@@ -100,16 +100,18 @@ class Rows {
     double entryOf(const glm::ivec3& voxel) const {
         return double(map_.entryOf(volume_.stored(voxel.x, voxel.y, voxel.z)));
     }
-    // The extinction per mm, linear between the entries, where that part of the matter is steep.
-    double extinctionOf(double entry, double steep) const {
+    // The extinction per mm, linear between the entries, of matter of which `steepPart()` is steep: that is
+    // asked only where it matters, since it reads six voxels.
+    template <class SteepPart>
+    double extinctionOf(double entry, const SteepPart& steepPart) const {
         if (entry > opaqueFrom_) return 1e9;
         const auto low = static_cast<std::size_t>(entry);
         const double part = entry - double(low);
         const double usual = double(medium_.extinctionPerMm[low]) * (1.0 - part) +
                              double(medium_.extinctionPerMm[low + 1]) * part;
         if (medium_.steep.empty()) return usual;
-        return std::lerp(
-            usual, std::lerp(double(medium_.steep[low].w), double(medium_.steep[low + 1].w), part), steep);
+        const double steep = std::lerp(double(medium_.steep[low].w), double(medium_.steep[low + 1].w), part);
+        return steep == usual ? usual : std::lerp(usual, steep, steepPart());
     }
     double steepPartOf(const glm::ivec3& voxel) const {
         if (medium_.steep.empty()) return 0.0;
@@ -125,7 +127,7 @@ class Rows {
     double secondAt(const glm::dvec3& voxel) const { return second_ ? second_->at(voxel) : 0.0; }
     double extinctionAt(const glm::ivec3& voxel) const {
         const double extinction =
-            extinctionOf(entryOf(voxel), steepPartOf(voxel)) + secondAt(glm::dvec3(voxel));
+            extinctionOf(entryOf(voxel), [&] { return steepPartOf(voxel); }) + secondAt(glm::dvec3(voxel));
         return extinction < leastPerMm_ || isShown(glm::dvec3(voxel)) ? extinction : 0.0;
     }
     // The place of the border between a visible voxel and the one before it, which is not visible or does not
@@ -145,7 +147,8 @@ class Rows {
             glm::dvec3 at(before);
             at[axis] += part * step;
             const double extinction =
-                extinctionOf(from + (to - from) * part, std::lerp(steepFrom, steepTo, part)) + secondAt(at);
+                extinctionOf(from + (to - from) * part, [&] { return std::lerp(steepFrom, steepTo, part); }) +
+                secondAt(at);
             const bool isSeen = extinction >= leastPerMm_ && isShown(at);
             (isSeen ? seen : hidden) = part;
         }
