@@ -479,7 +479,7 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Sta
     } catch (const std::bad_alloc&) {
         return notEnoughMemory(bytes, availableMemory());
     } catch (const std::exception& thrown) {
-        return errorOf(thrown, "load this series");
+        return errorOf(thrown, Text("load this series"));
     }
 }
 

@@ -448,7 +448,7 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     if (scan.imageCount() == 0 && scan.objectCount() == 0) return nothingFound(scan, path, listing);
     return scan;
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "read this folder", path.string());
+    return errorOf(thrown, Text("read this folder"), path.string());
 }
 
 std::string patientsText(const Scan& scan) {

@@ -242,7 +242,7 @@ Result<VolumeFileInfo> readVolumeFileInfo(const fs::path& path) try {
                           .isCalibrated = layout->isCalibrated,
                           .volumes = layout->volumes};
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "read the header of this volume", path.string());
+    return errorOf(thrown, Text("read the header of this volume"), path.string());
 }
 
 Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progress& progress,
@@ -256,7 +256,7 @@ Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progr
     if (!volume) return at(path, volume.error());
     return volume;
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "read this volume", path.string());
+    return errorOf(thrown, Text("read this volume"), path.string());
 }
 
 }  // namespace macula::formats
