@@ -333,8 +333,7 @@ Result<void> Loading::drop(const FrameDecoder& decoder) {
     }
     Error error = decoder.failure().value_or(notUsable(
         Text("The values of these cannot be what the images say."), Text("Export the series again.")));
-    error.message =
-        fmt::format("{} of the {} images cannot be decoded. {}", count - good, count, error.message);
+    error.message = Text("{} of the {} images cannot be decoded. {}", count - good, count, error.message);
     if (good < 2 || 2 * good < count) return error;
     usable_ = withoutFrames(stack_.slices, places_, usable);
     if (usable_.slices.size() < 2) return error;

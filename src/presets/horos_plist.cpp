@@ -85,7 +85,7 @@ Result<void> readOpacityTable(const JsonNode& root, const Window& window, const 
         if (!opacity) {
             return Error{
                 ErrorCode::inputNotUsable,
-                "The preset names the opacity table '" + name + "', which is not in the file.", file.where,
+                Text("The preset names the opacity table '{}', which is not in the file.", name), file.where,
                 Text("Choose a built-in opacity table, or a 16-bit CLUT, and save the preset again.")};
         }
         function.opacity.push_back({window.at(entry), std::min(*opacity, 1.0)});
@@ -123,7 +123,7 @@ void readLight(const JsonNode& root, ImportedPreset& preset) {
                                            [&](const NamedLight& light) { return light.name == name; });
     preset.function.lighting = known == kLights.end() ? kLights.front().light : known->light;
     if (known == kLights.end())
-        preset.notes.push_back("The shading '" + name + "' is not known; the default shading was taken.");
+        preset.notes.push_back(Text("The shading '{}' is not known; the default shading was taken.", name));
 }
 
 }  // namespace
