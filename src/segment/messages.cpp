@@ -39,6 +39,8 @@ Message message(std::string_view key, std::vector<TextArgument> arguments) {
     const auto* const entry = std::find_if(kCatalogue.begin(), kCatalogue.end(),
                                            [&](const CatalogueEntry& e) { return e.key == key; });
     MACULA_CHECK(entry != kCatalogue.end());
+    const auto nothing = [](const TextArgument&, std::string_view) { return std::string(); };
+    MACULA_CHECK(filled(entry->sentence, arguments, nothing).find('{') == std::string::npos);
     return {.severity = entry->severity,
             .key = std::string(key),
             .arguments = arguments,

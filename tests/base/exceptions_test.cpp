@@ -19,7 +19,8 @@ TEST(Exceptions, OnlyLackOfMemoryIsCalledSo) {
 
     const std::system_error threads(std::make_error_code(std::errc::resource_unavailable_try_again));
     EXPECT_EQ(errorOf(threads, Text("read this folder")).code, ErrorCode::outOfMemory);
-    EXPECT_NE(errorOf(threads, Text("read this folder")).message.find("threads"), std::string::npos);
+    EXPECT_NE(errorOf(threads, Text("read this folder")).message.english().find("threads"),
+              std::string::npos);
 
     const std::filesystem::filesystem_error disk("SECRET^NAME", std::make_error_code(std::errc::io_error));
     const Error ofDisk = errorOf(disk, Text("read this folder"));
@@ -28,8 +29,8 @@ TEST(Exceptions, OnlyLackOfMemoryIsCalledSo) {
     for (const auto& thrown : {std::runtime_error("SECRET^NAME"), std::runtime_error("memory")}) {
         const Error error = errorOf(thrown, Text("read this folder"));
         EXPECT_EQ(error.code, ErrorCode::inputNotUsable);
-        EXPECT_EQ(error.message.find("memory"), std::string::npos) << error.message;
-        EXPECT_EQ(error.message.find("SECRET"), std::string::npos) << error.message;
+        EXPECT_EQ(error.message.english().find("memory"), std::string::npos) << error.message;
+        EXPECT_EQ(error.message.english().find("SECRET"), std::string::npos) << error.message;
         EXPECT_FALSE(error.hint.empty());
     }
     EXPECT_EQ(errorOf(std::length_error("vector"), Text("read this folder")).code, ErrorCode::inputNotUsable);

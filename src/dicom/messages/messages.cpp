@@ -427,6 +427,8 @@ Message message(std::string_view key, Severity severity, std::vector<TextArgumen
     const auto entry = std::find_if(kCatalogue.begin(), kCatalogue.end(),
                                     [&](const CatalogueEntry& e) { return e.key == key; });
     MACULA_CHECK(entry != kCatalogue.end());
+    const auto nothing = [](const TextArgument&, std::string_view) { return std::string(); };
+    MACULA_CHECK(filled(entry->sentence, arguments, nothing).find('{') == std::string::npos);
     return {.severity = severity,
             .key = std::string(key),
             .arguments = arguments,
