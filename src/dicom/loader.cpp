@@ -182,7 +182,7 @@ class Loading {
 
     SliceSamples samples_;  // of the frames
     UsableSlices usable_;
-    std::vector<std::string> assumptions_;
+    std::vector<Text> assumptions_;
     std::vector<Message> messages_;
 };
 

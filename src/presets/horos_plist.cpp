@@ -148,7 +148,7 @@ Result<ImportedPresets> presetsFromHorosPlist(const PresetText& file, const Find
         window.level = root["wl"].number(kValue);
         window.width = root["ww"].number({1e-6, kLargestValue});
         if (std::max(-window.at(0), window.at(kTable - 1)) > kLargestValue)
-            root["ww"].fail("a window within -1e9 to 1e9");
+            root["ww"].fail(Text("a window within -1e9 to 1e9"));
     }
     MACULA_TRY_VOID(document.status());
     if (!advanced) {
