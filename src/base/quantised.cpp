@@ -93,7 +93,7 @@ Loss quantise(const Volume& volume, const ValueRange& range, const UnitsFromStor
 }
 
 std::vector<Text> sentencesOf(const Loss& loss, const ValueRange& range, const std::string& unitName) {
-    const std::string unit = unitName.empty() ? "" : " " + unitName;
+    const Text unit = unitName.empty() ? Text() : Text(" {}", unitText(unitName));
     std::vector<Text> sentences;
     if (loss.largestError > 0.0)
         sentences.push_back(Text("The 3D picture has values of 16 bits, with an error of at most {:.3g}{}.",

@@ -83,6 +83,12 @@ std::string_view unitSymbol(Unit unit) {
     return {};
 }
 
+Text unitText(std::string_view name) {
+    if (name == "another unit") return Text("another unit");
+    if (name == "× reference dose") return Text("× reference dose");
+    return Text::verbatim(name);
+}
+
 Result<Volume> Volume::create(VolumeOptions options, std::vector<std::uint16_t> voxels) {
     MACULA_TRY_VOID(checkOptions(options, voxels.size()));
     return Volume(std::move(options), std::move(voxels));

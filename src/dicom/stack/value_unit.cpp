@@ -143,9 +143,7 @@ ValueUnit valueUnit(std::string_view modality, std::span<const Frame> frames) {
 }
 
 Text unitText(const ValueUnit& unit) {
-    if (unit.name == "another unit") return Text("another unit");
-    if (unit.name == "× reference dose") return Text("× reference dose");
-    return Text::verbatim(unit.name.empty() ? unitSymbol(unit.unit) : unit.name);
+    return macula::unitText(unit.name.empty() ? unitSymbol(unit.unit) : unit.name);
 }
 
 }  // namespace macula::dicom
