@@ -380,7 +380,7 @@ TEST_F(NoFalseAlarm, OfRealSeries) {
             ASSERT_NE(volume, nullptr);
             for (const std::string_view key : kAllKeys) {
                 const Message* told = messageOf(*volume, key);
-                EXPECT_EQ(told, nullptr) << (told ? told->sentence : std::string());
+                EXPECT_EQ(told, nullptr) << (told ? told->sentence : Text());
             }
         }
     }
