@@ -10,7 +10,7 @@
 namespace macula::presets {
 
 inline Result<std::string> noTables(const std::string& name) {
-    return Error{ErrorCode::inputNotUsable, "There is no table " + name + ".", {}, Text("Give one.")};
+    return Error{ErrorCode::inputNotUsable, Text("There is no table {}.", name), {}, Text("Give one.")};
 }
 
 inline Result<ImportedPresets> readText(std::string_view text, const std::string& name = "file") {

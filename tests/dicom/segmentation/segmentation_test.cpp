@@ -210,9 +210,9 @@ TEST_F(SegmentationTest, OverlapsAndVoxelsOutsideAreCounted) {
     EXPECT_EQ(labelsOf(*map), (Labels{1, 2, 2, 0, 0, 0, 0, 0, 0, 0}));
     ASSERT_EQ(map->messages().size(), 2u);
     EXPECT_EQ(map->messages()[0].key, key::kSegmentsOverlap);
-    EXPECT_EQ(map->messages()[0].arguments.at(0).value, MessageValue(std::int64_t{2}));
+    EXPECT_EQ(map->messages()[0].arguments.at(0).value, decltype(TextArgument::value)(std::int64_t{2}));
     EXPECT_EQ(map->messages()[1].key, key::kSegmentsOutside);
-    EXPECT_EQ(map->messages()[1].arguments.at(0).value, MessageValue(std::int64_t{1}));
+    EXPECT_EQ(map->messages()[1].arguments.at(0).value, decltype(TextArgument::value)(std::int64_t{1}));
 }
 
 TEST_F(SegmentationTest, FractionalIsFromHalfOn) {
