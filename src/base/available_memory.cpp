@@ -1,7 +1,5 @@
 #include "base/available_memory.h"
 
-#include <fmt/format.h>
-
 #include "base/process_limits.h"
 
 namespace macula {
@@ -12,11 +10,11 @@ std::optional<std::uint64_t> availableMemory() {
 
 Error notEnoughMemory(std::uint64_t bytesNeeded, std::optional<std::uint64_t> bytesAvailable) {
     const auto gibibytes = [](std::uint64_t bytes) {
-        return fmt::format("{:.1f} GiB", static_cast<double>(bytes) / static_cast<double>(1u << 30));
+        return Text("{:.1f} GiB", static_cast<double>(bytes) / static_cast<double>(1u << 30));
     };
     return {ErrorCode::outOfMemory,
             Text("There is not enough memory for this series: it needs {}{}.", gibibytes(bytesNeeded),
-                 bytesAvailable ? fmt::format(", and {} are free", gibibytes(*bytesAvailable)) : ""),
+                 bytesAvailable ? Text(", and {} are free", gibibytes(*bytesAvailable)) : Text()),
             {},
             Text("Close other programs, or choose a smaller series.")};
 }

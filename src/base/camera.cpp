@@ -61,26 +61,26 @@ double tangentOfHalf(double verticalFovDeg) {
 }  // namespace
 
 Result<CameraBasis> basis(const Camera& camera) {
-    const auto fail = [](const char* message) {
-        return Error{ErrorCode::usage, message, {}, Text("Correct the camera.")};
+    const auto fail = [](Text message) {
+        return Error{ErrorCode::usage, std::move(message), {}, Text("Correct the camera.")};
     };
     if (!isFinite(camera.positionMm) || !isFinite(camera.targetMm) || !isFinite(camera.up)) {
-        return fail("The camera has a number that is not finite.");
+        return fail(Text("The camera has a number that is not finite."));
     }
     if (!(camera.verticalFovDeg >= kMinFovDeg && camera.verticalFovDeg <= kMaxFovDeg)) {
-        return fail("The camera's vertical field of view must lie between 0.1 and 170 degrees.");
+        return fail(Text("The camera's vertical field of view must lie between 0.1 and 170 degrees."));
     }
     if (camera.parallelHeightMm != 0.0 &&
         !(camera.parallelHeightMm >= kLeastParallelMm && camera.parallelHeightMm <= kMostParallelMm)) {
-        return fail("The height of a parallel picture must lie between 0.001 mm and 1 km.");
+        return fail(Text("The height of a parallel picture must lie between 0.001 mm and 1 km."));
     }
     const glm::dvec3 view = camera.targetMm - camera.positionMm;
     const double distance = glm::length(view);
-    if (!(distance > 0.0)) return fail("The camera's position and target are the same point.");
+    if (!(distance > 0.0)) return fail(Text("The camera's position and target are the same point."));
     const glm::dvec3 forward = view / distance;
     const glm::dvec3 side = glm::cross(forward, camera.up);
     const double sine = glm::length(side) / std::max(glm::length(camera.up), 1e-300);
-    if (!(sine > 1e-6)) return fail("The camera's up direction is parallel to its view.");
+    if (!(sine > 1e-6)) return fail(Text("The camera's up direction is parallel to its view."));
     const glm::dvec3 right = glm::normalize(side);
     return CameraBasis{right, glm::cross(right, forward), forward};
 }

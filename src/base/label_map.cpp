@@ -9,14 +9,15 @@ namespace macula {
 Result<LabelMap> LabelMap::create(glm::ivec3 size, const glm::dmat4& worldFromVoxel,
                                   std::vector<Segment> segments, std::vector<std::uint16_t> labels,
                                   std::vector<Message> messages) {
-    const auto fail = [](std::string message) {
+    const auto fail = [](Text message) {
         return Error{ErrorCode::inputNotUsable, std::move(message), {}, Text("Choose another segmentation.")};
     };
-    if (size.x < 1 || size.y < 1 || size.z < 1) return fail("The segmentation has no voxels.");
+    if (size.x < 1 || size.y < 1 || size.z < 1) return fail(Text("The segmentation has no voxels."));
     const auto slice = std::uint64_t(size.x) * std::uint64_t(size.y);  // of three, the product might not fit
     if (labels.size() / slice != std::uint64_t(size.z) || labels.size() % slice != 0)
-        return fail("The segmentation has not as many voxels as its size says.");
-    if (!isInvertibleAffine(worldFromVoxel)) return fail("The segmentation does not say where it lies.");
+        return fail(Text("The segmentation has not as many voxels as its size says."));
+    if (!isInvertibleAffine(worldFromVoxel))
+        return fail(Text("The segmentation does not say where it lies."));
     LabelMap map;
     map.size_ = size;
     map.worldFromVoxel_ = worldFromVoxel;

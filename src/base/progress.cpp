@@ -11,7 +11,7 @@ constexpr std::chrono::milliseconds kReportInterval{100};
 Progress::Progress(Listener listener, CancelToken token)
     : listener_(std::move(listener)), token_(std::move(token)) {}
 
-void Progress::beginStage(std::string stage, std::size_t steps) {
+void Progress::beginStage(Text stage, std::size_t steps) {
     const std::lock_guard lock(mutex_);
     stage_ = std::move(stage);
     total_ = std::max<std::size_t>(steps, 1);

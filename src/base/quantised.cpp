@@ -92,9 +92,9 @@ Loss quantise(const Volume& volume, const ValueRange& range, const UnitsFromStor
     return loss;
 }
 
-std::vector<std::string> sentencesOf(const Loss& loss, const ValueRange& range, const std::string& unitName) {
-    const std::string unit = unitName.empty() ? "" : " " + unitName;
-    std::vector<std::string> sentences;
+std::vector<Text> sentencesOf(const Loss& loss, const ValueRange& range, const std::string& unitName) {
+    const Text unit = unitName.empty() ? Text() : Text(" {}", unitText(unitName));
+    std::vector<Text> sentences;
     if (loss.largestError > 0.0)
         sentences.push_back(Text("The 3D picture has values of 16 bits, with an error of at most {:.3g}{}.",
                                  loss.largestError, unit));
@@ -142,7 +142,7 @@ Quantised quantised(std::shared_ptr<const Volume> volume) {
                           .unitName = volume->unitName(),
                           .windows = volume->windows(),
                           .bodyPart = volume->bodyPart()};
-    for (std::string& sentence : sentencesOf(loss, range, options.unitName))
+    for (Text& sentence : sentencesOf(loss, range, options.unitName))
         options.provenance.assumptions.push_back(std::move(sentence));
     auto made = Volume::create(std::move(options), std::move(stored));
     return {.volume = std::make_shared<const Volume>(std::move(made).value()),

@@ -43,25 +43,25 @@ std::pair<T, T> rangeWithoutPadding(std::span<const T> voxels, const IsPadding& 
 }
 
 Result<void> checkOptions(const VolumeOptions& options, std::size_t voxels) {
-    const auto fail = [](std::string message) {
+    const auto fail = [](Text message) {
         return Error{ErrorCode::inputNotUsable, std::move(message), {}, Text("Choose another series.")};
     };
     const glm::ivec3 size = options.size;
     if (size.x < 1 || size.y < 1 || size.z < 1 || size.x > kMaxVoxelsPerAxis || size.y > kMaxVoxelsPerAxis ||
         size.z > kMaxVoxelsPerAxis) {
-        return fail(fmt::format("A volume of {} x {} x {} voxels cannot be shown.", size.x, size.y, size.z));
+        return fail(Text("A volume of {} x {} x {} voxels cannot be shown.", size.x, size.y, size.z));
     }
     const std::size_t expected = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
     if (voxels != expected) {
-        return fail(fmt::format("The volume should have {} voxels, and has {}.", expected, voxels));
+        return fail(Text("The volume should have {} voxels, and has {}.", expected, voxels));
     }
     if (!isInvertibleAffine(options.worldFromVoxel)) {
         return fail(
-            "The position of the voxels in the patient is not usable: the axes do not span a volume.");
+            Text("The position of the voxels in the patient is not usable: the axes do not span a volume."));
     }
     const auto [slope, intercept] = options.unitsFromStored;
     if (!(std::isfinite(slope) && slope > 0.0 && std::isfinite(intercept))) {
-        return fail("The map from stored values to units is not usable.");
+        return fail(Text("The map from stored values to units is not usable."));
     }
     return {};
 }
@@ -81,6 +81,12 @@ std::string_view unitSymbol(Unit unit) {
             break;
     }
     return {};
+}
+
+Text unitText(std::string_view name) {
+    if (name == "another unit") return Text("another unit");
+    if (name == "× reference dose") return Text("× reference dose");
+    return Text::verbatim(name);
 }
 
 Result<Volume> Volume::create(VolumeOptions options, std::vector<std::uint16_t> voxels) {

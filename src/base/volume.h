@@ -25,6 +25,8 @@ enum class Unit {
 
 // The symbol of a unit, for a person: "HU"; empty for raw and other.
 std::string_view unitSymbol(Unit unit);
+// The name of a unit for a sentence: most are signs, and some of ours are words, which can be translated.
+Text unitText(std::string_view name);
 
 // How the voxels are stored.
 enum class VoxelFormat {

@@ -1,7 +1,5 @@
 #include "dicom/best_volume.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <tuple>
 
@@ -46,30 +44,39 @@ struct Candidates {
         }
     }
 
-    ChosenStack choose(const std::string& place) {
+    // `place` is said behind what there is: empty, or with a blank before it.
+    ChosenStack choose(const Text& place) {
         if (best) {
-            const Stack& stack = *best.stack;
-            best.why = volumes == 1
-                           ? fmt::format("The only volume{}.", place)
-                           : fmt::format("Of {} volumes{} the {}{}one {}with the most voxels ({} x {} x {}).",
-                                         volumes, place, std::get<0>(rankOf(stack)) ? "original " : "",
-                                         std::get<1>(rankOf(stack)) ? "axial " : "",
-                                         stack.isEven() ? "without interpolated slices and " : "",
-                                         stack.columns, stack.rows, stack.slices.size());
+            best.why = volumes == 1 ? Text("The only volume{}.", place) : whyBest(place);
             if (const std::size_t others = best.series->stacks.size() - 1; others > 0) {
-                best.why += fmt::format(" Its series has {} other stack{} of images.", others,
-                                        others == 1 ? "" : "s");
+                best.why =
+                    Text::joined({std::move(best.why),
+                                  others == 1 ? Text("Its series has {} other stack of images.", others)
+                                              : Text("Its series has {} other stacks of images.", others)},
+                                 " ");
             }
         } else if (blocked != nullptr) {
             const Message* reason = blocked->whyNoVolume();
-            const std::string which = stacks == 1 ? std::string("The only stack of images")
-                                                  : fmt::format("The largest of {} stacks of images", stacks);
-            best.why = fmt::format("Nothing{} can be shown in 3D. {}: {}", place, which,
-                                   reason != nullptr ? reason->sentence : "it is no volume.");
+            best.why = Text("Nothing{} can be shown in 3D. {}: {}", place,
+                            stacks == 1 ? Text("The only stack of images")
+                                        : Text("The largest of {} stacks of images", stacks),
+                            reason != nullptr ? reason->sentence : Text("it is no volume."));
         } else {
-            best.why = fmt::format("There are no images{}.", place);
+            best.why = Text("There are no images{}.", place);
         }
         return std::move(best);
+    }
+
+    Text whyBest(const Text& place) const {
+        const Stack& stack = *best.stack;
+        const bool isOriginal = std::get<0>(rankOf(stack));
+        const bool isAxialToo = std::get<1>(rankOf(stack));
+        return Text("Of {} volumes{} the {}one {}with the most voxels ({} x {} x {}).", volumes, place,
+                    isAxialToo   ? Text("original axial ")
+                    : isOriginal ? Text("original ")
+                                 : Text(),
+                    stack.isEven() ? Text("without interpolated slices and ") : Text(), stack.columns,
+                    stack.rows, stack.slices.size());
     }
 };
 
@@ -84,17 +91,18 @@ ChosenStack bestVolume(const Scan& scan, std::span<const Stack* const> without) 
         // The question whether to join is the reason to tell, not that each series has only one image.
         for (const Message& message : scan.messages) {
             if (message.key == key::kUidPerSlice)
-                return {.series = nullptr, .stack = nullptr, .why = message.sentence + " " + message.action};
+                return {.series = nullptr,
+                        .stack = nullptr,
+                        .why = Text::joined({message.sentence, message.action}, " ")};
         }
     }
-    return candidates.choose(scan.patients > 1 ? fmt::format(" of {} in this folder", patientsText(scan))
-                                               : std::string());
+    return candidates.choose(scan.patients > 1 ? Text(" of {} in this folder", patientsText(scan)) : Text());
 }
 
 ChosenStack bestVolume(const Series& series) {
     Candidates candidates;
     candidates.add(series);
-    return candidates.choose(" in this series");
+    return candidates.choose(Text(" in this series"));
 }
 
 }  // namespace macula::dicom

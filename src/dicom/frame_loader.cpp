@@ -80,7 +80,7 @@ Result<LoadedFrame> loadFrame(const Stack& stack, std::size_t frame, const Cance
     try {
         return decode(stack, frame, cancel);
     } catch (const std::exception& thrown) {
-        return errorOf(thrown, "decode the image");
+        return errorOf(thrown, Text("decode the image"));
     }
 }
 

@@ -182,7 +182,7 @@ class Loading {
 
     SliceSamples samples_;  // of the frames
     UsableSlices usable_;
-    std::vector<std::string> assumptions_;
+    std::vector<Text> assumptions_;
     std::vector<Message> messages_;
 };
 
@@ -333,8 +333,7 @@ Result<void> Loading::drop(const FrameDecoder& decoder) {
     }
     Error error = decoder.failure().value_or(notUsable(
         Text("The values of these cannot be what the images say."), Text("Export the series again.")));
-    error.message =
-        fmt::format("{} of the {} images cannot be decoded. {}", count - good, count, error.message);
+    error.message = Text("{} of the {} images cannot be decoded. {}", count - good, count, error.message);
     if (good < 2 || 2 * good < count) return error;
     usable_ = withoutFrames(stack_.slices, places_, usable);
     if (usable_.slices.size() < 2) return error;
@@ -479,7 +478,7 @@ Result<std::shared_ptr<const Volume>> loadVolume(const Series& series, const Sta
     } catch (const std::bad_alloc&) {
         return notEnoughMemory(bytes, availableMemory());
     } catch (const std::exception& thrown) {
-        return errorOf(thrown, "load this series");
+        return errorOf(thrown, Text("load this series"));
     }
 }
 

@@ -223,17 +223,17 @@ void reportFiles(SeriesInProgress& place, std::size_t copies, std::size_t repeat
     // Every series of a scan that did not see everything may miss slices, and nothing in it would show that.
     if (unreadableFolders > 0) tell(series, message(key::kUnreadableFolder, {count(unreadableFolders)}));
     if (place.frames.empty()) {
-        std::set<std::string> kinds;
+        std::map<std::string, Text> kinds;
         std::size_t presentations = 0;
         for (const OtherObject& object : series.objects) {
             if (object.presentation) {
                 ++presentations;
             } else {
-                kinds.insert(object.kind);
+                kinds.try_emplace(object.kind.english(), object.kind);
             }
         }
         if (presentations > 0) tell(series, message(key::kPresentationState, {count(presentations)}));
-        for (const std::string& kind : kinds)
+        for (const auto& [english, kind] : kinds)
             tell(series, message(key::kUnsupportedSopClass, {{"kind", kind}}));
     }
     reportConcatenations(place);
@@ -408,7 +408,7 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     MACULA_TRY(const FolderListing listing,
                listFiles(isDirectory ? fs::absolute(path).parent_path() : path, progress));
     const std::vector<fs::path>& files = listing.files;
-    progress.beginStage(files.size() == 1 ? "Reading 1 file" : fmt::format("Reading {} files", files.size()),
+    progress.beginStage(files.size() == 1 ? Text("Reading 1 file") : Text("Reading {} files", files.size()),
                         files.size());
     std::vector<Examination> found(files.size());
     std::atomic<bool> noMemory{false};
@@ -448,12 +448,13 @@ Result<Scan> scanFolder(const fs::path& path, Progress& progress, const ScanOpti
     if (scan.imageCount() == 0 && scan.objectCount() == 0) return nothingFound(scan, path, listing);
     return scan;
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "read this folder", path.string());
+    return errorOf(thrown, Text("read this folder"), path.string());
 }
 
-std::string patientsText(const Scan& scan) {
-    if (scan.patients == 1) return "1 patient";
-    return fmt::format("{}{} patients", scan.namelessPatients > 1 ? "up to " : "", scan.patients);
+Text patientsText(const Scan& scan) {
+    if (scan.patients == 1) return Text("1 patient");
+    return scan.namelessPatients > 1 ? Text("up to {} patients", scan.patients)
+                                     : Text("{} patients", scan.patients);
 }
 
 bool mayBeOnePatient(const Scan& scan, int patient, int other) {

@@ -75,7 +75,7 @@ Result<Scan> scanFolder(const std::filesystem::path& path, Progress& progress,
                         const ScanOptions& options = {});
 
 // "2 patients"; "up to 2 patients" when two studies name no patient, and may be of one.
-std::string patientsText(const Scan& scan);
+Text patientsText(const Scan& scan);
 
 // Whether the two patients (Study::patient) may be one, so that a series UID may be of both: they are the
 // same, or both are studies that name no patient.

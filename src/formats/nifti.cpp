@@ -294,8 +294,7 @@ double unitMm(const Header& header) {
     return units == NIFTI_UNITS_METER ? 1000.0 : units == NIFTI_UNITS_MICRON ? 0.001 : 1.0;
 }
 
-glm::dmat4 rasFromVoxelOf(const Header& header, const glm::ivec3& size,
-                          std::vector<std::string>& assumptions) {
+glm::dmat4 rasFromVoxelOf(const Header& header, const glm::ivec3& size, std::vector<Text>& assumptions) {
     const bool hasSform = header.sform_code > 0;
     const bool hasQform = header.qform_code > 0;
     if (hasSform) {

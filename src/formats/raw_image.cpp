@@ -302,13 +302,13 @@ std::uint64_t RawImageLayout::bytes() const {
 
 Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume) {
     if (volume < 1 || volume > layout.volumes) {
-        return Error{
-            ErrorCode::usage,
-            layout.volumes == 1
-                ? std::string("The file is one volume; there is nothing to choose from.")
-                : fmt::format("The file holds {} volumes, one for each point in time.", layout.volumes),
-            {},
-            layout.volumes == 1 ? "Leave --series and --volume out." : "Choose one of them with --volume."};
+        return Error{ErrorCode::usage,
+                     layout.volumes == 1
+                         ? Text("The file is one volume; there is nothing to choose from.")
+                         : Text("The file holds {} volumes, one for each point in time.", layout.volumes),
+                     {},
+                     layout.volumes == 1 ? Text("Leave --series and --volume out.")
+                                         : Text("Choose one of them with --volume.")};
     }
     if (layout.volumes > 1) {
         layout.assumptions.push_back(

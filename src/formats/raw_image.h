@@ -42,7 +42,7 @@ Result<void> chooseVolume(RawImageLayout& layout, std::size_t volume);
 
 // The note in files by Macula: "Macula|int16|HU|CT", followed by "|uncalibrated" if the image is not
 // calibrated; at most 79 characters. Empty for a calibrated image without a unit.
-Text valueNote(const RawImageLayout& layout);
+std::string valueNote(const RawImageLayout& layout);
 inline constexpr std::string_view kValueNoteField = "MaculaValues";  // its field in NRRD and MetaImage
 // Sets unit and modality, and whether lengths are estimates. Ignores the unit if type or scaling differ from
 // the note, because another program has then changed the values.

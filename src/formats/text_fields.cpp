@@ -24,10 +24,10 @@ Error headerDamaged() {
                            Text("Get the file again from where it came."));
 }
 
-std::string lpsAssumed() {
-    return "The file does not say how the image lies in the patient: its axes were taken to lead to the "
-           "patient's "
-           "left, back and head. Left and right may be exchanged.";
+Text lpsAssumed() {
+    return Text(
+        "The file does not say how the image lies in the patient: its axes were taken to lead to the "
+        "patient's left, back and head. Left and right may be exchanged.");
 }
 
 std::string lowerCase(std::string text) {

@@ -16,7 +16,7 @@ namespace macula::formats {
 Error headerNotUsable(Text message, Text hint = Text("Convert it with the program it comes from."));
 Error headerDamaged();
 // The assumption for a file without an orientation.
-std::string lpsAssumed();
+Text lpsAssumed();
 
 std::string lowerCase(std::string text);
 std::vector<std::string> words(const std::string& text);

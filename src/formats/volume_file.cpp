@@ -47,7 +47,7 @@ const Ending* endingOf(const fs::path& path) {
 Result<Ending> knownEndingOf(const fs::path& path) {
     if (const Ending* ending = endingOf(path)) return *ending;
     return Error{ErrorCode::usage, Text("The ending of the name is that of no volume file."), path.string(),
-                 "Known are " + volumeFileEndings() + "."};
+                 Text("Known are {}.", volumeFileEndings())};
 }
 
 // The name without its ending, as the name of the values: programs that read NRRD and MetaImage take a
@@ -65,11 +65,11 @@ Result<Ending> writtenEndingOf(const fs::path& path) {
     MACULA_TRY(const Ending ending, knownEndingOf(path));
     if (ending.isWritten) return ending;
     return Error{ErrorCode::usage, Text("Volumes are not written to files with the ending {}.", ending.text),
-                 path.string(), "Known are " + volumeFileEndings() + "."};
+                 path.string(), Text("Known are {}.", volumeFileEndings())};
 }
 
 Error cannotWrite(const fs::path& path, Text reason) {
-    return {ErrorCode::outputNotWritable, Text("The file could not be put in place: {}.", reason),
+    return {ErrorCode::outputNotWritable, Text("The file could not be put in place: {}.", std::move(reason)),
             path.string(), Text("Check free space and permissions.")};
 }
 
@@ -134,7 +134,7 @@ Result<void> putAllInPlace(const std::vector<fs::path>& files, const fs::path& d
     const fs::path before = workshop / "before";
     const bool replaces = fs::is_regular_file(header, notThere);
     if (replaces) fs::rename(header, before, error);
-    if (error) return cannotWrite(header, error.message());
+    if (error) return cannotWrite(header, Text::verbatim(error.message()));
     const fs::path& values = files.back();
     if (const auto placed = putInPlace(workshop / values.filename(), values); !placed) {
         if (replaces) fs::rename(before, header, error);
@@ -180,12 +180,12 @@ Result<void> writeImage(const Grid& grid, std::size_t voxels, const fs::path& pa
 }
 
 // A sentence for Provenance::assumptions.
-std::string whatIsKnownOfUnit(Unit unit) {
+Text whatIsKnownOfUnit(Unit unit) {
     if (unit == Unit::raw)
-        return "The file does not name the unit of its values: none was assumed. Presets for Hounsfield "
-               "units "
-               "do not fit.";
-    return fmt::format(
+        return Text(
+            "The file does not name the unit of its values: none was assumed. Presets for Hounsfield units "
+            "do not fit.");
+    return Text(
         "Macula wrote this file, with values in {}; a program that changed them since need "
         "not have said so.",
         unitSymbol(unit));
@@ -242,7 +242,7 @@ Result<VolumeFileInfo> readVolumeFileInfo(const fs::path& path) try {
                           .isCalibrated = layout->isCalibrated,
                           .volumes = layout->volumes};
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "read the header of this volume", path.string());
+    return errorOf(thrown, Text("read the header of this volume"), path.string());
 }
 
 Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progress& progress,
@@ -256,7 +256,7 @@ Result<std::shared_ptr<const Volume>> readVolumeFile(const fs::path& path, Progr
     if (!volume) return at(path, volume.error());
     return volume;
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "read this volume", path.string());
+    return errorOf(thrown, Text("read this volume"), path.string());
 }
 
 }  // namespace macula::formats

@@ -10,8 +10,8 @@ namespace macula::image {
 
 namespace {
 
-Error notForEachPixel(const char* what) {
-    return {ErrorCode::usage, what, {}, Text("Give one number for each pixel of the pictures.")};
+Error notForEachPixel(Text what) {
+    return {ErrorCode::usage, std::move(what), {}, Text("Give one number for each pixel of the pictures.")};
 }
 
 std::size_t pixelsOf(const Image& image) {
@@ -19,9 +19,10 @@ std::size_t pixelsOf(const Image& image) {
 }
 
 Result<Plane> planeOf(std::span<const float> weights, const Image& like) {
-    if (weights.size() != pixelsOf(like)) return notForEachPixel("The weights do not fit the pictures.");
+    if (weights.size() != pixelsOf(like))
+        return notForEachPixel(Text("The weights do not fit the pictures."));
     if (std::any_of(weights.begin(), weights.end(), [](float w) { return !std::isfinite(w); }))
-        return notForEachPixel("A weight is no number.");
+        return notForEachPixel(Text("A weight is no number."));
     Plane plane(like.width, like.height);
     std::transform(weights.begin(), weights.end(), plane.values.begin(),
                    [](float w) { return std::clamp(double(w), 0.0, 1.0); });
@@ -88,7 +89,7 @@ Result<std::optional<SeamVisibility>> seamVisibility(const Image& reference, con
 
 Result<std::optional<double>> flicker(const Image& warpedBefore, const Image& frame, const Mask& known) {
     MACULA_TRY_VOID(comparable(warpedBefore, frame));
-    if (known.size() != pixelsOf(frame)) return notForEachPixel("The mask does not fit the pictures.");
+    if (known.size() != pixelsOf(frame)) return notForEachPixel(Text("The mask does not fit the pictures."));
     const Plane before = luminanceOf(warpedBefore);
     const Plane now = luminanceOf(frame);
     double sum = 0.0;

@@ -111,12 +111,13 @@ std::optional<double> coverageError(std::span<const float> reference, std::span<
 }
 
 Result<std::optional<double>> meanOf(std::span<const float> perPixel, const Mask& mask) {
-    const auto fault = [](const char* what) {
-        return Error{ErrorCode::usage, what, {}, Text("Give a number for each pixel of the mask.")};
+    const auto fault = [](Text what) {
+        return Error{
+            ErrorCode::usage, std::move(what), {}, Text("Give a number for each pixel of the mask.")};
     };
-    if (perPixel.size() != mask.size()) return fault("Values and mask are not of one size.");
+    if (perPixel.size() != mask.size()) return fault(Text("Values and mask are not of one size."));
     if (std::any_of(perPixel.begin(), perPixel.end(), [](float v) { return !std::isfinite(v); }))
-        return fault("A value to average is no number.");
+        return fault(Text("A value to average is no number."));
     const std::size_t count = countOf(mask);
     if (count == 0) return std::optional<double>();
     double sum = 0.0;

@@ -70,7 +70,7 @@ Result<std::unique_ptr<OIIO::ImageInput>> open(const fs::path& path, OIIO::Image
     auto input = OIIO::ImageInput::create(format);
     if (!input) {
         OIIO::geterror();  // takes the pending message, which is printed at exit otherwise
-        return notUsable(path, "This build cannot read " + format + " pictures.",
+        return notUsable(path, Text("This build cannot read {} pictures.", format),
                          Text("Give a picture of another format."));
     }
     OIIO::ImageSpec config;

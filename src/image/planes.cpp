@@ -30,16 +30,19 @@ void filterLine(const double* in, double* out, int count, std::ptrdiff_t stride,
 }
 
 Result<void> checkOne(const Image& image) {
-    const auto fault = [](const char* what) {
-        return Error{ErrorCode::usage, what, {}, Text("Compare two pictures of one size, made for display.")};
+    const auto fault = [](Text what) {
+        return Error{ErrorCode::usage,
+                     std::move(what),
+                     {},
+                     Text("Compare two pictures of one size, made for display.")};
     };
     if (image.width < 1 || image.height < 1 || image.channels < 1)
-        return fault("A picture to compare is empty.");
+        return fault(Text("A picture to compare is empty."));
     if (image.encoding != Encoding::display)
-        return fault("A picture to compare holds linear light, not display values.");
+        return fault(Text("A picture to compare holds linear light, not display values."));
     const bool finite =
         std::all_of(image.pixels.begin(), image.pixels.end(), [](float v) { return std::isfinite(v); });
-    if (!finite) return fault("A picture to compare has values that are no numbers.");
+    if (!finite) return fault(Text("A picture to compare has values that are no numbers."));
     return {};
 }
 

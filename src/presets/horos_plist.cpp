@@ -85,7 +85,7 @@ Result<void> readOpacityTable(const JsonNode& root, const Window& window, const 
         if (!opacity) {
             return Error{
                 ErrorCode::inputNotUsable,
-                "The preset names the opacity table '" + name + "', which is not in the file.", file.where,
+                Text("The preset names the opacity table '{}', which is not in the file.", name), file.where,
                 Text("Choose a built-in opacity table, or a 16-bit CLUT, and save the preset again.")};
         }
         function.opacity.push_back({window.at(entry), std::min(*opacity, 1.0)});
@@ -123,7 +123,7 @@ void readLight(const JsonNode& root, ImportedPreset& preset) {
                                            [&](const NamedLight& light) { return light.name == name; });
     preset.function.lighting = known == kLights.end() ? kLights.front().light : known->light;
     if (known == kLights.end())
-        preset.notes.push_back("The shading '" + name + "' is not known; the default shading was taken.");
+        preset.notes.push_back(Text("The shading '{}' is not known; the default shading was taken.", name));
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ Result<ImportedPresets> presetsFromHorosPlist(const PresetText& file, const Find
         window.level = root["wl"].number(kValue);
         window.width = root["ww"].number({1e-6, kLargestValue});
         if (std::max(-window.at(0), window.at(kTable - 1)) > kLargestValue)
-            root["ww"].fail("a window within -1e9 to 1e9");
+            root["ww"].fail(Text("a window within -1e9 to 1e9"));
     }
     MACULA_TRY_VOID(document.status());
     if (!advanced) {

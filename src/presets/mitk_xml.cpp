@@ -1,7 +1,5 @@
 #include "presets/mitk_xml.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 
 #include "base/parsing.h"

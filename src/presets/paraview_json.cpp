@@ -35,7 +35,7 @@ std::vector<double> groups(const JsonNode& list, std::size_t perPoint) {
     std::vector<double> numbers;
     const std::vector<JsonNode> items = list.items(perPoint, perPoint * kMostPoints);
     if (items.size() % perPoint != 0) {
-        list.fail(fmt::format("groups of {} numbers", perPoint));
+        list.fail(Text("groups of {} numbers", perPoint));
         return numbers;
     }
     numbers.reserve(items.size());
@@ -75,7 +75,7 @@ ColourSpace spaceOf(const JsonNode& map) {
     const auto* const known =
         std::find_if(kSpaces.begin(), kSpaces.end(), [&](const auto& entry) { return entry.first == name; });
     if (known == kSpaces.end()) {
-        node->fail("RGB, HSV, Lab, CIELAB, Diverging or Step");
+        node->fail(Text("RGB, HSV, Lab, CIELAB, Diverging or Step"));
         return ColourSpace::rgb;
     }
     return known->second == ColourSpace::hsv && isOn(map, "HSVWrap") ? ColourSpace::hsvWrap : known->second;
@@ -87,8 +87,8 @@ ImportedPreset readMap(const JsonNode& map) {
     const bool known = nameAfter(function, map["Name"].text());
     const bool absolute = isOn(map, "AbsoluteRange");
     if (!map.find("RGBPoints") && map.find("IndexedColors"))
-        map["IndexedColors"].fail("a continuous colour map: categories cannot be drawn as one");
-    if (isOn(map, "UseLogScale")) map["UseLogScale"].fail("a linear scale");
+        map["IndexedColors"].fail(Text("a continuous colour map: categories cannot be drawn as one"));
+    if (isOn(map, "UseLogScale")) map["UseLogScale"].fail(Text("a linear scale"));
     function.colourSpace = spaceOf(map);
     function.colour = colourFrom(map["RGBPoints"]);
     if (const auto points = map.find("OpacityPoints")) {
@@ -113,7 +113,7 @@ ImportedPreset readMap(const JsonNode& map) {
         if (!known) function.modalities.clear();
         const double low = function.colour.front().value;
         const double high = function.colour.back().value;
-        if (!(low < high)) map["RGBPoints"].fail("colours at two values or more");
+        if (!(low < high)) map["RGBPoints"].fail(Text("colours at two values or more"));
         function.fitToVolume = TransferFunction::Fit{low, high, TransferFunction::Fit::To::valueRange};
         function.effectiveRange = ValueRange{low, high};
     }

@@ -77,7 +77,7 @@ Result<std::string> findTableBeside(const fs::path& path, const std::string& nam
         }
     }
     return Error{
-        ErrorCode::inputNotUsable, "The preset names the colour table '" + name + "', which is not there.",
+        ErrorCode::inputNotUsable, Text("The preset names the colour table '{}', which is not there.", name),
         path.string(),
         Text("Put the table beside the preset as NAME.plist, or save a 16-bit CLUT with the preset.")};
 }
@@ -116,8 +116,8 @@ Result<ImportedPresets> readPresets(const PresetText& file, const FindColourTabl
     }
     return Error{
         ErrorCode::inputNotUsable,
-        lettersOf(file.text).empty() ? "The preset file is empty."
-                                     : "The file is no preset of a known format.",
+        lettersOf(file.text).empty() ? Text("The preset file is empty.")
+                                     : Text("The file is no preset of a known format."),
         file.where,
         Text("Give a JSON preset, a .vp or presets.xml of 3D Slicer, a ParaView or VolView JSON, an XML of "
              "MITK, or a plist of Horos.")};
@@ -150,11 +150,11 @@ Result<ImportedPreset> readPresetFrom(const std::string& fileAndName) {
     }
     if (wanted.empty()) {
         return Error{ErrorCode::usage, Text("The file holds {} presets.", presets.size()), path,
-                     "Add # and a name or its place, as in FILE#" + presets.front().function.title +
-                         ". There are: " + names + "."};
+                     Text("Add # and a name or its place, as in FILE#{}. There are: {}.",
+                          presets.front().function.title, names)};
     }
-    return Error{ErrorCode::usage, "The file holds no preset '" + wanted + "'.", path,
-                 "There are: " + names + "."};
+    return Error{ErrorCode::usage, Text("The file holds no preset '{}'.", wanted), path,
+                 Text("There are: {}.", names)};
 }
 
 }  // namespace macula::presets

@@ -54,8 +54,8 @@ bool nameAfter(TransferFunction& function, std::string_view title) {
     return true;
 }
 
-std::string assumedHounsfield() {
-    return "The file does not say what its values are; Hounsfield units of CT were assumed.";
+Text assumedHounsfield() {
+    return Text("The file does not say what its values are; Hounsfield units of CT were assumed.");
 }
 
 }  // namespace macula::presets

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
 #include "pipeline/volume/transfer_function.h"
 
 namespace macula::presets {
@@ -18,6 +19,6 @@ std::string keyFrom(std::string_view title);
 bool nameAfter(TransferFunction& function, std::string_view title);
 
 // The note that nameAfter assumed CT in Hounsfield units.
-std::string assumedHounsfield();
+Text assumedHounsfield();
 
 }  // namespace macula::presets

@@ -28,7 +28,7 @@ class Converter {
             if (number) return Json(*number);
             return fail(Text("holds a number that cannot be read"));
         }
-        return fail("holds <" + std::string(type) + ">, which no property list does");
+        return fail(Text("holds <{}>, which no property list does", type));
     }
 
   private:
@@ -62,7 +62,7 @@ class Converter {
     }
 
     Error fail(Text what) const {
-        return Error{ErrorCode::inputNotUsable, "The property list " + what + ".", where_,
+        return Error{ErrorCode::inputNotUsable, Text("The property list {}.", std::move(what)), where_,
                      Text("Check that it is complete.")};
     }
 

@@ -1,7 +1,5 @@
 #include "presets/slicer_vp.h"
 
-#include <fmt/format.h>
-
 #include <array>
 
 #include "base/parsing.h"
@@ -39,9 +37,9 @@ Result<std::array<std::string_view, kLines>> linesOf(const PresetText& file) {
 
 Result<ImportedPresets> presetsFromSlicerVp(const PresetText& file) {
     MACULA_TRY(const auto lines, linesOf(file));
-    const auto fail = [&](std::size_t line, std::string_view expected) {
+    const auto fail = [&](std::size_t line, Text expected) {
         return Error{ErrorCode::inputNotUsable, Text("Line {} is not as expected.", line + 1), file.where,
-                     Text("Expected {}.", expected)};
+                     Text("Expected {}.", std::move(expected))};
     };
     ImportedPreset preset;
     TransferFunction& function = preset.function;
@@ -49,22 +47,25 @@ Result<ImportedPresets> presetsFromSlicerVp(const PresetText& file) {
     function.source = "3D Slicer";
 
     const std::optional<Interpolation> interpolation = interpolationFrom(lines[0]);
-    if (!interpolation) return fail(0, "the interpolation, 0 for nearest or 1 for linear");
+    if (!interpolation) return fail(0, Text("the interpolation, 0 for nearest or 1 for linear"));
     function.interpolation = *interpolation;
     const std::optional<double> shade = finiteNumber(lines[1]);
-    if (!shade || (*shade != 0.0 && *shade != 1.0)) return fail(1, "whether it is shaded, 0 or 1");
+    if (!shade || (*shade != 0.0 && *shade != 1.0)) return fail(1, Text("whether it is shaded, 0 or 1"));
     Lighting& light = function.lighting;
     light.shade = *shade == 1.0;
-    if (!readLight(lines[2], 1e3, light.diffuse)) return fail(2, "the diffuse coefficient, 0 or above");
-    if (!readLight(lines[3], 1e3, light.ambient)) return fail(3, "the ambient coefficient, 0 or above");
-    if (!readLight(lines[4], 1e3, light.specular)) return fail(4, "the specular coefficient, 0 or above");
-    if (!readLight(lines[5], 1e6, light.specularPower)) return fail(5, "the specular power, 0 or above");
+    if (!readLight(lines[2], 1e3, light.diffuse)) return fail(2, Text("the diffuse coefficient, 0 or above"));
+    if (!readLight(lines[3], 1e3, light.ambient)) return fail(3, Text("the ambient coefficient, 0 or above"));
+    if (!readLight(lines[4], 1e3, light.specular))
+        return fail(4, Text("the specular coefficient, 0 or above"));
+    if (!readLight(lines[5], 1e6, light.specularPower))
+        return fail(5, Text("the specular power, 0 or above"));
 
     bool clamped = false;
-    MACULA_TRY(function.opacity, opacityFromText(lines[6], "scalar opacity (line 7)", file.where, clamped));
+    MACULA_TRY(function.opacity,
+               opacityFromText(lines[6], Text("scalar opacity (line 7)"), file.where, clamped));
     MACULA_TRY(function.gradientOpacity,
-               opacityFromText(lines[7], "gradient opacity (line 8)", file.where, clamped));
-    MACULA_TRY(function.colour, colourFromText(lines[8], "colour (line 9)", file.where, clamped));
+               opacityFromText(lines[7], Text("gradient opacity (line 8)"), file.where, clamped));
+    MACULA_TRY(function.colour, colourFromText(lines[8], Text("colour (line 9)"), file.where, clamped));
     if (clamped) preset.notes.emplace_back(Text("Opacities or colours outside 0 to 1 were clamped."));
     return ImportedPresets{std::move(preset)};
 }

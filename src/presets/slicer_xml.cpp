@@ -1,7 +1,5 @@
 #include "presets/slicer_xml.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -24,7 +22,7 @@ void readRange(pugi::xml_node node, ImportedPreset& preset) {
     const std::optional<std::vector<double>> range = numbersFrom(text, 2);
     const auto isTooLarge = [](double value) { return std::abs(value) > kLargestValue; };
     if (!range || range->size() != 2 || std::any_of(range->begin(), range->end(), isTooLarge)) {
-        preset.notes.push_back("The effective range cannot be read and was left out: \"" + text + "\".");
+        preset.notes.push_back(Text("The effective range cannot be read and was left out: \"{}\".", text));
     } else if ((*range)[0] < (*range)[1]) {
         preset.function.effectiveRange = ValueRange{(*range)[0], (*range)[1]};
     }
@@ -48,7 +46,7 @@ Result<void> readLighting(pugi::xml_node node, const PresetText& file, TransferF
         const std::optional<Interpolation> known = interpolationFrom(type.value());
         if (!known) {
             return Error{ErrorCode::inputNotUsable,
-                         "The interpolation of the preset " + function.title + " is unknown.", file.where,
+                         Text("The interpolation of the preset {} is unknown.", function.title), file.where,
                          Text("Use 0 for nearest or 1 for linear.")};
         }
         function.interpolation = *known;
@@ -65,14 +63,16 @@ Result<ImportedPreset> readPreset(pugi::xml_node node, const PresetText& file) {
     function.source = "3D Slicer";
 
     bool clamped = false;
-    const std::string of = " of " + function.title;
-    MACULA_TRY(function.opacity, opacityFromText(node.attribute("scalarOpacity").value(),
-                                                 "scalarOpacity" + of, file.where, clamped));
-    MACULA_TRY(function.colour, colourFromText(node.attribute("colorTransfer").value(), "colorTransfer" + of,
-                                               file.where, clamped));
+    MACULA_TRY(function.opacity,
+               opacityFromText(node.attribute("scalarOpacity").value(),
+                               Text("scalarOpacity of {}", function.title), file.where, clamped));
+    MACULA_TRY(function.colour,
+               colourFromText(node.attribute("colorTransfer").value(),
+                              Text("colorTransfer of {}", function.title), file.where, clamped));
     if (const pugi::xml_attribute gradient = node.attribute("gradientOpacity")) {
         MACULA_TRY(function.gradientOpacity,
-                   opacityFromText(gradient.value(), "gradientOpacity" + of, file.where, clamped));
+                   opacityFromText(gradient.value(), Text("gradientOpacity of {}", function.title),
+                                   file.where, clamped));
     }
     MACULA_TRY_VOID(readLighting(node, file, function));
     readRange(node, preset);

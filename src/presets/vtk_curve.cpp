@@ -1,7 +1,5 @@
 #include "presets/vtk_curve.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -52,26 +50,26 @@ void sortPoints(std::vector<Point>& points, bool keepSteps) {
 }
 
 // The numbers of a curve without their count.
-Result<std::vector<double>> readNumbers(std::string_view text, std::size_t perPoint, const std::string& what,
+Result<std::vector<double>> readNumbers(std::string_view text, std::size_t perPoint, const Text& what,
                                         const std::string& where) {
-    const auto fail = [&](const std::string& why) {
-        return Error{ErrorCode::inputNotUsable, Text("The {} of the preset {}.", what, why), where,
+    const auto fail = [&](Text why) {
+        return Error{ErrorCode::inputNotUsable, Text("The {} of the preset {}.", what, std::move(why)), where,
                      Text("Save the preset again in the program that it comes from.")};
     };
     std::optional<std::vector<double>> numbers = numbersFrom(text, 1 + perPoint * kMostPoints);
-    if (!numbers) return fail("has something in it that is no usable number, or too many of them");
-    if (numbers->empty()) return fail("is empty");
+    if (!numbers) return fail(Text("has something in it that is no usable number, or too many of them"));
+    if (numbers->empty()) return fail(Text("is empty"));
     const auto count = static_cast<double>(numbers->size() - 1);
     if (numbers->front() != count)
-        return fail(fmt::format("should have {:g} numbers and has {:g}", numbers->front(), count));
+        return fail(Text("should have {:g} numbers and has {:g}", numbers->front(), count));
     numbers->erase(numbers->begin());
-    if (numbers->empty()) return fail("has no points");
-    if (numbers->size() % perPoint != 0) return fail(fmt::format("is not made of groups of {}", perPoint));
+    if (numbers->empty()) return fail(Text("has no points"));
+    if (numbers->size() % perPoint != 0) return fail(Text("is not made of groups of {}", perPoint));
     double last = -kLargestValue;
     for (std::size_t i = 0; i < numbers->size(); i += perPoint) {
         const double value = (*numbers)[i];
-        if (std::abs(value) > kLargestValue) return fail("has a value that is too large");
-        if (value < last) return fail(fmt::format("is not sorted: {:g} comes after {:g}", value, last));
+        if (std::abs(value) > kLargestValue) return fail(Text("has a value that is too large"));
+        if (value < last) return fail(Text("is not sorted: {:g} comes after {:g}", value, last));
         last = value;
     }
     return std::move(*numbers);
@@ -79,7 +77,7 @@ Result<std::vector<double>> readNumbers(std::string_view text, std::size_t perPo
 
 }  // namespace
 
-Result<std::vector<OpacityPoint>> opacityFromText(std::string_view text, const std::string& what,
+Result<std::vector<OpacityPoint>> opacityFromText(std::string_view text, const Text& what,
                                                   const std::string& where, bool& clamped) {
     MACULA_TRY(const std::vector<double> numbers, readNumbers(text, 2, what, where));
     std::vector<OpacityPoint> points;
@@ -89,7 +87,7 @@ Result<std::vector<OpacityPoint>> opacityFromText(std::string_view text, const s
     return points;
 }
 
-Result<std::vector<ColourPoint>> colourFromText(std::string_view text, const std::string& what,
+Result<std::vector<ColourPoint>> colourFromText(std::string_view text, const Text& what,
                                                 const std::string& where, bool& clamped) {
     MACULA_TRY(const std::vector<double> numbers, readNumbers(text, 4, what, where));
     std::vector<ColourPoint> points;

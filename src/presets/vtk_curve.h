@@ -17,10 +17,10 @@ constexpr double kLargestValue = 1e9;  // of x, either way
 // the second is moved up by the least possible, as 3D Slicer does, so that the first still holds there.
 // Heights are clamped to 0 and 1, and `clamped` set where that changed one. `what` is what to call the curve
 // in an error, `where` its file.
-Result<std::vector<OpacityPoint>> opacityFromText(std::string_view text, const std::string& what,
+Result<std::vector<OpacityPoint>> opacityFromText(std::string_view text, const Text& what,
                                                   const std::string& where, bool& clamped);
 // "N x r g b x r g b …"
-Result<std::vector<ColourPoint>> colourFromText(std::string_view text, const std::string& what,
+Result<std::vector<ColourPoint>> colourFromText(std::string_view text, const Text& what,
                                                 const std::string& where, bool& clamped);
 
 // Sorts points that were added in any order, as VTK does with those of all other formats. `keepSteps` says

@@ -1,7 +1,5 @@
 #include "presets/xml_document.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace macula::presets {
@@ -34,29 +32,28 @@ bool isTooDeep(pugi::xml_node root) {
 }  // namespace
 
 Result<XmlDocument> XmlDocument::parse(std::string_view text, const std::string& where) {
-    const auto fail = [&](std::string message, std::string hint) {
+    const auto fail = [&](Text message, Text hint) {
         return Error{ErrorCode::inputNotUsable, std::move(message), where, std::move(hint)};
     };
     // Letters are taken in whatever encoding the file is: UTF-16 has a zero beside each letter.
     std::string letters;
     std::copy_if(text.begin(), text.end(), std::back_inserter(letters), [](char c) { return c != '\0'; });
     if (letters.find("<!ENTITY") != std::string::npos) {
-        return fail("The XML file declares entities, which no preset needs.",
-                    "Remove the DOCTYPE from the file, or take another one.");
+        return fail(Text("The XML file declares entities, which no preset needs."),
+                    Text("Remove the DOCTYPE from the file, or take another one."));
     }
     XmlDocument result;
     const pugi::xml_parse_result parsed = result.document_->load_buffer(text.data(), text.size());
     if (parsed.status == pugi::status_no_document_element)
-        return fail("The file holds no XML element.", "Check that it is complete.");
+        return fail(Text("The file holds no XML element."), Text("Check that it is complete."));
     if (!parsed) {
         const auto end = text.begin() + std::clamp<std::ptrdiff_t>(parsed.offset, 0, std::ssize(text));
-        return fail(
-            fmt::format("The file is no valid XML around line {}.", 1 + std::count(text.begin(), end, '\n')),
-            "Check that it is complete, and look for a missing bracket or quote there.");
+        return fail(Text("The file is no valid XML around line {}.", 1 + std::count(text.begin(), end, '\n')),
+                    Text("Check that it is complete, and look for a missing bracket or quote there."));
     }
     if (isTooDeep(result.root())) {
-        return fail("The XML file is nested too deeply.",
-                    fmt::format("Give a file that is nested at most {} deep.", kMaxDepth));
+        return fail(Text("The XML file is nested too deeply."),
+                    Text("Give a file that is nested at most {} deep.", kMaxDepth));
     }
     return result;
 }

@@ -59,9 +59,11 @@ Error cancelled() {
     return {ErrorCode::cancelled, Text("Registration was cancelled."), {}, {}};
 }
 
-Error notUsable(const char* sentence) {
-    return {
-        ErrorCode::inputNotUsable, sentence, {}, Text("Link the volumes by hand, or choose another series.")};
+Error notUsable(Text sentence) {
+    return {ErrorCode::inputNotUsable,
+            std::move(sentence),
+            {},
+            Text("Link the volumes by hand, or choose another series.")};
 }
 
 // A volume, coarser and coarser.
@@ -137,11 +139,12 @@ class RigidSearch {
         MACULA_TRY_VOID(checkInput());
         const Comparison coarse = comparison(kCoarse, kCoarsePoints, 0);
         if (coarse.pointCount() < kLeastPoints || movingExtent_.cells < kLeastPoints)
-            return notUsable("One of the volumes has too few voxels to be registered.");
+            return notUsable(Text("One of the volumes has too few voxels to be registered."));
         const std::vector<Highest> places = placesOf(coarse);
         if (progress_.cancelled()) return cancelled();
         if (places.empty())
-            return notUsable("The volumes do not show enough of the same part of the body to be registered.");
+            return notUsable(
+                Text("The volumes do not show enough of the same part of the body to be registered."));
         progress_.advance(2);
         std::vector<Parameters> others;
         for (std::size_t n = 1; n < places.size(); ++n) others.push_back(places[n].at);
@@ -186,13 +189,13 @@ class RigidSearch {
             const glm::ivec3& size = volume->levels[kFine].size;
             if (size.x < 3 || size.y < 3 || size.z < 3)
                 return notUsable(
-                    "A volume of fewer than three slices, rows or columns cannot be registered.");
+                    Text("A volume of fewer than three slices, rows or columns cannot be registered."));
         }
         if (fixedExtent_.volumeMl <= 0.0 || movingExtent_.volumeMl <= 0.0)
-            return notUsable("One of the volumes has no values: there is nothing to register by.");
+            return notUsable(Text("One of the volumes has no values: there is nothing to register by."));
         if (!fixedBins_.areUsable() || !movingBins_.areUsable())
             return notUsable(
-                "One of the volumes has the same value everywhere: there is nothing to register by.");
+                Text("One of the volumes has the same value everywhere: there is nothing to register by."));
         return {};
     }
 

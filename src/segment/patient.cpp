@@ -67,12 +67,24 @@ bool isFurniture(const Grid& grid, const Part& part) {
     return flat && (constant || part.depthMm < kBodyDepthMm);
 }
 
-std::string partsText(int parts) {
-    return parts == 1 ? "1 part" : fmt::format("{} parts", parts);
+Text partsText(int parts) {
+    return parts == 1 ? Text("1 part") : Text("{} parts", parts);
 }
 
-std::string volumeText(double ml, bool isCalibrated) {
-    return isCalibrated ? fmt::format("{:.0f} mL", ml) : fmt::format("≈ {:.0f} mL, not calibrated", ml);
+Text volumeText(double ml, bool isCalibrated) {
+    return isCalibrated ? Text("{:.0f} mL", ml) : Text("≈ {:.0f} mL, not calibrated", ml);
+}
+
+Text said(Confidence confidence) {
+    switch (confidence) {
+        case Confidence::none:
+            return Text("none");
+        case Confidence::moderate:
+            return Text("moderate");
+        case Confidence::high:
+            return Text("high");
+    }
+    return Text("none");
 }
 
 // The parts with `isKept`, as a mask.
@@ -306,7 +318,7 @@ class Search {
                      {"volumeMl", removedMl},
                      {"volumeText", volumeText(removedMl, volume_.provenance().isCalibrated)},
                      {"patientMl", patientMl},
-                     {"confidence", std::string(nameOf(confidence))}})};
+                     {"confidence", said(confidence)}})};
         if (surface_.touchingSlices > 0) {
             messages.push_back(message(
                 key::kTableTouchesPatient,

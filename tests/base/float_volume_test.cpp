@@ -131,7 +131,7 @@ TEST(In16Bits, ErrorIsWithinHalfAStepAndStated) {
         }
         EXPECT_EQ(volume->storedRange(), (StoredRange{1, 65535}));
         ASSERT_EQ(volume->provenance().assumptions.size(), 1u);
-        EXPECT_NE(volume->provenance().assumptions[0].find("error of at most"), std::string::npos);
+        EXPECT_NE(volume->provenance().assumptions[0].english().find("error of at most"), std::string::npos);
     }
 }
 
@@ -166,7 +166,7 @@ TEST(In16Bits, ErrorIsToldInTheUnitOfTheValues) {
     const auto noteOf = [&](Unit unit, const std::string& name) {
         VolumeOptions options{.unit = unit, .modality = "PT"};
         options.unitName = name;
-        return in16Bits(floatVolume(voxels, options))->provenance().assumptions.at(0);
+        return in16Bits(floatVolume(voxels, options))->provenance().assumptions.at(0).english();
     };
     EXPECT_TRUE(noteOf(Unit::suvBodyWeight, "").ends_with(" SUV bw."));
     EXPECT_TRUE(noteOf(Unit::becquerelsPerMillilitre, "").ends_with(" Bq/mL."));

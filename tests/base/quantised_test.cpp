@@ -40,7 +40,7 @@ TEST(Quantised, OneHotVoxelTakesNoStepsFromTissue) {
         EXPECT_NEAR(brought, hot > 0.0F ? 6799.0 : -2799.0, 5.0) << "as far away again as tissue is wide";
         const auto& said = made.volume->provenance().assumptions;
         ASSERT_EQ(said.size(), 2u);
-        EXPECT_TRUE(said[1].starts_with("The 3D picture shows values below ")) << said[1];
+        EXPECT_TRUE(said[1].english().starts_with("The 3D picture shows values below ")) << said[1];
     }
 }
 

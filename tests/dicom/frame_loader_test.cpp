@@ -115,7 +115,8 @@ TEST(FrameLoader, AFileThatIsGoneIsAnErrorThatNamesNobody) {
     ASSERT_FALSE(frame);
     EXPECT_EQ(frame.error().code, ErrorCode::inputNotUsable);
     EXPECT_EQ(frame.error().where, gone.string());
-    EXPECT_EQ((frame.error().message + frame.error().hint).find("DOE"), std::string::npos);
+    EXPECT_EQ((frame.error().message.english() + frame.error().hint.english()).find("DOE"),
+              std::string::npos);
     EXPECT_TRUE(loadFrame(loaded.stack(), 5)) << "the others are not in its way";
 }
 
@@ -129,7 +130,7 @@ TEST(FrameLoader, RefusesWhatIsNoGrey) {
         change(*instance);
         stack.frames.at(0).instance = instance;
         const auto frame = loadFrame(stack, 0);
-        return frame.ok() ? std::string() : frame.error().message;
+        return frame.ok() ? Text() : frame.error().message;
     };
     EXPECT_EQ(with([](Instance&) {}), "");
     EXPECT_EQ(with([](Instance& i) { i.photometricInterpretation = "PALETTE COLOR"; }),

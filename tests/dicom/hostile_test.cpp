@@ -97,7 +97,7 @@ TEST(Hostile, FewerPixelsThanTheHeaderClaims) {
     Progress progress;
     const auto found = scanFolder(folder.path(), progress);
     ASSERT_FALSE(found);
-    EXPECT_NE(found.error().message.find("None of the 6 DICOM files"), std::string::npos)
+    EXPECT_NE(found.error().message.english().find("None of the 6 DICOM files"), std::string::npos)
         << found.error().message;
 }
 
@@ -118,8 +118,8 @@ TEST(Hostile, MoreMemoryThanThereIs) {
     EXPECT_GT(*available, std::uint64_t{1} << 20);
     const Error error = notEnoughMemory(std::uint64_t{3} << 30, std::uint64_t{1} << 30);
     EXPECT_EQ(error.code, ErrorCode::outOfMemory);
-    EXPECT_NE(error.message.find("3.0 GiB"), std::string::npos) << error.message;
-    EXPECT_NE(error.message.find("1.0 GiB"), std::string::npos) << error.message;
+    EXPECT_NE(error.message.english().find("3.0 GiB"), std::string::npos) << error.message;
+    EXPECT_NE(error.message.english().find("1.0 GiB"), std::string::npos) << error.message;
     EXPECT_FALSE(error.hint.empty());
 
     const TemporaryFolder folder;
@@ -140,7 +140,8 @@ TEST(Hostile, MoreMemoryThanThereIs) {
     const auto volume = loadVolume(series, stack, progress);
     ASSERT_FALSE(volume);
     EXPECT_EQ(volume.error().code, ErrorCode::outOfMemory);
-    EXPECT_NE(volume.error().message.find("GiB are free"), std::string::npos) << volume.error().message;
+    EXPECT_NE(volume.error().message.english().find("GiB are free"), std::string::npos)
+        << volume.error().message;
 }
 
 TEST(Hostile, SizesThatAreNone) {

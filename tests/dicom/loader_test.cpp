@@ -163,10 +163,10 @@ TEST(Loader, GapsAreNumberedAsTheVolumeIs) {
     EXPECT_EQ(volume->provenance().interpolatedSlices, (std::vector<SliceRange>{{2, 2}}));
     const auto& messages = volume->provenance().messages;
     ASSERT_EQ(messages.back().key, key::kGapInterpolated);
-    EXPECT_NE(messages.back().sentence.find("3"), std::string::npos) << messages.back().sentence;
+    EXPECT_NE(messages.back().sentence.english().find("3"), std::string::npos) << messages.back().sentence;
     int told = 0;
-    for (const std::string& sentence : volume->provenance().assumptions) {
-        if (sentence.find("interpolated") == std::string::npos) continue;
+    for (const Text& sentence : volume->provenance().assumptions) {
+        if (sentence.english().find("interpolated") == std::string::npos) continue;
         ++told;
         EXPECT_EQ(sentence, messages.back().sentence);
     }
@@ -248,8 +248,8 @@ TEST(Loader, UnknownTransferSyntaxIsNamed) {
     Progress progress;
     const auto volume = loadVolume(series, stack, progress);
     ASSERT_FALSE(volume);
-    EXPECT_NE(volume.error().message.find("High-Throughput JPEG 2000"), std::string::npos);
-    EXPECT_NE(volume.error().message.find("1.2.840.10008.1.2.4.201"), std::string::npos);
+    EXPECT_NE(volume.error().message.english().find("High-Throughput JPEG 2000"), std::string::npos);
+    EXPECT_NE(volume.error().message.english().find("1.2.840.10008.1.2.4.201"), std::string::npos);
 }
 
 TEST(Loader, CancelStopsWithin200Milliseconds) {
@@ -297,7 +297,7 @@ TEST(Loader, BestSeriesIsTheLargestOriginal) {
     const ChosenStack best = bestVolume(*found);
     ASSERT_TRUE(best);
     EXPECT_EQ(best.series->number, 2);
-    EXPECT_NE(best.why.find("4 x 4 x 30"), std::string::npos) << best.why;
+    EXPECT_NE(best.why.english().find("4 x 4 x 30"), std::string::npos) << best.why;
 }
 
 TEST(Loader, NoBestSeriesSaysWhy) {
@@ -310,7 +310,7 @@ TEST(Loader, NoBestSeriesSaysWhy) {
     const auto spoiled = scan(folder.path());
     ASSERT_TRUE(spoiled);
     EXPECT_FALSE(bestVolume(*spoiled));
-    EXPECT_NE(bestVolume(*spoiled).why.find("how large a pixel is"), std::string::npos)
+    EXPECT_NE(bestVolume(*spoiled).why.english().find("how large a pixel is"), std::string::npos)
         << bestVolume(*spoiled).why;
 }
 

@@ -58,7 +58,7 @@ TEST(Loading, UnreadableSliceInsideIsInterpolatedAndSaid) {
     EXPECT_TRUE(says(**volume, key::kGapInterpolated));
     EXPECT_GE(provenance.assumptions.size(), 2u);
     for (const Message& message : provenance.messages)
-        EXPECT_EQ((message.sentence + message.action).find("DOE"), std::string::npos);
+        EXPECT_EQ((message.sentence.english() + message.action.english()).find("DOE"), std::string::npos);
     expectGrid(**volume, series.size, series.expectedAffine());
     expectRamp(**volume, series.rampOf(), kBlended);
 }
@@ -91,8 +91,9 @@ TEST(Loading, FailsWhenLessThanHalfIsLeft) {
     const auto volume = scanned.load();
     ASSERT_FALSE(volume);
     EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
-    EXPECT_TRUE(volume.error().message.starts_with("7 of the 12 images")) << volume.error().message;
-    EXPECT_EQ((volume.error().message + volume.error().hint).find("DOE"), std::string::npos);
+    EXPECT_TRUE(volume.error().message.english().starts_with("7 of the 12 images")) << volume.error().message;
+    EXPECT_EQ((volume.error().message.english() + volume.error().hint.english()).find("DOE"),
+              std::string::npos);
     EXPECT_FALSE(volume.error().where.empty());
 }
 

@@ -27,8 +27,8 @@ Error scanError(const fs::path& path) {
 TEST(Scan, MissingFolder) {
     const Error error = scanError("/nowhere/DOE^JOHN");
     EXPECT_EQ(error.code, ErrorCode::inputNotUsable);
-    EXPECT_NE(error.message.find("does not exist"), std::string::npos);
-    EXPECT_EQ((error.message + error.hint).find("DOE"), std::string::npos);
+    EXPECT_NE(error.message.english().find("does not exist"), std::string::npos);
+    EXPECT_EQ((error.message.english() + error.hint.english()).find("DOE"), std::string::npos);
 }
 
 // In a folder of somebody else, as a service meets it: what one may not look at is not said to be missing.
@@ -44,7 +44,7 @@ TEST(Scan, WhatMayNotBeLookedAtIsNotCalledMissing) {
     }
     std::filesystem::permissions(closed, std::filesystem::perms::owner_all);
     EXPECT_EQ(error.message, "The folder cannot be read.");
-    EXPECT_NE(error.hint.find("permissions"), std::string::npos);
+    EXPECT_NE(error.hint.english().find("permissions"), std::string::npos);
 }
 
 TEST(Scan, FolderWithoutDicom) {
@@ -54,8 +54,9 @@ TEST(Scan, FolderWithoutDicom) {
     std::ofstream(folder / "empty.dcm") << "";
     std::ofstream(folder / "._IM00001.dcm")
         << std::string("\0\5\x16\7\0\2\0\0Mac OS X        ", 24) << std::string(300, '\0');
-    EXPECT_NE(scanError(folder.path()).message.find("no DICOM image among the 2 files"), std::string::npos);
-    EXPECT_NE(scanError(folder / "notes.dcm").message.find("not a DICOM image"), std::string::npos);
+    EXPECT_NE(scanError(folder.path()).message.english().find("no DICOM image among the 2 files"),
+              std::string::npos);
+    EXPECT_NE(scanError(folder / "notes.dcm").message.english().find("not a DICOM image"), std::string::npos);
 }
 
 TEST(Scan, FolderOfOneFileThatIsNoDicom) {
@@ -71,8 +72,8 @@ TEST(Scan, FolderOfOneArchive) {
     std::ofstream(folder / "study.zip", std::ios::binary) << "PK\x03\x04" << std::string(500, 'x');
     for (const fs::path& path : {folder.path(), folder / "study.zip"}) {
         const Error error = scanError(path);
-        EXPECT_NE(error.message.find("archive"), std::string::npos) << error.message;
-        EXPECT_NE(error.hint.find("Unpack"), std::string::npos) << error.hint;
+        EXPECT_NE(error.message.english().find("archive"), std::string::npos) << error.message;
+        EXPECT_NE(error.hint.english().find("Unpack"), std::string::npos) << error.hint;
     }
 }
 
@@ -100,13 +101,14 @@ TEST(Scan, ArchivesOfEachKindAreNamed) {
         const TemporaryFolder folder;
         std::ofstream(folder / c.name, std::ios::binary) << c.begin << std::string(500, 'x');
         const Error error = scanError(folder.path());
-        EXPECT_NE(error.message.find("archive (" + c.kind + ")"), std::string::npos) << error.message;
-        EXPECT_NE(error.hint.find("Unpack"), std::string::npos) << error.hint;
+        EXPECT_NE(error.message.english().find("archive (" + c.kind + ")"), std::string::npos)
+            << error.message;
+        EXPECT_NE(error.hint.english().find("Unpack"), std::string::npos) << error.hint;
     }
     for (const char* name : {"letter.docx", "viewer.jar", "volume.nii.gz", "setup.exe"}) {
         const TemporaryFolder folder;
         std::ofstream(folder / name, std::ios::binary) << "PK\x03\x04" << std::string(500, 'x');
-        EXPECT_EQ(scanError(folder.path()).message.find("archive"), std::string::npos) << name;
+        EXPECT_EQ(scanError(folder.path()).message.english().find("archive"), std::string::npos) << name;
     }
 }
 
@@ -115,9 +117,9 @@ TEST(Scan, ALoneDirectoryOfAMediumSaysWhatIsNotThere) {
     writeDirectory(folder / "DICOMDIR", {"IMAGES\\A", "IMAGES\\B", "IMAGES\\C"});
     for (const fs::path& path : {folder.path(), folder / "DICOMDIR"}) {
         const Error error = scanError(path);
-        EXPECT_NE(error.message.find("none of the 3 files that it lists"), std::string::npos)
+        EXPECT_NE(error.message.english().find("none of the 3 files that it lists"), std::string::npos)
             << error.message;
-        EXPECT_NE(error.hint.find("Copy the whole medium"), std::string::npos) << error.hint;
+        EXPECT_NE(error.hint.english().find("Copy the whole medium"), std::string::npos) << error.hint;
     }
 }
 
@@ -153,15 +155,16 @@ TEST(Scan, AMediumThatGivesErrorsIsNotCalledOffline) {
     EXPECT_EQ(
         of2.message,
         "None of the 2 DICOM files in this folder can be read: 2 on a medium that cannot be read there.");
-    EXPECT_NE(of2.hint.find("Clean the disc"), std::string::npos) << of2.hint;
+    EXPECT_NE(of2.hint.english().find("Clean the disc"), std::string::npos) << of2.hint;
     listing.files.pop_back();
     scan.skipped.pop_back();
-    EXPECT_NE(nothingFound(scan, "disc", listing).message.find("medium gave an error"), std::string::npos);
+    EXPECT_NE(nothingFound(scan, "disc", listing).message.english().find("medium gave an error"),
+              std::string::npos);
 }
 
 TEST(Scan, PathsThatAreTooLongAreNotAMatterOfPermissions) {
     const std::string deep = "/" + std::string(5000, 'x');
-    EXPECT_NE(scanError(deep).message.find("longer than this system can open"), std::string::npos);
+    EXPECT_NE(scanError(deep).message.english().find("longer than this system can open"), std::string::npos);
 
     // Made step by step: no system call is given the whole path.
     const TemporaryFolder folder;
@@ -433,7 +436,7 @@ TEST(Scan, RealOddFiles) {
             }
         }
     }
-    EXPECT_NE(scanError(odd / "truncated_mr.dcm").message.find("ends before its pixel data"),
+    EXPECT_NE(scanError(odd / "truncated_mr.dcm").message.english().find("ends before its pixel data"),
               std::string::npos);
     const auto single = [&](const char* name) { return scan(odd / name)->studies.at(0).series.at(0); };
     EXPECT_TRUE(hasMessage(single("rgb_series_j2k"), key::kColourImage));

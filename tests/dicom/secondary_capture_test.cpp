@@ -62,7 +62,7 @@ class SecondaryCaptureTest : public testing::Test {
 
     DcmDataset& written() {
         const Result<void> done = writeSecondaryCapture(path_, capture_);
-        EXPECT_TRUE(done.ok()) << (done ? "" : done.error().message);
+        EXPECT_TRUE(done.ok()) << (done ? "" : done.error().message.english());
         EXPECT_TRUE(file_.loadFile(path_.c_str()).good());
         return *file_.getDataset();
     }
@@ -175,7 +175,7 @@ TEST_F(SecondaryCaptureTest, WhatDoesNotFitIsRefusedAndWritesNothing) {
         EXPECT_FALSE(done.ok());
         if (!done) {
             EXPECT_EQ(done.error().code, code);
-            EXPECT_EQ(done.error().message.find("ller"), std::string::npos);
+            EXPECT_EQ(done.error().message.english().find("ller"), std::string::npos);
         }
         EXPECT_FALSE(fs::exists(path_));
     };

@@ -33,7 +33,7 @@ inline std::string refusal(const std::filesystem::path& path) {
     EXPECT_EQ(volume.error().code, ErrorCode::inputNotUsable);
     EXPECT_FALSE(volume.error().hint.empty());
     EXPECT_EQ(volume.error().where, path.string());
-    return volume.error().message;
+    return volume.error().message.english();
 }
 
 // The bytes of a number in either order.
@@ -44,9 +44,9 @@ std::string bytesOf(T value, bool bigEndian = false) {
     return bytes;
 }
 
-inline bool anyContains(const std::vector<std::string>& sentences, const std::string& words) {
-    for (const std::string& sentence : sentences) {
-        if (sentence.find(words) != std::string::npos) return true;
+inline bool anyContains(const std::vector<Text>& sentences, const std::string& words) {
+    for (const Text& sentence : sentences) {
+        if (sentence.english().find(words) != std::string::npos) return true;
     }
     return false;
 }

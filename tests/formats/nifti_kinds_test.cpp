@@ -113,7 +113,7 @@ TEST_F(Import, VolumesOfSeveralTimes) {
             const auto volume = readVolumeFile(path, progress, none);
             ASSERT_FALSE(volume);
             EXPECT_EQ(volume.error().code, ErrorCode::usage);
-            EXPECT_SAYS(volume.error().message, "3 volumes");
+            EXPECT_SAYS(volume.error().message.english(), "3 volumes");
         }
     }
     // What is cut off in the last is whole in the first.
@@ -122,7 +122,7 @@ TEST_F(Import, VolumesOfSeveralTimes) {
     EXPECT_TRUE(readVolumeFile(folder_ / "t.nii", progress, 2));
     const auto cut = readVolumeFile(folder_ / "t.nii", progress, 3);
     ASSERT_FALSE(cut);
-    EXPECT_SAYS(cut.error().message, "cut off");
+    EXPECT_SAYS(cut.error().message.english(), "cut off");
 }
 
 TEST_F(Import, WholeNumbersOf64Bits) {

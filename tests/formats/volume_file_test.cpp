@@ -114,7 +114,7 @@ TEST(VolumeFile, RoundTripsAreExact) {
             ASSERT_TRUE(info.ok());
             EXPECT_EQ(info->size, volume.size());
             EXPECT_EQ(info->worldFromVoxel, back->worldFromVoxel());
-            EXPECT_EQ(info->assumptions, std::vector<std::string>{});
+            EXPECT_EQ(info->assumptions, std::vector<Text>{});
         }
     }
 }
@@ -291,7 +291,7 @@ TEST(VolumeFile, DetachedValuesKeepTheirName) {
         Progress progress;
         const auto alone = readVolumeFile(folder / name, progress);
         ASSERT_FALSE(alone.ok());
-        EXPECT_NE(alone.error().message.find("missing"), std::string::npos);
+        EXPECT_NE(alone.error().message.english().find("missing"), std::string::npos);
     }
 }
 
@@ -331,7 +331,8 @@ TEST(VolumeFile, WrittenWholeOrNotAtAll) {
     const auto unknown = writeVolumeFile(smallVolume(), folder / "a.png", progress);
     ASSERT_FALSE(unknown.ok());
     EXPECT_EQ(unknown.error().code, ErrorCode::usage);
-    for (const std::string ending : kEndings) EXPECT_NE(unknown.error().hint.find(ending), std::string::npos);
+    for (const std::string ending : kEndings)
+        EXPECT_NE(unknown.error().hint.english().find(ending), std::string::npos);
     EXPECT_EQ(filesIn(folder.path()), 0u);
 
     const auto nowhere = writeVolumeFile(smallVolume(), folder / "no/such/a.nii", progress);

@@ -27,7 +27,7 @@ TEST_F(Import, WhatMayNotBeReadIsNotCalledAnotherFormat) {
         const auto info = readVolumeFileInfo(path);
         ASSERT_FALSE(info.ok()) << name;
         EXPECT_EQ(info.error().message, "The file cannot be read.") << name;
-        EXPECT_SAYS(info.error().hint, "permissions");
+        EXPECT_SAYS(info.error().hint.english(), "permissions");
     }
     // The values beside a header that may be read.
     const fs::path values = write("b.raw", "eightval");

@@ -124,11 +124,11 @@ TEST_F(ImageFile, OtherContentIsNamedSo) {
         const auto image = readImage(at(name));
         ASSERT_FALSE(image.ok());
         EXPECT_EQ(image.error().code, ErrorCode::inputNotUsable);
-        EXPECT_NE(image.error().message.find("no Radiance HDR"), std::string::npos);
+        EXPECT_NE(image.error().message.english().find("no Radiance HDR"), std::string::npos);
     }
     const auto missing = readImage(at("missing.hdr"));
     ASSERT_FALSE(missing.ok());
-    EXPECT_NE(missing.error().message.find("does not exist"), std::string::npos);
+    EXPECT_NE(missing.error().message.english().find("does not exist"), std::string::npos);
     EXPECT_FALSE(readImage(folder_).ok());
 }
 
@@ -138,7 +138,7 @@ TEST_F(ImageFile, AbsurdSizeIsRefusedBeforeAnyAllocation) {
     EXPECT_FALSE(readImage(at("huge.hdr")).ok());
     const auto wide = readImage(at("wide.hdr"));
     ASSERT_FALSE(wide.ok());
-    EXPECT_NE(wide.error().message.find("too large"), std::string::npos) << wide.error().message;
+    EXPECT_NE(wide.error().message.english().find("too large"), std::string::npos) << wide.error().message;
 }
 
 TEST_F(ImageFile, FaultyValuesAreKeptAndCounted) {

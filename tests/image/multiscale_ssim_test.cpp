@@ -159,7 +159,7 @@ TEST(MsSsim, TellsWhichSizeItNeeds) {
         const auto small = msSsim(grey(0.5f, width, height), grey(0.5f, width, height));
         ASSERT_FALSE(small.ok());
         EXPECT_EQ(small.error().code, ErrorCode::usage);
-        EXPECT_NE(small.error().hint.find("176"), std::string::npos);
+        EXPECT_NE(small.error().hint.english().find("176"), std::string::npos);
     }
 }
 

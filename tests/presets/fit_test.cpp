@@ -82,7 +82,7 @@ TEST(Fit, MasksBeginAtTheirBackground) {
     const auto fit = fitOf(*asking, *mask);
     ASSERT_TRUE(fit.has_value());
     EXPECT_EQ(fit->volume, (ValueRange{0.0, 255.0}));
-    EXPECT_NE(fitMessage(*fit).sentence.find("the background and the 98th"), std::string::npos);
+    EXPECT_NE(fitMessage(*fit).sentence.english().find("the background and the 98th"), std::string::npos);
 }
 
 TEST(Fit, ToTheWholeRangeOfValues) {
@@ -98,7 +98,7 @@ TEST(Fit, IsSaid) {
     const VolumeFit fit{{0, 200}, {1020, 1980}};
     const Message message = fitMessage(fit);
     EXPECT_EQ(message.key, "preset.fitted");
-    EXPECT_NE(message.sentence.find("0 to 200 are drawn at 1020 to 1980"), std::string::npos)
+    EXPECT_NE(message.sentence.english().find("0 to 200 are drawn at 1020 to 1980"), std::string::npos)
         << message.sentence;
     EXPECT_FALSE(message.action.empty());
     EXPECT_EQ(message.arguments.size(), 5u);

@@ -34,7 +34,7 @@ TEST(SlicerVp, HasNineLines) {
     std::string windows;
     for (const char c : kVp) windows += c == '\n' ? std::string("\r\n") : std::string(1, c);
     EXPECT_EQ(only(windows, "CT-Mine.vp").function.opacity, preset.function.opacity);
-    EXPECT_EQ(only(kVp, "other.vp").notes, std::vector<std::string>{assumedHounsfield()});
+    EXPECT_EQ(only(kVp, "other.vp").notes, std::vector<Text>{assumedHounsfield()});
 }
 
 TEST(SlicerVp, SaysWhichLineIsWrong) {

@@ -94,7 +94,7 @@ TEST(Horos, ColourTablesLieBesideThePreset) {
     for (const std::string name : {"Cold", "../CLUTs/Hot", "/etc/passwd", "..", ""}) {
         const auto missing = preset(name);
         ASSERT_FALSE(missing.ok()) << name;
-        EXPECT_NE(missing.error().hint.find("16-bit"), std::string::npos) << missing.error().hint;
+        EXPECT_NE(missing.error().hint.english().find("16-bit"), std::string::npos) << missing.error().hint;
     }
     fs::remove_all(folder);
 }

@@ -55,7 +55,9 @@ TEST(Hostile, TheGoodFilesAreGood) {
     for (const auto& [name, text] : goodFiles()) {
         const auto read = readText(text, name);
         EXPECT_TRUE(read.ok()) << name << ": "
-                               << (read.ok() ? "" : read.error().message + " " + read.error().hint);
+                               << (read.ok()
+                                       ? ""
+                                       : read.error().message.english() + " " + read.error().hint.english());
         expectHarmless(text, name);
     }
 }

@@ -10,7 +10,7 @@
 namespace macula::presets {
 
 inline Result<std::string> noTables(const std::string& name) {
-    return Error{ErrorCode::inputNotUsable, "There is no table " + name + ".", {}, Text("Give one.")};
+    return Error{ErrorCode::inputNotUsable, Text("There is no table {}.", name), {}, Text("Give one.")};
 }
 
 inline Result<ImportedPresets> readText(std::string_view text, const std::string& name = "file") {
@@ -20,7 +20,9 @@ inline Result<ImportedPresets> readText(std::string_view text, const std::string
 // The only preset of a text, or an empty one and a failure of the test.
 inline ImportedPreset only(std::string_view text, const std::string& name = "file") {
     const auto read = readText(text, name);
-    EXPECT_TRUE(read.ok()) << (read.ok() ? "" : read.error().message + " " + read.error().hint);
+    EXPECT_TRUE(read.ok()) << (read.ok()
+                                   ? ""
+                                   : read.error().message.english() + " " + read.error().hint.english());
     if (!read.ok()) return {};
     EXPECT_EQ(read->size(), 1u);
     return read->front();
@@ -31,7 +33,8 @@ inline void expectRefused(std::string_view text, const std::string& words, const
     const auto read = readText(text, name);
     ASSERT_FALSE(read.ok()) << text.substr(0, 200);
     EXPECT_EQ(read.error().code, ErrorCode::inputNotUsable);
-    EXPECT_NE((read.error().message + " " + read.error().hint).find(words), std::string::npos)
+    EXPECT_NE((read.error().message.english() + " " + read.error().hint.english()).find(words),
+              std::string::npos)
         << read.error().message << " " << read.error().hint;
     EXPECT_FALSE(read.error().hint.empty()) << read.error().message;
     EXPECT_EQ(read.error().where, "/somewhere/" + name);

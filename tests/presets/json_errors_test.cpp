@@ -19,8 +19,8 @@ void expectError(const Result<TransferFunction>& read, const std::string& messag
     ASSERT_FALSE(read.ok());
     EXPECT_EQ(read.error().code, ErrorCode::inputNotUsable);
     EXPECT_EQ(read.error().where, "file.json");
-    EXPECT_NE(read.error().message.find(message), std::string::npos) << read.error().message;
-    EXPECT_NE(read.error().hint.find(hint), std::string::npos) << read.error().hint;
+    EXPECT_NE(read.error().message.english().find(message), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().hint.english().find(hint), std::string::npos) << read.error().hint;
 }
 
 Result<TransferFunction> read(const std::string& text) {
@@ -82,7 +82,7 @@ TEST(JsonErrors, LightRigs) {
     const auto expectKey = [](const std::string& text, const std::string& key) {
         const auto rig = trace::lightRigFromJson(text, "f");
         ASSERT_FALSE(rig.ok());
-        EXPECT_NE(rig.error().message.find(key), std::string::npos) << rig.error().message;
+        EXPECT_NE(rig.error().message.english().find(key), std::string::npos) << rig.error().message;
     };
     expectKey(head + R"("room")" + sky + "]}", "frame");
     expectKey(head + R"("camera")" + sky + R"({"azimuth": 3}]})", "lights[0].azimuth is unknown");

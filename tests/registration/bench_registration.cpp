@@ -29,7 +29,7 @@ Measured measured(const ComparedPair& pair, const Register& registers) {
     if (found.ok()) {
         result.errorMm = errorMm(found->movingFromFixed, pair.truth);
     } else {
-        std::fprintf(stderr, "%s: %s\n", pair.name.c_str(), found.error().message.c_str());
+        std::fprintf(stderr, "%s: %s\n", pair.name.c_str(), found.error().message.english().c_str());
     }
     return result;
 }

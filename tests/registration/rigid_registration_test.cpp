@@ -23,7 +23,7 @@ const Volume& fixedPhantom() {
 RigidRegistration registered(const Volume& fixed, const Volume& moving) {
     Progress progress;
     const auto found = registerRigid(fixed, moving, progress);
-    EXPECT_TRUE(found.ok()) << (found ? "" : found.error().message);
+    EXPECT_TRUE(found.ok()) << (found ? "" : found.error().message.english());
     return found ? *found : RigidRegistration{};
 }
 
@@ -112,7 +112,7 @@ TEST(RigidRegistration, WhatHasNothingToGoByIsAnErrorThatSaysSo) {
     constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
     const auto has = [](const Error& error, const char* words) {
         EXPECT_EQ(error.code, ErrorCode::inputNotUsable);
-        EXPECT_NE(error.message.find(words), std::string::npos) << error.message;
+        EXPECT_NE(error.message.english().find(words), std::string::npos) << error.message;
         EXPECT_FALSE(error.hint.empty());
     };
     const glm::ivec3 some(24);
@@ -130,8 +130,8 @@ TEST(RigidRegistration, FourVoxelsEachWayAreTooFew) {
     std::vector<float> voxels;
     for (int n = 0; n < 64; ++n) voxels.push_back(float(n % 7));
     const auto tiny = Volume::createFloat({.size = size}, voxels);
-    EXPECT_NE(errorOf(*tiny, fixedPhantom()).message.find("too few voxels"), std::string::npos);
-    EXPECT_NE(errorOf(fixedPhantom(), *tiny).message.find("too few voxels"), std::string::npos);
+    EXPECT_NE(errorOf(*tiny, fixedPhantom()).message.english().find("too few voxels"), std::string::npos);
+    EXPECT_NE(errorOf(fixedPhantom(), *tiny).message.english().find("too few voxels"), std::string::npos);
 }
 
 TEST(RigidRegistration, WhoCancelsIsObeyed) {

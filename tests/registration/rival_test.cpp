@@ -16,7 +16,7 @@ namespace {
 RigidRegistration registered(const Volume& fixed, const Volume& moving) {
     Progress progress;
     const auto found = registerRigid(fixed, moving, progress);
-    EXPECT_TRUE(found.ok()) << (found ? "" : found.error().message);
+    EXPECT_TRUE(found.ok()) << (found ? "" : found.error().message.english());
     return found ? *found : RigidRegistration{};
 }
 

@@ -39,7 +39,7 @@ TEST_P(OnTable, PatientStaysAndTableGoes) {
     EXPECT_NE(found.confidence, Confidence::none);
     ASSERT_FALSE(found.messages.empty());
     EXPECT_EQ(found.messages[0].key, key::kTableRemoved);
-    EXPECT_NE(found.messages[0].sentence.find(" mL (confidence"), std::string::npos);
+    EXPECT_NE(found.messages[0].sentence.english().find(" mL (confidence"), std::string::npos);
 }
 
 // What was taken away has a volume, which is only as good as the size of a voxel.
@@ -57,7 +57,7 @@ TEST(Patient, TheVolumeThatIsLeftOutSaysThatItIsNotCalibrated) {
     const PatientMask found = find(*volume);
     ASSERT_FALSE(found.messages.empty());
     ASSERT_EQ(found.messages[0].key, key::kTableRemoved);
-    EXPECT_NE(found.messages[0].sentence.find("mL, not calibrated (confidence"), std::string::npos)
+    EXPECT_NE(found.messages[0].sentence.english().find("mL, not calibrated (confidence"), std::string::npos)
         << found.messages[0].sentence;
 }
 

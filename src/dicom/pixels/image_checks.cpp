@@ -18,7 +18,7 @@ std::vector<std::size_t> indicesOf(const std::vector<bool>& usable) {
     return indices;
 }
 
-std::string numbersOf(const Stack& stack, const std::vector<std::size_t>& frames) {
+Text numbersOf(const Stack& stack, const std::vector<std::size_t>& frames) {
     std::vector<const Frame*> named;
     for (const std::size_t f : frames) named.push_back(&stack.frames[f]);
     return describeNumbers(named);
@@ -58,18 +58,18 @@ void leaveOutWhatNeedsMoreBits(const Stack& stack, std::span<const SliceIntensit
 }
 
 // What is wrong with the pixels of images, for a sentence that begins with these.
-std::string_view describe(SliceFault fault) {
+Text describe(SliceFault fault) {
     switch (fault) {
         case SliceFault::otherSign:
-            return "have another sign than they say (PixelRepresentation)";
+            return Text("have another sign than they say (PixelRepresentation)");
         case SliceFault::swappedBytes:
-            return "have their bytes in the wrong order";
+            return Text("have their bytes in the wrong order");
         case SliceFault::blank:
-            return "have one value, in whole or from some row on, between images that go on there";
+            return Text("have one value, in whole or from some row on, between images that go on there");
         case SliceFault::unlike:
             break;
     }
-    return "do not fit";
+    return Text("do not fit");
 }
 
 Message oddValues(SliceFault fault, const Stack& stack, const std::vector<std::size_t>& odd,
@@ -77,7 +77,7 @@ Message oddValues(SliceFault fault, const Stack& stack, const std::vector<std::s
     const TextArgument count{"count", std::int64_t(odd.size())};
     const TextArgument numbers{"numbers", numbersOf(stack, odd)};
     if (fault == SliceFault::unlike) return message(key::kUnlikeNeighbours, {count, numbers});
-    const TextArgument what{"fault", std::string(describe(fault))};
+    const TextArgument what{"fault", describe(fault)};
     if (leftOut) return message(key::kOddValues, {count, numbers, what});
     return message(key::kOddValuesKept, {count, what, {"total", std::int64_t(total)}});
 }

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,10 +51,10 @@ class Reader {
         return {ErrorCode::inputNotUsable, std::move(message), where_,
                 Text("Copy the file again from its source, or choose another presentation state.")};
     }
-    void leftOut(std::string what) {
+    void leftOut(Text what) {
         state_.messages.push_back(message(key::kPresentationLeftOut, {{"what", std::move(what)}}));
     }
-    void approximated(std::string what, std::string how) {
+    void approximated(Text what, Text how) {
         state_.messages.push_back(
             message(key::kPresentationApproximated, {{"what", std::move(what)}, {"how", std::move(how)}}));
     }
@@ -71,9 +70,9 @@ class Reader {
         component_ = components.front();
         if (streams.size() > 1 || !file_.items(tags::kCompositor).empty() ||
             !stream_->items(tags::kCompositor).empty())
-            leftOut("several volumes blended into one picture");
+            leftOut(Text("several volumes blended into one picture"));
         const std::vector<Dataset> inputs = component_->items(tags::kComponentInputs);
-        if (components.size() > 1 || inputs.size() > 1) leftOut("colours of more than one input");
+        if (components.size() > 1 || inputs.size() > 1) leftOut(Text("colours of more than one input"));
         if (!inputs.empty()) inputNumber_ = inputs.front().integer(tags::kInputIndex);
         return {};
     }
@@ -82,7 +81,7 @@ class Reader {
         const std::vector<Dataset> inputs = file_.items(tags::kInputs);
         if (inputs.empty())
             return notUsable(Text("The presentation state does not say which images it is of."));
-        if (inputs.size() > 1) leftOut("more than one input");
+        if (inputs.size() > 1) leftOut(Text("more than one input"));
         const auto meant = std::ranges::find_if(inputs, [&](const Dataset& input) {
             return inputNumber_ && input.integer(tags::kInputNumber) == inputNumber_;
         });
@@ -95,10 +94,10 @@ class Reader {
             return notUsable(Text("The presentation state does not say which images it is of."));
         if (set->text(tags::kInputType) != "VOLUME")
             return notUsable(Text("The presentation state is of something that is no volume."));
-        if (sets.size() > 1 && inputs.size() == 1) leftOut("more than one set of images");
+        if (sets.size() > 1 && inputs.size() == 1) leftOut(Text("more than one set of images"));
         if (!set->items(tags::kReferencedRegistration).empty())
-            leftOut("a registration to another frame of reference");
-        if (input_->has(tags::kInputSequencePositionIndex)) leftOut("a sequence of volumes in time");
+            leftOut(Text("a registration to another frame of reference"));
+        if (input_->has(tags::kInputSequencePositionIndex)) leftOut(Text("a sequence of volumes in time"));
         return readSeries(*set);
     }
 
@@ -112,7 +111,7 @@ class Reader {
                                          std::move(image.sopInstanceUid), std::move(image.numbers)});
             }
         }
-        if (isDamaged) leftOut("an unreadable list of frames");
+        if (isDamaged) leftOut(Text("an unreadable list of frames"));
         series.frameOfReferenceUid = file_.text(tag::kFrameOfReferenceUid).value_or("");
         std::vector<Dataset> all = file_.items(tag::kReferencedSeries);
         for (const Dataset& study : file_.items(tags::kStudiesContainingOtherInstances)) {
@@ -186,7 +185,7 @@ class Reader {
             centre -= 0.5;
             width -= 1.0;
         } else if (function != "LINEAR_EXACT") {
-            approximated("a window that is no straight line", "a straight one is shown");
+            approximated(Text("a window that is no straight line"), Text("a straight one is shown"));
         }
         const ValueRange range{centre - 0.5 * width, centre + 0.5 * width};
         return range.low < range.high ? std::optional(range) : std::nullopt;
@@ -244,7 +243,8 @@ class Reader {
         const auto space = file_.text(tags::kColorSpace);
         if (space == "SRGB") return;
         const std::vector<std::uint16_t> profile = file_.words(tags::kIccProfile);
-        if (space || !profile.empty()) approximated("colours of another space", "they are shown as sRGB");
+        if (space || !profile.empty())
+            approximated(Text("colours of another space"), Text("they are shown as sRGB"));
     }
 
     Result<void> readCropping() {
@@ -276,7 +276,7 @@ class Reader {
             return {};
         }
         if (method == "INCLUDE_SEG" || method == "EXCLUDE_SEG") {
-            leftOut("a clip by a segmentation");
+            leftOut(Text("a clip by a segmentation"));
             return {};
         }
         const std::vector<Dataset> planes = item.items(tags::kObliquePlanes);
@@ -317,15 +317,15 @@ class Reader {
             isPart(shading.shininess.value_or(0.0)) && glm::length(shading.lightDirection) > 0.0) {
             state_.presentation.shading = shading;
         } else {
-            leftOut("shading with numbers that are not 0 to 1");
+            leftOut(Text("shading with numbers that are not 0 to 1"));
         }
     }
 
     void noteTheRest() {
-        if (file_.has(tags::kAnimationStyle)) leftOut("an animation");
+        if (file_.has(tags::kAnimationStyle)) leftOut(Text("an animation"));
         if (!file_.items(tags::kGraphicAnnotations).empty() ||
             !file_.items(tags::kVolumetricAnnotations).empty())
-            leftOut("drawings or texts over the picture");
+            leftOut(Text("drawings or texts over the picture"));
     }
 
     void readOwnState() {
@@ -358,20 +358,20 @@ class Reader {
 
 Result<PresentationState> readPresentationState(const fs::path& path) try {
     const HeaderFile read = readHeader(path);
-    const auto notUsable = [&](std::string message, std::string hint) {
+    const auto notUsable = [&](Text message, Text hint) {
         return Error{ErrorCode::inputNotUsable, std::move(message), path.string(), std::move(hint)};
     };
     if (read.state == FileState::unreadable)
-        return notUsable(Text("The file cannot be read."), "Check the path and its permissions.");
+        return notUsable(Text("The file cannot be read."), Text("Check the path and its permissions."));
     if (read.state == FileState::notDicom)
         return notUsable(Text("The file is not a DICOM presentation state."),
-                         "Choose a file of the kind Volume Rendering Volumetric Presentation State.");
+                         Text("Choose a file of the kind Volume Rendering Volumetric Presentation State."));
     if (!read.header)
         return notUsable(Text("The presentation state cannot be read."),
-                         "Copy the file again from its source.");
+                         Text("Copy the file again from its source."));
     if (read.header->text(tag::kSopClassUid) != sop_class::kVolumePresentationState)
         return notUsable(Text("The file is no presentation state of one rendered volume."),
-                         "Choose a file of the kind Volume Rendering Volumetric Presentation State.");
+                         Text("Choose a file of the kind Volume Rendering Volumetric Presentation State."));
     return Reader(*read.header, path.string()).read();
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory, Text("There is not enough memory for the presentation state."),

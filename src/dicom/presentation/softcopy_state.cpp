@@ -70,7 +70,7 @@ void readValues(const Dataset& file, SoftcopyState& state) {
             state.windows.push_back(std::move(window));
     }
     state.isInverse = file.text(kPresentationLutShape) == "INVERSE";
-    if (!file.items(kPresentationLuts).empty()) state.leftOut.emplace_back("a table of greys");
+    if (!file.items(kPresentationLuts).empty()) state.leftOut.emplace_back(Text("a table of greys"));
 }
 
 void readPlace(const Dataset& file, SoftcopyState& state) {
@@ -94,7 +94,7 @@ void readPlace(const Dataset& file, SoftcopyState& state) {
         if (isUsable) {
             state.areas.push_back(std::move(area));
         } else {
-            state.leftOut.emplace_back("a displayed area that is none");
+            state.leftOut.emplace_back(Text("a displayed area that is none"));
         }
     }
 }
@@ -106,13 +106,13 @@ bool areDamaged(const std::vector<ReferencedFrames>& images) {
 void noteTheRest(const Dataset& file, SoftcopyState& state) {
     if (areDamaged(state.images) || std::ranges::any_of(state.windows, areDamaged, &SoftcopyWindow::images) ||
         std::ranges::any_of(state.areas, areDamaged, &DisplayedArea::images))
-        state.leftOut.emplace_back("an unreadable list of frames");
-    if (!file.items(tags::kGraphicAnnotations).empty()) state.leftOut.emplace_back("annotations");
-    if (file.has(kShutterShape)) state.leftOut.emplace_back("a shutter");
-    if (!file.items(kMaskSubtraction).empty()) state.leftOut.emplace_back("a subtraction of images");
+        state.leftOut.emplace_back(Text("an unreadable list of frames"));
+    if (!file.items(tags::kGraphicAnnotations).empty()) state.leftOut.emplace_back(Text("annotations"));
+    if (file.has(kShutterShape)) state.leftOut.emplace_back(Text("a shutter"));
+    if (!file.items(kMaskSubtraction).empty()) state.leftOut.emplace_back(Text("a subtraction of images"));
     for (std::uint16_t group = 0x6000; group <= 0x601E; group += 2) {
         if (!file.has(Tag{group, 0x3000})) continue;
-        state.leftOut.emplace_back("an overlay");
+        state.leftOut.emplace_back(Text("an overlay"));
         break;
     }
 }
@@ -121,25 +121,26 @@ void noteTheRest(const Dataset& file, SoftcopyState& state) {
 
 Result<SoftcopyState> readSoftcopyState(const std::filesystem::path& path) try {
     const HeaderFile read = readHeader(path);
-    const auto notUsable = [&](std::string message, std::string hint) {
+    const auto notUsable = [&](Text message, Text hint) {
         return Error{ErrorCode::inputNotUsable, std::move(message), path.string(), std::move(hint)};
     };
     if (read.state == FileState::unreadable)
-        return notUsable("The file cannot be read.", "Check the path and its permissions.");
+        return notUsable(Text("The file cannot be read."), Text("Check the path and its permissions."));
     if (read.state == FileState::notDicom)
-        return notUsable("The file is not a DICOM presentation state.",
-                         "Choose a file of the kind Grayscale Softcopy Presentation State.");
+        return notUsable(Text("The file is not a DICOM presentation state."),
+                         Text("Choose a file of the kind Grayscale Softcopy Presentation State."));
     if (!read.header)
-        return notUsable("The presentation state cannot be read.", "Copy the file again from its source.");
+        return notUsable(Text("The presentation state cannot be read."),
+                         Text("Copy the file again from its source."));
     const Dataset& file = *read.header;
     if (file.text(tag::kSopClassUid) != sop_class::kSoftcopyPresentationState)
-        return notUsable("The file is no presentation state of grey slices.",
-                         "Choose a file of the kind Grayscale Softcopy Presentation State.");
+        return notUsable(Text("The file is no presentation state of grey slices."),
+                         Text("Choose a file of the kind Grayscale Softcopy Presentation State."));
     SoftcopyState state;
     readReferences(file, state);
     if (state.seriesUids.empty() || state.images.empty())
-        return notUsable("The presentation state does not say which images it is of.",
-                         "Copy the file again from its source, or choose another presentation state.");
+        return notUsable(Text("The presentation state does not say which images it is of."),
+                         Text("Copy the file again from its source, or choose another presentation state."));
     readValues(file, state);
     readPlace(file, state);
     noteTheRest(file, state);

@@ -51,7 +51,7 @@ struct SoftcopyState {
     std::vector<DisplayedArea> areas;
     bool isInverse = false;  // white and black change places
     // What else the object has, in words that complete "The presentation state has …".
-    std::vector<std::string> leftOut;
+    std::vector<Text> leftOut;
 };
 
 // Never throws. Fails with inputNotUsable when it is no such object or names no images; or outOfMemory.

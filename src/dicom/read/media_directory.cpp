@@ -171,7 +171,7 @@ Result<MediaDirectory> readMediaDirectory(const fs::path& path) try {
     for (const DirectoryRecord& record : directoryRecords(*read.header)) resolver.add(record);
     return resolver.take();
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "read the directory of this disc", path.string());
+    return errorOf(thrown, Text("read the directory of this disc"), path.string());
 }
 
 }  // namespace macula::dicom

@@ -2,7 +2,6 @@
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcuid.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
@@ -103,14 +102,14 @@ std::string_view modalityOfClass(std::string_view sopClassUid) {
     return found == kModalities.end() ? std::string_view() : found->second;
 }
 
-std::string describeSopClass(std::string_view sopClassUid) {
-    if (const Kind* kind = kindOf(sopClassUid)) return std::string(kind->name);
+Text describeSopClass(std::string_view sopClassUid) {
+    if (const Kind* kind = kindOf(sopClassUid)) return Text::of(kind->name, {});
     // Text that is no UID is not repeated in the answer: it may be anything, a name too.
     const bool isUid = !sopClassUid.empty() && sopClassUid.size() <= 64 &&
                        sopClassUid.find_first_not_of("0123456789.") == std::string_view::npos;
-    if (!isUid) return "Object of unknown kind";
+    if (!isUid) return Text("Object of unknown kind");
     const std::string uid(sopClassUid);
-    return fmt::format("Object of class {}", dcmFindNameOfUID(uid.c_str(), uid.c_str()));
+    return Text("Object of class {}", dcmFindNameOfUID(uid.c_str(), uid.c_str()));
 }
 
 }  // namespace macula::dicom

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
+
 namespace macula::dicom {
 
 namespace sop_class {
@@ -37,6 +39,6 @@ std::string_view modalityOfClass(std::string_view sopClassUid);
 
 // For a person: "Segmentation", "Structured report"; for less common classes "Object of class" with DCMTK's
 // name or the UID; "Object of unknown kind" for text that is no UID.
-std::string describeSopClass(std::string_view sopClassUid);
+Text describeSopClass(std::string_view sopClassUid);
 
 }  // namespace macula::dicom

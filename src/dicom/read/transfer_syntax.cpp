@@ -1,7 +1,5 @@
 #include "dicom/read/transfer_syntax.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -95,12 +93,12 @@ TransferSyntaxInfo transferSyntaxInfo(std::string_view uid) {
     return row == kTable.end() ? TransferSyntaxInfo{} : row->info;
 }
 
-std::string describeTransferSyntax(std::string_view uid) {
+Text describeTransferSyntax(std::string_view uid) {
     const bool isUid =
         !uid.empty() && uid.size() <= 64 && uid.find_first_not_of("0123456789.") == std::string_view::npos;
     const std::string_view name = transferSyntaxInfo(uid).name;
-    return fmt::format("{} ({})", name.empty() ? "unknown compression" : name,
-                       isUid ? uid : "no valid identifier");
+    return Text("{} ({})", name.empty() ? Text("unknown compression") : Text::verbatim(name),
+                isUid ? Text::verbatim(uid) : Text("no valid identifier"));
 }
 
 bool beginsStream(std::span<const unsigned char> bytes) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
+
 namespace macula::dicom {
 
 enum class Codec { native, rle, jpeg, jpegLs, jpeg2000, unsupported };
@@ -18,7 +20,7 @@ struct TransferSyntaxInfo {
 TransferSyntaxInfo transferSyntaxInfo(std::string_view uid);
 
 // For a person: "JPEG 2000 (1.2.840.10008.1.2.4.91)". Text that is no UID is not repeated.
-std::string describeTransferSyntax(std::string_view uid);
+Text describeTransferSyntax(std::string_view uid);
 
 // Whether the bytes begin a stream of JPEG, JPEG-LS, JPEG 2000 or run lengths. Takes any number of bytes; 8
 // are enough.

@@ -306,7 +306,7 @@ Result<SegmentVoxelSets> loadSegmentVoxels(const Segmentation& segmentation, con
     for (SegmentVoxels& each : sets.segments) measure(each, each.voxels, worldFromVoxel, true);
     return sets;
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "load the segmentation", segmentation.file.string());
+    return errorOf(thrown, Text("load the segmentation"), segmentation.file.string());
 }
 
 }  // namespace macula::dicom

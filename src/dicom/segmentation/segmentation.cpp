@@ -209,7 +209,7 @@ Result<Segmentation> readSegmentation(const fs::path& file) try {
     }
     return segmentation;
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "read a segmentation", file.string());
+    return errorOf(thrown, Text("read a segmentation"), file.string());
 }
 
 std::array<std::uint8_t, 3> rgbOfCieLab(const std::array<std::uint16_t, 3>& words) {

@@ -189,7 +189,7 @@ Result<LabelMap> loadSegmentation(const Segmentation& segmentation, const glm::d
     }
     return load(segmentation, *placements, worldFromVoxel, size, progress);
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "load the segmentation", segmentation.file.string());
+    return errorOf(thrown, Text("load the segmentation"), segmentation.file.string());
 }
 
 Result<LabelMap> loadSegmentation(const Segmentation& segmentation, Progress& progress) try {
@@ -201,7 +201,7 @@ Result<LabelMap> loadSegmentation(const Segmentation& segmentation, Progress& pr
     return notUsable(segmentation, Text("The frames of the segmentation do not lie on one grid."),
                      Text("Open the segmentation with the series it was drawn on."));
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "load the segmentation", segmentation.file.string());
+    return errorOf(thrown, Text("load the segmentation"), segmentation.file.string());
 }
 
 }  // namespace macula::dicom

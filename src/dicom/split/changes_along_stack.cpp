@@ -27,7 +27,7 @@ std::int64_t sliceOf(const Stack& stack, std::size_t frame) {
     return static_cast<std::int64_t>(slice) + 1;
 }
 
-void tell(Stack& stack, const std::string& attribute, const std::vector<std::size_t>& places) {
+void tell(Stack& stack, const Text& attribute, const std::vector<std::size_t>& places) {
     Message told = message(key::kChangesAlongStack, {{"attribute", attribute},
                                                      {"slice", sliceOf(stack, places.front())},
                                                      {"changes", std::int64_t(places.size())}});
@@ -54,9 +54,9 @@ void tellRescaleChanges(Stack& stack) {
     constexpr std::size_t kFewOf = 8;
     if (places.empty() || kFewOf * places.size() > stack.frames.size()) return;
     tell(stack,
-         ofSlope && ofIntercept ? "RescaleSlope and RescaleIntercept"
-         : ofSlope              ? "RescaleSlope"
-                                : "RescaleIntercept",
+         ofSlope && ofIntercept ? Text("{} and {}", "RescaleSlope", "RescaleIntercept")
+         : ofSlope              ? Text::verbatim("RescaleSlope")
+                                : Text::verbatim("RescaleIntercept"),
          places);
 }
 
@@ -70,7 +70,7 @@ void tellChanges(Stack& stack, const SplitRules& rules) {
         if (!rule.modality.empty() && rule.modality != stack.modality) continue;
         const auto places = changesOf(stack, rules, rule.attribute);
         if (places.empty() || (rule.step == Step::once && places.size() != 1)) continue;
-        tell(stack, rules.attributes[rule.attribute].name, places);
+        tell(stack, Text::verbatim(rules.attributes[rule.attribute].name), places);
     }
     tellRescaleChanges(stack);
 }

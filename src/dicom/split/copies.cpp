@@ -1,7 +1,5 @@
 #include "dicom/split/copies.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>

@@ -1,10 +1,7 @@
 #include "dicom/split/farther_reach.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "dicom/split/stack_ends.h"
 
@@ -18,7 +15,7 @@ struct OfSeries {
 };
 
 struct Farther {
-    std::string what;
+    Text what;
     double mm = 0.0;
 };
 
@@ -40,7 +37,7 @@ Farther fartherVolume(const OfSeries& of, const std::vector<OfSeries>& volumes, 
         const double mm = beyondMm(stack, *reach, end);
         if (mm < farthest.mm) continue;
         const int number = other.series->number.value_or(0);
-        farthest = {number > 0 ? fmt::format("Series {}", number) : "Another series", mm};
+        farthest = {number > 0 ? Text("Series {}", number) : Text("Another series"), mm};
     }
     return farthest;
 }
@@ -60,7 +57,7 @@ Farther fartherLocalizer(const Stack& stack, const std::vector<Series>& all, Sta
             const double mm = beyondMm(stack, *reach, end);
             const double otherMm = beyondMm(stack, *reach, opposite(end));
             if (mm >= kLeastShare * coveredMm && std::abs(otherMm) <= kMostAtOtherEnd * coveredMm)
-                farther = {"The localizer", mm};
+                farther = {Text("The localizer"), mm};
         }
     }
     return farther;
@@ -83,9 +80,8 @@ void reportFartherReach(std::vector<Series>& series) {
             if (farther.what.empty()) farther = fartherLocalizer(*of.stack, series, end);
             if (farther.what.empty()) continue;
             of.stack->messages.push_back(
-                message(key::kOthersReachFarther, {{"other", farther.what},
-                                                   {"mm", farther.mm},
-                                                   {"side", std::string(sideBeyond(*of.stack, end))}}));
+                message(key::kOthersReachFarther,
+                        {{"other", farther.what}, {"mm", farther.mm}, {"side", sideBeyond(*of.stack, end)}}));
         }
     }
 }

@@ -37,7 +37,7 @@ bool isEvenStack(const std::vector<Examination>& found, const std::vector<std::s
 }
 
 // The levels whose identifiers differ. Empty when an identifier is neither one for all nor one for each.
-std::string levelsOf(const std::vector<Examination>& found, const std::vector<std::size_t>& images) {
+Text levelsOf(const std::vector<Examination>& found, const std::vector<std::size_t>& images) {
     std::set<PatientIdentity> patients;
     std::set<std::string_view> studies;
     std::set<std::string_view> series;
@@ -46,13 +46,13 @@ std::string levelsOf(const std::vector<Examination>& found, const std::vector<st
         studies.insert(found[i].studyInstanceUid);
         series.insert(found[i].seriesInstanceUid);
     }
-    std::string levels;
+    Text levels;
     for (const auto& [count, name] :
-         {std::pair(patients.size(), "patient"), std::pair(studies.size(), "study"),
-          std::pair(series.size(), "series")}) {
+         {std::pair(patients.size(), Text("patient")), std::pair(studies.size(), Text("study")),
+          std::pair(series.size(), Text("series"))}) {
         if (count == 1) continue;
         if (count != images.size()) return {};
-        levels += (levels.empty() ? "" : " and ") + std::string(name);
+        levels = levels.empty() ? name : Text("{} and {}", std::move(levels), name);
     }
     return levels;
 }
@@ -75,7 +75,7 @@ std::vector<Scattered> findScattered(const std::vector<Examination>& found) {
     std::vector<Scattered> all;
     for (auto& [description, images] : groups) {
         if (images.size() < kLeastImages) continue;
-        std::string levels = levelsOf(found, images);
+        Text levels = levelsOf(found, images);
         if (levels.empty() || !isEvenStack(found, images)) continue;
         all.push_back({std::move(images), std::move(levels)});
     }

@@ -1,16 +1,16 @@
 // Finds images that form one series but whose identifiers were made anew for each of them.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "dicom/stack/examination.h"
 
 namespace macula::dicom {
 
 struct Scattered {
     std::vector<std::size_t> images;  // indices in `found`
-    std::string levels;               // those with different identifiers: "series", "study and series", …
+    Text levels;                      // those with different identifiers: "series", "study and series", …
 };
 
 // Finds three or more images, each the only one of its series, that agree in modality, series number and

@@ -1,7 +1,5 @@
 #include "dicom/split/missing_images.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <set>
@@ -29,7 +27,7 @@ struct Candidate {
 // What is said to be missing, and by what.
 struct Claim {
     std::size_t count = 0;
-    std::string why;
+    Text why;
     Severity severity = Severity::warning;
 };
 
@@ -179,7 +177,7 @@ class StudyImages {
         const auto size = static_cast<int>(candidate.stack->frames.size());
         const bool isDoubtful =
             missing <= kLocalizers || before % kHundred == 0 || (before % size == 0 && before > size);
-        return Claim{static_cast<std::size_t>(missing), fmt::format("the image numbers begin at {}", lowest),
+        return Claim{static_cast<std::size_t>(missing), Text("the image numbers begin at {}", lowest),
                      isDoubtful ? Severity::info : Severity::warning};
     }
 
@@ -197,14 +195,14 @@ class StudyImages {
         if (!isToVolume || othersEndHere(candidate, end)) return {};
         return Claim{
             static_cast<std::size_t>(beyond.count),
-            fmt::format("the image numbers leave out {} to {}", std::min(from + by, from + by * beyond.count),
-                        std::max(from + by, from + by * beyond.count))};
+            Text("the image numbers leave out {} to {}", std::min(from + by, from + by * beyond.count),
+                 std::max(from + by, from + by * beyond.count))};
     }
 
     static void tellEnd(Stack& stack, StackEnd end, const Claim& claim) {
         tell(stack, message(key::kMissingAtEnds, claim.severity,
                             {{"count", std::int64_t(claim.count)},
-                             {"side", std::string(sideBeyond(stack, end))},
+                             {"side", sideBeyond(stack, end)},
                              {"evidence", claim.why}}));
     }
 
@@ -247,7 +245,7 @@ class StudyImages {
             said = acquisition.second;
         }
         if (claim.count == 0) return {};
-        claim.why = fmt::format("the images say that their acquisition has {} (ImagesInAcquisition)", said);
+        claim.why = Text("the images say that their acquisition has {} (ImagesInAcquisition)", said);
         if (mayBeSeveral) claim.severity = Severity::info;
         return claim;
     }
@@ -261,9 +259,9 @@ class StudyImages {
                                           std::max(frame.instance->seriesRelatedInstances.value_or(0), 0)));
         }
         if (said <= there) return {};
-        return Claim{said - there, fmt::format("the images say that the series has {} "
-                                               "(NumberOfSeriesRelatedInstances)",
-                                               said)};
+        return Claim{said - there, Text("the images say that the series has {} "
+                                        "(NumberOfSeriesRelatedInstances)",
+                                        said)};
     }
 
     // PET says how many slices a volume has (PS3.3 C.8.9.1), of which the gaps are told elsewhere.
@@ -274,13 +272,13 @@ class StudyImages {
         const auto there = static_cast<int>(candidate.stack->frames.size());
         if (candidate.stack->modality != "PT" || said <= there) return {};
         return Claim{static_cast<std::size_t>(said - there),
-                     fmt::format("the images say that a volume has {} slices (NumberOfSlices)", said)};
+                     Text("the images say that a volume has {} slices (NumberOfSlices)", said)};
     }
 
     std::optional<Claim> claimOfDirectory(const Series& series) const {
         const auto found = absent_.find(series.seriesInstanceUid);
         if (found == absent_.end() || found->second.empty()) return {};
-        return Claim{found->second.size(), "the directory of the medium (DICOMDIR) lists them"};
+        return Claim{found->second.size(), Text("the directory of the medium (DICOMDIR) lists them")};
     }
 
     // The ends beyond which the numbers lie that the directory of the medium lists; false unless each of them
@@ -301,7 +299,7 @@ class StudyImages {
         for (std::size_t e = 0; e < kStackEnds.size(); ++e) {
             if (beyond[e] == 0) continue;
             tellEnd(*only.stack, kStackEnds[e],
-                    {beyond[e], "the directory of the medium (DICOMDIR) lists them"});
+                    {beyond[e], Text("the directory of the medium (DICOMDIR) lists them")});
         }
         return true;
     }

@@ -7,8 +7,8 @@
 namespace macula::dicom {
 
 void tellSplit(std::vector<Message>& messages, const std::vector<std::string>& names, std::size_t count) {
-    std::string list = names.front();
-    for (std::size_t i = 1; i < names.size(); ++i) list += " and " + names[i];
+    Text list = Text::verbatim(names.front());
+    for (std::size_t i = 1; i < names.size(); ++i) list = Text("{} and {}", std::move(list), names[i]);
     messages.push_back(message(key::kSplitSeries, {{"attributes", list}, {"count", std::int64_t(count)}}));
 }
 
@@ -33,7 +33,7 @@ void nameStackPhases(std::vector<Stack>& stacks, bool assumed) {
     }
 }
 
-std::string describedNumbers(const Stack& whole, const std::vector<std::size_t>& frames) {
+Text describedNumbers(const Stack& whole, const std::vector<std::size_t>& frames) {
     std::vector<const Frame*> named;
     for (const std::size_t frame : frames) named.push_back(&whole.frames[frame]);
     return describeNumbers(named);

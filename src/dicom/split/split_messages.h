@@ -21,6 +21,6 @@ void nameStackPhases(std::vector<Stack>& stacks, bool assumed);
 void tellAll(std::vector<Stack>& stacks, std::vector<Message>& messages, const Message& told);
 
 // The numbers of these frames of the stack, for a message.
-std::string describedNumbers(const Stack& whole, const std::vector<std::size_t>& frames);
+Text describedNumbers(const Stack& whole, const std::vector<std::size_t>& frames);
 
 }  // namespace macula::dicom

@@ -134,7 +134,7 @@ Splitter::Stacks Splitter::byWays(const Stack& whole, Messages& messages) const 
     if (partition.empty() || partition.size() > whole.frames.size() / 3) return {};
     if (isVolume && 2 * alternations(whole.frames, partition) <= whole.frames.size()) return {};
     if (!interleave(tryOut(whole.frames, partition)) || !isBetter(whole, partition, Grade::gapped)) return {};
-    for (Part& part : partition) part.values = {describedNumbers(whole, part.frames)};
+    for (Part& part : partition) part.values = {describedNumbers(whole, part.frames).english()};
     std::vector<Stack> stacks = maker_.stacksOf(whole, partition, {"InstanceNumber"});
     tellAll(stacks, messages, message(key::kSplitByNumber, {{"count", std::int64_t(partition.size())}}));
     return stacks;

@@ -26,13 +26,13 @@ bool shareFrameOfReference(const Stack& a, const Stack& b) {
 
 }  // namespace
 
-std::string_view sideBeyond(const Stack& stack, StackEnd end) {
+Text sideBeyond(const Stack& stack, StackEnd end) {
     const glm::dvec3 normal = stack.frames.front().plane->normal();
     const glm::dvec3 out = end == StackEnd::last ? normal : -normal;
     const glm::dvec3 size = glm::abs(out);
-    if (size.z >= size.x && size.z >= size.y) return out.z > 0.0 ? "head" : "feet";
-    if (size.y >= size.x) return out.y > 0.0 ? "back" : "front";
-    return out.x > 0.0 ? "left" : "right";
+    if (size.z >= size.x && size.z >= size.y) return out.z > 0.0 ? Text("head") : Text("feet");
+    if (size.y >= size.x) return out.y > 0.0 ? Text("back") : Text("front");
+    return out.x > 0.0 ? Text("left") : Text("right");
 }
 
 double stepMm(const Stack& stack) {

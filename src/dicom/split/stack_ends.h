@@ -3,9 +3,9 @@
 
 #include <array>
 #include <optional>
-#include <string_view>
 #include <vector>
 
+#include "base/text.h"
 #include "dicom/stack/stack.h"
 
 namespace macula::dicom {
@@ -15,7 +15,7 @@ inline constexpr std::array kStackEnds{StackEnd::first, StackEnd::last};
 
 // The side of the patient that lies beyond an end: "head", "feet", "left", "right", "front" or "back". The
 // stack has a geometry.
-std::string_view sideBeyond(const Stack& stack, StackEnd end);
+Text sideBeyond(const Stack& stack, StackEnd end);
 
 // The distance between slices, on average; 0 for one slice.
 double stepMm(const Stack& stack);

@@ -44,7 +44,7 @@ std::optional<Message> inconsistency(std::span<const StackedPlane> planes) {
         }
         if (!near(first.columnSpacingMm, other.plane.columnSpacingMm) ||
             !near(first.rowSpacingMm, other.plane.rowSpacingMm)) {
-            return message(key::kNotReconstructable, {{"reason", "their pixel spacings differ"}});
+            return message(key::kNotReconstructable, {{"reason", Text("their pixel spacings differ")}});
         }
     }
     return {};
@@ -206,11 +206,11 @@ std::optional<Message> offTheLine(std::span<const StackedPlane> planes, const st
     }
     if (largestSideways > kIrregularErrorOfStep * std::max(positions.usualMm, first.columnSpacingMm)) {
         return message(key::kNotReconstructable,
-                       {{"reason", "they are shifted sideways against each other"}});
+                       {{"reason", Text("they are shifted sideways against each other")}});
     }
     if (!isInvertibleAffine(
             affine(first.rowDirection, first.columnDirection, line.extentMm, first.positionMm))) {
-        return message(key::kNotReconstructable, {{"reason", "they lie beside each other"}});
+        return message(key::kNotReconstructable, {{"reason", Text("they lie beside each other")}});
     }
     return {};
 }
@@ -342,7 +342,7 @@ StackGeometry stackPlanes(std::span<const StackedPlane> planes) {
     const double tiltDeg = tiltDegOf(line, stack);
     if (tiltDeg > kMostTiltDeg) {
         return fail(message(key::kNotReconstructable,
-                            {{"reason", "each is shifted sideways against the one before"}}));
+                            {{"reason", Text("each is shifted sideways against the one before")}}));
     }
     if (tiltDeg > kTiltWorthTellingDeg) {
         stack.messages.push_back(message(key::kTiltedStack, {{"degrees", tiltDeg}}));

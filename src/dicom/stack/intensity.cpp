@@ -98,7 +98,7 @@ bool SliceIntensity::operator==(const SliceIntensity& other) const {
            padding == other.padding && floatPadding == other.floatPadding && sameLut();
 }
 
-std::optional<std::string> completePadding(std::span<SliceIntensity> slices) {
+std::optional<Text> completePadding(std::span<SliceIntensity> slices) {
     std::optional<RawRange> common;
     std::size_t missing = 0;
     for (const SliceIntensity& slice : slices) {
@@ -112,8 +112,8 @@ std::optional<std::string> completePadding(std::span<SliceIntensity> slices) {
     }
     if (!common || missing == 0) return {};
     for (SliceIntensity& slice : slices) slice.padding = common;
-    return fmt::format("{} of {} slices declare no padding value; that of the others was taken for them.",
-                       missing, slices.size());
+    return Text("{} of {} slices declare no padding value; that of the others was taken for them.", missing,
+                slices.size());
 }
 
 void unpackCells(const CellFormat& format, const std::optional<RawRange>& padding,

@@ -83,7 +83,7 @@ struct SliceIntensity {
 };
 
 // Gives slices without padding that of the others, if those agree. Returns a sentence if it did so.
-std::optional<std::string> completePadding(std::span<SliceIntensity> slices);
+std::optional<Text> completePadding(std::span<SliceIntensity> slices);
 
 // Unpacks in place, from narrow cells as in the file to "unpacked" values: raw when unsigned, raw + 32768
 // when signed. Bits outside the stored ones (overlays, PS3.5 8.1.2) are dropped, except where the whole cell

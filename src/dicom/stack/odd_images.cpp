@@ -227,9 +227,9 @@ std::vector<OddImages> takeOtherUnits(std::vector<Frame>& frames, const std::str
         for (Frame& frame : frames)
             (unitTerm(modality, frame) == units[u] ? other.frames : kept).push_back(std::move(frame));
         frames = std::move(kept);
-        const std::string name = unitText(valueUnit(modality, other.frames));
-        const std::string text = name.empty() ? "another unit" : name;
-        other.label = {modality == "PT" ? "Units" : "RescaleType", text};
+        const Text name = unitText(valueUnit(modality, other.frames));
+        const Text text = name.empty() ? Text("another unit") : name;
+        other.label = {modality == "PT" ? "Units" : "RescaleType", text.english()};
         other.message =
             message(key::kInconsistentUnits, {{"count", std::int64_t(other.frames.size())}, {"unit", text}});
         taken.push_back(std::move(other));
@@ -307,7 +307,7 @@ std::optional<Message> imagesWithoutPosition(const std::vector<Frame>& frames) {
                    {{"count", std::int64_t(unplaced.size())}, {"numbers", describeNumbers(unplaced)}});
 }
 
-std::string describeNumbers(const std::vector<const Frame*>& frames) {
+Text describeNumbers(const std::vector<const Frame*>& frames) {
     constexpr std::size_t kMostCharacters = 100;
     std::vector<std::pair<int, int>> numbers;  // of the image, of its frame from 1 (0: single-frame)
     bool unnamed = false;
@@ -322,7 +322,7 @@ std::string describeNumbers(const std::vector<const Frame*>& frames) {
     for (std::size_t n = 0; n < numbers.size();) {
         if (list.size() > kMostCharacters) {
             add("…");
-            return list;
+            return Text::verbatim(list);
         }
         const auto [image, frame] = numbers[n];
         std::size_t end = n + 1;
@@ -333,8 +333,8 @@ std::string describeNumbers(const std::vector<const Frame*>& frames) {
                           : fmt::format("{}", image));
         n = end;
     }
-    if (unnamed) add("without a number");
-    return list;
+    Text said = Text::verbatim(list);
+    return unnamed ? Text::joined({std::move(said), Text("without a number")}, ", ") : said;
 }
 
 }  // namespace macula::dicom

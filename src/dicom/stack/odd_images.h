@@ -29,6 +29,6 @@ std::vector<OddImages> takeOddImages(std::vector<Frame>& frames, const std::stri
 std::optional<Message> imagesWithoutPosition(const std::vector<Frame>& frames);
 
 // "3, 5-7, 12": InstanceNumbers; for multi-frame files with the frame after a colon.
-std::string describeNumbers(const std::vector<const Frame*>& frames);
+Text describeNumbers(const std::vector<const Frame*>& frames);
 
 }  // namespace macula::dicom

@@ -28,7 +28,7 @@ struct PresentationHeading {
 struct OtherObject {
     std::filesystem::path file;
     std::string sopClassUid;
-    std::string kind;                               // "Segmentation"; for a person
+    Text kind;                                      // "Segmentation"; for a person
     std::vector<std::string> referencedSeriesUids;  // of a segmentation or presentation state; sorted
     std::string label;  // of a presentation state: its description, else its label; may be empty
     std::optional<PresentationHeading> presentation = {};  // of a presentation state of any kind

@@ -1,7 +1,5 @@
 #include "dicom/stack/stack.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -45,9 +43,9 @@ void tellMissingModality(Stack& stack) {
     const auto count = std::ranges::count_if(stack.frames, isMissing);
     // What others of the series say is text of a file, which may be anything, and is not repeated.
     const std::string& ofClass = first->instance->modality;
-    const std::string taken = !ofClass.empty()         ? ofClass + ", by their kind of object"
-                              : stack.modality.empty() ? "images of an unknown device"
-                                                       : "what others of the series are";
+    const Text taken = !ofClass.empty()         ? Text("{}, by their kind of object", ofClass)
+                       : stack.modality.empty() ? Text("images of an unknown device")
+                                                : Text("what others of the series are");
     tell(stack, message(key::kMissingModality, {{"count", std::int64_t(count)},
                                                 {"total", std::int64_t(stack.frames.size())},
                                                 {"modality", taken}}));
@@ -69,11 +67,11 @@ std::vector<const Frame*> deviatingRescales(const std::vector<Frame>& frames) {
     return deviating;
 }
 
-std::string bytesText(std::uint64_t bytes) {
+Text bytesText(std::uint64_t bytes) {
     constexpr std::uint64_t kKilo = 1000;
-    if (bytes < 10 * kKilo) return fmt::format("{} bytes", bytes);
-    if (bytes < 10 * kKilo * kKilo) return fmt::format("{} kB", bytes / kKilo);
-    return fmt::format("{} MB", bytes / (kKilo * kKilo));
+    if (bytes < 10 * kKilo) return Text("{} bytes", bytes);
+    if (bytes < 10 * kKilo * kKilo) return Text("{} kB", bytes / kKilo);
+    return Text("{} MB", bytes / (kKilo * kKilo));
 }
 
 // Tells what files hold beyond the frames that they say they have.
@@ -92,8 +90,7 @@ void tellWhatIsBeyond(Stack& stack) {
             isMoreThanImages || (instance->pixelBytes > 0 && instance->strayBytes >= instance->pixelBytes);
     }
     if (files > 0)
-        tell(stack,
-             message(key::kSurplusFrames, {{"files", files}, {"frames", fmt::format("{:.3g}", frames)}}));
+        tell(stack, message(key::kSurplusFrames, {{"files", files}, {"frames", Text("{:.3g}", frames)}}));
     if (bytes > 0) {
         // As many bytes as the images have may be further images.
         tell(stack, message(key::kStrayBytes, isMoreThanImages ? Severity::warning : Severity::info,
@@ -146,10 +143,10 @@ void assessPixels(Stack& stack) {
     if (any(stack, [&](const Frame& f) {
             return f.instance->columns != first.instance->columns || f.instance->rows != first.instance->rows;
         })) {
-        tell(stack, message(key::kNotReconstructable, {{"reason", "their sizes differ"}}));
+        tell(stack, message(key::kNotReconstructable, {{"reason", Text("their sizes differ")}}));
     }
     if (stack.columns < 1 || stack.rows < 1) {
-        tell(stack, message(key::kNotReconstructable, {{"reason", "they have no pixels"}}));
+        tell(stack, message(key::kNotReconstructable, {{"reason", Text("they have no pixels")}}));
     }
     std::set<std::string> syntaxes;
     for (const Frame& frame : stack.frames) syntaxes.insert(frame.instance->transferSyntaxUid);
@@ -192,7 +189,7 @@ void assessRescale(Stack& stack, const std::string& modality) {
                             {{"count", std::int64_t(count)}, {"total", std::int64_t(stack.frames.size())}}));
     }
     if (modality == "CT") {
-        if (const std::string why = whyNoHounsfield(stack.frames); !why.empty())
+        if (const Text why = whyNoHounsfield(stack.frames); !why.empty())
             tell(stack, message(key::kNoHounsfield, {{"reason", why}}));
     }
     const Frame& first = stack.frames.front();
@@ -204,13 +201,13 @@ void assessRescale(Stack& stack, const std::string& modality) {
                         : message(key::kDeviatingRescale, {{"numbers", describeNumbers(deviating)}}));
     }
     if (any(stack, [](const Frame& f) { return f.realWorld; })) {
-        const std::string unit = unitText(valueUnit(modality, stack.frames));
-        tell(stack,
-             message(key::kRealWorldValues, {{"unit", unit.empty() ? "a unit that is not named" : unit}}));
+        const Text unit = unitText(valueUnit(modality, stack.frames));
+        tell(stack, message(key::kRealWorldValues,
+                            {{"unit", unit.empty() ? Text("a unit that is not named") : unit}}));
     }
     if (modality == "RTDOSE") {
-        const std::string unit = unitText(valueUnit(modality, stack.frames));
-        tell(stack, message(key::kDose, {{"unit", unit.empty() ? "not named" : unit}}));
+        const Text unit = unitText(valueUnit(modality, stack.frames));
+        tell(stack, message(key::kDose, {{"unit", unit.empty() ? Text("not named") : unit}}));
     }
     if (modality == "PT") {
         Suv suv = first.instance->suv;
@@ -218,7 +215,7 @@ void assessRescale(Stack& stack, const std::string& modality) {
                 const auto& factor = f.instance->suv.factor;
                 return suv.factor && (!factor || std::abs(*factor / *suv.factor - 1.0) > 1e-6);
             })) {
-            suv = {{}, "a factor that holds for all images"};
+            suv = {{}, Text("a factor that holds for all images")};
         }
         stack.suvFactor = suv.factor;
         if (!suv.factor) tell(stack, message(key::kSuvUnavailable, {{"missing", suv.missing}}));
@@ -256,17 +253,17 @@ void sortWithoutPositions(Stack& stack) {
     });
 }
 
-std::string_view nameOf(PixelSpacingSource source) {
+Text said(PixelSpacingSource source) {
     switch (source) {
         case PixelSpacingSource::imagerPixelSpacing:
-            return "the spacing at the detector";
+            return Text("the spacing at the detector");
         case PixelSpacingSource::nominalScannedPixelSpacing:
-            return "the nominal spacing of the scanned film";
+            return Text("the nominal spacing of the scanned film");
         case PixelSpacingSource::pixelSpacing:
         case PixelSpacingSource::none:
             break;
     }
-    return "";
+    return {};
 }
 
 double median(std::vector<double> values) {
@@ -349,7 +346,7 @@ void assessGeometry(Stack& stack) {
         stack.frames, [](const Frame& f) { return f.spacingSource != PixelSpacingSource::pixelSpacing; });
     if (estimated != stack.frames.end()) {
         stack.isCalibrated = false;
-        tell(stack, message(key::kUncalibrated, {{"source", std::string(nameOf(estimated->spacingSource))}}));
+        tell(stack, message(key::kUncalibrated, {{"source", said(estimated->spacingSource)}}));
     }
     if (!geometry.worldFromVoxel) return;
     stack.worldFromVoxel = geometry.worldFromVoxel;

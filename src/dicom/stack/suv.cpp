@@ -41,37 +41,37 @@ std::optional<double> scanSeconds(const Dataset& header) {
 }  // namespace
 
 Suv suvOf(const Dataset& header) {
-    const auto without = [](const char* what) { return Suv{{}, what}; };
+    const auto without = [](Text what) { return Suv{{}, std::move(what)}; };
     const std::string units = header.text(tag::kUnits).value_or("");
     if (units == "GML") {
         const std::string type =
             header.text(tag::kSuvType).value_or("BW");  // absent means BW: PS3.3 C.8.9.1.1.3
-        return type == "BW" ? Suv{1.0, {}} : without("SUV by body weight");
+        return type == "BW" ? Suv{1.0, {}} : without(Text("SUV by body weight"));
     }
-    if (units != "BQML") return without("Units of Bq/mL");
+    if (units != "BQML") return without(Text("Units of Bq/mL"));
     const auto corrected = header.texts(tag::kCorrectedImage);
     const auto has = [&](const char* what) {
         return std::find(corrected.begin(), corrected.end(), what) != corrected.end();
     };
-    if (!has("DECY") || !has("ATTN")) return without("correction for decay and attenuation");
+    if (!has("DECY") || !has("ATTN")) return without(Text("correction for decay and attenuation"));
     const auto weightKg = header.number(tag::kPatientWeight);
-    if (!weightKg || *weightKg <= 0.0) return without("PatientWeight");
+    if (!weightKg || *weightKg <= 0.0) return without(Text::verbatim("PatientWeight"));
     const auto tracers = header.items(tag::kRadiopharmaceuticalInformation);
-    if (tracers.empty()) return without("RadiopharmaceuticalInformationSequence");
+    if (tracers.empty()) return without(Text::verbatim("RadiopharmaceuticalInformationSequence"));
     const Dataset& tracer = tracers.front();
     const auto doseBq = tracer.number(tag::kRadionuclideTotalDose);
-    if (!doseBq || *doseBq <= 0.0) return without("RadionuclideTotalDose");
+    if (!doseBq || *doseBq <= 0.0) return without(Text::verbatim("RadionuclideTotalDose"));
     if (!isPlausibleDose(*doseBq, *weightKg))
-        return without("a RadionuclideTotalDose in Bq that fits PatientWeight");
+        return without(Text("a RadionuclideTotalDose in Bq that fits PatientWeight"));
     const double gramsPerBq = 1000.0 * *weightKg / *doseBq;
     const std::string correction = header.text(tag::kDecayCorrection).value_or("");
     if (correction == "ADMIN") return {gramsPerBq, {}};
-    if (correction != "START") return without("DecayCorrection");
+    if (correction != "START") return without(Text::verbatim("DecayCorrection"));
 
     const auto halfLife = tracer.number(tag::kRadionuclideHalfLife);
-    if (!halfLife || *halfLife <= 0.0) return without("RadionuclideHalfLife");
+    if (!halfLife || *halfLife <= 0.0) return without(Text::verbatim("RadionuclideHalfLife"));
     const auto scan = scanSeconds(header);
-    if (!scan) return without("time of the scan");
+    if (!scan) return without(Text("time of the scan"));
     std::optional<double> injected;
     if (const auto text = tracer.text(tag::kRadiopharmaceuticalStartDateTime)) {
         // A time with an offset from UTC can only be compared with times of the same offset.
@@ -90,10 +90,10 @@ Suv suvOf(const Dataset& header) {
             }
         }
     }
-    if (!injected) return without("RadiopharmaceuticalStartTime");
+    if (!injected) return without(Text::verbatim("RadiopharmaceuticalStartTime"));
     const double elapsed = *scan - *injected;
     if (elapsed < 0.0 || elapsed > 10.0 * *halfLife)
-        return without("plausible time between injection and scan");
+        return without(Text("plausible time between injection and scan"));
     return {gramsPerBq * std::exp2(elapsed / *halfLife), {}};
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "base/text.h"
 #include "dicom/read/dataset.h"
 
 namespace macula::dicom {
@@ -12,7 +12,7 @@ namespace macula::dicom {
 // Either a factor, or what it lacks: a DICOM keyword, or a few words.
 struct Suv {
     std::optional<double> factor;  // SUV in g/mL = factor * value
-    std::string missing;
+    Text missing;
 };
 
 // There is no factor without units of Bq/mL (or g/mL), decay correction, dose, half-life, weight and both

@@ -94,22 +94,24 @@ bool isMapOfCt(const Frame& frame) {
 
 }  // namespace
 
-std::string whyNoHounsfield(std::span<const Frame> frames) {
+Text whyNoHounsfield(std::span<const Frame> frames) {
     const auto any = [&](auto predicate) { return std::ranges::any_of(frames, predicate); };
     if (any([](const Frame& f) { return !f.modalityLut && !(f.slope && f.intercept); }))
-        return "no rescale slope and intercept";
+        return Text("no rescale slope and intercept");
     if (std::ranges::all_of(frames, [](const Frame& f) { return isHounsfield(f.rescaleType); })) return {};
     if (any([](const Frame& f) { return !f.rescaleType.empty() && !isHounsfield(f.rescaleType); }))
-        return "their rescale type is another";
+        return Text("their rescale type is another");
     if (any([](const Frame& f) { return f.modalityLut != nullptr; }))
-        return "their lookup table does not say what it leads to";
-    if (any([](const Frame& f) { return !f.instance->format; })) return "no usable description of the pixels";
+        return Text("their lookup table does not say what it leads to");
+    if (any([](const Frame& f) { return !f.instance->format; }))
+        return Text("no usable description of the pixels");
     constexpr int kBitsOfCaptures = 8;
     if (any([](const Frame& f) { return f.instance->format->bitsStored <= kBitsOfCaptures; }))
-        return "pixels of 8 bits, as of a capture";
-    if (any([](const Frame& f) { return !isCtImage(*f.instance); })) return "they are no CT image objects";
+        return Text("pixels of 8 bits, as of a capture");
+    if (any([](const Frame& f) { return !isCtImage(*f.instance); }))
+        return Text("they are no CT image objects");
     if (any([](const Frame& f) { return f.rescaleType.empty() && isMapOfCt(f); }))
-        return "their image type is that of a map, as of a material or of perfusion";
+        return Text("their image type is that of a map, as of a material or of perfusion");
     return {};
 }
 
@@ -140,8 +142,8 @@ ValueUnit valueUnit(std::string_view modality, std::span<const Frame> frames) {
     return {Unit::other, isKnownTerm(name) ? name : "another unit"};
 }
 
-std::string unitText(const ValueUnit& unit) {
-    return unit.name.empty() ? std::string(unitSymbol(unit.unit)) : unit.name;
+Text unitText(const ValueUnit& unit) {
+    return macula::unitText(unit.name.empty() ? unitSymbol(unit.unit) : unit.name);
 }
 
 }  // namespace macula::dicom

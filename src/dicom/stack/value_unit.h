@@ -24,7 +24,7 @@ inline constexpr std::string_view kGramsPerMillilitre = "g/mL";
 ValueUnit valueUnit(std::string_view modality, std::span<const Frame> frames);
 
 // The unit's text for a sentence; empty when raw.
-std::string unitText(const ValueUnit& unit);
+Text unitText(const ValueUnit& unit);
 
 // The frame's own term for its unit, to compare frames by; empty when it has none, or an unspecified one. May
 // be any text. "HU" for CT whose values are HU by definition.

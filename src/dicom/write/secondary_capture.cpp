@@ -2,7 +2,6 @@
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <vector>
@@ -30,24 +29,25 @@ bool isAscii(const std::string& text) {
 }
 
 Result<void> check(const SecondaryCapture& capture) {
-    const auto refuse = [](std::string message, std::string hint) {
+    const auto refuse = [](Text message, Text hint) {
         return Error{ErrorCode::usage, std::move(message), {}, std::move(hint)};
     };
     const auto fits = [](int side) { return side >= 1 && side <= kLongestSide; };
     if (!fits(capture.widthPx) || !fits(capture.heightPx))
-        return refuse("A picture of that size cannot be written as DICOM.",
-                      fmt::format("Take 1 to {} pixels for each side.", kLongestSide));
+        return refuse(Text("A picture of that size cannot be written as DICOM."),
+                      Text("Take 1 to {} pixels for each side.", kLongestSide));
     if (capture.rgba.size() != 4 * std::size_t(capture.widthPx) * std::size_t(capture.heightPx))
-        return refuse("The pixels do not fit the size of the picture.", "Draw the picture again.");
+        return refuse(Text("The pixels do not fit the size of the picture."),
+                      Text("Draw the picture again."));
     if (capture.seriesDescription.size() > kLongestDescription ||
         capture.derivation.size() > kLongestDerivation || !isAscii(capture.seriesDescription) ||
         !isAscii(capture.derivation) || !isAscii(capture.softwareVersion))
-        return refuse("The description is too long, or has characters that it may not have.",
-                      fmt::format("Take at most {} letters, digits and signs, without a backslash.",
-                                  kLongestDescription));
+        return refuse(
+            Text("The description is too long, or has characters that it may not have."),
+            Text("Take at most {} letters, digits and signs, without a backslash.", kLongestDescription));
     if (!capture.source && !capture.isDeidentified && !capture.isOfNobody)
-        return refuse("The files of this study do not say which patient and which study it is.",
-                      "Write the picture without patient and study, or as PNG.");
+        return refuse(Text("The files of this study do not say which patient and which study it is."),
+                      Text("Write the picture without patient and study, or as PNG."));
     return {};
 }
 

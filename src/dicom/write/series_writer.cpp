@@ -81,13 +81,13 @@ struct Common {
 };
 
 Result<Common> describe(const Volume& volume, const SeriesWriterOptions& options) {
-    const auto refuse = [](std::string message) {
+    const auto refuse = [](Text message) {
         return Error{ErrorCode::usage, std::move(message), {}, Text("Choose another volume.")};
     };
     Common common;
     common.isCt = volume.modality() == "CT";
     if (!common.isCt && volume.modality() != "MR")
-        return refuse("Only CT and MR volumes can be written as DICOM.");
+        return refuse(Text("Only CT and MR volumes can be written as DICOM."));
 
     const glm::dmat4& m = volume.worldFromVoxel();
     common.spacingMm = volume.spacingMm();
@@ -95,7 +95,7 @@ Result<Common> describe(const Volume& volume, const SeriesWriterOptions& options
     common.columnDirection = glm::dvec3(m[1]) / common.spacingMm.y;
     if (std::abs(glm::dot(common.rowDirection, common.columnDirection)) > kPerpendicular) {
         return refuse(
-            "The rows and columns of this volume are not perpendicular, which DICOM cannot express.");
+            Text("The rows and columns of this volume are not perpendicular, which DICOM cannot express."));
     }
     const UnitsFromStored map = volume.unitsFromStored();
     const double signedIntercept = map.intercept + 32768.0 * map.slope;

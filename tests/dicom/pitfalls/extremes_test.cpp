@@ -150,7 +150,7 @@ TEST_F(D27Speed, ProgressAtMostTenTimesASecond) {
     }
     std::atomic<int> calls{0};
     std::atomic<int> stages{0};
-    std::string last;
+    Text last;
     Progress progress([&](const ProgressUpdate& update) {
         ++calls;
         if (update.stage != last) ++stages;
@@ -177,7 +177,7 @@ TEST_F(D27Speed, CancelledInTheMiddle) {
     std::uint64_t bytesBefore = 0;
     // Files are looked at before that stage begins; its first update comes before any of them is read.
     const auto countFromReading = [&](const ProgressUpdate& update) {
-        if (!update.stage.starts_with("Reading") || started.exchange(true)) return false;
+        if (!update.stage.english().starts_with("Reading") || started.exchange(true)) return false;
         bytesBefore = bytesRead();
         return true;
     };

@@ -101,7 +101,7 @@ TEST_F(ForeignFiles, ADoseSaysSoAndItsUnit) {
     EXPECT_EQ(volume->unitName(), "Gy");
     const Message* told = opened.find(key::kDose);
     ASSERT_NE(told, nullptr) << opened.keys();
-    EXPECT_NE(told->sentence.find("Gy"), std::string::npos) << told->sentence;
+    EXPECT_NE(told->sentence.english().find("Gy"), std::string::npos) << told->sentence;
     EXPECT_EQ(told->severity, Severity::warning);
 }
 
@@ -130,7 +130,8 @@ TEST_F(ForeignFiles, WithoutTheDictionaryNothingIsReadAndItIsSaid) {
     dcmDataDict.wrlock().reloadDictionaries(OFTrue, OFTrue);
     dcmDataDict.wrunlock();
     ASSERT_FALSE(scanned);
-    EXPECT_NE(scanned.error().message.find("dictionary"), std::string::npos) << scanned.error().message;
+    EXPECT_NE(scanned.error().message.english().find("dictionary"), std::string::npos)
+        << scanned.error().message;
     EXPECT_FALSE(scanned.error().hint.empty());
     expectOnlyVolume(open(), series);
 }

@@ -106,7 +106,7 @@ TEST_F(FrameLists, DimensionsThatNothingElseTellsOf) {
     expectPhases(opened, series);
     const Message* told = opened.find(key::kPhases);
     ASSERT_NE(told, nullptr) << opened.keys();
-    EXPECT_NE(told->sentence.find("DimensionIndexValues"), std::string::npos) << told->sentence;
+    EXPECT_NE(told->sentence.english().find("DimensionIndexValues"), std::string::npos) << told->sentence;
 }
 
 // What is the same in all frames, or says where they lie, changes no order: the tenth comes after the second.

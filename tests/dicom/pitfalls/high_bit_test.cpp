@@ -94,7 +94,7 @@ TEST_F(HighBit, OfOneImageIsAGap) {
     EXPECT_EQ(volume->provenance().interpolatedSlices, (std::vector<SliceRange>{{5, 5}}));
     const Message* told = messageOf(*volume, key::kBitsExceeded);
     ASSERT_NE(told, nullptr);
-    EXPECT_NE(told->sentence.find('6'), std::string::npos) << told->sentence;
+    EXPECT_NE(told->sentence.english().find('6'), std::string::npos) << told->sentence;
 }
 
 // Values that do lie at the high end, as the images say, with nothing or an overlay below.

@@ -44,8 +44,8 @@ class D27MissingImages : public Pitfall {
 
     static std::string textOf(const Message& message, std::string_view name) {
         for (const TextArgument& argument : message.arguments) {
-            const auto* text = std::get_if<std::string>(&argument.value);
-            if (argument.name == name && text != nullptr) return *text;
+            const auto* text = std::get_if<Text>(&argument.value);
+            if (argument.name == name && text != nullptr) return text->english();
         }
         return "no text " + std::string(name);
     }
@@ -81,13 +81,13 @@ TEST_F(D27MissingImages, NumbersThatBeginLateAreTold) {
     ASSERT_NE(volume, nullptr);
     EXPECT_EQ(volume->size().z, kSlices - 7) << "the slices that are there are shown";
     const auto& assumptions = volume->provenance().assumptions;
-    EXPECT_NE(
-        std::ranges::find_if(assumptions,
-                             [](const std::string& text) {
-                                 return text.find("towards the feet: 7; the image numbers begin at 8") !=
-                                        std::string::npos;
-                             }),
-        assumptions.end());
+    EXPECT_NE(std::ranges::find_if(assumptions,
+                                   [](const Text& text) {
+                                       return text.english().find(
+                                                  "towards the feet: 7; the image numbers begin at 8") !=
+                                              std::string::npos;
+                                   }),
+              assumptions.end());
 }
 
 TEST_F(D27MissingImages, NumbersMayRunTheOtherWay) {
@@ -144,7 +144,7 @@ TEST_F(D27MissingImages, WithoutAnOrderOfNumbersNoEndIsNamed) {
     const Message* told = opened.find(key::kMissingImages);
     ASSERT_NE(told, nullptr) << opened.keys();
     EXPECT_EQ(numberArgument(*told, "count"), 5.0);
-    EXPECT_EQ(opened.series().at(0)->assumptions, std::vector<std::string>{told->sentence});
+    EXPECT_EQ(opened.series().at(0)->assumptions, std::vector<Text>{told->sentence});
     EXPECT_FALSE(opened.says(key::kMissingAtEnds)) << opened.keys();
 }
 
@@ -163,7 +163,7 @@ TEST_F(D27MissingImages, AMediumListsMoreImagesOfTheSeries) {
     const Opened opened = open();
     EXPECT_TRUE(opened.says(key::kDicomdirMissingFiles)) << opened.keys();
     expectMissing(opened, 8, "head");
-    EXPECT_NE(opened.find(key::kMissingAtEnds)->sentence.find("DICOMDIR"), std::string::npos);
+    EXPECT_NE(opened.find(key::kMissingAtEnds)->sentence.english().find("DICOMDIR"), std::string::npos);
 }
 
 // The same files under other names are all there.

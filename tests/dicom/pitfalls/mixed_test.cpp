@@ -264,7 +264,7 @@ TEST_F(D25BestVolume, WhyThereIsNone) {
     const ChosenStack best = bestVolume(opened.scan());
     EXPECT_EQ(best.stack, nullptr);
     EXPECT_FALSE(best.why.empty());
-    EXPECT_EQ((best.why + " ").find("SYNTHETIC"), std::string::npos);
+    EXPECT_EQ((best.why.english() + " ").find("SYNTHETIC"), std::string::npos);
 }
 
 }  // namespace

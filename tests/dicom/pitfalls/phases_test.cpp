@@ -34,7 +34,7 @@ void expectSplitBy(SyntheticSeries series, std::string_view attribute, Mark mark
     EXPECT_FALSE(opened.says(key::kDuplicatePositions)) << opened.keys();
     for (const Message* message : {opened.find(key::kPhases), opened.find(key::kSplitSeries)}) {
         if (message) {
-            EXPECT_NE(message->sentence.find(attribute), std::string::npos) << message->sentence;
+            EXPECT_NE(message->sentence.english().find(attribute), std::string::npos) << message->sentence;
         }
     }
 }

@@ -70,7 +70,7 @@ TEST_F(D28Separators, WhatHasSeveralReadingsIsNamed) {
     EXPECT_TRUE(opened.volumes().empty());
     const Message* told = opened.find(key::kMalformedNumbers);
     ASSERT_NE(told, nullptr) << opened.keys();
-    EXPECT_NE(told->sentence.find("PixelSpacing"), std::string::npos) << told->sentence;
+    EXPECT_NE(told->sentence.english().find("PixelSpacing"), std::string::npos) << told->sentence;
     EXPECT_FALSE(opened.says(key::kNoPixelSpacing)) << "they do say it";
 }
 

@@ -139,7 +139,7 @@ TEST_F(OddValues, AFewSlicesThatAreReadWronglyAreGapsAndNamed) {
                 ASSERT_NE(told, nullptr);
                 EXPECT_EQ(told->severity, Severity::warning);
                 EXPECT_EQ(numberArgument(*told, "count"), double(odd.size()));
-                EXPECT_NE(told->sentence.find(std::to_string(odd.front() + 1)), std::string::npos)
+                EXPECT_NE(told->sentence.english().find(std::to_string(odd.front() + 1)), std::string::npos)
                     << told->sentence;
                 EXPECT_EQ(volume->size().z, atEnd ? 23 : 24);
                 expectValues(*volume, odd.front() == 0 ? 1 : 0, [&](int i, int j, int k) {
@@ -208,7 +208,7 @@ TEST_F(OddValues, OfManyIsSaid) {
         const Message* told = messageOf(*volume, key::kOddValuesKept);
         ASSERT_NE(told, nullptr);
         EXPECT_EQ(numberArgument(*told, "count"), double(count));
-        EXPECT_NE(told->sentence.find("wrong order"), std::string::npos) << told->sentence;
+        EXPECT_NE(told->sentence.english().find("wrong order"), std::string::npos) << told->sentence;
     }
 }
 
@@ -229,7 +229,7 @@ TEST_F(OddValues, TwiceTheValuesOfBothNeighboursAreShownAndSaid) {
         ASSERT_NE(volume, nullptr);
         const Message* told = messageOf(*volume, key::kUnlikeNeighbours);
         ASSERT_NE(told, nullptr);
-        EXPECT_NE(told->sentence.find(two ? "12-13" : "12"), std::string::npos) << told->sentence;
+        EXPECT_NE(told->sentence.english().find(two ? "12-13" : "12"), std::string::npos) << told->sentence;
         expectValues(*volume, 0, valueAt);
     }
 }
@@ -380,7 +380,7 @@ TEST_F(NoFalseAlarm, OfRealSeries) {
             ASSERT_NE(volume, nullptr);
             for (const std::string_view key : kAllKeys) {
                 const Message* told = messageOf(*volume, key);
-                EXPECT_EQ(told, nullptr) << (told ? told->sentence : std::string());
+                EXPECT_EQ(told, nullptr) << (told ? told->sentence : Text());
             }
         }
     }

@@ -57,7 +57,7 @@ void expectSurplus(const Opened& opened, double files, const char* frames) {
     ASSERT_NE(told, nullptr) << opened.keys();
     EXPECT_EQ(told->severity, Severity::warning);
     EXPECT_EQ(numberArgument(*told, "files"), files);
-    EXPECT_NE(told->sentence.find(std::string(" ") + frames + " frames"), std::string::npos)
+    EXPECT_NE(told->sentence.english().find(std::string(" ") + frames + " frames"), std::string::npos)
         << told->sentence;
 }
 
@@ -157,7 +157,7 @@ TEST_F(Surplus, BytesAfterThePixelsAreMeasured) {
         ASSERT_NE(told, nullptr) << opened.keys();
         EXPECT_EQ(told->severity, bytes >= pixels ? Severity::warning : Severity::info);
         const std::string text = bytes < 10'000 ? std::to_string(bytes) + " bytes" : "3145 kB";
-        EXPECT_NE(told->sentence.find(text), std::string::npos) << told->sentence;
+        EXPECT_NE(told->sentence.english().find(text), std::string::npos) << told->sentence;
         expectOnlyVolume(opened, series);
         write(files[1], before);
     }
@@ -221,7 +221,8 @@ TEST_F(Encoding, IsWhatThePixelsAreAndNotWhatTheFileNames) {
         const Message* told = opened.find(key::kContradictedSyntax);
         ASSERT_NE(told, nullptr) << opened.keys();
         EXPECT_EQ(told->severity, Severity::warning);
-        EXPECT_NE(told->sentence.find("Explicit VR Little Endian"), std::string::npos) << told->sentence;
+        EXPECT_NE(told->sentence.english().find("Explicit VR Little Endian"), std::string::npos)
+            << told->sentence;
         expectOnlyVolume(opened, series);
     }
 }
@@ -267,8 +268,8 @@ TEST_F(Repeated, ElementsWithOtherValuesAreNamed) {
         EXPECT_EQ(told->severity, Severity::warning);
         EXPECT_EQ(numberArgument(*told, "count"), 5.0);
         EXPECT_EQ(numberArgument(*told, "total"), 12.0);
-        EXPECT_NE(told->sentence.find(c.keyword), std::string::npos) << told->sentence;
-        EXPECT_EQ(told->sentence.find("ANOTHER"), std::string::npos) << told->sentence;
+        EXPECT_NE(told->sentence.english().find(c.keyword), std::string::npos) << told->sentence;
+        EXPECT_EQ(told->sentence.english().find("ANOTHER"), std::string::npos) << told->sentence;
         expectOnlyVolume(opened, series);  // the first counts, as DCMTK reads it
     }
 }
@@ -293,7 +294,7 @@ TEST_F(Repeated, PixelData) {
     const Opened opened = open();
     const Message* told = opened.find(key::kRepeatedElement);
     ASSERT_NE(told, nullptr) << opened.keys();
-    EXPECT_NE(told->sentence.find("PixelData"), std::string::npos) << told->sentence;
+    EXPECT_NE(told->sentence.english().find("PixelData"), std::string::npos) << told->sentence;
     EXPECT_FALSE(opened.says(key::kStrayBytes)) << opened.keys();
     expectOnlyVolume(opened, series);
 }
@@ -315,7 +316,7 @@ TEST_F(Repeated, ElementsOfAFrame) {
     const Message* told = opened.find(key::kRepeatedElement);
     ASSERT_NE(told, nullptr) << opened.keys();
     EXPECT_EQ(numberArgument(*told, "count"), 1.0);
-    EXPECT_NE(told->sentence.find("RescaleIntercept"), std::string::npos) << told->sentence;
+    EXPECT_NE(told->sentence.english().find("RescaleIntercept"), std::string::npos) << told->sentence;
 }
 
 // --- numbers in another VR ---

@@ -345,7 +345,8 @@ TEST_F(D26Identity, NothingSaidNamesThePatient) {
     std::filesystem::resize_file(files[3], std::filesystem::file_size(files[3]) - 40);
     const Opened opened = open();
     std::string said;
-    for (const Message* message : opened.messages()) said += message->sentence + message->action;
+    for (const Message* message : opened.messages())
+        said += message->sentence.english() + message->action.english();
     EXPECT_FALSE(said.empty());
     EXPECT_EQ(said.find("XYZZY"), std::string::npos) << said;
     EXPECT_EQ(said.find("PLUGH77"), std::string::npos) << said;
@@ -374,13 +375,14 @@ TEST_F(D26Identity, NoTextThatShouldBeATermIsRepeated) {
         writeFiles(own.path(), s, slices);
         const Opened opened(own.path());
         std::string said;
-        for (const Message* message : opened.messages()) said += message->sentence + message->action;
+        for (const Message* message : opened.messages())
+            said += message->sentence.english() + message->action.english();
         for (const Stack* stack : opened.volumes()) {
             for (const StackLabel& label : stack->splitBy) said += label.value;
             const auto volume = opened.load(*stack);
             ASSERT_NE(volume, nullptr);
             said += volume->unitName();
-            for (const std::string& assumption : volume->provenance().assumptions) said += assumption;
+            for (const Text& assumption : volume->provenance().assumptions) said += assumption.english();
         }
         EXPECT_EQ(said.find("XYZZY"), std::string::npos) << said;
     }

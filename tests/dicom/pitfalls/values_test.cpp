@@ -146,7 +146,7 @@ TEST_F(D09Rescale, CtImagesWithoutModalityAreCtAndToldSo) {
         EXPECT_EQ(told->severity, Severity::warning);
         EXPECT_EQ(numberArgument(*told, "count"), 12.0);
         EXPECT_EQ(numberArgument(*told, "total"), 12.0);
-        EXPECT_NE(told->sentence.find("CT"), std::string::npos) << told->sentence;
+        EXPECT_NE(told->sentence.english().find("CT"), std::string::npos) << told->sentence;
         const auto volume = opened.onlyVolume();
         ASSERT_NE(volume, nullptr);
         EXPECT_EQ(volume->modality(), "CT");
@@ -195,7 +195,7 @@ TEST_F(D09Rescale, CapturesWithoutModalityAreOfAnUnknownDevice) {
         const Opened opened(own.path());
         const Message* told = opened.find(key::kMissingModality);
         ASSERT_NE(told, nullptr) << opened.keys();
-        EXPECT_NE(told->sentence.find("unknown device"), std::string::npos) << told->sentence;
+        EXPECT_NE(told->sentence.english().find("unknown device"), std::string::npos) << told->sentence;
         const auto volume = opened.onlyVolume();
         ASSERT_NE(volume, nullptr);
         EXPECT_EQ(volume->modality(), "");

@@ -85,12 +85,12 @@ class PresentationStateTest : public testing::Test {
 
     PresentationState readBack() {
         const Result<void> done = writePresentationState(path_, said_, owner_);
-        EXPECT_TRUE(done.ok()) << (done ? "" : done.error().message);
+        EXPECT_TRUE(done.ok()) << (done ? "" : done.error().message.english());
         return read();
     }
     PresentationState read() const {
         auto state = readPresentationState(path_);
-        EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message);
+        EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message.english());
         return state ? *std::move(state) : PresentationState{};
     }
     // As another program would.
@@ -116,12 +116,12 @@ class PresentationStateTest : public testing::Test {
         const auto state = readPresentationState(path_);
         ASSERT_FALSE(state.ok()) << words;
         EXPECT_EQ(state.error().code, ErrorCode::inputNotUsable);
-        EXPECT_NE(state.error().message.find(words), std::string::npos) << state.error().message;
+        EXPECT_NE(state.error().message.english().find(words), std::string::npos) << state.error().message;
         EXPECT_FALSE(state.error().hint.empty());
     }
     static bool tellsOf(const PresentationState& state, std::string_view key, const std::string& words) {
         return std::ranges::any_of(state.messages, [&](const Message& m) {
-            return m.key == key && m.sentence.find(words) != std::string::npos;
+            return m.key == key && m.sentence.english().find(words) != std::string::npos;
         });
     }
 
@@ -517,7 +517,7 @@ TEST_F(PresentationStateTest, WhatMayNotBeReadAndWhatIsNoDicomAreToldApart) {
     fs::permissions(path_, fs::perms::none);
     const WithoutRootsRights nobody;
     expectRefused("The file cannot be read.");
-    EXPECT_NE(readPresentationState(path_).error().hint.find("permissions"), std::string::npos);
+    EXPECT_NE(readPresentationState(path_).error().hint.english().find("permissions"), std::string::npos);
     EXPECT_EQ(readPresentationState(folder_ / "gone.dcm").error().message, "The file cannot be read.");
 }
 

@@ -24,7 +24,7 @@ class SoftcopyStateTest : public testing::Test {
     SoftcopyState read() {
         writeSoftcopy(path_, said_);
         const auto state = readSoftcopyState(path_);
-        EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message);
+        EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message.english());
         return state ? *state : SoftcopyState{};
     }
     Error refused() {
@@ -74,7 +74,7 @@ TEST_F(SoftcopyStateTest, WhatCannotBeShownIsTold) {
     EXPECT_TRUE(state.isFlipped);
     EXPECT_EQ(state.rotationDeg, 90);
     EXPECT_TRUE(state.hasModalityTable);
-    EXPECT_EQ(state.leftOut, (std::vector<std::string>{"annotations", "a shutter"}));
+    EXPECT_EQ(state.leftOut, (std::vector<Text>{Text("annotations"), Text("a shutter")}));
 }
 
 // Corners the other way round would mirror the image; a window of no width shows nothing.
@@ -83,7 +83,7 @@ TEST_F(SoftcopyStateTest, NonsenseIsNoAreaAndNoWindow) {
     said_.window = std::pair(40.0, 0.0);
     const SoftcopyState state = read();
     EXPECT_TRUE(state.areas.empty());
-    EXPECT_EQ(state.leftOut, std::vector<std::string>{"a displayed area that is none"});
+    EXPECT_EQ(state.leftOut, std::vector<Text>{Text("a displayed area that is none")});
     EXPECT_TRUE(state.windows.empty());
 }
 
@@ -93,14 +93,14 @@ TEST_F(SoftcopyStateTest, WhatIsNoneIsAnErrorThatSaysSo) {
     std::ofstream(folder_ / "letter.dcm") << "a letter to somebody, and no presentation state at all";
     const auto letter = readSoftcopyState(folder_ / "letter.dcm");
     ASSERT_FALSE(letter.ok());
-    EXPECT_NE(letter.error().message.find("not a DICOM presentation state"), std::string::npos);
+    EXPECT_NE(letter.error().message.english().find("not a DICOM presentation state"), std::string::npos);
     write(smallVolume(), folder_ / "images");
     const auto image = readSoftcopyState(*fs::directory_iterator(folder_ / "images"));
     ASSERT_FALSE(image.ok());
-    EXPECT_NE(image.error().message.find("no presentation state"), std::string::npos);
+    EXPECT_NE(image.error().message.english().find("no presentation state"), std::string::npos);
     said_.imageUids.clear();
     writeSoftcopy(path_, said_);
-    EXPECT_NE(refused().message.find("which images"), std::string::npos);
+    EXPECT_NE(refused().message.english().find("which images"), std::string::npos);
 }
 
 // Numbers that are none mean all frames, which is told.
@@ -115,7 +115,7 @@ TEST_F(SoftcopyStateTest, FramesOfAnImageAreReadAsTheyAreNamed) {
         const SoftcopyState state = read();
         ASSERT_EQ(state.images.size(), 1u);
         EXPECT_TRUE(state.images[0].numbers.empty()) << none;
-        EXPECT_EQ(state.leftOut, std::vector<std::string>{"an unreadable list of frames"}) << none;
+        EXPECT_EQ(state.leftOut, std::vector<Text>{Text("an unreadable list of frames")}) << none;
     }
 }
 
@@ -151,7 +151,7 @@ TEST_F(SoftcopyStateTest, CutOffAnywhereItIsReadOrRefused) {
         const auto state = readSoftcopyState(path_);
         if (!state) {
             EXPECT_FALSE(state.error().message.empty());
-            EXPECT_EQ(state.error().message.find("SYNTHETIC"), std::string::npos);
+            EXPECT_EQ(state.error().message.english().find("SYNTHETIC"), std::string::npos);
         }
     }
 }

@@ -75,7 +75,7 @@ TEST(Geometry, AGapIsMissingSlicesNotAStretch) {
     const StackGeometry stack = stackPlanes(planes);
     EXPECT_EQ(stack.quality, StackGeometry::Quality::resampled);
     EXPECT_TRUE(has(stack, key::kMissingSlices) && has(stack, key::kGapInterpolated));
-    EXPECT_NE(stack.messages[0].sentence.find("2 of 10"), std::string::npos);
+    EXPECT_NE(stack.messages[0].sentence.english().find("2 of 10"), std::string::npos);
     EXPECT_EQ(glm::dvec3((*stack.worldFromVoxel)[2]), glm::dvec3(0, 0, 2.0));
     ASSERT_EQ(stack.slices.size(), 10u);
     EXPECT_EQ(stack.slices[3], (SliceSource{3, 3, 0.0}));

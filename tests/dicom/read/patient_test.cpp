@@ -61,7 +61,7 @@ TEST(Patient, EachDifferenceSeparates) {
             EXPECT_EQ(findAllSeries(*found, uid).size(), 2u);
             const ChosenStack best = bestVolume(*found);
             ASSERT_TRUE(best);
-            EXPECT_NE(best.why.find("of 2 patients in this folder"), std::string::npos) << best.why;
+            EXPECT_NE(best.why.english().find("of 2 patients in this folder"), std::string::npos) << best.why;
         }
     }
 }
@@ -91,7 +91,8 @@ TEST(Patient, TwoStudiesOfNobodyAreOfTwo) {
         EXPECT_NE(two.studies[0].patient, two.studies[1].patient);
         EXPECT_EQ(patientsText(two), "up to 2 patients");
         EXPECT_TRUE(mayBeOnePatient(two, 0, 1));
-        EXPECT_NE(bestVolume(two).why.find("of up to 2 patients in this folder"), std::string::npos);
+        EXPECT_NE(bestVolume(two).why.english().find("of up to 2 patients in this folder"),
+                  std::string::npos);
         const Scan one = studiesOf(name, id, true);
         ASSERT_EQ(one.studies.size(), 1u) << "a study is of one patient";
         EXPECT_EQ(one.patients, 1);
@@ -163,9 +164,9 @@ TEST(Patient, OnlyAnUnreadableFolder) {
     Progress progress;
     const auto found = scanFolder(folder.path(), progress);
     ASSERT_FALSE(found);
-    EXPECT_NE(found.error().message.find("sub-folders cannot be read"), std::string::npos);
-    EXPECT_NE(found.error().message.find("longer than this system can open"), std::string::npos);
-    EXPECT_EQ(found.error().hint.find("permissions"), std::string::npos) << found.error().hint;
+    EXPECT_NE(found.error().message.english().find("sub-folders cannot be read"), std::string::npos);
+    EXPECT_NE(found.error().message.english().find("longer than this system can open"), std::string::npos);
+    EXPECT_EQ(found.error().hint.english().find("permissions"), std::string::npos) << found.error().hint;
 }
 
 // Many copies of one file: each is read once, and a cancellation is noticed while they are.
@@ -182,7 +183,7 @@ TEST(Patient, ComparingCopiesCanBeCancelled) {
     bool compared = false;
     Progress progress(
         [&](const ProgressUpdate& update) {
-            if (!update.stage.starts_with("Comparing")) return;
+            if (!update.stage.english().starts_with("Comparing")) return;
             compared = true;
             token.cancel();
         },

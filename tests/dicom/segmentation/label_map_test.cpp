@@ -88,13 +88,13 @@ TEST_F(LabelMapTest, ALabelMapsBackgroundIsItsPadding) {
     EXPECT_EQ(map->segment(256)->label, "Liver");
     ASSERT_EQ(map->messages().size(), 1u);
     EXPECT_EQ(map->messages()[0].key, key::kSegmentZero);
-    EXPECT_NE(map->messages()[0].sentence.find("256"), std::string::npos);
+    EXPECT_NE(map->messages()[0].sentence.english().find("256"), std::string::npos);
 }
 
 TEST_F(LabelMapTest, OtherBackgroundsOfLabelMaps) {
     const auto labels = [this](const Drawing& d) {
         const auto map = mapOf(d);
-        EXPECT_TRUE(map) << (map ? "" : map.error().message);
+        EXPECT_TRUE(map) << (map ? "" : map.error().message.english());
         return map ? labelsOf(*map) : Labels{};
     };
     Drawing d = labelMapOf(std::string("\xFF\x00\x01\xFE\x02\x00", 6));

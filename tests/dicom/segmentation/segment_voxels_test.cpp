@@ -145,7 +145,7 @@ TEST_F(SegmentVoxelsTest, WhatTakesMoreMemoryThanThereIsIsRefusedBeforeItIsTaken
     const auto sets = load(s, fine, glm::ivec3(side));
     ASSERT_FALSE(sets);
     EXPECT_EQ(sets.error().code, ErrorCode::outOfMemory);
-    EXPECT_NE(sets.error().message.find("GiB"), std::string::npos) << sets.error().message;
+    EXPECT_NE(sets.error().message.english().find("GiB"), std::string::npos) << sets.error().message;
 }
 
 TEST_F(SegmentVoxelsTest, FractionsAreTheSegmentFromHalfOn) {

@@ -194,11 +194,12 @@ TEST_F(SegmentationTest, BetweenTheVoxelsIsAnError) {
         const auto map = on(twoSlices(), grid, {5, 3, 4});
         ASSERT_FALSE(map);
         EXPECT_EQ(map.error().code, ErrorCode::inputNotUsable);
-        EXPECT_NE(map.error().message.find("does not lie on the voxels"), std::string::npos);
+        EXPECT_NE(map.error().message.english().find("does not lie on the voxels"), std::string::npos);
     }
     const glm::dmat4 slightly = affine({0.25, 0, 0}, {0, 0.5, 0}, {0, 0, 2}, {10.002, 20.004, 30.018});
     EXPECT_TRUE(on(twoSlices(), slightly, {5, 3, 2}));
-    EXPECT_NE(on(twoSlices(), off[5], {5, 3, 4}).error().message.find("Frame 2 "), std::string::npos);
+    EXPECT_NE(on(twoSlices(), off[5], {5, 3, 4}).error().message.english().find("Frame 2 "),
+              std::string::npos);
 }
 
 TEST_F(SegmentationTest, OverlapsAndVoxelsOutsideAreCounted) {
@@ -209,9 +210,9 @@ TEST_F(SegmentationTest, OverlapsAndVoxelsOutsideAreCounted) {
     EXPECT_EQ(labelsOf(*map), (Labels{1, 2, 2, 0, 0, 0, 0, 0, 0, 0}));
     ASSERT_EQ(map->messages().size(), 2u);
     EXPECT_EQ(map->messages()[0].key, key::kSegmentsOverlap);
-    EXPECT_EQ(map->messages()[0].arguments.at(0).value, MessageValue(std::int64_t{2}));
+    EXPECT_EQ(map->messages()[0].arguments.at(0).value, decltype(TextArgument::value)(std::int64_t{2}));
     EXPECT_EQ(map->messages()[1].key, key::kSegmentsOutside);
-    EXPECT_EQ(map->messages()[1].arguments.at(0).value, MessageValue(std::int64_t{1}));
+    EXPECT_EQ(map->messages()[1].arguments.at(0).value, decltype(TextArgument::value)(std::int64_t{1}));
 }
 
 TEST_F(SegmentationTest, FractionalIsFromHalfOn) {
@@ -292,7 +293,7 @@ TEST_F(SegmentationTest, OwnGridKeepsEmptySlices) {
     Drawing uneven{.sliceSpacing = "", .frames = {{{10, 20, 30}, 1}, {{10, 20, 32}, 1}, {{10, 20, 35}, 1}}};
     uneven.pixels = dots(uneven, {});
     ASSERT_FALSE(alone(uneven));
-    EXPECT_NE(alone(uneven).error().message.find("do not lie on one grid"), std::string::npos);
+    EXPECT_NE(alone(uneven).error().message.english().find("do not lie on one grid"), std::string::npos);
     Drawing one{.frames = {{{10, 20, 30}, 1}}};
     one.pixels = dots(one, {{0, 0, 0}});
     const auto single = alone(one);
@@ -305,7 +306,7 @@ TEST_F(SegmentationTest, HostileHeaders) {
     const glm::ivec3 size{5, 3, 2};
     const auto refused = [&](const Drawing& d) {
         const auto map = on(d, kGrid, size);
-        return map ? "loaded" : map.error().message;
+        return map ? "loaded" : map.error().message.english();
     };
     Drawing d = twoSlices();
     d.pixels.resize(4);  // of 6

@@ -38,7 +38,7 @@ TEST_F(Join, AsksAndDoesNothingByItself) {
         EXPECT_EQ(scan.messages[0].key, key::kUidPerSlice);
         const ChosenStack choice = bestVolume(scan);
         EXPECT_FALSE(choice);
-        EXPECT_NE(choice.why.find("--join"), std::string::npos) << choice.why;
+        EXPECT_NE(choice.why.english().find("--join"), std::string::npos) << choice.why;
     }
 }
 

@@ -152,7 +152,7 @@ TEST(Split, ChangesAlongAStackAreWarnedOf) {
               1);
     const auto told = std::find_if(messages.begin(), messages.end(),
                                    [](const Message& m) { return m.key == key::kChangesAlongStack; });
-    EXPECT_NE(told->sentence.find("ConvolutionKernel changes along the slices, first at slice 5"),
+    EXPECT_NE(told->sentence.english().find("ConvolutionKernel changes along the slices, first at slice 5"),
               std::string::npos)
         << told->sentence;
 }

@@ -273,7 +273,7 @@ TEST(Split, ManyRepeatedSlicesAreAQuestion) {
     const Split split = splitOf(made);
     ASSERT_EQ(split.stacks.size(), 1u) << keys(split);
     EXPECT_EQ(split.stacks[0].whyNoVolume()->key, key::kDuplicatePositions);
-    EXPECT_NE(split.stacks[0].whyNoVolume()->action.find('?'), std::string::npos);
+    EXPECT_NE(split.stacks[0].whyNoVolume()->action.english().find('?'), std::string::npos);
 }
 
 TEST(Split, AnIncompleteLastPhaseSpoilsNoneOfTheOthers) {
