@@ -6,7 +6,7 @@
 namespace macula::gpu {
 namespace {
 
-DeviceInfo fake(std::size_t index, const char* name, DeviceType type, const char* whyNotUsable = "") {
+DeviceInfo fake(std::size_t index, const char* name, DeviceType type, Text whyNotUsable = {}) {
     DeviceInfo info;
     info.index = index;
     info.name = name;
