@@ -150,7 +150,8 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
     const std::uint64_t ofView = options.elementsOfView > 0 ? options.elementsOfView : options.elements;
     const std::uint64_t limit = device->info().maxTexelBufferElements;
     if (std::min(options.elements, ofView) > limit)
-        return tooLarge(*device, what, Text("{} elements", options.elements), Text("{}", limit));
+        return tooLarge(*device, what, Text("{} elements", options.elements),
+                        Text::verbatim(std::to_string(limit)));
     const std::uint64_t viewBytes = ofView * bytesPerTexel(options.format);
     // The most that minTexelBufferOffsetAlignment may be.
     MACULA_CHECK(ofView >= options.elements || viewBytes % 256 == 0);
@@ -248,7 +249,8 @@ Result<Image> Image::create(const std::shared_ptr<Device>& device, const ImageOp
     const std::uint32_t edge = std::max({options.width, options.height, options.depth});
     const std::uint32_t maxEdge = isVolume ? info.maxImageEdge3D : info.maxImageEdge2D;
     if (edge > maxEdge)
-        return tooLarge(*device, what, Text("{} pixels along one edge", edge), Text("{}", maxEdge));
+        return tooLarge(*device, what, Text("{} pixels along one edge", edge),
+                        Text::verbatim(std::to_string(maxEdge)));
 
     Image result;
     result.options_ = options;
