@@ -1,7 +1,5 @@
 #include "evaluate/baseline.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 

@@ -1,7 +1,5 @@
 #include "pipeline/trace/voxel_memory.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 

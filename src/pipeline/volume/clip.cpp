@@ -1,7 +1,5 @@
 #include "pipeline/volume/clip.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

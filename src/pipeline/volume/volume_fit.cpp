@@ -1,7 +1,5 @@
 #include "pipeline/volume/volume_fit.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
