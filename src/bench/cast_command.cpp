@@ -58,7 +58,7 @@ Result<void> benchCast(const BenchCastOptions& options) {
         progress.advance();
     }
     if (const auto& why = bench.withoutVtk())
-        fmt::print(stderr, "Without VTK: {} {}\n", why->message, why->hint);
+        fmt::print(stderr, "Without VTK: {} {}\n", why->message.english(), why->hint.english());
     if (options.json) fmt::print("{}\n", cli::jsonText(reportOf(study, options.turns, results)));
     return {};
 }

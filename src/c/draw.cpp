@@ -13,6 +13,7 @@
 #include "c/seen_view.h"
 #include "c/sized.h"
 #include "c/told_progress.h"
+#include "c/utf8_text.h"
 #include "c/view.h"
 #include "pictures/drawn_picture.h"
 #include "pictures/picture_effort.h"
@@ -102,7 +103,7 @@ Result<Scene> sceneOf(const macula_view& view, const macula_picture& picture, Pr
     scene.record.clip =
         seen.state.clip ? scene::publicClipName(*seen.state.clip) : scene::publicClipName(std::string());
     scene.record.tableRemoved = seen.shown.tableRemoved;
-    if (seen.shown.clip.mask) scene.record.masked = seen.shown.clip.mask->remark;
+    if (seen.shown.clip.mask) scene.record.masked = seen.shown.clip.mask->remark.english();
     scene.record.window = request.settings.window;
     scene.record.notes = std::move(seen.notes);
     return scene;
@@ -141,9 +142,10 @@ Result<void> draw(macula_device& device, macula_view& view, const macula_picture
                    }));
         return {};
     }));
-    std::vector<std::string> notes = scene.record.notes;
+    std::vector<std::string> notes = inEnglish(scene.record.notes);
     for (const pictures::PictureNote& note : notesOf(drawn, scene.request))
-        notes.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
+        notes.push_back(
+            (note.action.empty() ? note.sentence : Text("{} {}", note.sentence, note.action)).english());
     notes.insert(notes.end(), device.told->begin(), device.told->end());
     scene.record.add(scene.request, drawn);
     view.record = toJson(scene.record).dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace);

@@ -50,8 +50,8 @@ macula_status keepFixed(macula_status status, const char* message, const char* a
 
 macula_status keep(const Error& error) noexcept {
     try {
-        kept.message = utf8Of(error.message);
-        kept.advice = utf8Of(error.hint);
+        kept.message = utf8Of(error.message.english());
+        kept.advice = utf8Of(error.hint.english());
         kept.place = utf8Of(error.where);
     } catch (const std::exception&) {
         return keepOutOfMemory();

@@ -1,6 +1,4 @@
 // The live picture, and its model.
-#include <fmt/ranges.h>
-
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -19,6 +17,7 @@
 #include "c/shared_image.h"
 #include "c/sized.h"
 #include "c/told_progress.h"
+#include "c/utf8_text.h"
 #include "c/view.h"
 #include "live/frame/fidelity.h"
 #include "live/frame/times_report.h"
@@ -83,7 +82,7 @@ Result<void> show(macula_live& live, const macula_view& view, Progress& progress
     MACULA_TRY_VOID(live.loop->show(std::move(scene), progress));
     live.camera = seen.state.camera;
     live.from = view.request.view;
-    live.notesOfView = std::move(seen.notes);
+    live.notesOfView = inEnglish(seen.notes);
     return {};
 }
 
@@ -205,10 +204,10 @@ Result<void> drawFrame(macula_live& live, const AskedFrame& asked, Progress& pro
     MACULA_TRY(const live::HostedFrame frame, live.loop->frame(asked.request, progress));
     MACULA_TRY_VOID(deliver(live, asked));
     const live::Fidelity fidelity = fidelityOf(frame.shown);
-    live.fidelity = fmt::format("{}", fmt::join(fidelity.because, ", "));
+    live.fidelity = Text::joined(fidelity.because, ", ").english();
     live.device = live.loop->deviceName();
     live.notes = live.notesOfView;
-    for (std::string& note : live.loop->notes()) live.notes.push_back(std::move(note));
+    for (const Text& note : live.loop->notes()) live.notes.push_back(note.english());
     if (shown != nullptr) give(shownOf(live, frame, fidelity), shown);
     return {};
 }
@@ -360,7 +359,7 @@ macula_status macula_live_write_model(macula_live* live, const char* path, std::
             std::error_code unknown;
             // The option of the command is no advice for who calls this.
             if (overwrite == 0 && std::filesystem::exists(path, unknown))
-                error.hint = "Have it overwritten, or choose another name.";
+                error.hint = Text("Have it overwritten, or choose another name.");
             return error;
         }
         return withProgress(progress, [&](Progress& to) { return of.loop->writeModel(path, to); });

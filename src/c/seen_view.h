@@ -22,7 +22,7 @@ struct SeenView {
     scene::StudyState state;  // with its preset
     scene::StudyPreset preset;
     scene::ShownClip shown;
-    std::vector<std::string> notes;
+    std::vector<Text> notes;
 };
 // For a state of stateOf(view), perhaps with other settings.
 Result<SeenView> seenBy(const macula_view& view, scene::StudyState state, Progress& progress);

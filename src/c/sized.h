@@ -1,7 +1,6 @@
 // Structs of macula.h, whose first member is their size: what an older or newer header calls by that name.
 #pragma once
 
-#include <fmt/format.h>
 #include <macula.h>
 
 #include <algorithm>

@@ -28,10 +28,10 @@ constexpr std::size_t kMostReasons = 8;  // the rest is in macula_study_found
 std::vector<std::string> reasonsOf(const dicom::Scan& scan) {
     std::vector<std::pair<std::string, std::size_t>> files;
     for (const dicom::SkippedFile& file : scan.skipped) {
-        const auto known =
-            std::ranges::find(files, file.message.sentence, &decltype(files)::value_type::first);
+        const std::string sentence = file.message.sentence.english();
+        const auto known = std::ranges::find(files, sentence, &decltype(files)::value_type::first);
         if (known == files.end())
-            files.emplace_back(file.message.sentence, 1);
+            files.emplace_back(sentence, 1);
         else
             ++known->second;
     }
@@ -47,18 +47,18 @@ std::vector<std::string> reasonsOf(const dicom::Scan& scan) {
 // of several patients.
 std::string choiceOf(const study::OpenedStudy& study) {
     const int patients = study.found == nullptr ? 1 : study.found->scan().patients;
-    if (patients > 1) return study.whyThisSeries + " Check that it is of the patient you mean.";
-    return study.volumeTitles.size() > 1 ? study.whyThisSeries : std::string();
+    if (patients > 1) return study.whyThisSeries.english() + " Check that it is of the patient you mean.";
+    return study.volumeTitles.size() > 1 ? study.whyThisSeries.english() : std::string();
 }
 
 // What loading assumed, and what there is to say of the study; nothing twice.
 std::vector<std::string> notesOf(const study::OpenedStudy& study) {
-    std::vector<std::string> notes = study.messages;
+    std::vector<std::string> notes = inEnglish(study.messages);
     if (study.found != nullptr) {
         const std::vector<std::string> reasons = reasonsOf(study.found->scan());
         notes.insert(notes.end(), reasons.begin(), reasons.end());
     }
-    for (const std::string& assumption : study.volume->provenance().assumptions) {
+    for (const std::string& assumption : inEnglish(study.volume->provenance().assumptions)) {
         const bool isKnown =
             std::ranges::any_of(notes, [&](const std::string& note) { return note.starts_with(assumption); });
         if (!isKnown) notes.push_back(assumption);
@@ -74,9 +74,10 @@ Result<std::unique_ptr<macula_study>> studyOf(study::OpenedStudy opened) {
             {},
             Text("Ask who knows the images; if they are one series, open them with macula_open::join.")};
     auto study = std::make_unique<macula_study>();
-    study->titles = opened.volumeTitles;
-    if (study->titles.empty()) study->titles = {opened.description};
-    for (std::string& title : study->titles) title = utf8Of(title);  // a file's name may be anything
+    // A file's name may be anything.
+    for (const auto& title : opened.volumeTitles)
+        study->titles.push_back(utf8Of(Text("{}", title).english()));
+    if (study->titles.empty()) study->titles = {utf8Of(opened.description.english())};
     study->notes = notesOf(opened);
     study->unitName = opened.volume->unitName();
     study->opened = std::move(opened);
@@ -144,7 +145,7 @@ Result<std::unique_ptr<macula_study>> studyOfVoxels(const macula_voxels& voxels,
     study::OpenedStudy opened;
     opened.seriesDigest = fingerprint(*volume);
     opened.volume = in16Bits(std::move(volume));
-    opened.description = "Volume in memory";
+    opened.description = Text("Volume in memory");
     return studyOf(std::move(opened));
 }
 

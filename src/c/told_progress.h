@@ -20,7 +20,7 @@ Result<void> withProgress(const macula_progress* given, const Body& body) {
     const CancelToken token = to.cancel != nullptr ? to.cancel->token : CancelToken();
     Progress progress(
         [&](const ProgressUpdate& update) {
-            if (to.told != nullptr && to.told(to.user, update.stage.c_str(), update.fraction) != 0)
+            if (to.told != nullptr && to.told(to.user, update.stage.english().c_str(), update.fraction) != 0)
                 token.cancel();
         },
         token);

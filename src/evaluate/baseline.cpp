@@ -1,7 +1,5 @@
 #include "evaluate/baseline.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -74,11 +72,11 @@ Result<Baseline> Baseline::read(const std::filesystem::path& path, std::string_v
 }
 
 Result<void> Baseline::checkSame(const Json& report) const {
-    for (const auto& [key, what] : {std::pair{"study", "of another series"},
-                                    {"preset", "of another preset"},
-                                    {"deviceKind", "of another kind of device"},
-                                    {"shDegree", "of another degree"},
-                                    {"splats", "of another number of splats"}}) {
+    for (const auto& [key, what] : {std::pair{"study", Text("of another series")},
+                                    {"preset", Text("of another preset")},
+                                    {"deviceKind", Text("of another kind of device")},
+                                    {"shDegree", Text("of another degree")},
+                                    {"splats", Text("of another number of splats")}}) {
         if (report.contains(key) && report_.value(key, Json()) != report[key])
             return Error{ErrorCode::inputNotUsable, Text("The baseline is {}.", what), path_.string(),
                          Text("Choose one that was made with the same options.")};

@@ -1,7 +1,5 @@
 #include "evaluate/bench_study.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "evaluate/shown_picture.h"

@@ -276,7 +276,7 @@ nlohmann::ordered_json reportOf(const InterpolationOptions& options, const Inter
                                    {"filter", trace::nameOf(row.filter)},
                                    {"contrast", row.contrast},
                                    {"kept", row.kept}});
-    if (report.withoutVtk) json["withoutVtk"] = report.withoutVtk->message;
+    if (report.withoutVtk) json["withoutVtk"] = report.withoutVtk->message.english();
     return json;
 }
 

@@ -37,8 +37,7 @@ Result<void> check(const StudyEvaluationOptions& options);
 // What is told on the way.
 struct EvaluationListener {
     // Sentences, some of them warnings.
-    std::function<void(const std::vector<std::string>& notes, const std::vector<std::string>& warnings)>
-        noted;
+    std::function<void(const std::vector<Text>& notes, const std::vector<Text>& warnings)> noted;
     // Of the scene of that number, from 0; its pictures are dropped afterwards. What fails there ends it.
     std::function<Result<void>(std::size_t scene, const SceneEvaluation& evaluation)> evaluated;
 };

@@ -96,22 +96,23 @@ Result<SnapshotReport> fillSnapshot(StoreState& state, const fs::path& folder, P
 // Without links, which SQLite does not follow, and not in the store's own folder, which would then hold what
 // is not the store's.
 Result<fs::path> placeOfExport(const StoreState& state, const fs::path& newFolder) {
-    const auto refused = [&](const char* message, const char* hint) {
-        return Error{ErrorCode::outputNotWritable, message, newFolder.string(), hint};
+    const auto refused = [&](Text message, Text hint) {
+        return Error{ErrorCode::outputNotWritable, std::move(message), newFolder.string(), std::move(hint)};
     };
     std::error_code error;
     fs::path whole = fs::absolute(newFolder, error).lexically_normal();
     if (!whole.has_filename()) whole = whole.parent_path();  // "copy/"
     const fs::path parent = fs::canonical(whole.parent_path(), error);
     if (error)
-        return refused("The folder to write into does not exist.", "Create it, or choose another place.");
+        return refused(Text("The folder to write into does not exist."),
+                       Text("Create it, or choose another place."));
     fs::path target = parent / whole.filename();
     if (fs::exists(fs::symlink_status(target, error)))
-        return refused("Something of that name is there already.", "Choose another name.");
+        return refused(Text("Something of that name is there already."), Text("Choose another name."));
     const fs::path below = target.lexically_relative(state.folder);
     if (!below.empty() && *below.begin() != "..")
-        return refused("An export cannot be in the folder of the stored sessions itself.",
-                       "Choose another place.");
+        return refused(Text("An export cannot be in the folder of the stored sessions itself."),
+                       Text("Choose another place."));
     return target;
 }
 

@@ -8,46 +8,48 @@ namespace {
 
 struct Sentence {
     ErrorCode code;
-    const char* message;
-    const char* hint;
+    Text message;
+    Text hint;
 };
 
 // In the order of Trouble.
-constexpr Sentence kSentences[] = {
+const Sentence kSentences[] = {
     {ErrorCode::outputNotWritable,
      Text("Sessions cannot be stored: the folder or a file in it is read-only."),
-     "Make the folder writable for you, or choose another one."},
+     Text("Make the folder writable for you, or choose another one.")},
     {ErrorCode::outputNotWritable, Text("Sessions cannot be stored: the disk is full."),
-     "Free some space on that disk; what was stored before is unharmed."},
+     Text("Free some space on that disk; what was stored before is unharmed.")},
     {ErrorCode::outputNotWritable, Text("Sessions cannot be stored: the drive cannot lock files."),
-     "Choose a folder on a local disk, or have locks switched on for that network drive."},
+     Text("Choose a folder on a local disk, or have locks switched on for that network drive.")},
     {ErrorCode::outputNotWritable, Text("Stored sessions are in use by another program."),
-     "Wait a moment and try again, or close other windows of Macula."},
+     Text("Wait a moment and try again, or close other windows of Macula.")},
     {ErrorCode::inputNotUsable, Text("The file of stored sessions is damaged."),
-     "Close all windows of Macula and start it again: it rescues what can be read, and keeps the file."},
+     Text(
+         "Close all windows of Macula and start it again: it rescues what can be read, and keeps the file.")},
     {ErrorCode::inputNotUsable, Text("Stored sessions were written by a newer version of Macula."),
-     "Use that version, or choose another folder. Nothing was changed."},
+     Text("Use that version, or choose another folder. Nothing was changed.")},
     {ErrorCode::inputNotUsable, Text("The folder for sessions holds files of another program."),
-     "Choose an empty folder, or one that Macula made. Nothing was changed."},
+     Text("Choose an empty folder, or one that Macula made. Nothing was changed.")},
     {ErrorCode::outputNotWritable, Text("The disk reported an error while sessions were read or stored."),
-     "Have the disk checked, or choose a folder on another one."},
+     Text("Have the disk checked, or choose a folder on another one.")},
     {ErrorCode::outOfMemory, Text("There is not enough memory to read or store sessions."),
-     "Close other programs and try again."},
+     Text("Close other programs and try again.")},
     {ErrorCode::inputNotUsable, Text("A stored model is damaged; it was set aside."),
-     "Nothing has to be done: the model is learnt anew."},
+     Text("Nothing has to be done: the model is learnt anew.")},
     {ErrorCode::outputNotWritable, Text("A model is larger than all that may be stored."),
-     "Raise the limit for stored models."},
+     Text("Raise the limit for stored models.")},
     {ErrorCode::inputNotUsable, Text("The stored model is no longer there."),
-     "Nothing has to be done: the model is learnt anew."},
+     Text("Nothing has to be done: the model is learnt anew.")},
     {ErrorCode::inputNotUsable, Text("A stored setting is damaged; it was set aside."),
-     "Make the setting once more."},
+     Text("Make the setting once more.")},
     {ErrorCode::usage, Text("What is to be stored is no valid setting."),
-     "Check that it has a name of at most 200 bytes, and is a JSON object of at most 8 MB and 64 levels."},
+     Text("Check that it has a name of at most 200 bytes, and is a JSON object of at most 8 MB and 64 "
+          "levels.")},
     {ErrorCode::inputNotUsable, Text("The folder holds no exported sessions."),
-     "Choose a folder that the export of sessions made."},
+     Text("Choose a folder that the export of sessions made.")},
     {ErrorCode::outputNotWritable,
      Text("The data are deleted, but traces may remain in a file that another program is reading."),
-     "Close other windows of Macula and delete the same once more."},
+     Text("Close other windows of Macula and delete the same once more.")},
 };
 static_assert(std::size(kSentences) == kTroubles);
 

@@ -115,7 +115,7 @@ TEST(ChangeTimes, GoOnToTheEndWhereNoPictureComes) {
 TEST(ChangeTimes, KnowWhetherItWasSaidSoon) {
     const auto wasSaid = [](double atS) {
         live::LiveRecording recording = changedRecording({{15.0, OnScreen::traced}});
-        recording.notices = {{.atS = atS, .what = "Preparing the volume"}};
+        recording.notices = {{.atS = atS, .what = Text("Preparing the volume")}};
         return changeTimes(recording).value().wasSaid;
     };
     EXPECT_FALSE(wasSaid(9.0)) << "of what was before";

@@ -6,26 +6,26 @@
 namespace macula::gpu {
 namespace {
 
-DeviceInfo fake(std::size_t index, const char* name, DeviceType type, const char* whyNotUsable = "") {
+DeviceInfo fake(std::size_t index, const char* name, DeviceType type, Text whyNotUsable = {}) {
     DeviceInfo info;
     info.index = index;
     info.name = name;
     info.type = type;
-    info.whyNotUsable = whyNotUsable;
+    info.whyNotUsable = std::move(whyNotUsable);
     return info;
 }
 
 const std::vector<DeviceInfo> kDevices = {
     fake(0, "llvmpipe (LLVM 15.0.6, 256 bits)", DeviceType::cpu),
     fake(1, "Intel UHD 770", DeviceType::integrated),
-    fake(2, "NVIDIA Old", DeviceType::discrete, "it offers Vulkan 1.2, and 1.3 is needed"),
+    fake(2, "NVIDIA Old", DeviceType::discrete, Text("it offers Vulkan {}.{}, and 1.3 is needed", 1, 2)),
     fake(3, "NVIDIA H100", DeviceType::discrete),
     fake(4, "NVIDIA H200", DeviceType::discrete),
 };
 
 std::string chosenName(std::span<const DeviceInfo> devices, std::string_view preferred) {
     const auto result = chooseDevice(devices, preferred);
-    return result.ok() ? result->name : "error: " + result.error().message;
+    return result.ok() ? result->name : "error: " + result.error().message.english();
 }
 
 TEST(Chooser, PrefersDiscreteThenIntegratedThenVirtualThenCpu) {
@@ -49,7 +49,8 @@ TEST(Chooser, SaysWhatThereIsWhenTheNameIsUnknown) {
         ASSERT_FALSE(result.ok());
         EXPECT_EQ(result.error().code, ErrorCode::usage);
         for (const DeviceInfo& device : kDevices)
-            EXPECT_NE(result.error().hint.find(device.name), std::string::npos) << result.error().hint;
+            EXPECT_NE(result.error().hint.english().find(device.name), std::string::npos)
+                << result.error().hint;
     }
 }
 
@@ -66,13 +67,13 @@ TEST(Chooser, NamesThePackageWhenThereIsNoDevice) {
     const auto result = chooseDevice({}, "");
     ASSERT_FALSE(result.ok());
     EXPECT_EQ(result.error().code, ErrorCode::deviceNotUsable);
-    EXPECT_NE(result.error().hint.find("mesa-vulkan-drivers"), std::string::npos);
+    EXPECT_NE(result.error().hint.english().find("mesa-vulkan-drivers"), std::string::npos);
 }
 
 TEST(VulkanError, TurnsResultsIntoSentences) {
-    EXPECT_EQ(vulkanError(VK_ERROR_OUT_OF_DEVICE_MEMORY, "get 2.0 GiB").code, ErrorCode::outOfMemory);
-    EXPECT_EQ(vulkanError(VK_ERROR_OUT_OF_HOST_MEMORY, "get 2.0 GiB").code, ErrorCode::outOfMemory);
-    const Error lost = vulkanError(VK_ERROR_DEVICE_LOST, "wait for the graphics device");
+    EXPECT_EQ(vulkanError(VK_ERROR_OUT_OF_DEVICE_MEMORY, Text("get 2.0 GiB")).code, ErrorCode::outOfMemory);
+    EXPECT_EQ(vulkanError(VK_ERROR_OUT_OF_HOST_MEMORY, Text("get 2.0 GiB")).code, ErrorCode::outOfMemory);
+    const Error lost = vulkanError(VK_ERROR_DEVICE_LOST, Text("wait for the graphics device"));
     EXPECT_EQ(lost.code, ErrorCode::deviceLost);
     EXPECT_EQ(
         lost.message,

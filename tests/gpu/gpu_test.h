@@ -19,7 +19,7 @@ template <class T>
 T expectOk(Result<T> result) {
     if (!result.ok()) {
         ADD_FAILURE() << result.error().message << " " << result.error().hint;
-        throw std::runtime_error(result.error().message);
+        throw std::runtime_error(result.error().message.english());
     }
     return std::move(*result);
 }

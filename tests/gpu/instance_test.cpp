@@ -20,8 +20,8 @@ namespace {
     if (instance.error().code != ErrorCode::deviceNotUsable ||
         plain.error().code != ErrorCode::deviceNotUsable)
         std::exit(2);
-    fmt::print(stderr, "{} / {}\n{} / {}\n", plain.error().message, plain.error().hint,
-               instance.error().message, instance.error().hint);
+    fmt::print(stderr, "{} / {}\n{} / {}\n", plain.error().message.english(), plain.error().hint.english(),
+               instance.error().message.english(), instance.error().hint.english());
     std::exit(0);
 }
 
@@ -35,7 +35,7 @@ TEST(Instance, RefusesAnExtensionThatIsNotThere) {
     const auto instance = Instance::create({.extensions = {"VK_KHR_no_such_thing"}});
     ASSERT_FALSE(instance.ok());
     EXPECT_EQ(instance.error().code, ErrorCode::deviceNotUsable);
-    EXPECT_NE(instance.error().message.find("VK_KHR_no_such_thing"), std::string::npos)
+    EXPECT_NE(instance.error().message.english().find("VK_KHR_no_such_thing"), std::string::npos)
         << instance.error().message;
 }
 

@@ -13,7 +13,7 @@ class ResourcesTest : public GpuTest {};
 
 void expectOutOfMemory(const Error& error, std::string_view part) {
     EXPECT_EQ(error.code, ErrorCode::outOfMemory) << error.message;
-    EXPECT_NE(error.message.find(part), std::string::npos) << error.message;
+    EXPECT_NE(error.message.english().find(part), std::string::npos) << error.message;
     EXPECT_FALSE(error.hint.empty());
 }
 

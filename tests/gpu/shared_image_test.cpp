@@ -342,7 +342,7 @@ TEST_F(SharedImageTest, SemaphoresAreRefusedWhereThereAreNone) {
     options.wait = std::exchange(options.signal, 0);
     const Result<SharedImage> refused = imported(options);
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().hint.find("none"), std::string::npos) << refused.error().hint;
+    EXPECT_NE(refused.error().hint.english().find("none"), std::string::npos) << refused.error().hint;
 }
 
 TEST_F(SharedImageTest, SemaphoresPassTheImageToAndFro) {

@@ -133,7 +133,7 @@ TEST_F(Damage, OfTheDatabaseGivesNothingWrong) {
             const auto trouble = troubleOf(store.error());
             EXPECT_TRUE(trouble == Trouble::newerSchema || trouble == Trouble::notOurs)
                 << store.error().message;
-            ++outcomes[store.error().message];
+            ++outcomes[store.error().message.english()];
             continue;
         }
         ++outcomes[store->notes().setAside ? "set aside" : store->notes().isNew ? "empty" : "opened"];

@@ -58,7 +58,7 @@ class StoreTest : public ::testing::Test {
 // Of a test that goes on with the value.
 template <class T>
 T valueOf(Result<T> result) {
-    EXPECT_TRUE(result.ok()) << (result.ok() ? "" : result.error().message);
+    EXPECT_TRUE(result.ok()) << (result.ok() ? Text() : result.error().message);
     return std::move(result).value();
 }
 

@@ -46,11 +46,11 @@ TEST(TroubleSentences, AreTheirOwnAndNameNoPath) {
     std::set<std::string> sentences;
     for (int i = 0; i < kTroubles; ++i) {
         const Error error = errorOf(static_cast<Trouble>(i), "/home/anna");
-        EXPECT_TRUE(sentences.insert(error.message).second) << error.message;
+        EXPECT_TRUE(sentences.insert(error.message.english()).second) << error.message;
         EXPECT_EQ(troubleOf(error), static_cast<Trouble>(i));
         EXPECT_EQ(error.where, "/home/anna");
         EXPECT_FALSE(error.hint.empty());
-        EXPECT_EQ((error.message + error.hint).find("anna"), std::string::npos);
+        EXPECT_EQ((error.message.english() + error.hint.english()).find("anna"), std::string::npos);
     }
     EXPECT_EQ(troubleOf(Error{ErrorCode::usage, Text("Something else."), {}, {}}), std::nullopt);
 }

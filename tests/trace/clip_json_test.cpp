@@ -75,7 +75,7 @@ TEST(ClipJson, ErrorsSayWhatWasExpected) {
     const auto says = [](const std::string& fields) {
         const auto read =
             clipPresetFromJson("{\"version\":1,\"name\":\"a\",\"title\":\"A\"" + fields + "}", "a.json");
-        return read ? std::string() : read.error().message + " " + read.error().hint;
+        return read ? std::string() : read.error().message.english() + " " + read.error().hint.english();
     };
     EXPECT_EQ(says(""), "");
     EXPECT_NE(says(",\"plane\":[]").find("plane"), std::string::npos);

@@ -425,7 +425,7 @@ TEST_F(PathTracerTest, RefusesWhatCannotBeTraced) {
     ASSERT_TRUE(t.setView(huge).ok());
     const auto tooLarge = t.trace(1);
     EXPECT_EQ(tooLarge.error().code, ErrorCode::outOfMemory);
-    EXPECT_NE(tooLarge.error().hint.find("smaller picture"), std::string::npos);
+    EXPECT_NE(tooLarge.error().hint.english().find("smaller picture"), std::string::npos);
     ASSERT_TRUE(t.setView(view).ok());  // and recovers
     EXPECT_TRUE(t.trace(1).ok());
     TransferFunction broken = scenes::homogeneous(0.2);

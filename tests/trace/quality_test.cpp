@@ -26,7 +26,7 @@ TEST(Quality, ErrorsSayWhatWasExpected) {
     const auto says = [](const std::string& fields) {
         const auto read =
             qualityFromJson("{\"version\":1,\"name\":\"a\",\"title\":\"A\"," + fields + "}", "a.json");
-        return read ? std::string() : read.error().message + " " + read.error().hint;
+        return read ? std::string() : read.error().message.english() + " " + read.error().hint.english();
     };
     EXPECT_EQ(says(R"("samplesPerPixel":4,"bounces":2,"filter":"trilinear","denoise":true)"), "");
     EXPECT_NE(says(R"("samplesPerPixel":0,"bounces":2,"filter":"trilinear","denoise":true)"), "");

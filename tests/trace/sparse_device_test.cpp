@@ -297,7 +297,7 @@ TEST_F(Sparse, WhatBoundThePoolIsTold) {
         PathTracer t = tracerWith(device(), volume, limits, 16);
         EXPECT_TRUE(t.scene().setTransferFunction(band(-1, 5000)).ok());
         const auto messages = t.statistics()->messages;
-        return messages.size() == 1 ? messages.front().action : std::string();
+        return messages.size() == 1 ? messages.front().action.english() : std::string();
     };
     EXPECT_NE(adviceWith({.voxelBytes = 20 * kSlotBytes}).find("allow more memory for voxels"),
               std::string::npos);

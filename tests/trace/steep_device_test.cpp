@@ -179,7 +179,7 @@ TEST_F(SteepOnDevice, CurvesThatMeanNothingAreRefused) {
     wrong.steep.gradientPerMm = std::numeric_limits<double>::infinity();
     const auto refused = t.scene().setTransferFunction(wrong);
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().message.find("gradient of steep matter"), std::string::npos);
+    EXPECT_NE(refused.error().message.english().find("gradient of steep matter"), std::string::npos);
     EXPECT_FALSE(refused.error().hint.empty());
 }
 

@@ -109,7 +109,7 @@ TEST(TransferFunction, RefusesCurvesOfSteepMatterThatMeanNothing) {
         TransferFunction f = steepExample();
         spoil(f.steep);
         const auto checked = validate(f);
-        return !checked && checked.error().message.find("steep") != std::string::npos;
+        return !checked && checked.error().message.english().find("steep") != std::string::npos;
     };
     EXPECT_TRUE(isRefused([](SteepMatter& s) { s.opacity.clear(); })) << "colours alone";
     EXPECT_TRUE(isRefused([](SteepMatter& s) { s.colour.clear(); })) << "opacities alone";

@@ -27,7 +27,7 @@ Result<void> Device::initialise(const Instance& instance, const DeviceOptions& o
     instance_ = instance.handle();
     MACULA_TRY(info_, chosenDevice(instance, options));
     unifiedMemory_ = (isCpu() || info_.type == DeviceType::integrated) && !options.separateMemory;
-    const std::string doing = fmt::format("open the device {}", info_.name);
+    const Text doing = Text("open the device {}", info_.name);
     if (options.lent) {
         MACULA_TRY(opened_, borrowDevice(*options.lent, options.physical));
         // Nobody knows whether these were enabled.
@@ -103,7 +103,7 @@ Ticket Device::completedTicket() const {
 
 Result<bool> Device::waitFor(Ticket ticket, std::uint64_t timeoutNs) {
     MACULA_CHECK_LE(ticket, submitted_.load());
-    MACULA_TRY_VOID(checkNotLost("wait for the graphics device"));
+    MACULA_TRY_VOID(checkNotLost(Text("wait for the graphics device")));
     VkSemaphoreWaitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO};
     info.semaphoreCount = 1;
     info.pSemaphores = &timeline_;
@@ -112,7 +112,7 @@ Result<bool> Device::waitFor(Ticket ticket, std::uint64_t timeoutNs) {
         const TimelineWait wait;
         return vkWaitSemaphores(opened_.handle, &info, timeoutNs);
     }();
-    if (result < 0) return failed(result, "wait for the graphics device");
+    if (result < 0) return failed(result, Text("wait for the graphics device"));
     destroyUnused();
     return result == VK_SUCCESS;
 }
@@ -167,18 +167,18 @@ void Device::waitUntilIdle() const {
     vkWaitSemaphores(opened_.handle, &info, kForever);
 }
 
-Result<void> Device::checkNotLost(std::string_view doing) const {
+Result<void> Device::checkNotLost(const Text& doing) const {
     if (lost()) return vulkanError(VK_ERROR_DEVICE_LOST, doing);
     return {};
 }
 
-Error Device::failed(VkResult result, std::string_view doing) const {
+Error Device::failed(VkResult result, const Text& doing) const {
     if (result == VK_ERROR_DEVICE_LOST) loseIt();
     return vulkanError(lost() ? VK_ERROR_DEVICE_LOST : result, doing);
 }
 
 Result<CommandPool::Commands> Device::takeCommands() {
-    const std::string_view doing = "prepare work for the graphics device";
+    const Text doing = Text("prepare work for the graphics device");
     MACULA_TRY_VOID(checkNotLost(doing));
     destroyUnused();
     CommandPool::Commands commands;
@@ -191,7 +191,7 @@ Result<CommandPool::Commands> Device::takeCommands() {
 }
 
 Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSemaphore signal) {
-    MACULA_TRY_VOID(checkNotLost("submit work to the graphics device"));
+    MACULA_TRY_VOID(checkNotLost(Text("submit work to the graphics device")));
     const auto semaphoreInfo = [](VkSemaphore semaphore, std::uint64_t value) {
         VkSemaphoreSubmitInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO};
         info.semaphore = semaphore;
@@ -214,7 +214,7 @@ Result<Ticket> Device::submit(VkCommandBuffer commands, VkSemaphore wait, VkSema
     auto held = opened_.guard ? std::unique_lock(*opened_.guard) : std::unique_lock<QueueGuard>();
     const VkResult result = vkQueueSubmit2(opened_.queue, 1, &info, VK_NULL_HANDLE);
     if (held) held.unlock();  // a loss waits for the queue
-    if (result < 0) return failed(result, "submit work to the graphics device");
+    if (result < 0) return failed(result, Text("submit work to the graphics device"));
     submitted_.store(ticket);
     return ticket;
 }

@@ -70,7 +70,7 @@ class Device : public std::enable_shared_from_this<Device> {
     bool lost() const { return lost_.load(); }
     // The error deviceLost when the device is lost. Called before anything is created or copied. `doing` as
     // in vulkanError.
-    Result<void> checkNotLost(std::string_view doing) const;
+    Result<void> checkNotLost(const Text& doing) const;
 
     // Bytes read back to the host so far (transfer.h). Tests ask, to prove that drawing a frame reads nothing
     // back.
@@ -93,7 +93,7 @@ class Device : public std::enable_shared_from_this<Device> {
 
     // Turns a failed call into an Error, and remembers a lost device: whatever fails on one, fails because of
     // that.
-    Error failed(VkResult result, std::string_view doing) const;
+    Error failed(VkResult result, const Text& doing) const;
 
   private:
     friend class Kernel;

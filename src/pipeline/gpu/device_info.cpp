@@ -28,24 +28,24 @@ DeviceType typeOf(VkPhysicalDeviceType type) {
     }
 }
 
-std::string whyNotUsable(VkPhysicalDevice device, std::uint32_t apiVersion) {
+Text whyNotUsable(VkPhysicalDevice device, std::uint32_t apiVersion) {
     if (apiVersion < VK_API_VERSION_1_3)
-        return fmt::format("it offers Vulkan {}.{}, and 1.3 is needed", VK_API_VERSION_MAJOR(apiVersion),
-                           VK_API_VERSION_MINOR(apiVersion));
+        return Text("it offers Vulkan {}.{}, and 1.3 is needed", VK_API_VERSION_MAJOR(apiVersion),
+                    VK_API_VERSION_MINOR(apiVersion));
     if (!hasExtension(device, VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME))
-        return "it lacks " VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME;
-    if (!universalQueueFamily(device)) return "it has no queue for compute";
+        return Text("it lacks {}", VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);
+    if (!universalQueueFamily(device)) return Text("it has no queue for compute");
 
     VkPhysicalDeviceVulkan13Features features13{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
     VkPhysicalDeviceVulkan12Features features12{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_2_FEATURES,
                                                 &features13};
     VkPhysicalDeviceFeatures2 features{VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, &features12, {}};
     vkGetPhysicalDeviceFeatures2(device, &features);
-    if (!features12.timelineSemaphore) return "it lacks timeline semaphores";
-    if (!features12.scalarBlockLayout) return "it lacks scalar block layout";
-    if (!features13.synchronization2) return "it lacks synchronization2";
-    if (!features13.maintenance4) return "it lacks maintenance4";
-    return "";
+    if (!features12.timelineSemaphore) return Text("it lacks timeline semaphores");
+    if (!features12.scalarBlockLayout) return Text("it lacks scalar block layout");
+    if (!features13.synchronization2) return Text("it lacks synchronization2");
+    if (!features13.maintenance4) return Text("it lacks maintenance4");
+    return {};
 }
 
 DeviceInfo infoOf(VkPhysicalDevice device, std::size_t index) {
@@ -156,7 +156,7 @@ std::uint32_t subgroupSizeForDivergence(const DeviceInfo& device) {
 
 std::string describe(const DeviceInfo& device) {
     return fmt::format("{}, {}, {}, {}", device.name, deviceTypeName(device.type),
-                       bytesText(device.memoryBytes), device.driver);
+                       bytesText(device.memoryBytes).english(), device.driver);
 }
 
 std::vector<DeviceInfo> listDevices(const Instance& instance) {

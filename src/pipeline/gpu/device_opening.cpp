@@ -78,8 +78,7 @@ Result<OpenedDevice> borrowDevice(const LentDevice& lent, VkPhysicalDevice physi
     return OpenedDevice{lent.handle, lent.queue, lent.queueFamily, true, lent.guard};
 }
 
-Result<OpenedDevice> openDevice(const DeviceInfo& info, const DeviceOptions& options,
-                                const std::string& doing) {
+Result<OpenedDevice> openDevice(const DeviceInfo& info, const DeviceOptions& options, const Text& doing) {
     OpenedDevice opened{.queueFamily = *universalQueueFamily(info.physical)};
     std::vector<const char*> extensions = options.extensions;
     extensions.push_back(VK_KHR_PUSH_DESCRIPTOR_EXTENSION_NAME);

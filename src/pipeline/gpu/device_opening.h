@@ -27,8 +27,7 @@ struct OpenedDevice {
 Result<DeviceInfo> chosenDevice(const Instance& instance, const DeviceOptions& options);
 
 // deviceNotUsable when an extension is missing or the driver refuses. `doing` as in vulkanError.
-Result<OpenedDevice> openDevice(const DeviceInfo& info, const DeviceOptions& options,
-                                const std::string& doing);
+Result<OpenedDevice> openDevice(const DeviceInfo& info, const DeviceOptions& options, const Text& doing);
 Result<OpenedDevice> borrowDevice(const LentDevice& lent, VkPhysicalDevice physical);
 
 }  // namespace macula::gpu

@@ -173,7 +173,7 @@ Result<Instance> Instance::create(const InstanceOptions& options) {
                      Text("The Vulkan driver of this computer does not offer {}.", missing), "",
                      Text("Update the graphics driver.")};
     }
-    if (result != VK_SUCCESS) return vulkanError(result, "start Vulkan");
+    if (result != VK_SUCCESS) return vulkanError(result, Text("start Vulkan"));
     keepDriversLoaded();
     return finished(std::move(state));
 }
@@ -185,7 +185,7 @@ Result<Instance> Instance::finished(std::shared_ptr<State> state) {
             vkGetInstanceProcAddr(state->handle, "vkCreateDebugUtilsMessengerEXT"));
         const auto messenger = messengerInfo(state->messages);
         MACULA_VK_TRY(createMessenger(state->handle, &messenger, nullptr, &state->messenger),
-                      "listen to the Vulkan validation layer");
+                      Text("listen to the Vulkan validation layer"));
     }
 
     std::uint32_t devices = 0;

@@ -110,7 +110,7 @@ VkResult createPipeline(CompiledKernel& kernel, const DeviceInfo& device, const 
 
 Result<std::shared_ptr<const CompiledKernel>> compile(const std::shared_ptr<Device>& device,
                                                       const ShaderCode& code, const KernelOptions& options,
-                                                      VkPipelineCache cache, const std::string& doing) {
+                                                      VkPipelineCache cache, const Text& doing) {
     const auto kernel = std::make_shared<CompiledKernel>(device->handle());
     kernel->name = code.name;
     MACULA_TRY(kernel->reflection, reflectSpirv(code.words));
@@ -149,7 +149,7 @@ CompiledKernel::~CompiledKernel() {
 Result<Kernel> Kernel::create(const std::shared_ptr<Device>& device, const ShaderCode& code,
                               const KernelOptions& options) {
     MACULA_CHECK(device != nullptr);
-    const std::string doing = fmt::format("prepare the shader {}", code.name);
+    const Text doing = Text("prepare the shader {}", code.name);
     MACULA_TRY_VOID(device->checkNotLost(doing));
     std::string constants = fmt::format("{};", options.subgroupSize);
     for (const Specialization& constant : options.specializations)

@@ -133,7 +133,7 @@ void PipelineCache::write() const {
     if (file == read_) return;
     makeFolder(file_.parent_path());
     if (const Result<void> written = writeTextAtomically(file_, file); !written) {
-        log::debug("The compiled kernels are not kept: {}", written.error().message);
+        log::debug("The compiled kernels are not kept: {}", written.error().message.english());
         return;
     }
     removeOldFiles(file_.parent_path());

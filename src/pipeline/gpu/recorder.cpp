@@ -49,7 +49,7 @@ Result<Recorder> Recorder::create(const std::shared_ptr<Device>& device, std::st
     VkCommandBufferBeginInfo info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
     info.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     if (const VkResult result = vkBeginCommandBuffer(recorder.commands_.buffer, &info); result < 0)
-        return device->failed(result, fmt::format("record \"{}\"", label));
+        return device->failed(result, Text("record \"{}\"", label));
     return recorder;
 }
 
@@ -255,7 +255,7 @@ Result<Ticket> Recorder::submit(const SubmitOptions& options) {
     memoryBarrier(commands_.buffer, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT | VK_PIPELINE_STAGE_2_HOST_BIT,
                   VK_ACCESS_2_MEMORY_READ_BIT | VK_ACCESS_2_MEMORY_WRITE_BIT | VK_ACCESS_2_HOST_READ_BIT);
     if (const VkResult result = vkEndCommandBuffer(commands_.buffer); result < 0)
-        return device_->failed(result, fmt::format("record \"{}\"", label_));
+        return device_->failed(result, Text("record \"{}\"", label_));
     MACULA_TRY(ticket_, device_->submit(commands_.buffer, options.wait, options.signal));
     state_ = State::submitted;
     device_->recorderClosed();
@@ -274,7 +274,7 @@ Result<std::vector<Timing>> Recorder::timings() {
         device_->handle(), commands_.queries, 0, static_cast<std::uint32_t>(stamps.size()),
         stamps.size() * sizeof(stamps[0]), stamps.data(), sizeof(stamps[0]),
         VK_QUERY_RESULT_64_BIT | VK_QUERY_RESULT_WAIT_BIT);
-    if (result < 0) return device_->failed(result, "read the timings");
+    if (result < 0) return device_->failed(result, Text("read the timings"));
     const std::uint64_t valid = device_->timestampBits_ >= 64 ? ~0ull : (1ull << device_->timestampBits_) - 1;
     for (std::size_t i = 0; i < timers_.size(); ++i) {
         const std::uint64_t ticks = (stamps[2 * i + 1] - stamps[2 * i]) & valid;  // the counter may wrap

@@ -11,7 +11,7 @@
 namespace macula::gpu {
 namespace {
 
-Error tooLarge(const Device& device, Text what, const std::string& needs, const std::string& allows) {
+Error tooLarge(const Device& device, const Text& what, const Text& needs, const Text& allows) {
     return {ErrorCode::outOfMemory,
             Text("The {} does not fit on the device {}: it needs {}, and the device allows {}.", what,
                  device.info().name, needs, allows),
@@ -55,12 +55,11 @@ struct Allocation {
 };
 
 Result<Allocation> allocate(const std::shared_ptr<Device>& device, const VkMemoryRequirements& requirements,
-                            MemoryKind kind, std::string_view what, VkBuffer buffer, VkImage image) {
+                            MemoryKind kind, const Text& what, VkBuffer buffer, VkImage image) {
     VkPhysicalDeviceMemoryProperties memory{};
     vkGetPhysicalDeviceMemoryProperties(device->physical(), &memory);
     const auto type = memoryTypeFor(*device, memory, requirements.memoryTypeBits, kind);
-    if (!type)
-        return device->failed(VK_ERROR_FEATURE_NOT_PRESENT, fmt::format("find memory for the {}", what));
+    if (!type) return device->failed(VK_ERROR_FEATURE_NOT_PRESENT, Text("find memory for the {}", what));
     const std::uint64_t heapBytes = memory.memoryHeaps[memory.memoryTypes[*type].heapIndex].size;
     if (requirements.size > heapBytes)
         return tooLarge(*device, what, bytesText(requirements.size), bytesText(heapBytes));
@@ -88,7 +87,7 @@ Result<Allocation> allocate(const std::shared_ptr<Device>& device, const VkMemor
         result = tryAllocate(&handle);
     }
     if (result < 0)
-        return device->failed(result, fmt::format("get {} for the {}", bytesText(requirements.size), what));
+        return device->failed(result, Text("get {} for the {}", bytesText(requirements.size), what));
     return Allocation{Handle(device, handle), memory.memoryTypes[*type].propertyFlags};
 }
 
@@ -98,8 +97,8 @@ Result<Buffer> Buffer::create(const std::shared_ptr<Device>& device, const Buffe
     MACULA_CHECK(device != nullptr);
     MACULA_CHECK(options.bytes > 0);
     const DeviceInfo& info = device->info();
-    const std::string what = fmt::format("buffer \"{}\"", options.label);
-    MACULA_TRY_VOID(device->checkNotLost(fmt::format("create the {}", what)));
+    const Text what = Text("buffer \"{}\"", options.label);
+    MACULA_TRY_VOID(device->checkNotLost(Text("create the {}", what)));
     std::uint64_t limit = info.maxAllocationBytes;
     if (options.usage & VK_BUFFER_USAGE_STORAGE_BUFFER_BIT)
         limit = std::min<std::uint64_t>(limit, info.maxStorageBufferBytes);
@@ -114,7 +113,7 @@ Result<Buffer> Buffer::create(const std::shared_ptr<Device>& device, const Buffe
     bufferInfo.usage = result.usage_;
     VkBuffer handle = VK_NULL_HANDLE;
     if (const VkResult status = vkCreateBuffer(device->handle(), &bufferInfo, nullptr, &handle); status < 0)
-        return device->failed(status, fmt::format("create the {} of {}", what, bytesText(options.bytes)));
+        return device->failed(status, Text("create the {} of {}", what, bytesText(options.bytes)));
     result.buffer_ = Handle(device, handle);
     device->setName(VK_OBJECT_TYPE_BUFFER, reinterpret_cast<std::uint64_t>(handle), options.label);
 
@@ -125,7 +124,7 @@ Result<Buffer> Buffer::create(const std::shared_ptr<Device>& device, const Buffe
     const VkDeviceMemory memory = allocation.memory.get();
     result.memory_ = std::move(allocation.memory);
     if (const VkResult status = vkBindBufferMemory(device->handle(), handle, memory, 0); status < 0)
-        return device->failed(status, fmt::format("bind memory to the {}", what));
+        return device->failed(status, Text("bind memory to the {}", what));
 
     constexpr VkMemoryPropertyFlags kMappable =
         VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT;
@@ -135,7 +134,7 @@ Result<Buffer> Buffer::create(const std::shared_ptr<Device>& device, const Buffe
         void* data = nullptr;
         if (const VkResult status = vkMapMemory(device->handle(), memory, 0, VK_WHOLE_SIZE, 0, &data);
             status < 0)
-            return device->failed(status, fmt::format("map the {}", what));
+            return device->failed(status, Text("map the {}", what));
         result.mapped_ = {static_cast<std::byte*>(data), static_cast<std::size_t>(options.bytes)};
         result.hostCached_ = (allocation.flags & VK_MEMORY_PROPERTY_HOST_CACHED_BIT) != 0;
     }
@@ -147,11 +146,12 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
     MACULA_CHECK(device != nullptr);
     MACULA_CHECK(options.elements > 0);
     MACULA_CHECK(bytesPerTexel(options.format) > 0);
-    const std::string what = fmt::format("texel buffer \"{}\"", options.label);
+    const Text what = Text("texel buffer \"{}\"", options.label);
     const std::uint64_t ofView = options.elementsOfView > 0 ? options.elementsOfView : options.elements;
     const std::uint64_t limit = device->info().maxTexelBufferElements;
     if (std::min(options.elements, ofView) > limit)
-        return tooLarge(*device, what, fmt::format("{} elements", options.elements), std::to_string(limit));
+        return tooLarge(*device, what, Text("{} elements", options.elements),
+                        Text::verbatim(std::to_string(limit)));
     const std::uint64_t viewBytes = ofView * bytesPerTexel(options.format);
     // The most that minTexelBufferOffsetAlignment may be.
     MACULA_CHECK(ofView >= options.elements || viewBytes % 256 == 0);
@@ -162,7 +162,7 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
     const bool writable = (properties.bufferFeatures & VK_FORMAT_FEATURE_STORAGE_TEXEL_BUFFER_BIT) != 0;
     if (((options.usage & VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT) && !readable) ||
         ((options.usage & VK_BUFFER_USAGE_STORAGE_TEXEL_BUFFER_BIT) && !writable))
-        return device->failed(VK_ERROR_FORMAT_NOT_SUPPORTED, fmt::format("create the {}", what));
+        return device->failed(VK_ERROR_FORMAT_NOT_SUPPORTED, Text("create the {}", what));
 
     TexelBuffer result;
     result.format_ = options.format;
@@ -180,7 +180,7 @@ Result<TexelBuffer> TexelBuffer::create(const std::shared_ptr<Device>& device,
         info.range = std::min(viewBytes, result.buffer_.bytes() - info.offset);
         VkBufferView view = VK_NULL_HANDLE;
         if (const VkResult status = vkCreateBufferView(device->handle(), &info, nullptr, &view); status < 0)
-            return device->failed(status, fmt::format("create the {}", what));
+            return device->failed(status, Text("create the {}", what));
         result.views_.emplace_back(device, view);
     }
     return result;
@@ -243,14 +243,14 @@ Result<Image> Image::create(const std::shared_ptr<Device>& device, const ImageOp
     MACULA_CHECK(bytesPerTexel(options.format) > 0);
     const bool isVolume = options.shape == ImageShape::volume;
     MACULA_CHECK(isVolume || options.depth == 1);
-    const std::string what = fmt::format("image \"{}\"", options.label);
-    MACULA_TRY_VOID(device->checkNotLost(fmt::format("create the {}", what)));
+    const Text what = Text("image \"{}\"", options.label);
+    MACULA_TRY_VOID(device->checkNotLost(Text("create the {}", what)));
     const DeviceInfo& info = device->info();
     const std::uint32_t edge = std::max({options.width, options.height, options.depth});
     const std::uint32_t maxEdge = isVolume ? info.maxImageEdge3D : info.maxImageEdge2D;
     if (edge > maxEdge)
-        return tooLarge(*device, what, fmt::format("{} pixels along one edge", edge),
-                        std::to_string(maxEdge));
+        return tooLarge(*device, what, Text("{} pixels along one edge", edge),
+                        Text::verbatim(std::to_string(maxEdge)));
 
     Image result;
     result.options_ = options;
@@ -258,8 +258,8 @@ Result<Image> Image::create(const std::shared_ptr<Device>& device, const ImageOp
     if (result.bytes() > info.maxAllocationBytes)
         return tooLarge(*device, what, bytesText(result.bytes()), bytesText(info.maxAllocationBytes));
 
-    const std::string doing =
-        fmt::format("create the {} of {} x {} x {}", what, options.width, options.height, options.depth);
+    const Text doing =
+        Text("create the {} of {} x {} x {}", what, options.width, options.height, options.depth);
     VkImage handle = VK_NULL_HANDLE;
     if (const VkResult status = createImage(*device, options, result.extent(), handle); status < 0)
         return device->failed(status, doing);
@@ -288,7 +288,7 @@ Result<Image> Image::create(const std::shared_ptr<Device>& device, const ImageOp
 
 Result<Sampler> Sampler::create(const std::shared_ptr<Device>& device, const SamplerOptions& options) {
     MACULA_CHECK(device != nullptr);
-    MACULA_TRY_VOID(device->checkNotLost(fmt::format("create the sampler \"{}\"", options.label)));
+    MACULA_TRY_VOID(device->checkNotLost(Text("create the sampler \"{}\"", options.label)));
     VkSamplerCreateInfo info{VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
     info.magFilter = options.filter;
     info.minFilter = options.filter;
@@ -298,7 +298,7 @@ Result<Sampler> Sampler::create(const std::shared_ptr<Device>& device, const Sam
     info.addressModeW = options.addressW;
     VkSampler handle = VK_NULL_HANDLE;
     if (const VkResult status = vkCreateSampler(device->handle(), &info, nullptr, &handle); status < 0)
-        return device->failed(status, fmt::format("create the sampler \"{}\"", options.label));
+        return device->failed(status, Text("create the sampler \"{}\"", options.label));
     Sampler result;
     result.sampler_ = Handle(device, handle);
     device->setName(VK_OBJECT_TYPE_SAMPLER, reinterpret_cast<std::uint64_t>(handle), options.label);

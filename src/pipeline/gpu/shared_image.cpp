@@ -12,8 +12,14 @@ namespace {
 constexpr VkExternalMemoryHandleTypeFlagBits kMemoryHandle = VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT;
 constexpr VkExternalSemaphoreHandleTypeFlagBits kSemaphoreHandle =
     VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT;
-constexpr const char* kDoing = "open the image that another program shares";
-constexpr const char* kAsMade = "Describe the image and its memory exactly as they were made.";
+
+Text doing() {
+    return Text("open the image that another program shares");
+}
+
+Text asMade() {
+    return Text("Describe the image and its memory exactly as they were made.");
+}
 
 Error refused(Text what, Text advice) {
     return {ErrorCode::usage, std::move(what), "", std::move(advice)};
@@ -68,7 +74,7 @@ Result<void> checkImportable(const Device& device, const VkImageCreateInfo& imag
     VkExternalImageFormatProperties shared{VK_STRUCTURE_TYPE_EXTERNAL_IMAGE_FORMAT_PROPERTIES};
     VkImageFormatProperties2 properties{VK_STRUCTURE_TYPE_IMAGE_FORMAT_PROPERTIES_2, &shared, {}};
     const VkResult result = vkGetPhysicalDeviceImageFormatProperties2(device.physical(), &info, &properties);
-    if (result < 0 && result != VK_ERROR_FORMAT_NOT_SUPPORTED) return device.failed(result, kDoing);
+    if (result < 0 && result != VK_ERROR_FORMAT_NOT_SUPPORTED) return device.failed(result, doing());
     const VkExtent3D most = properties.imageFormatProperties.maxExtent;
     const VkExternalMemoryFeatureFlags can = shared.externalMemoryProperties.externalMemoryFeatures;
     if (result < 0 || !(can & VK_EXTERNAL_MEMORY_FEATURE_IMPORTABLE_BIT) || image.extent.width > most.width ||
@@ -88,7 +94,7 @@ Result<Handle<VkImage>> imageLike(const std::shared_ptr<Device>& device, VkImage
     info.pNext = &external;
     VkImage image = VK_NULL_HANDLE;
     if (const VkResult result = vkCreateImage(device->handle(), &info, nullptr, &image); result < 0)
-        return device->failed(result, kDoing);
+        return device->failed(result, doing());
     device->setName(VK_OBJECT_TYPE_IMAGE, reinterpret_cast<std::uint64_t>(image), "shared image");
     return Handle(device, image);
 }
@@ -105,12 +111,12 @@ Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryHa
         return refused(
             Text("The shared image needs {} bytes at a multiple of {}, and has {} at {}.", needs.size,
                  needs.alignment, options.bytes - options.offsetBytes, options.offsetBytes),
-            kAsMade);
+            asMade());
     if (options.isDedicated && needs.size != options.bytes)
         return refused(Text("The memory is said to be the shared image's alone, which needs {} bytes and "
                             "not {}.",
                             needs.size, options.bytes),
-                       kAsMade);
+                       asMade());
     if (dedicated.requiresDedicatedAllocation && !options.isDedicated)
         return refused(Text("The shared image needs memory of its own, and is said to have none."),
                        Text("Allocate it with VkMemoryDedicatedAllocateInfo, and say so."));
@@ -122,7 +128,7 @@ Result<void> checkFits(const Device& device, VkImage image, const SharedMemoryHa
     if (options.bytes > memory.memoryHeaps[memory.memoryTypes[options.memoryType].heapIndex].size)
         return refused(Text("The device {} has no {} of memory that could be shared.", device.info().name,
                             bytesText(options.bytes)),
-                       kAsMade);
+                       asMade());
     return {};
 }
 
@@ -149,7 +155,7 @@ Result<Handle<VkDeviceMemory>> importMemory(const std::shared_ptr<Device>& devic
             Text("What was shared is no memory of this graphics card, or smaller than it is said to be."),
             Text("Give a file descriptor of vkGetMemoryFdKHR with "
                  "VK_EXTERNAL_MEMORY_HANDLE_TYPE_OPAQUE_FD_BIT, and the size of the allocation."));
-    if (result < 0) return device->failed(result, kDoing);
+    if (result < 0) return device->failed(result, doing());
     mine.release();  // to the driver, now that it was taken
     return Handle(device, memory);
 }
@@ -159,7 +165,7 @@ Result<void> checkSemaphores(const Device& device) {
     info.handleType = kSemaphoreHandle;
     VkExternalSemaphoreProperties properties{VK_STRUCTURE_TYPE_EXTERNAL_SEMAPHORE_PROPERTIES};
     vkGetPhysicalDeviceExternalSemaphoreProperties(device.physical(), &info, &properties);
-    const std::string without = "Give none: then the picture is there when the call returns.";
+    const Text without = Text("Give none: then the picture is there when the call returns.");
     if (!(properties.externalSemaphoreFeatures & VK_EXTERNAL_SEMAPHORE_FEATURE_IMPORTABLE_BIT))
         return Error{ErrorCode::deviceNotUsable,
                      Text("The device {} cannot share semaphores with another program.", device.info().name),
@@ -168,7 +174,7 @@ Result<void> checkSemaphores(const Device& device) {
         return Error{
             ErrorCode::deviceNotUsable,
             Text("The device {} was opened without what semaphores are shared by.", device.info().name), "",
-            without + " Or open it with VK_KHR_external_semaphore_fd, if it offers that."};
+            Text("{} Or open it with VK_KHR_external_semaphore_fd, if it offers that.", without)};
     return {};
 }
 
@@ -181,7 +187,7 @@ Result<Handle<VkSemaphore>> importSemaphore(const std::shared_ptr<Device>& devic
     const VkSemaphoreCreateInfo binary{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
     VkSemaphore made = VK_NULL_HANDLE;
     if (const VkResult result = vkCreateSemaphore(device->handle(), &binary, nullptr, &made); result < 0)
-        return device->failed(result, kDoing);
+        return device->failed(result, doing());
     Handle<VkSemaphore> semaphore(device, made);
     device->setName(VK_OBJECT_TYPE_SEMAPHORE, reinterpret_cast<std::uint64_t>(made), "shared semaphore");
     VkImportSemaphoreFdInfoKHR import{VK_STRUCTURE_TYPE_IMPORT_SEMAPHORE_FD_INFO_KHR};
@@ -194,7 +200,7 @@ Result<Handle<VkSemaphore>> importSemaphore(const std::shared_ptr<Device>& devic
         return refused(Text("What was shared as a semaphore is none of this graphics card."),
                        Text("Give a file descriptor of vkGetSemaphoreFdKHR with "
                             "VK_EXTERNAL_SEMAPHORE_HANDLE_TYPE_OPAQUE_FD_BIT."));
-    if (result < 0) return device->failed(result, kDoing);
+    if (result < 0) return device->failed(result, doing());
     mine.release();
     return semaphore;
 }
@@ -203,7 +209,7 @@ Result<Handle<VkSemaphore>> importSemaphore(const std::shared_ptr<Device>& devic
 
 Result<SharedImage> SharedImage::import(const std::shared_ptr<Device>& device, const SharedMemory& memory) {
     MACULA_CHECK(device != nullptr);
-    MACULA_TRY_VOID(device->checkNotLost(kDoing));
+    MACULA_TRY_VOID(device->checkNotLost(doing()));
     const SharedMemoryHandles& options = memory.options();
     MACULA_TRY_VOID(checkDevice(*device, options));
     const VkImageCreateInfo info = imageInfo(options);
@@ -218,7 +224,7 @@ Result<SharedImage> SharedImage::import(const std::shared_ptr<Device>& device, c
     if (const VkResult result =
             vkBindImageMemory(device->handle(), image, shared.memory_.get(), options.offsetBytes);
         result < 0)
-        return device->failed(result, kDoing);
+        return device->failed(result, doing());
     MACULA_TRY(shared.wait_, importSemaphore(device, memory.wait()));
     MACULA_TRY(shared.signal_, importSemaphore(device, memory.signal()));
     return shared;

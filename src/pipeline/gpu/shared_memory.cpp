@@ -92,7 +92,7 @@ Result<void> checkAllocation(const SharedMemoryHandles& options) {
 // A copy of what a driver may be given, as far as the system can tell. A driver that reads from a pipe waits
 // for ever, and that of NVIDIA opens no memory any more once it was given a file of a disk (580.159.04).
 // Drivers on a CPU share files that are in memory, which alone can have seals.
-Result<FileDescriptor> copyFor(int descriptor, const char* what, const char* madeBy) {
+Result<FileDescriptor> copyFor(int descriptor, const Text& what, const char* madeBy) {
     MACULA_TRY(FileDescriptor copy, FileDescriptor::copyOf(descriptor));
     struct stat file {};
     if (fstat(copy.get(), &file) != 0) return copy;
@@ -106,7 +106,7 @@ Result<FileDescriptor> copyFor(int descriptor, const char* what, const char* mad
 
 Result<FileDescriptor> semaphoreCopy(int descriptor) {
     if (descriptor <= 0) return FileDescriptor();
-    return copyFor(descriptor, "semaphore", "vkGetSemaphoreFdKHR");
+    return copyFor(descriptor, Text("semaphore"), "vkGetSemaphoreFdKHR");
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ Result<SharedMemory> SharedMemory::create(const SharedMemoryHandles& options) {
     if (options.layout == VK_IMAGE_LAYOUT_UNDEFINED) shared.options_.layout = VK_IMAGE_LAYOUT_GENERAL;
     MACULA_TRY_VOID(checkImage(shared.options_));
     MACULA_TRY_VOID(checkAllocation(shared.options_));
-    MACULA_TRY(shared.memory_, copyFor(options.memory, "memory", "vkGetMemoryFdKHR"));
+    MACULA_TRY(shared.memory_, copyFor(options.memory, Text("memory"), "vkGetMemoryFdKHR"));
     MACULA_TRY(shared.wait_, semaphoreCopy(options.wait));
     MACULA_TRY(shared.signal_, semaphoreCopy(options.signal));
     return shared;

@@ -22,7 +22,7 @@ Buffer StagingPool::owned(const std::shared_ptr<Device>& device, const Kept& kep
 Result<Buffer> StagingPool::take(const std::shared_ptr<Device>& device, MemoryKind kind,
                                  std::uint64_t bytes) {
     MACULA_CHECK(kind != MemoryKind::deviceLocal && bytes > 0);
-    MACULA_TRY_VOID(device->checkNotLost("bring data to the graphics device"));
+    MACULA_TRY_VOID(device->checkNotLost(Text("bring data to the graphics device")));
     const Ticket completed = device->completedTicket();
     auto best = kept_.end();
     for (auto kept = kept_.begin(); kept != kept_.end(); ++kept) {

@@ -16,13 +16,13 @@ Result<VkSurfaceFormatKHR> chooseFormat(Device& device, VkSurfaceKHR surface) {
     std::vector<VkSurfaceFormatKHR> offered(count);
     if (result >= 0)
         result = vkGetPhysicalDeviceSurfaceFormatsKHR(device.physical(), surface, &count, offered.data());
-    if (result < 0) return device.failed(result, "ask for the formats of the window");
+    if (result < 0) return device.failed(result, Text("ask for the formats of the window"));
     for (const VkFormat wanted : {VK_FORMAT_B8G8R8A8_UNORM, VK_FORMAT_R8G8B8A8_UNORM})
         for (const VkSurfaceFormatKHR& format : offered)
             if (format.format == wanted && format.colorSpace == VK_COLOR_SPACE_SRGB_NONLINEAR_KHR)
                 return format;
     return device.failed(VK_ERROR_FORMAT_NOT_SUPPORTED,
-                         "find a format for the window with 8 bits per colour");
+                         Text("find a format for the window with 8 bits per colour"));
 }
 
 VkPresentModeKHR chooseMode(const Device& device, VkSurfaceKHR surface, PresentMode wanted) {
@@ -50,7 +50,7 @@ Result<Swapchain> Swapchain::create(const std::shared_ptr<Device>& device, VkSur
     if (const VkResult result = vkGetPhysicalDeviceSurfaceSupportKHR(
             device->physical(), device->queueFamily(), surface, &canPresent);
         result < 0)
-        return device->failed(result, "ask whether the device can draw in the window");
+        return device->failed(result, Text("ask whether the device can draw in the window"));
     if (!canPresent)
         return Error{ErrorCode::deviceNotUsable,
                      Text("The device {} cannot draw in this window.", device->info().name), "",
@@ -68,21 +68,21 @@ Result<Handle<VkSemaphore>> Swapchain::makeSemaphore() const {
     const VkSemaphoreCreateInfo info{VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO};
     VkSemaphore semaphore = VK_NULL_HANDLE;
     if (const VkResult result = vkCreateSemaphore(device_->handle(), &info, nullptr, &semaphore); result < 0)
-        return device_->failed(result, "create a semaphore");
+        return device_->failed(result, Text("create a semaphore"));
     return Handle(device_, semaphore);
 }
 
 Result<void> Swapchain::resize(VkExtent2D extent) {
-    MACULA_TRY_VOID(device_->checkNotLost("resize the window"));
+    MACULA_TRY_VOID(device_->checkNotLost(Text("resize the window")));
     isBroken_ = true;  // until all that follows has been made
     if (const VkResult result = vkDeviceWaitIdle(device_->handle()); result < 0)
-        return device_->failed(result, "resize the window");
+        return device_->failed(result, Text("resize the window"));
 
     VkSurfaceCapabilitiesKHR surface{};
     if (const VkResult result =
             vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &surface);
         result < 0)
-        return device_->failed(result, "ask for the size of the window");
+        return device_->failed(result, Text("ask for the size of the window"));
     if (surface.currentExtent.width != UINT32_MAX) {
         extent = surface.currentExtent;
     } else {
@@ -117,7 +117,7 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
     if (const VkResult result = vkCreateSwapchainKHR(device_->handle(), &info, nullptr, &handle);
         result < 0) {
         swapchain_.reset();  // retired all the same, and of no use to the next try
-        return device_->failed(result, "create the images of the window");
+        return device_->failed(result, Text("create the images of the window"));
     }
     swapchain_ = std::unique_ptr<VkSwapchainKHR_T, DestroySwapchain>(handle, {device_});
 
@@ -125,7 +125,7 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
     VkResult result = vkGetSwapchainImagesKHR(device_->handle(), handle, &count, nullptr);
     images_.assign(count, VK_NULL_HANDLE);
     if (result >= 0) result = vkGetSwapchainImagesKHR(device_->handle(), handle, &count, images_.data());
-    if (result < 0) return device_->failed(result, "get the images of the window");
+    if (result < 0) return device_->failed(result, Text("get the images of the window"));
     rendered_.clear();
     slots_.clear();
     for (std::uint32_t i = 0; i < count; ++i) {
@@ -147,12 +147,12 @@ Result<void> Swapchain::resize(VkExtent2D extent) {
 Result<VkExtent2D> Swapchain::surfaceExtent() const {
     VkSurfaceCapabilitiesKHR surface{};
     const VkResult asked = vkGetPhysicalDeviceSurfaceCapabilitiesKHR(device_->physical(), surface_, &surface);
-    if (asked < 0) return device_->failed(asked, "ask for the size of the window");
+    if (asked < 0) return device_->failed(asked, Text("ask for the size of the window"));
     return surface.currentExtent;
 }
 
 Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
-    MACULA_TRY_VOID(device_->checkNotLost("get an image of the window"));
+    MACULA_TRY_VOID(device_->checkNotLost(Text("get an image of the window")));
     Frame frame;
     if (isBroken_) {
         frame.status = Status::outOfDate;
@@ -184,7 +184,7 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
         frame.status = Status::outOfDate;
         return frame;
     }
-    if (result < 0) return device_->failed(result, "get an image of the window");
+    if (result < 0) return device_->failed(result, Text("get an image of the window"));
     isBroken_ = true;  // until it is presented
     frame.status = result == VK_SUBOPTIMAL_KHR ? Status::suboptimal : Status::ready;
     frame.image = images_[frame.index];
@@ -198,7 +198,7 @@ Result<Swapchain::Frame> Swapchain::acquire(std::uint64_t timeoutNs) {
 
 Result<Swapchain::Status> Swapchain::present(const Frame& frame, Ticket rendered) {
     MACULA_CHECK(frame.usable());
-    MACULA_TRY_VOID(device_->checkNotLost("show the image in the window"));
+    MACULA_TRY_VOID(device_->checkNotLost(Text("show the image in the window")));
     slots_[currentSlot_].usedBy = rendered;
     const VkSwapchainKHR swapchain = swapchain_.get();
     VkPresentInfoKHR info{VK_STRUCTURE_TYPE_PRESENT_INFO_KHR};
@@ -209,7 +209,7 @@ Result<Swapchain::Status> Swapchain::present(const Frame& frame, Ticket rendered
     info.pImageIndices = &frame.index;
     const VkResult result = vkQueuePresentKHR(device_->queue(), &info);
     if (result == VK_ERROR_OUT_OF_DATE_KHR) return Status::outOfDate;
-    if (result < 0) return device_->failed(result, "show the image in the window");
+    if (result < 0) return device_->failed(result, Text("show the image in the window"));
     isBroken_ = false;
     return result == VK_SUBOPTIMAL_KHR ? Status::suboptimal : Status::ready;
 }

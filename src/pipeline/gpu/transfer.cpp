@@ -30,7 +30,7 @@ Result<void> uploadTo(const Buffer& buffer, std::uint64_t offsetBytes, std::span
     MACULA_CHECK_LE(bytes.size(), buffer.bytes() - offsetBytes);
     if (bytes.empty()) return {};
     const auto& device = buffer.device();
-    MACULA_TRY_VOID(device->checkNotLost("bring data to the graphics device"));
+    MACULA_TRY_VOID(device->checkNotLost(Text("bring data to the graphics device")));
     if (!buffer.mapped().empty() && idle(*device)) {
         std::memcpy(buffer.mapped().data() + offsetBytes, bytes.data(), bytes.size());
         return {};

@@ -49,7 +49,7 @@ std::string_view vkResultName(VkResult result) {
     }
 }
 
-Error vulkanError(VkResult result, std::string_view doing) {
+Error vulkanError(VkResult result, const Text& doing) {
     switch (result) {
         case VK_ERROR_OUT_OF_HOST_MEMORY:
             return {ErrorCode::outOfMemory, Text("Could not {}: the computer's memory is full.", doing), "",
@@ -76,13 +76,13 @@ Error vulkanError(VkResult result, std::string_view doing) {
     }
 }
 
-std::string bytesText(std::uint64_t bytes) {
+Text bytesText(std::uint64_t bytes) {
     constexpr std::string_view kUnits[] = {"KiB", "MiB", "GiB", "TiB", "PiB", "EiB"};
-    if (bytes < 1024) return fmt::format("{} bytes", bytes);
+    if (bytes < 1024) return Text("{} bytes", bytes);
     double value = static_cast<double>(bytes) / 1024.0;
     std::size_t unit = 0;
     for (; value >= 1024.0 && unit + 1 < std::size(kUnits); ++unit) value /= 1024.0;
-    return fmt::format("{:.1f} {}", value, kUnits[unit]);
+    return Text("{:.1f} {}", value, kUnits[unit]);
 }
 
 }  // namespace macula::gpu

@@ -14,10 +14,10 @@ std::string_view vkResultName(VkResult result);
 
 // `doing` completes "Could not ...": "create the buffer 'volume' of 2.0 GiB". Lack of memory becomes
 // outOfMemory, a lost device deviceLost, all else deviceNotUsable.
-Error vulkanError(VkResult result, std::string_view doing);
+Error vulkanError(VkResult result, const Text& doing);
 
 // "512 bytes", "16.0 KiB", "1.5 GiB".
-std::string bytesText(std::uint64_t bytes);
+Text bytesText(std::uint64_t bytes);
 
 }  // namespace macula::gpu
 

@@ -255,7 +255,7 @@ std::vector<Message> DeviceScene::messages() const {
     if (voxels_ && voxels_->message()) messages.push_back(*voxels_->message());
     if (hasSecond() && second_ && second_->voxels().message()) {
         Message message = *second_->voxels().message();
-        message.sentence = "Of the second volume: " + message.sentence;
+        message.sentence = Text("Of the second volume: {}", message.sentence);
         messages.push_back(std::move(message));
     }
     return messages;

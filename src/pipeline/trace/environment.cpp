@@ -103,19 +103,19 @@ glm::dvec3 rigRadiance(const LightRig& rig, const glm::dvec3& direction) {
 
 Result<Environment> Environment::fromImage(int width, int height, std::span<const glm::vec3> radiance,
                                            LightFrame frame) {
-    const auto fail = [](const char* message) {
+    const auto fail = [](Text message) {
         return Error{ErrorCode::inputNotUsable,
-                     message,
+                     std::move(message),
                      {},
                      Text("Choose another environment, or a built-in light rig.")};
     };
     if (width < 1 || height < 1 || radiance.size() != std::size_t(width) * std::size_t(height)) {
-        return fail("The environment picture is empty.");
+        return fail(Text("The environment picture is empty."));
     }
     for (const glm::vec3& c : radiance) {
         if (!(c.r >= 0.0f && c.g >= 0.0f && c.b >= 0.0f && c.r <= kLargest && c.g <= kLargest &&
               c.b <= kLargest)) {
-            return fail("The environment picture has values that are negative or not finite.");
+            return fail(Text("The environment picture has values that are negative or not finite."));
         }
     }
     if (width > kMaxWidth || height > kMaxWidth) {

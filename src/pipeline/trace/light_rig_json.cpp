@@ -18,7 +18,7 @@ glm::dvec3 radiance(const JsonNode& node) {
 
 LightFrame frame(const JsonNode& node) {
     const std::string text = node.text();
-    if (text != "patient" && text != "camera") node.fail("\"patient\" or \"camera\"");
+    if (text != "patient" && text != "camera") node.fail(Text("\"patient\" or \"camera\""));
     return text == "camera" ? LightFrame::camera : LightFrame::patient;
 }
 
@@ -29,7 +29,8 @@ Result<LightRig> lightRigFromJson(std::string_view text, const std::string& wher
     MACULA_TRY_VOID(document.status());
     const JsonNode root = document.root();
     root.allowOnly({"version", "name", "title", "frame", "ambient", "lights"});
-    if (root["version"].number() != 1.0) root["version"].fail("version 1; newer ones need a newer Macula");
+    if (root["version"].number() != 1.0)
+        root["version"].fail(Text("version 1; newer ones need a newer Macula"));
 
     LightRig rig;
     rig.name = root["name"].text();
@@ -50,7 +51,7 @@ Result<LightRig> lightRigFromJson(std::string_view text, const std::string& wher
         dark = dark && light.colour * light.radiance == glm::dvec3(0.0);
         rig.lights.push_back(light);
     }
-    if (dark) root.fail("a light or an ambient sky that is not black");
+    if (dark) root.fail(Text("a light or an ambient sky that is not black"));
     MACULA_TRY_VOID(document.status());
     return rig;
 }

@@ -11,7 +11,7 @@ namespace {
 
 double whole(const JsonNode& node, double low, double high) {
     const double number = node.number({low, high});
-    if (number != std::floor(number)) node.fail("a whole number");
+    if (number != std::floor(number)) node.fail(Text("a whole number"));
     return number;
 }
 
@@ -22,12 +22,13 @@ Result<Quality> qualityFromJson(std::string_view text, const std::string& where)
     MACULA_TRY_VOID(document.status());
     const JsonNode root = document.root();
     root.allowOnly({"version", "name", "title", "samplesPerPixel", "bounces", "filter", "denoise"});
-    if (root["version"].number() != 1.0) root["version"].fail("version 1; newer ones need a newer Macula");
+    if (root["version"].number() != 1.0)
+        root["version"].fail(Text("version 1; newer ones need a newer Macula"));
     const std::string filter = root["filter"].text();
     const auto known =
         std::find_if(kFilters.begin(), kFilters.end(), [&](Filter one) { return nameOf(one) == filter; });
     if (known == kFilters.end())
-        root["filter"].fail("\"trilinear\", \"stochastic\", \"smooth\" or \"sharp\"");
+        root["filter"].fail(Text("\"trilinear\", \"stochastic\", \"smooth\" or \"sharp\""));
     const Quality quality{
         .name = root["name"].text(),
         .title = root["title"].text(),

@@ -123,7 +123,8 @@ Result<void> SampledPicture::prepare() {
     }
     if (const Result<void> begun = accumulation_.begin(view_.width, view_.height); !begun) {
         Error error = begun.error();
-        if (error.code == ErrorCode::outOfMemory) error.hint = "Choose a smaller picture, or another device.";
+        if (error.code == ErrorCode::outOfMemory)
+            error.hint = Text("Choose a smaller picture, or another device.");
         return error;
     }
     stale_ = false;

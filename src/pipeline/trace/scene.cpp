@@ -148,23 +148,23 @@ void writeIndirectLight(const Volume& volume, const Environment& environment, co
 }
 
 Result<void> checkSettings(const Settings& settings) {
-    const auto fail = [](std::string message, std::string hint) {
+    const auto fail = [](Text message, Text hint) {
         return Error{ErrorCode::usage, std::move(message), {}, std::move(hint)};
     };
     if (settings.bounces < 1 || settings.bounces > kMaxBounces)
-        return fail(fmt::format("{} bounces cannot be traced.", settings.bounces),
-                    fmt::format("Choose 1 to {}.", kMaxBounces));
+        return fail(Text("{} bounces cannot be traced.", settings.bounces),
+                    Text("Choose 1 to {}.", kMaxBounces));
     if (!(settings.exposure > 0.0 && settings.exposure <= kMaxGain))
-        return fail("The exposure is not usable.",
-                    fmt::format("Choose a number above 0, up to {}.", kMaxGain));
+        return fail(Text("The exposure is not usable."),
+                    Text("Choose a number above 0, up to {}.", kMaxGain));
     if (!(settings.lightStrength >= 0.0 && settings.lightStrength <= kMaxGain))
-        return fail("The strength of the lights is not usable.",
-                    fmt::format("Choose a number from 0 to {}.", kMaxGain));
+        return fail(Text("The strength of the lights is not usable."),
+                    Text("Choose a number from 0 to {}.", kMaxGain));
     if (!std::isfinite(settings.lightRotationDeg))
-        return fail("The rotation of the lights is not usable.", "Choose an angle in degrees.");
+        return fail(Text("The rotation of the lights is not usable."), Text("Choose an angle in degrees."));
     if (settings.window && !(settings.window->width > 0.0 && std::isfinite(settings.window->width) &&
                              std::isfinite(settings.window->center)))
-        return fail("The window is not usable.", "Give a centre, and a width above 0.");
+        return fail(Text("The window is not usable."), Text("Give a centre, and a width above 0."));
     return {};
 }
 

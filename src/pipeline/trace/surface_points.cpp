@@ -230,7 +230,7 @@ Result<SurfacePointSearch> SurfacePointSearch::begin(const SceneView& scene,
         return Error{ErrorCode::usage,
                      Text("This number of points on the surface makes no sense."),
                      {},
-                     "Ask for 1 to " + std::to_string(kMaxSurfacePoints) + " points, with 1 path or more."};
+                     Text("Ask for 1 to {} points, with 1 path or more.", kMaxSurfacePoints)};
     }
     MACULA_TRY(CandidateSearch candidates,
                CandidateSearch::begin(scene, double(options.count) * options.candidatesPerPoint));

@@ -1,7 +1,5 @@
 #include "pipeline/trace/voxel_memory.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <bit>
 
@@ -14,16 +12,18 @@ namespace {
 constexpr std::uint64_t kSlotBytes = kSlotValues * sizeof(std::uint16_t);
 constexpr double kMiB = 1024.0 * 1024.0;
 
-const char* adviceFor(PoolBound bound) {
+Text adviceFor(PoolBound bound) {
     switch (bound) {
         case PoolBound::setting:
-            return "Show less of the volume by another preset or a clip, or allow more memory for voxels.";
+            return Text(
+                "Show less of the volume by another preset or a clip, or allow more memory for voxels.");
         case PoolBound::buffers:
-            return "Show less of the volume by another preset or a clip: this device's buffers hold no more.";
+            return Text(
+                "Show less of the volume by another preset or a clip: this device's buffers hold no more.");
         case PoolBound::memory:
             break;
     }
-    return "Show less of the volume by another preset or a clip, or use a device with more memory.";
+    return Text("Show less of the volume by another preset or a clip, or use a device with more memory.");
 }
 
 }  // namespace
@@ -56,19 +56,20 @@ std::optional<Message> coarseningMessage(const Coarsening& coarsening, std::uint
     const std::uint64_t allowed = room.slotCount * kSlotBytes;
     const int edge = 1 << coarsening.coarsest;
     const double percent = 100.0 * double(coarsening.coarse) / double(shownBlocks);
-    return Message{Severity::warning,
-                   "voxels-coarsened",
-                   {{"coarseBlocks", std::int64_t(coarsening.coarse)},
-                    {"shownBlocks", std::int64_t(shownBlocks)},
-                    {"wantedBytes", std::int64_t(wanted)},
-                    {"allowedBytes", std::int64_t(allowed)},
-                    {"voxelsPerEdge", std::int64_t(edge)}},
-                   fmt::format("What is visible takes {:.1f} MiB and only {:.1f} MiB can be had: {} of {} "
-                               "visible blocks ({:.0f} %) "
-                               "are shown {} voxels as one along each edge{}.",
-                               double(wanted) / kMiB, double(allowed) / kMiB, coarsening.coarse, shownBlocks,
-                               percent, edge, edge > 2 ? " or less" : ""),
-                   adviceFor(room.bound)};
+    return Message{
+        Severity::warning,
+        "voxels-coarsened",
+        {{"coarseBlocks", std::int64_t(coarsening.coarse)},
+         {"shownBlocks", std::int64_t(shownBlocks)},
+         {"wantedBytes", std::int64_t(wanted)},
+         {"allowedBytes", std::int64_t(allowed)},
+         {"voxelsPerEdge", std::int64_t(edge)}},
+        Text("What is visible takes {:.1f} MiB and only {:.1f} MiB can be had: {} of {} "
+             "visible blocks ({:.0f} %) are shown {}.",
+             double(wanted) / kMiB, double(allowed) / kMiB, coarsening.coarse, shownBlocks, percent,
+             edge > 2 ? Text("{} voxels as one along each edge or less", edge)
+                      : Text("{} voxels as one along each edge", edge)),
+        adviceFor(room.bound)};
 }
 
 }  // namespace macula::trace

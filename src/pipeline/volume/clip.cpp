@@ -1,7 +1,5 @@
 #include "pipeline/volume/clip.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,8 +14,8 @@ bool isUnitVector(const glm::dvec3& v) {
     return isFinite(v) && std::abs(glm::length(v) - 1.0) < 1e-6;
 }
 
-Error notUsable(const char* what, const char* hint) {
-    return {ErrorCode::usage, Text("The clip is not usable: {}.", what), {}, hint};
+Error notUsable(const Text& what, Text hint) {
+    return {ErrorCode::usage, Text("The clip is not usable: {}.", what), {}, std::move(hint)};
 }
 
 bool isInside(const HalfSpace& side, const glm::dvec3& point) {
@@ -93,39 +91,41 @@ std::array<HalfSpace, 3> sidesOf(const Octant& octant) {
 
 Result<void> validate(const Clip& clip) {
     if (clip.planes.size() > Clip::kMostPlanes)
-        return notUsable("there are more than six planes", "Give six planes at most.");
+        return notUsable(Text("there are more than six planes"), Text("Give six planes at most."));
     if (clip.box) {
         const OrientedBox& box = *clip.box;
         const glm::dvec3 size = box.halfSizeMm;
         if (!isFinite(box.centreMm) || !isFinite(size) || std::min({size.x, size.y, size.z}) <= 0.0)
-            return notUsable("the box has no size", "Give a centre and positive half sizes in mm.");
+            return notUsable(Text("the box has no size"),
+                             Text("Give a centre and positive half sizes in mm."));
         const glm::dmat3 product = glm::transpose(box.axes) * box.axes;
         for (int i = 0; i < 3; ++i) {
             for (int j = 0; j < 3; ++j) {
                 if (!(std::abs(product[i][j] - (i == j ? 1.0 : 0.0)) < 1e-6))
-                    return notUsable("the axes of the box are not at right angles",
-                                     "Give three unit vectors.");
+                    return notUsable(Text("the axes of the box are not at right angles"),
+                                     Text("Give three unit vectors."));
             }
         }
     }
     for (const HalfSpace& plane : clip.planes) {
         if (!isUnitVector(plane.normal) || !std::isfinite(plane.offsetMm))
-            return notUsable("a plane has no direction",
-                             "Give its normal as a unit vector, and its distance in mm.");
+            return notUsable(Text("a plane has no direction"),
+                             Text("Give its normal as a unit vector, and its distance in mm."));
     }
     if (clip.cut) {
         const glm::dvec3 towards = glm::abs(clip.cut->towards);
         if (!isFinite(clip.cut->pointMm) || towards != glm::dvec3(1.0))
-            return notUsable("the corner has no direction", "Give three signs, such as L, A, S.");
+            return notUsable(Text("the corner has no direction"), Text("Give three signs, such as L, A, S."));
     }
     if (clip.ball &&
         (!isFinite(clip.ball->centreMm) || !std::isfinite(clip.ball->radiusMm) || clip.ball->radiusMm <= 0.0))
-        return notUsable("the ball has no size", "Give a centre and a positive radius in mm.");
+        return notUsable(Text("the ball has no size"), Text("Give a centre and a positive radius in mm."));
     if (clip.mask && clip.mask->labels == nullptr && clip.mask->bits == nullptr)
-        return notUsable("there is no segmentation to mask with", "Give one.");
+        return notUsable(Text("there is no segmentation to mask with"), Text("Give one."));
     if (clip.greyFaces && !(std::isfinite(clip.greyFaces->center) && clip.greyFaces->width > 0.0 &&
                             std::isfinite(clip.greyFaces->width)))
-        return notUsable("the window of its faces has no width", "Give a centre and a positive width.");
+        return notUsable(Text("the window of its faces has no width"),
+                         Text("Give a centre and a positive width."));
     return {};
 }
 

@@ -24,7 +24,7 @@ glm::dvec3 point(const JsonNode& node) {
 
 Keep keep(const JsonNode& node) {
     const std::string text = node.text();
-    if (text != "inside" && text != "outside") node.fail("\"inside\" or \"outside\"");
+    if (text != "inside" && text != "outside") node.fail(Text("\"inside\" or \"outside\""));
     return text == "outside" ? Keep::outside : Keep::inside;
 }
 
@@ -58,7 +58,7 @@ OrientedBox box(const JsonNode& node) {
     node.allowOnly({"low", "high", "keep"});
     const glm::dvec3 low = point(node["low"]);
     const glm::dvec3 high = point(node["high"]);
-    if (!glm::all(glm::lessThan(low, high))) node.fail("\"low\" below \"high\" on each axis");
+    if (!glm::all(glm::lessThan(low, high))) node.fail(Text("\"low\" below \"high\" on each axis"));
     return {.centreMm = 0.5 * (low + high), .halfSizeMm = 0.5 * (high - low)};
 }
 
@@ -69,10 +69,10 @@ Octant octant(const JsonNode& node) {
     const auto sign = [&](std::size_t axis, char positive, char negative) {
         const char letter = axis < text.size() ? text[axis] : ' ';
         if (letter != positive && letter != negative)
-            letters.fail("L or R, then A or P, then S or I, such as \"LAS\"");
+            letters.fail(Text("L or R, then A or P, then S or I, such as \"LAS\""));
         return letter == negative ? -1.0 : 1.0;
     };
-    if (text.size() != 3) letters.fail("three letters, such as \"LAS\"");
+    if (text.size() != 3) letters.fail(Text("three letters, such as \"LAS\""));
     return {.pointMm = point(node["at"]),
             .towards = {sign(0, 'L', 'R'), sign(1, 'P', 'A'), sign(2, 'S', 'I')}};
 }
@@ -85,7 +85,8 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
     const JsonNode root = document.root();
     root.allowOnly({"version", "name", "title", "box", "planes", "cut", "ball", "removedCastsShadow",
                     "greyFaces", "belowWindow"});
-    if (root["version"].number() != 1.0) root["version"].fail("version 1; newer ones need a newer Macula");
+    if (root["version"].number() != 1.0)
+        root["version"].fail(Text("version 1; newer ones need a newer Macula"));
 
     ClipPreset preset{.name = root["name"].text(), .title = root["title"].text(), .clip = {}, .planesAt = {}};
     Clip& clip = preset.clip;
@@ -97,7 +98,7 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
         for (const JsonNode& node : nodes->items(0, Clip::kMostPlanes)) {
             node.allowOnly({"normal", "at"});
             const glm::dvec3 normal = point(node["normal"]);
-            if (glm::length(normal) < 1e-6) node["normal"].fail("a direction, not all zeros");
+            if (glm::length(normal) < 1e-6) node["normal"].fail(Text("a direction, not all zeros"));
             clip.planes.push_back({glm::normalize(normal), 0.0});
             preset.planesAt.push_back(point(node["at"]));
         }
@@ -112,7 +113,7 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
     if (const auto node = root.find("greyFaces")) {
         preset.greyFacesOfSeries = node->isText();
         if (preset.greyFacesOfSeries) {
-            if (node->text() != "series") node->fail("\"series\", or center and width");
+            if (node->text() != "series") node->fail(Text("\"series\", or center and width"));
         } else {
             node->allowOnly({"center", "width"});
             clip.greyFaces = DisplayWindow{.center = (*node)["center"].number({-1e9, 1e9}),
@@ -122,8 +123,8 @@ Result<ClipPreset> clipPresetFromJson(std::string_view text, const std::string& 
         }
     }
     if (const auto node = root.find("belowWindow")) {
-        if (!root.find("greyFaces")) node->fail("greyFaces beside it");
-        if (node->text() != "clear" && node->text() != "black") node->fail("\"clear\" or \"black\"");
+        if (!root.find("greyFaces")) node->fail(Text("greyFaces beside it"));
+        if (node->text() != "clear" && node->text() != "black") node->fail(Text("\"clear\" or \"black\""));
         clip.facesBelowWindowAreBlack = node->text() == "black";
     }
     MACULA_TRY_VOID(document.status());

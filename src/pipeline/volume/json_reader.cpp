@@ -12,7 +12,7 @@ struct JsonNode::State {
     std::string where;
     std::optional<Error> error;
 
-    void fail(std::string message, std::string hint) {
+    void fail(Text message, Text hint) {
         if (!error) error = Error{ErrorCode::inputNotUsable, std::move(message), where, std::move(hint)};
     }
 };
@@ -29,23 +29,23 @@ std::string child(const std::string& path, std::string_view key) {
     return path.empty() ? std::string(key) : path + "." + std::string(key);
 }
 
-std::string describeRange(JsonRange range) {
+Text describeRange(JsonRange range) {
     const bool low = range.low > std::numeric_limits<double>::lowest();
     const bool high = range.high < std::numeric_limits<double>::max();
-    if (low && high) return fmt::format("a number from {} to {}", range.low, range.high);
-    if (low) return fmt::format("a number not below {}", range.low);
-    if (high) return fmt::format("a number not above {}", range.high);
-    return "a number";
+    if (low && high) return Text("a number from {} to {}", range.low, range.high);
+    if (low) return Text("a number not below {}", range.low);
+    if (high) return Text("a number not above {}", range.high);
+    return Text("a number");
 }
 
 // nlohmann counts bytes from 1; people count lines and columns.
-std::string lineAndColumn(std::string_view text, std::size_t byte) {
+Text lineAndColumn(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, byte > 0 ? std::min(byte - 1, text.size()) : 0);
     const auto line = 1 + std::count(before.begin(), before.end(), '\n');
     const std::size_t lastBreak = before.rfind('\n');
     const std::size_t column =
         lastBreak == std::string_view::npos ? before.size() + 1 : before.size() - lastBreak;
-    return fmt::format("line {}, column {}", line, column);
+    return Text("line {}, column {}", line, column);
 }
 
 constexpr int kMaxDepth = 64;
@@ -105,16 +105,16 @@ JsonNode JsonNode::operator[](std::string_view key) const {
         if (const auto found = value_->find(key); found != value_->end()) {
             return {state_, &*found, child(path_, key)};
         }
-        state_->fail(fmt::format("The key {} is missing.", child(path_, key)), "Add it.");
+        state_->fail(Text("The key {} is missing.", child(path_, key)), Text("Add it."));
     } else {
-        fail("an object, { … }");
+        fail(Text("an object, { … }"));
     }
     return {state_, &nothing(), child(path_, key)};
 }
 
 std::optional<JsonNode> JsonNode::find(std::string_view key) const {
     if (!value_->is_object()) {
-        fail("an object, { … }");
+        fail(Text("an object, { … }"));
         return std::nullopt;
     }
     const auto found = value_->find(key);
@@ -123,11 +123,11 @@ std::optional<JsonNode> JsonNode::find(std::string_view key) const {
 }
 
 void JsonNode::allowOnly(std::initializer_list<std::string_view> keys) const {
-    if (!value_->is_object()) return fail("an object, { … }");
+    if (!value_->is_object()) return fail(Text("an object, { … }"));
     for (const auto& [key, unused] : value_->items()) {
         if (std::find(keys.begin(), keys.end(), key) == keys.end()) {
-            return state_->fail(fmt::format("The key {} is unknown.", child(path_, key)),
-                                fmt::format("Known here: {}.", fmt::join(keys, ", ")));
+            return state_->fail(Text("The key {} is unknown.", child(path_, key)),
+                                Text("Known here: {}.", fmt::format("{}", fmt::join(keys, ", "))));
         }
     }
 }
@@ -135,8 +135,8 @@ void JsonNode::allowOnly(std::initializer_list<std::string_view> keys) const {
 std::vector<JsonNode> JsonNode::items(std::size_t minimum, std::size_t maximum) const {
     std::vector<JsonNode> nodes;
     if (!value_->is_array() || value_->size() < minimum || value_->size() > maximum) {
-        fail(minimum == maximum ? fmt::format("a list of {} entries", minimum)
-                                : fmt::format("a list of {} to {} entries", minimum, maximum));
+        fail(minimum == maximum ? Text("a list of {} entries", minimum)
+                                : Text("a list of {} to {} entries", minimum, maximum));
         return nodes;
     }
     nodes.reserve(value_->size());
@@ -168,7 +168,7 @@ bool JsonNode::isText() const {
 
 std::string JsonNode::text() const {
     if (value_->is_string()) return value_->get<std::string>();
-    fail("a text in quotes");
+    fail(Text("a text in quotes"));
     return {};
 }
 
@@ -182,13 +182,13 @@ bool JsonNode::isList() const {
 
 bool JsonNode::boolean() const {
     if (value_->is_boolean()) return value_->get<bool>();
-    fail("true or false");
+    fail(Text("true or false"));
     return false;
 }
 
-void JsonNode::fail(std::string_view expected) const {
-    state_->fail(fmt::format("{} is not as expected.", path_.empty() ? "The file" : path_),
-                 fmt::format("Expected {}.", expected));
+void JsonNode::fail(const Text& expected) const {
+    state_->fail(Text("{} is not as expected.", path_.empty() ? Text("The file") : Text::verbatim(path_)),
+                 Text("Expected {}.", expected));
 }
 
 JsonDocument::JsonDocument(std::string where) : state_(std::make_shared<JsonNode::State>()) {
@@ -204,23 +204,23 @@ JsonDocument JsonDocument::of(const nlohmann::json& value, std::string where) {
 JsonDocument::JsonDocument(std::string_view text, std::string where, JsonComments comments)
     : JsonDocument(std::move(where)) {
     if (const TextLimits limits(text); limits.isBroken()) {
-        const std::string place = lineAndColumn(text, limits.place() + 1);
+        const Text place = lineAndColumn(text, limits.place() + 1);
         if (limits.isTooDeep()) {
-            state_->fail(fmt::format("The file is nested too deeply at {}.", place),
-                         fmt::format("Give a file that is nested at most {} deep.", kMaxDepth));
+            state_->fail(Text("The file is nested too deeply at {}.", place),
+                         Text("Give a file that is nested at most {} deep.", kMaxDepth));
         } else {
-            state_->fail(fmt::format("An object of the file has too many keys, at {}.", place),
-                         fmt::format("Give a file whose objects have at most {} keys.", kMostKeys));
+            state_->fail(Text("An object of the file has too many keys, at {}.", place),
+                         Text("Give a file whose objects have at most {} keys.", kMostKeys));
         }
         return;
     }
     try {
         state_->document = nlohmann::json::parse(text, nullptr, true, comments == JsonComments::ignored);
     } catch (const nlohmann::json::parse_error& error) {
-        state_->fail(fmt::format("The file is no valid JSON from {} on.", lineAndColumn(text, error.byte)),
-                     "Look for a missing comma, quote or bracket there or just before.");
+        state_->fail(Text("The file is no valid JSON from {} on.", lineAndColumn(text, error.byte)),
+                     Text("Look for a missing comma, quote or bracket there or just before."));
     } catch (const nlohmann::json::exception&) {  // a number that no double can hold
-        state_->fail("The file is no valid JSON.", "Look for numbers that are too large.");
+        state_->fail(Text("The file is no valid JSON."), Text("Look for numbers that are too large."));
     }
 }
 

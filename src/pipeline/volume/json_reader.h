@@ -44,7 +44,7 @@ class JsonNode {
     bool boolean() const;
 
     // Remembers "PATH: expected EXPECTED".
-    void fail(std::string_view expected) const;
+    void fail(const Text& expected) const;
 
   private:
     friend class JsonDocument;

@@ -70,16 +70,19 @@ bool isPositive(double x) {
 }
 
 // Nothing when the curves of steep matter and its gradient can be used.
-const char* faultOf(const SteepMatter& steep) {
-    if (!isPositive(steep.gradientPerMm)) return "The preset's gradient of steep matter must be above 0.";
-    if (steep.opacity.empty() && steep.colour.empty()) return nullptr;
+Text faultOf(const SteepMatter& steep) {
+    if (!isPositive(steep.gradientPerMm))
+        return Text("The preset's gradient of steep matter must be above 0.");
+    if (steep.opacity.empty() && steep.colour.empty()) return {};
     if (!isSortedAndFinite(steep.opacity) || !isSortedAndFinite(steep.colour))
-        return "The preset's curves of steep matter need points of opacity and of colour, finite and sorted "
-               "by value.";
+        return Text(
+            "The preset's curves of steep matter need points of opacity and of colour, finite and sorted "
+            "by value.");
     if (!areInRange(steep.opacity) || !areInRange(steep.colour))
-        return "An opacity of the preset's steep matter, a colour, a midpoint or a sharpness lies outside 0 "
-               "to 1.";
-    return nullptr;
+        return Text(
+            "An opacity of the preset's steep matter, a colour, a midpoint or a sharpness lies outside 0 "
+            "to 1.");
+    return {};
 }
 
 }  // namespace
@@ -137,36 +140,38 @@ double extinctionPerMm(const TransferFunction& function, double value) {
 }
 
 Result<void> validate(const TransferFunction& function) {
-    const auto fail = [&](std::string message) {
+    const auto fail = [&](Text message) {
         return Error{ErrorCode::inputNotUsable, std::move(message), function.name,
                      Text("Correct the preset.")};
     };
     if (!isSortedAndFinite(function.opacity))
-        return fail("The preset's opacity points are missing, not finite, or not sorted by value.");
+        return fail(Text("The preset's opacity points are missing, not finite, or not sorted by value."));
     if (!isSortedAndFinite(function.colour))
-        return fail("The preset's colour points are missing, not finite, or not sorted by value.");
+        return fail(Text("The preset's colour points are missing, not finite, or not sorted by value."));
     if (!function.gradientOpacity.empty() && !isSortedAndFinite(function.gradientOpacity))
-        return fail("The preset's gradient opacity points are not finite or not sorted by value.");
+        return fail(Text("The preset's gradient opacity points are not finite or not sorted by value."));
     if (!areInRange(function.opacity) || !areInRange(function.gradientOpacity))
-        return fail("An opacity of the preset, a midpoint or a sharpness lies outside 0 to 1.");
+        return fail(Text("An opacity of the preset, a midpoint or a sharpness lies outside 0 to 1."));
     if (!areInRange(function.colour))
-        return fail("A colour of the preset, a midpoint or a sharpness lies outside 0 to 1.");
-    if (const char* fault = faultOf(function.steep); fault != nullptr) return fail(fault);
-    if (!isPositive(function.unitDistanceMm)) return fail("The preset's unit distance must be above 0 mm.");
+        return fail(Text("A colour of the preset, a midpoint or a sharpness lies outside 0 to 1."));
+    if (Text fault = faultOf(function.steep); !fault.empty()) return fail(std::move(fault));
+    if (!isPositive(function.unitDistanceMm))
+        return fail(Text("The preset's unit distance must be above 0 mm."));
     if (!(function.density >= 0.0 && std::isfinite(function.density)))
-        return fail("The preset's density must be 0 or above.");
-    if (!isFraction(function.albedo)) return fail("The preset's albedo must lie in 0 to 1.");
+        return fail(Text("The preset's density must be 0 or above."));
+    if (!isFraction(function.albedo)) return fail(Text("The preset's albedo must lie in 0 to 1."));
     if (!(std::abs(function.anisotropy) <= kMostScatteringAnisotropy))
-        return fail("The preset's scattering anisotropy must lie between -0.99 and 0.99.");
+        return fail(Text("The preset's scattering anisotropy must lie between -0.99 and 0.99."));
     const Surface& surface = function.surface;
     if (!isFraction(surface.weight) || !isFraction(surface.reflectance) || !isFraction(surface.roughness) ||
         surface.roughness < kLeastRoughness)
-        return fail(
+        return fail(Text(
             "The preset's surface weight or reflectance lies outside 0 to 1, or its roughness outside 0.1 to "
-            "1.");
-    if (!isPositive(surface.gradientPerMm)) return fail("The preset's surface gradient must be above 0.");
+            "1."));
+    if (!isPositive(surface.gradientPerMm))
+        return fail(Text("The preset's surface gradient must be above 0."));
     if (function.fitToVolume && !(function.fitToVolume->low < function.fitToVolume->high)) {
-        return fail("The preset's range to fit to the volume is empty.");
+        return fail(Text("The preset's range to fit to the volume is empty."));
     }
     return {};
 }

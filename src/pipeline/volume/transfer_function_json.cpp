@@ -32,7 +32,7 @@ std::vector<Point> readPoints(const JsonNode& curve, const ReadHeight& readHeigh
         readHeight(node, point);
         if (const auto midpoint = node.find("midpoint")) point.midpoint = midpoint->number(kFraction);
         if (const auto sharpness = node.find("sharpness")) point.sharpness = sharpness->number(kFraction);
-        if (point.value < last) node["x"].fail(fmt::format("points sorted by x: not below {}", last));
+        if (point.value < last) node["x"].fail(Text("points sorted by x: not below {}", last));
         last = point.value;
         points.push_back(point);
     }
@@ -54,7 +54,7 @@ std::vector<ColourPoint> readColour(const JsonNode& curve) {
 
 Unit unitFrom(const JsonNode& node) {
     const std::string unit = node.text();
-    if (unit != "HU" && unit != "raw") node.fail("\"HU\" or \"raw\"");
+    if (unit != "HU" && unit != "raw") node.fail(Text("\"HU\" or \"raw\""));
     return unit == "raw" ? Unit::raw : Unit::hounsfield;
 }
 
@@ -64,7 +64,7 @@ std::string nameFrom(const JsonNode& node) {
     const bool valid = !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
     });
-    if (!valid) node.fail("lower-case letters, digits and hyphens");
+    if (!valid) node.fail(Text("lower-case letters, digits and hyphens"));
     return name;
 }
 
@@ -72,7 +72,8 @@ std::string nameFrom(const JsonNode& node) {
 std::optional<Fit::To> fitFrom(const JsonNode& node) {
     if (!node.isText()) return node.boolean() ? std::optional(Fit::To::foreground) : std::nullopt;
     const std::string to = node.text();
-    if (to != "foreground" && to != "valueRange") node.fail("true, false, \"foreground\" or \"valueRange\"");
+    if (to != "foreground" && to != "valueRange")
+        node.fail(Text("true, false, \"foreground\" or \"valueRange\""));
     return to == "valueRange" ? Fit::To::valueRange : Fit::To::foreground;
 }
 
@@ -100,7 +101,8 @@ SteepMatter steepFrom(const JsonNode& node) {
 }
 
 void readVendorPart(const JsonNode& node, const JsonNode& property, TransferFunction& function) {
-    if (node["version"].number() != 1.0) node["version"].fail("version 1; newer ones need a newer Macula");
+    if (node["version"].number() != 1.0)
+        node["version"].fail(Text("version 1; newer ones need a newer Macula"));
     function.name = nameFrom(node["name"]);
     function.title = node["title"].text();
     function.modalities.clear();
@@ -115,13 +117,13 @@ void readVendorPart(const JsonNode& node, const JsonNode& property, TransferFunc
     if (const auto steep = node.find("steep")) function.steep = steepFrom(*steep);
     if (const auto space = node.find("colorSpace")) {
         const std::optional<ColourSpace> known = colourSpaceNamed(space->text());
-        if (!known) space->fail("\"rgb\", \"hsv\", \"hsvWrap\", \"lab\", \"diverging\" or \"step\"");
+        if (!known) space->fail(Text("\"rgb\", \"hsv\", \"hsvWrap\", \"lab\", \"diverging\" or \"step\""));
         function.colourSpace = known.value_or(ColourSpace::rgb);
     }
     if (const auto fit = node.find("fitToVolume")) {
         if (const auto to = fitFrom(*fit)) {
             const std::vector<double> range = property["effectiveRange"].numbers(2);
-            if (!(range[0] < range[1])) property["effectiveRange"].fail("two ascending numbers");
+            if (!(range[0] < range[1])) property["effectiveRange"].fail(Text("two ascending numbers"));
             function.fitToVolume = Fit{range[0], range[1], *to};
         }
     }
@@ -132,7 +134,7 @@ void readProperty(const JsonNode& property, TransferFunction& function) {
         function.anisotropy = g->number({-kMostScatteringAnisotropy, kMostScatteringAnisotropy});
     if (const auto type = property.find("interpolationType")) {
         const auto* const known = std::find(kInterpolations.begin(), kInterpolations.end(), type->text());
-        if (known == kInterpolations.end()) return type->fail("\"nearest\", \"linear\" or \"cubic\"");
+        if (known == kInterpolations.end()) return type->fail(Text("\"nearest\", \"linear\" or \"cubic\""));
         function.interpolation = static_cast<Interpolation>(known - kInterpolations.begin());
     }
     if (const auto node = property.find("effectiveRange")) {

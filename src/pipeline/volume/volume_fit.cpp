@@ -1,7 +1,5 @@
 #include "pipeline/volume/volume_fit.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <iterator>
 
@@ -110,13 +108,13 @@ Message fitMessage(const VolumeFit& fit) {
                          {"volumeLow", fit.volume.low},
                          {"volumeHigh", fit.volume.high},
                          {"to", std::string(foreground ? "foreground" : "valueRange")}};
-    message.sentence = fmt::format(
-        "The preset was stretched to this volume: its {:g} to {:g} are drawn at {:g} to {:g}, {}.",
-        fit.preset.low, fit.preset.high, fit.volume.low, fit.volume.high,
-        fit.fromBackground ? "the background and the 98th percentile of the foreground"
-        : foreground       ? "the 2nd and 98th percentile of the foreground"
-                           : "the smallest and largest value");
-    message.action = "Compare brightness and colours only within this volume.";
+    message.sentence =
+        Text("The preset was stretched to this volume: its {:g} to {:g} are drawn at {:g} to {:g}, {}.",
+             fit.preset.low, fit.preset.high, fit.volume.low, fit.volume.high,
+             fit.fromBackground ? Text("the background and the 98th percentile of the foreground")
+             : foreground       ? Text("the 2nd and 98th percentile of the foreground")
+                                : Text("the smallest and largest value"));
+    message.action = Text("Compare brightness and colours only within this volume.");
     return message;
 }
 

@@ -259,8 +259,8 @@ TEST(PeripheralFile, OfAnotherTrainerItCanBeDrawn) {
     const auto read = parse(other);
     ASSERT_FALSE(read.ok());
     EXPECT_EQ(read.error().code, ErrorCode::inputNotUsable);
-    EXPECT_NE(read.error().message.find("version 77"), std::string::npos) << read.error().message;
-    EXPECT_NE(read.error().message.find(fmt::format("version {}", splat::kTrainerVersion)),
+    EXPECT_NE(read.error().message.english().find("version 77"), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().message.english().find(fmt::format("version {}", splat::kTrainerVersion)),
               std::string::npos);
     const auto drawable = parseDrawable(other);
     ASSERT_TRUE(drawable.ok());

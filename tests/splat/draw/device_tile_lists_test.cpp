@@ -112,7 +112,7 @@ class DeviceLists : public gpu::SharedDeviceTest {
         auto parameters = std::move(*SplatBuffer::create(device(), "parameters", room, splats.shDegree));
         EXPECT_TRUE(parameters.upload(componentsOf(splats)).ok());
         const auto drawn = rasterizer.draw(parameters, count, view, blending);
-        EXPECT_TRUE(drawn.ok()) << (drawn.ok() ? "" : drawn.error().message);
+        EXPECT_TRUE(drawn.ok()) << (drawn.ok() ? Text() : drawn.error().message);
         seen.picture = *rasterizer.picture().read();
         seen.depths = *gpu::read<float>(rasterizer.depths());
         seen.depths.resize(seen.picture.size());

@@ -105,8 +105,8 @@ TEST(ChunkFileTest, GivesBackWhatWentIn) {
 TEST(ChunkFileTest, NamesBothVersions) {
     const auto read = readAll(fileOf(9));
     ASSERT_FALSE(read.ok());
-    EXPECT_NE(read.error().message.find("version 9"), std::string::npos);
-    EXPECT_NE(read.error().message.find("version 7"), std::string::npos);
+    EXPECT_NE(read.error().message.english().find("version 9"), std::string::npos);
+    EXPECT_NE(read.error().message.english().find("version 7"), std::string::npos);
     EXPECT_FALSE(read.error().hint.empty());
 }
 

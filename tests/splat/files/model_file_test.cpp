@@ -71,7 +71,7 @@ TEST_F(ModelFileTest, BadFilesSayWhich) {
         ASSERT_FALSE(read.ok());
         EXPECT_EQ(read.error().code, code);
         EXPECT_EQ(read.error().where, path.string());
-        EXPECT_EQ(read.error().message.find(folder_.string()), std::string::npos);
+        EXPECT_EQ(read.error().message.english().find(folder_.string()), std::string::npos);
     };
     refused(folder_ / "absent.ply", ErrorCode::inputNotUsable);
     refused(folder_, ErrorCode::inputNotUsable);

@@ -110,7 +110,7 @@ TEST(PlyBad, EachSaysWhatIsWrong) {
         const auto read = parse(c.bytes);
         ASSERT_FALSE(read.ok()) << c.says << "\n" << c.bytes.substr(0, 300);
         EXPECT_EQ(read.error().code, ErrorCode::inputNotUsable);
-        EXPECT_NE(read.error().message.find(c.says), std::string::npos)
+        EXPECT_NE(read.error().message.english().find(c.says), std::string::npos)
             << read.error().message << "\nfor " << c.says;
         EXPECT_FALSE(read.error().hint.empty());
     }

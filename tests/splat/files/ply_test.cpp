@@ -298,7 +298,8 @@ TEST(Ply, BadSplatsAreRefusedOrRepaired) {
     }
     const auto refused = parse(bytes);
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().message.find("2 of the 3"), std::string::npos) << refused.error().message;
+    EXPECT_NE(refused.error().message.english().find("2 of the 3"), std::string::npos)
+        << refused.error().message;
     const auto repaired = parse(bytes, BadSplats::repair);
     ASSERT_TRUE(repaired.ok());
     EXPECT_EQ(repaired->splats.size(), 2u);

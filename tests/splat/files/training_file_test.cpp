@@ -77,7 +77,7 @@ TEST(TrainingFile, HoldsATrainingThatHasHardlyBegun) {
     EXPECT_TRUE(read->options.stages.empty());
     const auto model = parseModel(fileOf(empty));
     ASSERT_FALSE(model.ok());
-    EXPECT_NE(model.error().message.find("no splats"), std::string::npos);
+    EXPECT_NE(model.error().message.english().find("no splats"), std::string::npos);
     TrainingState bad = randomState(3, 0, 1, {3, 3}, 5);
     bad.optimizer.second.pop_back();
     std::ostringstream stream;
@@ -93,16 +93,18 @@ TEST(TrainingFile, NamesBothVersions) {
     });
     const auto read = parse(other);
     ASSERT_FALSE(read.ok());
-    EXPECT_NE(read.error().message.find("version 77"), std::string::npos) << read.error().message;
-    EXPECT_NE(read.error().message.find(fmt::format("version {}", kTrainerVersion)), std::string::npos);
+    EXPECT_NE(read.error().message.english().find("version 77"), std::string::npos) << read.error().message;
+    EXPECT_NE(read.error().message.english().find(fmt::format("version {}", kTrainerVersion)),
+              std::string::npos);
     EXPECT_TRUE(parseModel(other).ok());
 
     std::string later = fileOf(state);
     later[8] = 42;
     for (const Error& error : {parse(later).error(), parseModel(later).error()}) {
         EXPECT_EQ(error.code, ErrorCode::inputNotUsable);
-        EXPECT_NE(error.message.find("version 42"), std::string::npos) << error.message;
-        EXPECT_NE(error.message.find(fmt::format("version {}", kTrainingFileVersion)), std::string::npos);
+        EXPECT_NE(error.message.english().find("version 42"), std::string::npos) << error.message;
+        EXPECT_NE(error.message.english().find(fmt::format("version {}", kTrainingFileVersion)),
+                  std::string::npos);
     }
 }
 

@@ -61,7 +61,8 @@ TEST(Splats, ValidateCountsTheBad) {
     splats.sh[3 * 6 + 2].x = kNan;
     const auto result = splats.validate();
     ASSERT_FALSE(result.ok());
-    EXPECT_NE(result.error().message.find("7 of the 9"), std::string::npos) << result.error().message;
+    EXPECT_NE(result.error().message.english().find("7 of the 9"), std::string::npos)
+        << result.error().message;
 }
 
 TEST(Splats, RepairKeepsWhatCanBeDrawn) {

@@ -172,7 +172,7 @@ TEST_F(TrainerState, OfAnotherTrainerOrDamagedIsRefused) {
         const auto resumed = Trainer::resume(device(), state);
         ASSERT_FALSE(resumed.ok());
         EXPECT_EQ(resumed.error().code, ErrorCode::inputNotUsable);
-        EXPECT_NE(resumed.error().message.find(says), std::string::npos) << resumed.error().message;
+        EXPECT_NE(resumed.error().message.english().find(says), std::string::npos) << resumed.error().message;
     };
     TrainingState bad = good;
     bad.trainerVersion = kTrainerVersion + 7;

@@ -40,25 +40,28 @@ glm::dvec3 onSphere(const glm::dvec2& point) {
 }
 
 Result<void> check(const Box& seen, const PoseSampling& sampling) {
-    const auto bad = [](const char* message, const char* hint) {
-        return Error{ErrorCode::usage, message, {}, hint};
+    const auto bad = [](Text message, Text hint) {
+        return Error{ErrorCode::usage, std::move(message), {}, std::move(hint)};
     };
     for (int axis = 0; axis < 3; ++axis) {
         if (!(seen.low[axis] <= seen.high[axis]) || !std::isfinite(seen.low[axis]) ||
             !std::isfinite(seen.high[axis]))
-            return bad("There is nothing to be seen.", "Choose a preset that shows something of the series.");
+            return bad(Text("There is nothing to be seen."),
+                       Text("Choose a preset that shows something of the series."));
     }
     if (!(seen.diagonal() > 0.0))
-        return bad("There is nothing to be seen.", "Choose a preset that shows something of the series.");
+        return bad(Text("There is nothing to be seen."),
+                   Text("Choose a preset that shows something of the series."));
     const auto finiteFrom0 = [](double value) { return value >= 0.0 && std::isfinite(value); };
     if (!(sampling.startDistance > 0.0) || !std::isfinite(sampling.startDistance) ||
         !finiteFrom0(sampling.increment) || !finiteFrom0(sampling.mostVariability) ||
         !(sampling.verticalFovDeg >= 0.1 && sampling.verticalFovDeg <= 170.0) || sampling.mostTries < 1 ||
         sampling.count > (1u << 20))
         return bad(
-            "The views cannot be chosen this way.",
-            "Give a start distance above 0, an increment and a variability of 0 or above, and a field of "
-            "view of 0.1 to 170 degrees.");
+            Text("The views cannot be chosen this way."),
+            Text(
+                "Give a start distance above 0, an increment and a variability of 0 or above, and a field of "
+                "view of 0.1 to 170 degrees."));
     return {};
 }
 

@@ -152,8 +152,8 @@ Result<ChunkFile> ChunkFile::openUntil(std::istream& stream, std::uint64_t size,
                      Text("The model is a .macula file of version {}; this Macula reads version {}.",
                           file.version, version),
                      {},
-                     file.version > version ? "Use a newer Macula, or export the model as PLY there."
-                                            : "Export it as PLY with the Macula that made it."};
+                     file.version > version ? Text("Use a newer Macula, or export the model as PLY there.")
+                                            : Text("Export it as PLY with the Macula that made it.")};
     std::uint64_t offset = sizeof(FileHead);
     std::vector<ChunkEntry> entries;
     for (std::uint32_t i = 0; i < file.chunks; ++i) {

@@ -28,13 +28,13 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kMostSpzBytes = std::uint64_t{1} << 30;
 
 // "a, b or c".
-std::string listed(std::vector<std::string_view> names) {
+Text listed(std::vector<std::string_view> names) {
     const std::string_view last = names.back();
     names.pop_back();
-    return fmt::format("{} or {}", fmt::join(names, ", "), last);
+    return Text("{} or {}", fmt::format("{}", fmt::join(names, ", ")), last);
 }
 
-std::string modelNames() {
+Text modelNames() {
     std::vector<std::string_view> names;
     for (const ModelFormat& format : kModelFormats) names.push_back(format.name);
     return listed(std::move(names));
@@ -61,7 +61,7 @@ Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
     std::error_code error;
     if (fs::is_directory(path, error))
         return Error{ErrorCode::inputNotUsable, Text("That is a folder, not a model."), path.string(),
-                     "Choose a " + modelExtensions(true) + " file."};
+                     Text("Choose a {} file.", modelExtensions(true))};
     if (!fs::is_regular_file(path, error))
         return Error{ErrorCode::inputNotUsable, Text("The model does not exist."), path.string(),
                      Text("Check the path.")};
@@ -81,7 +81,7 @@ Result<ModelFile> readByContent(const fs::path& path, BadSplats bad) {
         return decodeGlb(bytes, bad);
     }
     if (!looksLikeSpz(begin.substr(0, 4)))
-        return Error{ErrorCode::inputNotUsable, "The file is no " + modelNames() + " model.", path.string(),
+        return Error{ErrorCode::inputNotUsable, Text("The file is no {} model.", modelNames()), path.string(),
                      Text("Choose a model of Gaussians, or convert it to PLY.")};
     if (size > kMostSpzBytes) return tooLarge(path, "SPZ");
     MACULA_TRY(const std::vector<std::byte> bytes, bytesOf(stream, size));
@@ -127,7 +127,7 @@ const ModelFormat* modelFormatOf(const fs::path& path) {
     return found == kModelFormats.end() ? nullptr : &*found;
 }
 
-std::string modelExtensions(bool withTraining) {
+Text modelExtensions(bool withTraining) {
     std::vector<std::string_view> extensions;
     for (const ModelFormat& format : kModelFormats) {
         if (withTraining || !format.keepsTraining()) extensions.push_back(format.extension);
@@ -146,8 +146,8 @@ Result<ModelFile> readModel(const fs::path& path, BadSplats bad) {
 Result<std::size_t> writeModel(const fs::path& path, const Splats& splats) {
     const ModelFormat* format = modelFormatOf(path);
     if (format == nullptr || format->keepsTraining())
-        return Error{ErrorCode::usage, "Models are written as " + modelExtensions(false) + ".", path.string(),
-                     Text("Give the file one of these extensions.")};
+        return Error{ErrorCode::usage, Text("Models are written as {}.", modelExtensions(false)),
+                     path.string(), Text("Give the file one of these extensions.")};
     std::size_t clamped = 0;
     MACULA_TRY_VOID(writeAtomically(path, [&](const fs::path& temporary) -> Result<void> {
         std::ofstream stream(temporary, std::ios::binary);
@@ -166,8 +166,8 @@ Result<ModelFile> finishModel(Splats splats, BadSplats bad) {
     }
     if (model.splats.size() == 0 && bad != BadSplats::repairOrNone)
         return Error{ErrorCode::inputNotUsable,
-                     model.repaired.dropped > 0 ? "None of the model's splats can be used."
-                                                : "The model holds no splats.",
+                     model.repaired.dropped > 0 ? Text("None of the model's splats can be used.")
+                                                : Text("The model holds no splats."),
                      {},
                      Text("Export or train it again.")};
     return model;

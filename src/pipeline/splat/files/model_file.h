@@ -30,7 +30,7 @@ inline constexpr std::array<ModelFormat, 4> kModelFormats{{{ModelKind::ply, ".pl
 // By extension; null for another.
 const ModelFormat* modelFormatOf(const std::filesystem::path& path);
 // ".ply, .spz, .glb or .macula"; `withTraining`: also what writeModel does not write.
-std::string modelExtensions(bool withTraining);
+Text modelExtensions(bool withTraining);
 
 // What a reader does with splats that validate would refuse. `repair` also clamps, see repair();
 // `repairOrNone` likewise, and a model of which nothing is left, or which was empty, is no error.

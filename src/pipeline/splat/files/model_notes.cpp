@@ -68,7 +68,7 @@ Result<void> applyNotes(const std::vector<std::string>& lines, Splats& splats) {
         const std::size_t space = std::min(line.find(' '), line.size());
         const std::string key(line.substr(0, space));
         const std::string value(line.substr(std::min(space + 1, line.size())));
-        if (!notes.emplace(key, value).second) return notUnderstood(key);
+        if (!notes.emplace(key, value).second) return notUnderstood(Text::verbatim(key));
     }
     if (notes.empty()) {
         splats.axes = Axes::unknown;

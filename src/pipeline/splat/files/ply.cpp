@@ -127,9 +127,8 @@ Result<ModelFile> readPly(std::istream& stream, std::uint64_t bytes, BadSplats b
         // This is checked before memory is taken for the elements, or they are read.
         if (!values.canHold(element))
             return unusable(
-                Text("The PLY file is cut off: its header counts {} {}, for which it is "
-                     "too small.",
-                     element.count, element.name == "vertex" ? "splats" : "elements"));
+                Text("The PLY file is cut off: its header counts {} {}, for which it is too small.",
+                     element.count, element.name == "vertex" ? Text("splats") : Text("elements")));
         if (element.name != "vertex") {
             if (!values.skip(element)) return unusable(Text("The PLY file is cut off or damaged."));
             continue;

@@ -1,7 +1,5 @@
 #include "pipeline/splat/files/spz_records.h"
 
-#include <fmt/format.h>
-
 #include <cstring>
 
 #include "base/check.h"
