@@ -45,7 +45,7 @@ TEST(AdditionRequest, IsCheckedBeforeTheStudyIsRead) {
     scene::StudyState state;
     const auto refusal = [&](const AdditionRequest& request, const char* study) {
         const auto choice = resolveAdditions(request, study, state);
-        return choice ? std::string() : choice.error().message;
+        return choice ? std::string() : choice.error().message.english();
     };
     EXPECT_EQ(refusal({}, "phantom:"), "");
     AdditionRequest request;
