@@ -108,7 +108,7 @@ void print(const dicom::Series& series, std::size_t place, const dicom::ChosenSt
     if (!series.description.empty()) fmt::print("  {}", printable(series.description));
     fmt::print("\n");
     for (const std::string& uid : series.transferSyntaxUids) {
-        fmt::print("      encoding: {}\n", dicom::describeTransferSyntax(uid));
+        fmt::print("      {}\n", Text("encoding: {}", dicom::describeTransferSyntax(uid)).english());
     }
     print(series.messages, "      ");
     for (const dicom::OtherObject& object : series.objects) printSegments(object);
