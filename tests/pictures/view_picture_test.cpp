@@ -89,8 +89,8 @@ TEST_F(ViewPictureTest, OverlaysLieOverPicturesAndNotOverLight) {
         ASSERT_TRUE(done.ok()) << name;
         const bool isLight = std::string(name) == "a.exr";
         EXPECT_EQ(asked, isLight ? 0 : 1) << name;
-        const bool isTold = std::any_of(done->begin(), done->end(), [](const std::string& sentence) {
-            return sentence.find("no cube") != std::string::npos;
+        const bool isTold = std::any_of(done->begin(), done->end(), [](const Text& sentence) {
+            return sentence.english().find("no cube") != std::string::npos;
         });
         EXPECT_EQ(isTold, isLight) << name;
     }
