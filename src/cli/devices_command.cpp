@@ -33,12 +33,13 @@ Result<void> listAll(const DevicesOptions& options) {
                             {"driver", device.driver},
                             {"memoryBytes", device.memoryBytes},
                             {"usable", device.usable()},
-                            {"whyNotUsable", device.whyNotUsable},
+                            {"whyNotUsable", device.whyNotUsable.english()},
                             {"default", isChosen}});
             continue;
         }
-        fmt::print("{} {}  {}{}\n", isChosen ? '*' : ' ', device.index, gpu::describe(device),
-                   device.usable() ? "" : fmt::format("  (not usable: lacks {})", device.whyNotUsable));
+        fmt::print(
+            "{} {}  {}{}\n", isChosen ? '*' : ' ', device.index, gpu::describe(device),
+            device.usable() ? "" : fmt::format("  (not usable: lacks {})", device.whyNotUsable.english()));
     }
     if (options.json) fmt::print("{}\n", jsonText(list));
     return {};

@@ -61,8 +61,8 @@ std::string counted(std::size_t count, std::string_view one) {
 
 void print(const std::vector<Message>& messages, std::string_view indent) {
     for (const Message& message : messages) {
-        fmt::print("{}{}: {}{}{}\n", indent, label(message.severity), message.sentence,
-                   message.action.empty() ? "" : " ", message.action);
+        fmt::print("{}{}: {}{}{}\n", indent, label(message.severity), message.sentence.english(),
+                   message.action.empty() ? "" : " ", message.action.english());
     }
 }
 
@@ -93,7 +93,7 @@ void printSegments(const dicom::OtherObject& object) {
     if (!dicom::isSegmentation(object.sopClassUid)) return;
     const auto segmentation = dicom::readSegmentation(object.file);
     if (!segmentation) {
-        fmt::print("      segmentation: {}\n", segmentation.error().message);
+        fmt::print("      segmentation: {}\n", segmentation.error().message.english());
         return;
     }
     fmt::print("      segmentation in {}, segments {}\n", counted(segmentation->frames.size(), "frame"),
@@ -108,7 +108,7 @@ void print(const dicom::Series& series, std::size_t place, const dicom::ChosenSt
     if (!series.description.empty()) fmt::print("  {}", printable(series.description));
     fmt::print("\n");
     for (const std::string& uid : series.transferSyntaxUids) {
-        fmt::print("      encoding: {}\n", dicom::describeTransferSyntax(uid));
+        fmt::print("      {}\n", Text("encoding: {}", dicom::describeTransferSyntax(uid)).english());
     }
     print(series.messages, "      ");
     for (const dicom::OtherObject& object : series.objects) printSegments(object);
@@ -153,20 +153,20 @@ void printText(const dicom::Scan& scan, const dicom::ChosenStack& best, const In
         }
     }
     for (const dicom::SkippedFile& file : scan.skipped) {
-        fmt::print("Left out: {} {}{}\n", file.message.sentence, file.message.action,
+        fmt::print("Left out: {} {}{}\n", file.message.sentence.english(), file.message.action.english(),
                    options.patient ? " (" + printable(file.file.string()) + ")" : "");
     }
     print(scan.messages, "");
     fmt::print("{}: {}, {}, {} left out, {} not DICOM.\n", counted(scan.filesSeen, "file"),
                counted(scan.imageCount(), "image"), counted(scan.objectCount(), "other DICOM object"),
                scan.skipped.size(), scan.notDicom);
-    fmt::print("{}{}\n", best ? "* " : "", best.why);
+    fmt::print("{}{}\n", best ? "* " : "", best.why.english());
 }
 
 // Programs that asked for a document get one also where nothing could be read.
 void printAsJson(const Error& error, const InfoOptions& options) {
     auto json = toJson(dicom::Scan{}, dicom::ChosenStack{}, study::PatientData::leaveOut);
-    json["error"] = {{"sentence", error.message}, {"action", error.hint}};
+    json["error"] = {{"sentence", error.message.english()}, {"action", error.hint.english()}};
     if (options.patient && !error.where.empty()) json["error"]["where"] = error.where;
     fmt::print("{}\n", json.dump(4, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }

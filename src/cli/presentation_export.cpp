@@ -94,8 +94,8 @@ Result<void> exportPresentation(const PresentationExportRequest& options, const 
     request.state = std::move(state);
     request.volume = input.volume;
     request.isDeidentified = options.isDeidentified;
-    MACULA_TRY(const std::vector<std::string> leftOut, scene::writePresentation(options.output, request));
-    for (const std::string& sentence : leftOut) printNote(sentence);
+    MACULA_TRY(const auto leftOut, scene::writePresentation(options.output, request));
+    for (const auto& sentence : leftOut) printNote(sentence);
     fmt::print("Wrote a presentation state of {} images\n", request.images.series.images.size());
     return {};
 }

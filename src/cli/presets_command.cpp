@@ -74,7 +74,7 @@ void printColour(const std::string& title, const std::vector<ColourPoint>& point
 Result<void> show(const PresetsOptions& options) {
     MACULA_TRY(const presets::ImportedPreset chosen, scene::choosePreset(options.preset));
     const TransferFunction& preset = chosen.function;
-    for (const std::string& note : chosen.notes) printNote(note);
+    for (const Text& note : chosen.notes) printNote(note);
     if (options.json) {
         fmt::print("{}", toJson(preset));
         return {};
@@ -118,7 +118,7 @@ Result<void> importFile(const PresetsOptions& options) {
     pictures::OutputFiles files(options.overwrite);
     files.read(options.input);
     for (const presets::ImportedPreset& preset : all) {
-        for (const std::string& note : preset.notes) printNote(preset.function.title + ": " + note);
+        for (const Text& note : preset.notes) printNote(preset.function.title + ": " + note.english());
     }
     std::vector<std::pair<std::filesystem::path, std::string>> texts;
     for (const TransferFunction& function : scene::withDifferentNames(all)) {
@@ -132,7 +132,7 @@ Result<void> importFile(const PresetsOptions& options) {
 
 Result<void> exportPreset(const PresetsOptions& options) {
     MACULA_TRY(const presets::ImportedPreset chosen, scene::choosePreset(options.preset));
-    for (const std::string& note : chosen.notes) printNote(note);
+    for (const Text& note : chosen.notes) printNote(note);
     pictures::OutputFiles files(options.overwrite);
     files.read(options.preset);
     MACULA_TRY_VOID(files.write(options.output));

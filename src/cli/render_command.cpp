@@ -53,28 +53,27 @@ Result<void> render(const pictures::RenderRequest& options) {
     MACULA_TRY(scene::StudyPreset preset, pictures::completeState(state, options.state, study));
     printNotes(study.notes, study.warnings);
     record.notes = study.notes;
-    const auto tell = [&](const std::string& note) {
+    const auto tell = [&](const Text& note) {
         printNote(note);
         record.notes.push_back(note);
     };
-    for (const std::string& note :
-         pictures::optionsWithoutEffect(options, state.settings.look, preset.function))
+    for (const Text& note : pictures::optionsWithoutEffect(options, state.settings.look, preset.function))
         tell(note);
     record.preset = preset.publicName;
     record.presetFitted = preset.function.fitToVolume.has_value();
 
     MACULA_TRY(scene::ShownClip shown,
                scene::shownClip(state, *study.volume, progress, pictures::unaskedTable(options.state)));
-    for (const std::string& note : shown.notes) tell(note);
+    for (const Text& note : shown.notes) tell(note);
     if (!request.camera && !request.from) printNote(sentenceOf(scene::usualView(*study.volume)));
     record.tableRemoved = shown.tableRemoved;
     MACULA_TRY(pictures::DrawnAdditions made,
                pictures::makeAdditions(picture.additions, read, state.settings.look, shown.clip, progress));
     printNotes(made.notes, made.warnings);
     record.notes.insert(record.notes.end(), made.notes.begin(), made.notes.end());
-    if (shown.clip.mask) record.masked = shown.clip.mask->remark;
+    if (shown.clip.mask) record.masked = shown.clip.mask->remark.english();
     request.scene.additions = std::move(made.additions);
-    record.additions = scene::remarkOf(request.scene.additions, state.settings.look);
+    record.additions = scene::remarkOf(request.scene.additions, state.settings.look).english();
     request.scene.volume = study.volume;
     request.scene.function = std::move(preset.function);
     request.scene.clip = std::move(shown.clip);
@@ -88,7 +87,7 @@ Result<void> render(const pictures::RenderRequest& options) {
     }));
     record.add(request, drawn);
     for (const pictures::PictureNote& note : notesOf(drawn, request)) {
-        const std::string line = note.action.empty() ? note.sentence : note.sentence + " " + note.action;
+        const Text line = Text::joined({note.sentence, note.action}, " ");
         note.isWarning ? printWarning(line) : printNote(line);
     }
     MACULA_TRY_VOID(pictures::writePicture(options.output, drawn, request.sizePx, metadata(record)));

@@ -93,7 +93,7 @@ void addLook(CLI::App& command, pictures::RenderRequest& o) {
     command
         .add_option("--window", o.state.window,
                     fmt::format("Of {} (default: range of --preset, else window of the series)",
-                                pictures::looksListed(trace::isProjection)))
+                                pictures::looksListed(trace::isProjection).english()))
         ->option_text("CENTRE,WIDTH");
     command.add_flag("--shading", o.shading,
                      "Light dvr from the eye, with the preset's ambient and diffuse parts");

@@ -30,7 +30,7 @@ Result<void> verify(const SessionsCareOptions& options) {
     print(options, verified);
     if (verified.isSound()) return {};
     return Error{ErrorCode::inputNotUsable, Text("Stored sessions were not sound."), options.folder.string(),
-                 live::whatToDo(verified)};
+                 Text("{}", live::whatToDo(verified))};
 }
 
 Result<void> runGarbageCollection(const SessionsCareOptions& options) {

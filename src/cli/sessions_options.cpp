@@ -25,8 +25,8 @@ Result<session::Store> openStudyStore(const SessionsOptions& options) {
     return store;
 }
 
-void printWarnings(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings) printWarning(warning);
+void printWarnings(const std::vector<Text>& warnings) {
+    for (const Text& warning : warnings) printWarning(warning);
 }
 
 }  // namespace macula::cli

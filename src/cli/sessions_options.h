@@ -27,7 +27,7 @@ CLI::App* addSessionsVerb(CLI::App& sessions, const std::string& name, const std
 
 // Opens the store, and makes it where there is none. Warnings of the opening go to stderr.
 Result<session::Store> openStudyStore(const SessionsOptions& options);
-void printWarnings(const std::vector<std::string>& warnings);
+void printWarnings(const std::vector<Text>& warnings);
 
 // A report of app/session on stdout.
 template <class Report>

@@ -69,8 +69,8 @@ Result<void> makeSheet(const SheetOptions& options) {
     for (std::size_t i = 0; i < sheet.presets.size(); ++i) {
         const pictures::SheetPlace place = placeOf(sheet, i);
         fmt::print("panel {} row {:>2}  {}\n", place.panel + 1, place.row + 1, sheet.presets[i].name);
-        for (const std::string& note : scene::notesOf({sheet.presets[i], {}}, *study.volume))
-            fmt::print("                {}\n", note);
+        for (const Text& note : scene::notesOf({sheet.presets[i], {}}, *study.volume))
+            fmt::print("                {}\n", note.english());
     }
     return {};
 }

@@ -47,7 +47,8 @@ void addSplatExport(CLI::App& app, Action& action) {
     auto options = std::make_shared<SplatExportOptions>();
     SplatExportOptions& o = *options;
     auto* command = app.add_subcommand("splat-export", "Write a model of Gaussians in another format");
-    command->add_option("MODEL", o.model, "A " + splat::modelExtensions(true) + " file")->required();
+    command->add_option("MODEL", o.model, Text("A {} file", splat::modelExtensions(true)).english())
+        ->required();
     command
         ->add_option("-o,--output", o.output,
                      "Model: .ply (exact), .spz (small) or .glb (glTF, KHR_gaussian_splatting)")

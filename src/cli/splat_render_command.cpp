@@ -91,7 +91,8 @@ Result<std::vector<Shot>> shotsOf(const Cameras& cameras, const SplatRenderOptio
 }
 
 Error aboutShot(Error error, const Shot& shot) {
-    if (error.code == ErrorCode::outOfMemory) error.hint += " --size sets it for all cameras.";
+    if (error.code == ErrorCode::outOfMemory)
+        error.hint = Text("{} --size sets it for all cameras.", error.hint);
     if (error.where.empty()) error.where = shot.name;
     return error;
 }

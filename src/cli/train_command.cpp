@@ -79,7 +79,7 @@ Result<trace::Environment> check(const TrainOptions& options) {
         return Error{ErrorCode::usage,
                      Text("What goes on learning needs linear colours."),
                      {},
-                     "Give --display-colours with " + splat::modelExtensions(false) + "."};
+                     Text("Give --display-colours with {}.", splat::modelExtensions(false))};
     MACULA_TRY_VOID(checkFiles(options));
     if (!options.preset.empty()) MACULA_TRY_VOID(scene::presetToDraw(options.preset, options.fit));
     MACULA_TRY_VOID(scene::chooseClip(options.clip));
@@ -153,7 +153,8 @@ Result<void> train(const TrainOptions& options) {
     if (!options.json.empty()) MACULA_TRY_VOID(printOrWrite(options.json, jsonText(toJson(record, trained))));
     printWritten(path, start);
     if (trained.interrupted)
-        return Error{ErrorCode::cancelled, whatIsWritten(trained, end.steps, path), path.string(), {}};
+        return Error{
+            ErrorCode::cancelled, Text("{}", whatIsWritten(trained, end.steps, path)), path.string(), {}};
     return lasting.ended;
 }
 

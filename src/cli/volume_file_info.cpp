@@ -28,7 +28,7 @@ void show(const formats::VolumeFileInfo& info, const Volume* volume, bool isJson
                    volume->unitName().empty() ? "" : " ", volume->unitName());
     }
     if (study::isSheared(info.worldFromVoxel)) fmt::print("  the axes are not perpendicular (sheared)\n");
-    for (const std::string& assumption : info.assumptions) fmt::print("  assumed: {}\n", assumption);
+    for (const Text& assumption : info.assumptions) fmt::print("  assumed: {}\n", assumption.english());
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ Result<void> show(const XrOptions& options) {
     MACULA_TRY(const xr::HeadsetFigures figures,
                xr::showStudy(
                    options.request, [](const std::string& sentence) { printNote(sentence); }, progress));
-    fmt::print("{}\n", xr::textOf(figures));
+    fmt::print("{}\n", xr::textOf(figures).english());
     return {};
 }
 

@@ -22,7 +22,7 @@ Result<scene::SegmentsToDraw> segmentsOf(const ResolvedAdditions& choice, const 
     if (!choice.needsSegmentations()) return scene::SegmentsToDraw();
     if (!study.found) {
         scene::SegmentsToDraw none;
-        none.notes.emplace_back(Text("The segments of the view are not here; all of the volume is shown."));
+        none.notes.push_back(Text("The segments of the view are not here; all of the volume is shown."));
         return none;
     }
     MACULA_TRY(const dicom::ChosenStack chosen, study::chooseVolume(study.found->scan(), study.series));
@@ -62,7 +62,7 @@ Result<void> addSecond(const ResolvedAdditions& choice, const study::ReadStudy& 
     std::ranges::move(second.warnings, std::back_inserter(made.warnings));
     Additions& additions = made.additions;
     additions.second = std::move(second.second);
-    additions.remark = additions.remark.empty() ? second.remark : second.remark + ", " + additions.remark;
+    additions.remark = Text::joined({second.remark, additions.remark}, ", ");
     return {};
 }
 
@@ -106,11 +106,11 @@ Result<DrawnAdditions> makeAdditions(const ResolvedAdditions& choice, const stud
     MACULA_TRY_VOID(addMask(clip, segments.mask, *study.input.volume, progress));
     made.additions.tints = std::move(segments.tints);
     if (made.additions.tints) {
-        made.additions.remark = "coloured segments";
+        made.additions.remark = Text("coloured segments");
         made.notes.emplace_back(
             trace::isProjection(look)
-                ? "Segments have no colours in this look: they have in all but projections."
-                : "Segments are coloured: in them colours are no values of the preset.");
+                ? Text("Segments have no colours in this look: they have in all but projections.")
+                : Text("Segments are coloured: in them colours are no values of the preset."));
     }
     MACULA_TRY_VOID(addSecond(choice, study, look, made, progress));
     return made;

@@ -276,7 +276,7 @@ std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest
     const trace::Statistics& statistics = drawn.statistics;
     std::vector<PictureNote> notes;
     if (request.settings.errorThreshold > 0.0 && !statistics.converged)
-        notes.push_back({"The picture is noisier than its limit of noise."});
+        notes.push_back({Text("The picture is noisier than its limit of noise.")});
     if (isEmpty(drawn, request)) {
         // A projection knows no preset: what is black there is below its window.
         const auto& window = request.settings.window;
@@ -288,16 +288,16 @@ std::vector<PictureNote> notesOf(const DrawnPicture& drawn, const PictureRequest
     }
     for (const Message& message : statistics.messages) notes.push_back({message.sentence, message.action});
     if (statistics.nonFiniteSamples > 0)
-        notes.push_back({fmt::format("{} samples were not finite and were dropped; please report this.",
-                                     statistics.nonFiniteSamples)});
+        notes.push_back({Text("{} samples were not finite and were dropped; please report this.",
+                              statistics.nonFiniteSamples)});
     if (statistics.abandonedSamples > 0)
-        notes.push_back({fmt::format("{} light paths were too long for the device and were dropped.",
-                                     statistics.abandonedSamples)});
+        notes.push_back({Text("{} light paths were too long for the device and were dropped.",
+                              statistics.abandonedSamples)});
     if (statistics.collisionsAboveBound > 0)
         notes.push_back(
-            {fmt::format("Light met matter {} times that was denser than its bound, and passed too easily; "
-                         "please report this.",
-                         statistics.collisionsAboveBound)});
+            {Text("Light met matter {} times that was denser than its bound, and passed too easily; "
+                  "please report this.",
+                  statistics.collisionsAboveBound)});
     return notes;
 }
 

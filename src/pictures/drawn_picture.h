@@ -74,8 +74,8 @@ bool isEmpty(const DrawnPicture& picture, const PictureRequest& request);
 // A note to the user about a picture, without patient data.
 struct PictureNote {
     Text sentence;
-    std::string action = {};  // the advised action; may be empty
-    bool isWarning = false;   // the user must check it before relying on the picture
+    Text action = {};        // the advised action; may be empty
+    bool isWarning = false;  // the user must check it before relying on the picture
 };
 std::vector<PictureNote> notesOf(const DrawnPicture& picture, const PictureRequest& request);
 

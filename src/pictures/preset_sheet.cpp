@@ -124,7 +124,7 @@ image::Metadata metadata(const SheetRequest& request, const study::LoadedStudy& 
             {"macula:samples", fmt::to_string(request.samplesPerPixel)},
             {"macula:tilePx", fmt::to_string(request.tilePx)},
             {"macula:pictures", pictures},
-            {"macula:notes", fmt::format("{}", fmt::join(study.notes, " "))}};
+            {"macula:notes", Text::joined(study.notes, " ").english()}};
 }
 
 }  // namespace macula::pictures

@@ -9,7 +9,7 @@ std::string publicSeries(const std::string& seriesDigest) {
     if (seriesDigest.empty() || seriesDigest == "phantom") return seriesDigest;
     const auto key = InstallationKey::ofUser();
     if (key) return key->digestOf(seriesDigest);
-    log::warning("Pictures do not say of which series they are: {}", key.error().message);
+    log::warning("Pictures do not say of which series they are: {}", key.error().message.english());
     return "unknown";
 }
 

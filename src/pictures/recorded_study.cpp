@@ -82,9 +82,9 @@ struct RequestedStudy {
 };
 
 // Each once: as a warning if it is among them, else as a note.
-void tell(const std::vector<std::string>& notes, const std::vector<std::string>& warnings, const Hears& note,
+void tell(const std::vector<Text>& notes, const std::vector<Text>& warnings, const Hears& note,
           const Hears& warn) {
-    for (const std::string& sentence : notes) {
+    for (const Text& sentence : notes) {
         const bool isWarning = std::ranges::find(warnings, sentence) != warnings.end();
         isWarning ? warn(sentence) : note(sentence);
     }
@@ -120,9 +120,10 @@ Result<live::FrameInput> sceneOf(const RecordingRequest& request, RequestedStudy
 nlohmann::ordered_json partsOf(const scene::Drawing& drawing) {
     const auto orNone = [](const std::string& said) { return said.empty() ? "none" : said; };
     const bool isMasked = drawing.clip && drawing.clip->mask;
-    return {{"masked", orNone(isMasked ? drawing.clip->mask->remark : "")},
+    return {{"masked", orNone(isMasked ? drawing.clip->mask->remark.english() : "")},
             {"additions",
-             orNone(drawing.additions ? scene::remarkOf(*drawing.additions, drawing.settings.look) : "")}};
+             orNone(drawing.additions ? scene::remarkOf(*drawing.additions, drawing.settings.look).english()
+                                      : "")}};
 }
 
 Result<void> write(const fs::path& folder, const scene::Drawing& drawing,
@@ -178,10 +179,10 @@ Result<live::LiveRecording> recordStudy(const RecordingRequest& request, const H
     if (request.sessions)
         options.keeper = std::make_shared<live::StudyKeeper>(
             session::StoreOptions{.folder = *request.sessions},
-            [&warn](const Error& error) { warn(error.message + " " + error.hint); });
+            [&warn](const Error& error) { warn(Text("{} {}", error.message, error.hint)); });
     MACULA_TRY(live::LiveRecording recording, live::recordLive(std::move(scene), options, progress));
     options.keeper.reset();  // what was learnt is saved
-    if (recording.isFull) note("Pictures left out: there were too many. Lower --pictures or --size.");
+    if (recording.isFull) note(Text("Pictures left out: there were too many. Lower --pictures or --size."));
     MACULA_TRY_VOID(write(request.folder, drawing, recording));
     return recording;
 }

@@ -33,7 +33,7 @@ struct RecordingRequest {
 
 // Writes frames.jsonl with one line per shown frame, times.json (timesOf), and frame-0001.png and so on for
 // kept frames. `warn` receives notes that change what is seen, `note` the others.
-using Hears = std::function<void(const std::string&)>;
+using Hears = std::function<void(const Text&)>;
 Result<live::LiveRecording> recordStudy(const RecordingRequest& request, const Hears& note, const Hears& warn,
                                         Progress& progress);
 

@@ -37,6 +37,12 @@ PictureEffects effectsThatCount(const PictureRequest& request, const DrawnPictur
     return effects;
 }
 
+std::vector<std::string> inEnglish(const std::vector<Text>& texts) {
+    std::vector<std::string> sentences;
+    for (const Text& text : texts) sentences.push_back(text.english());
+    return sentences;
+}
+
 Json matterJson(const RenderRecord& record) {
     Json matter = Json::object();
     for (const auto& [id, value] : record.matter) matter[std::string(id)] = value;
@@ -108,7 +114,7 @@ image::Metadata metadata(const RenderRecord& record) {
         {"macula:parallelHeightMm", isParallel(record.camera)
                                         ? fmt::format("{:.6g}", record.camera.parallelHeightMm)
                                         : std::string("none")},
-        {"macula:notes", fmt::format("{}", fmt::join(record.notes, " "))},
+        {"macula:notes", Text::joined(record.notes, " ").english()},
         {"macula:device", record.device}};
     for (const auto& [id, value] : record.matter)
         all.emplace_back(fmt::format("macula:{}", id), fmt::format("{:.6g}", value));
@@ -167,7 +173,7 @@ Json toJson(const RenderRecord& record) {
         {"traceSeconds", record.traceSeconds},
         {"deviceMs", record.statistics.deviceMs},
         {"nsPerSample", pixelSamples > 0.0 ? record.statistics.deviceMs * 1e6 / pixelSamples : 0.0},
-        {"notes", record.notes}};
+        {"notes", inEnglish(record.notes)}};
 }
 
 }  // namespace macula::pictures

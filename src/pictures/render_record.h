@@ -23,8 +23,8 @@ struct RenderRecord {
     std::string lights;
     std::string clip;
     bool tableRemoved = false;   // a table, or other things beside the patient, were found and removed
-    std::string masked = {};     // Mask::remark: the parts of the volume that voxel masks removed
-    std::string additions = {};  // Additions::remark: a second volume, coloured segments
+    std::string masked = {};     // Mask::remark in English: the parts of the volume that voxel masks removed
+    std::string additions = {};  // Additions::remark, likewise: a second volume, coloured segments
     std::string device;
     Camera camera;
     std::string view = {};        // nameOf(ViewDirection) of a fitted camera; empty: a camera was given

@@ -81,40 +81,40 @@ bool isOfSurface(std::string_view matter) {
 
 }  // namespace
 
-std::string looksListed(bool (*isMeant)(trace::Look)) {
-    std::string listed;
-    std::string_view last;
-    for (const trace::LookTraits& look : trace::kLooks) {
-        if (!isMeant(look.look)) continue;
-        if (!last.empty()) listed += (listed.empty() ? "" : ", ") + std::string(last);
-        last = look.name;
-    }
-    return listed.empty() ? std::string(last) : fmt::format("{} and {}", listed, last);
+Text looksListed(bool (*isMeant)(trace::Look)) {
+    std::vector<Text> names;
+    for (const trace::LookTraits& look : trace::kLooks)
+        if (isMeant(look.look)) names.push_back(Text::verbatim(look.name));
+    if (names.size() < 2) return Text::joined(std::move(names), ", ");
+    Text last = std::move(names.back());
+    names.pop_back();
+    return Text("{} and {}", Text::joined(std::move(names), ", "), std::move(last));
 }
 
-std::vector<std::string> optionsWithoutEffect(const RenderRequest& request, trace::Look look,
-                                              const TransferFunction& drawn) {
+std::vector<Text> optionsWithoutEffect(const RenderRequest& request, trace::Look look,
+                                       const TransferFunction& drawn) {
     const bool isTraced = trace::isPathTraced(look);
     const auto isGiven = [&](std::string_view id) { return request.state.numbers.contains(id); };
-    std::vector<std::string> notes;
-    const auto check = [&](bool isVain, std::string_view option, const std::string& of) {
+    std::vector<Text> notes;
+    const auto check = [&](bool isVain, std::string_view option, const Text& of) {
         if (isVain) notes.push_back(Text("{} does nothing in this look: it is of {}.", option, of));
     };
     check(!request.state.window.empty() && !isProjection(look), "--window", looksListed(trace::isProjection));
-    check(request.effort.bounces && !isTraced, "--bounces", "cinematic");
+    check(request.effort.bounces && !isTraced, "--bounces", Text::verbatim("cinematic"));
     const auto filter = request.effort.filter.value_or(trace::Filter::trilinear);
     check(trace::filterOf(look, filter) != filter, fmt::format("--filter {}", trace::nameOf(filter)),
           looksListed(trace::isSpline(filter) ? trace::showsMatter : trace::isPathTraced));
-    check(request.shading && look != trace::Look::dvr, "--shading", "dvr");
-    const std::string traced = looksListed(trace::isPathTraced);
+    check(request.shading && look != trace::Look::dvr, "--shading", Text::verbatim("dvr"));
+    const Text traced = looksListed(trace::isPathTraced);
+    const Text allButProjections = Text("all but projections");
     check(!request.lights.empty() && !isTraced, "--lights", traced);
     check(isGiven("lightRotationDeg") && !isTraced, "--light-rotation", traced);
     check(isGiven("lightStrength") && !isTraced, "--light-strength", traced);
-    check(request.metersExposure && isProjection(look), "--auto-exposure", "all but projections");
+    check(request.metersExposure && isProjection(look), "--auto-exposure", allButProjections);
     for (const auto& [id, value] : request.state.matter) {
         const std::string_view option = scene::matterParameter(id).option;
         if (id == "steepGradientPerMm") {
-            check(isProjection(look), option, "all but projections");
+            check(isProjection(look), option, allButProjections);
             if (!isProjection(look) && !usesSteepCurves(drawn))
                 notes.push_back(
                     Text("{} does nothing, as the preset has no curves for steep matter.", option));
@@ -125,9 +125,9 @@ std::vector<std::string> optionsWithoutEffect(const RenderRequest& request, trac
             notes.push_back(
                 Text("{} does nothing, as the preset has no surface: --surface gives it one.", option));
     }
-    check(isGiven("exposure") && isProjection(look), "--exposure", "all but projections");
-    check(request.state.toneMap && isProjection(look), "--tone-map", "all but projections");
-    check(request.effects.fogMm > 0.0 && isProjection(look), "--fog-mm", "all but projections");
+    check(isGiven("exposure") && isProjection(look), "--exposure", allButProjections);
+    check(request.state.toneMap && isProjection(look), "--tone-map", allButProjections);
+    check(request.effects.fogMm > 0.0 && isProjection(look), "--fog-mm", allButProjections);
     check(request.effects.lensMm > 0.0 && !isTraced, "--lens-mm", traced);
     if (!request.focus.empty() && !(request.effects.lensMm > 0.0))
         notes.emplace_back(Text("--focus-mm does nothing without --lens-mm: all is sharp."));

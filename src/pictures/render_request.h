@@ -42,12 +42,12 @@ struct RenderRequest {
 };
 
 // Lists the looks for which `isMeant` is true: "mip, minip and average".
-std::string looksListed(bool (*isMeant)(trace::Look));
+Text looksListed(bool (*isMeant)(trace::Look));
 
 // Sentences on options that have no effect in this look, or on the preset that is drawn; not on values from a
 // view, a quality or a default. makeAdditions reports on additions.
-std::vector<std::string> optionsWithoutEffect(const RenderRequest& request, trace::Look look,
-                                              const TransferFunction& drawn);
+std::vector<Text> optionsWithoutEffect(const RenderRequest& request, trace::Look look,
+                                       const TransferFunction& drawn);
 
 // The request of a request, without what depends on the study.
 struct RequestedPicture {

@@ -52,7 +52,7 @@ Result<void> applyPresentationState(scene::StudyState& state, const StateRequest
         function.modalities = presented.state.preset->modalities;
         state.preset = std::make_shared<const TransferFunction>(std::move(function));
     }
-    for (const std::string& note : presented.notes) {
+    for (const Text& note : presented.notes) {
         study.notes.push_back(note);
         study.warnings.push_back(note);
     }

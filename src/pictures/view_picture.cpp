@@ -22,7 +22,7 @@ std::string derivationOf(const ViewPicture& picture, const RenderRecord& record)
     const trace::Look look = record.settings.look;
     std::string text = fmt::format("Volume rendering ({})", trace::nameOf(look));
     if (!trace::isProjection(look)) text += ", preset " + record.preset;
-    if (!picture.drawing.remarks.empty()) text += ", " + picture.drawing.remarks;
+    if (!picture.drawing.remarks.empty()) text += ", " + picture.drawing.remarks.english();
     if (record.effects.lensMm > 0.0)
         text += fmt::format(", blurred by a lens of {:g} mm but at {:.0f} mm", record.effects.lensMm,
                             record.effects.focusMm.value_or(0.0));
@@ -57,13 +57,13 @@ Result<void> writeCapture(const ViewPicture& picture, const DrawnPicture& drawn,
 
 }  // namespace
 
-Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
-                                                  const std::string& preferredDevice, Progress& progress) {
+Result<std::vector<Text>> writeViewPicture(const ViewPicture& picture, const std::string& preferredDevice,
+                                           Progress& progress) {
     if (!isDicom(picture.output)) MACULA_TRY_VOID(checkPictureName(picture.output));
     MACULA_TRY(const PictureRequest request, requestOf(picture, isExr(picture.output)));
-    std::vector<std::string> sentences;
-    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](std::string_view sentence) {
-                   sentences.emplace_back(sentence);
+    std::vector<Text> sentences;
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](const auto& sentence) {
+                   sentences.push_back(Text("{}", sentence));
                }));
     DrawnPicture drawn;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
@@ -80,7 +80,7 @@ Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
     MACULA_TRY_VOID(isDicom(picture.output)
                         ? writeCapture(picture, drawn, record)
                         : writePicture(picture.output, drawn, request.sizePx, metadata(record)));
-    for (std::string& note : sentencesOf(drawn, request)) sentences.push_back(std::move(note));
+    for (Text& note : sentencesOf(drawn, request)) sentences.push_back(std::move(note));
     return sentences;
 }
 
@@ -88,7 +88,7 @@ Result<double> meteredExposureOf(const ViewPicture& picture, const std::string& 
                                  Progress& progress) {
     if (progress.cancelled()) return stopped();
     MACULA_TRY(const PictureRequest request, requestOf(picture, true));
-    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](std::string_view) {}));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](const auto&) {}));
     double exposure = 1.0;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(on, request, progress));
@@ -102,7 +102,7 @@ Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vecto
                                                                 const std::string& preferredDevice,
                                                                 Progress& progress) {
     if (progress.cancelled()) return stopped();  // a device takes long
-    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](std::string_view) {}));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](const auto&) {}));
     std::vector<std::vector<std::uint8_t>> drawn;
     for (const ViewPicture& picture : pictures) {
         if (progress.cancelled()) return stopped();

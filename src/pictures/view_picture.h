@@ -43,8 +43,8 @@ struct ViewPicture {
 // Opens a device of its own, `preferredDevice` as in gpu::chooseDevice, so that the window goes on. Blocks
 // while it draws. Returns notes to the user, without patient data. usage for another extension or size; fails
 // as drawPicture, writePicture and dicom::writeSecondaryCapture, and then writes nothing.
-Result<std::vector<std::string>> writeViewPicture(const ViewPicture& picture,
-                                                  const std::string& preferredDevice, Progress& progress);
+Result<std::vector<Text>> writeViewPicture(const ViewPicture& picture, const std::string& preferredDevice,
+                                           Progress& progress);
 
 // Measures the exposure for the picture (PictureDrawer::meterExposure), and ignores that of the view. Fails
 // as above.

@@ -38,8 +38,8 @@ RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request,
     record.preset = scene::publicPresetName(request.scene.function);
     record.lights = scene::publicLightsName(*picture.drawing.lights);
     record.clip = request.scene.clip.hasShape() ? "clipped" : "none";
-    if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark;
-    record.additions = scene::remarkOf(request.scene.additions, request.settings.look);
+    if (request.scene.clip.mask) record.masked = request.scene.clip.mask->remark.english();
+    record.additions = scene::remarkOf(request.scene.additions, request.settings.look).english();
     record.tableRemoved = record.masked.find(scene::kTableLeftOut) != std::string::npos;
     record.presetFitted = request.scene.function.fitToVolume.has_value();
     record.window = request.settings.window;
@@ -47,10 +47,10 @@ RenderRecord recordOf(const ViewPicture& picture, const PictureRequest& request,
     return record;
 }
 
-std::vector<std::string> sentencesOf(const DrawnPicture& drawn, const PictureRequest& request) {
-    std::vector<std::string> sentences;
+std::vector<Text> sentencesOf(const DrawnPicture& drawn, const PictureRequest& request) {
+    std::vector<Text> sentences;
     for (const PictureNote& note : notesOf(drawn, request))
-        sentences.push_back(note.action.empty() ? note.sentence : note.sentence + " " + note.action);
+        sentences.push_back(Text::joined({note.sentence, note.action}, " "));
     return sentences;
 }
 

@@ -74,7 +74,7 @@ struct Course {
     const PictureRequest& request;
     Progress& progress;
     Files& files;
-    std::vector<std::string>& sentences;
+    std::vector<Text>& sentences;
 
     Result<void> drawOn(const std::shared_ptr<gpu::Device>& device) {
         MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(device, request, progress));
@@ -98,7 +98,7 @@ struct Course {
         MACULA_TRY_VOID(
             writePicture(file, drawn, request.sizePx, metadata(recordOf(sequence.picture, request, drawn))));
         files.written.push_back(file);
-        for (std::string& sentence : sentencesOf(drawn, request)) {
+        for (Text& sentence : sentencesOf(drawn, request)) {
             if (std::ranges::find(sentences, sentence) == sentences.end())
                 sentences.push_back(std::move(sentence));
         }
@@ -126,8 +126,8 @@ Result<WrittenSequence> writeViewSequence(const ViewSequence& sequence, const st
     Files files(sequence.folder);
     MACULA_TRY_VOID(prepareFolder(sequence.folder));
     WrittenSequence result;
-    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](std::string_view sentence) {
-                   result.sentences.emplace_back(sentence);
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](const auto& sentence) {
+                   result.sentences.push_back(Text("{}", sentence));
                }));
     progress.beginStage(Text("Drawing pictures"), std::size_t(sequence.frames));
     Course course{.sequence = sequence,

@@ -95,16 +95,16 @@ PictureWriter::~PictureWriter() {
 
 void PictureWriter::start(EyeView view, std::filesystem::path folder, RoomWords words) {
     MACULA_CHECK(!isBusy());
-    std::string notWritten = words.ofError("The picture could not be written.");
+    std::string notWritten = words.say(Text("The picture could not be written."));
     auto write = [this, view = std::move(view), folder = std::move(folder), words = std::move(words),
                   notWritten] {
         std::string sentence = notWritten;
         try {
             const auto written = writeEyeView(view, folder);
             sentence = written ? filled(words.pictureWritten, written->filename().string())
-                               : words.ofError(written.error().message);
+                               : words.say(written.error().message);
         } catch (const std::exception&) {
-            sentence = words.ofError("There is not enough memory for the picture.");
+            sentence = words.say(Text("There is not enough memory for the picture."));
         }
         const std::lock_guard lock(mutex_);
         told_ = std::move(sentence);

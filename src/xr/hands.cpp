@@ -54,7 +54,8 @@ Result<void> Hands::makeActions(const Session& session) {
     XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
     std::snprintf(info.actionSetName, sizeof(info.actionSetName), "anatomy");
     std::snprintf(info.localizedActionSetName, sizeof(info.localizedActionSetName), "Anatomy");
-    MACULA_XR_TRY(runtime_->call().CreateActionSet(runtime_->instance(), &info, &set_), "use controllers");
+    MACULA_XR_TRY(runtime_->call().CreateActionSet(runtime_->instance(), &info, &set_),
+                  Text("use controllers"));
     for (std::size_t hand = 0; hand < paths_.size(); ++hand) {
         MACULA_TRY(paths_[hand], runtime_->path(kHands[hand]));
     }
@@ -82,7 +83,7 @@ Result<XrAction> Hands::makeAction(const char* name, const char* title, XrAction
         info.subactionPaths = paths_.data();
     }
     XrAction action = XR_NULL_HANDLE;
-    MACULA_XR_TRY(runtime_->call().CreateAction(set_, &info, &action), "use controllers");
+    MACULA_XR_TRY(runtime_->call().CreateAction(set_, &info, &action), Text("use controllers"));
     return action;
 }
 
@@ -115,7 +116,7 @@ Result<void> Hands::suggest(const InteractionProfile& profile) {
     const XrResult suggested =
         runtime_->call().SuggestInteractionProfileBindings(runtime_->instance(), &info);
     if (suggested == XR_ERROR_PATH_UNSUPPORTED) return {};  // a kind that this runtime does not know
-    MACULA_XR_TRY(suggested, "use controllers");
+    MACULA_XR_TRY(suggested, Text("use controllers"));
     return {};
 }
 
@@ -132,7 +133,7 @@ Result<void> Hands::suggestAll() {
     info.countSuggestedBindings = 1;
     info.suggestedBindings = &binding;
     MACULA_XR_TRY(runtime_->call().SuggestInteractionProfileBindings(runtime_->instance(), &info),
-                  "follow the eyes");
+                  Text("follow the eyes"));
     return {};
 }
 
@@ -140,23 +141,24 @@ Result<void> Hands::makeSpaces(const Session& session) {
     XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO};
     attach.countActionSets = 1;
     attach.actionSets = &set_;
-    MACULA_XR_TRY(runtime_->call().AttachSessionActionSets(session.handle(), &attach), "use controllers");
+    MACULA_XR_TRY(runtime_->call().AttachSessionActionSets(session.handle(), &attach),
+                  Text("use controllers"));
     XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO};
     info.poseInActionSpace = toXr({});
     for (std::size_t hand = 0; hand < grips_.size(); ++hand) {
         info.subactionPath = paths_[hand];
         info.action = grip_;
         MACULA_XR_TRY(runtime_->call().CreateActionSpace(session.handle(), &info, &grips_[hand]),
-                      "tell where hands are");
+                      Text("tell where hands are"));
         info.action = aim_;
         MACULA_XR_TRY(runtime_->call().CreateActionSpace(session.handle(), &info, &aims_[hand]),
-                      "tell where hands point");
+                      Text("tell where hands point"));
     }
     if (!gaze_) return {};
     info.action = gaze_;
     info.subactionPath = XR_NULL_PATH;
     MACULA_XR_TRY(runtime_->call().CreateActionSpace(session.handle(), &info, &gazeSpace_),
-                  "follow the eyes");
+                  Text("follow the eyes"));
     return {};
 }
 
@@ -166,7 +168,7 @@ Result<Hands::Control> Hands::value(const Session& session, XrAction action, XrP
     info.subactionPath = hand;
     XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
     MACULA_XR_TRY(runtime_->call().GetActionStateFloat(session.handle(), &info, &state),
-                  "tell what hands do");
+                  Text("tell what hands do"));
     if (state.isActive != XR_TRUE) return Control{};
     return Control{.isThere = true, .value = state.currentState};
 }
@@ -195,7 +197,7 @@ Result<Hands::Seen> Hands::look(const Session& session, XrTime time) {
     info.activeActionSets = &active;
     const XrResult synced = runtime_->call().SyncActions(session.handle(), &info);
     if (synced == XR_SESSION_NOT_FOCUSED) return Seen{};
-    MACULA_XR_TRY(synced, "tell what hands do");
+    MACULA_XR_TRY(synced, Text("tell what hands do"));
     Seen seen;
     for (std::size_t hand = 0; hand < seen.hands.size(); ++hand) {
         MACULA_TRY(seen.hands[hand], controller(session, hand, time));
@@ -220,7 +222,7 @@ Result<void> Hands::pulse(const Session& session, std::size_t hand, float streng
         session.handle(), &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
     // A hand that feels nothing is no reason to stop.
     if (felt == XR_ERROR_SESSION_LOST || felt == XR_ERROR_INSTANCE_LOST)
-        return xrError(felt, "be felt in a hand");
+        return xrError(felt, Text("be felt in a hand"));
     return {};
 }
 

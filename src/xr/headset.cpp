@@ -209,7 +209,7 @@ Result<bool> Headset::aim(std::vector<Eye> eyes, const std::optional<Pose>& gaze
         const double excess = made ? excessOf(made->sizePx, lent.sizePx()) : 1.0;
         if (excess > 1.0) made = picturesFor(views, worldFromStage, scaled(lent.sizePx(), scale / excess));
         if (!made) {  // a headset that is confused for a moment says so
-            if (!std::exchange(isConfused_, true)) log::warning("{}", made.error().message);
+            if (!std::exchange(isConfused_, true)) log::warning("{}", made.error().message.english());
             return false;
         }
         pictures = *std::move(made);

@@ -38,7 +38,7 @@ Result<std::optional<LentImages>> LentImages::create(const Session& session, con
     const bool isOver = created == XR_ERROR_SESSION_LOST || created == XR_ERROR_INSTANCE_LOST ||
                         created == XR_ERROR_OUT_OF_MEMORY;
     if (XR_FAILED(created) && layers > 1 && !isOver) return std::optional<LentImages>();
-    MACULA_XR_TRY(created, "keep pictures of that size");
+    MACULA_XR_TRY(created, Text("keep pictures of that size"));
     MACULA_TRY_VOID(made.findImages());
     return std::optional<LentImages>(std::move(made));
 }
@@ -60,11 +60,11 @@ LentImages::~LentImages() {
 Result<void> LentImages::findImages() {
     const Functions& call = runtime_->call();
     std::uint32_t count = 0;
-    MACULA_XR_TRY(call.EnumerateSwapchainImages(handle_, 0, &count, nullptr), "lend its pictures");
+    MACULA_XR_TRY(call.EnumerateSwapchainImages(handle_, 0, &count, nullptr), Text("lend its pictures"));
     std::vector<XrSwapchainImageVulkan2KHR> images(count, {XR_TYPE_SWAPCHAIN_IMAGE_VULKAN2_KHR});
     MACULA_XR_TRY(call.EnumerateSwapchainImages(handle_, count, &count,
                                                 reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data())),
-                  "lend its pictures");
+                  Text("lend its pictures"));
     for (const XrSwapchainImageVulkan2KHR& image : images) images_.push_back(image.image);
     return {};
 }
@@ -74,14 +74,14 @@ Result<void> LentImages::acquire() {
     const Functions& call = runtime_->call();
     std::uint32_t index = 0;
     const XrSwapchainImageAcquireInfo acquire{XR_TYPE_SWAPCHAIN_IMAGE_ACQUIRE_INFO};
-    MACULA_XR_TRY(call.AcquireSwapchainImage(handle_, &acquire, &index), "lend a picture");
+    MACULA_XR_TRY(call.AcquireSwapchainImage(handle_, &acquire, &index), Text("lend a picture"));
     XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO};
     wait.timeout = kMostWaitNs;
     const XrResult waited = call.WaitSwapchainImage(handle_, &wait);
     // An image that was not waited for cannot be given back: the session is of no more use.
-    if (waited == XR_TIMEOUT_EXPIRED) return xrError(XR_ERROR_SESSION_LOST, "lend a picture");
-    MACULA_XR_TRY(waited, "lend a picture");
-    if (index >= images_.size()) return xrError(XR_ERROR_RUNTIME_FAILURE, "lend a picture");
+    if (waited == XR_TIMEOUT_EXPIRED) return xrError(XR_ERROR_SESSION_LOST, Text("lend a picture"));
+    MACULA_XR_TRY(waited, Text("lend a picture"));
+    if (index >= images_.size()) return xrError(XR_ERROR_RUNTIME_FAILURE, Text("lend a picture"));
     lent_ = index;
     return {};
 }
@@ -90,7 +90,7 @@ Result<void> LentImages::release() {
     if (!lent_) return {};
     lent_.reset();
     const XrSwapchainImageReleaseInfo release{XR_TYPE_SWAPCHAIN_IMAGE_RELEASE_INFO};
-    MACULA_XR_TRY(runtime_->call().ReleaseSwapchainImage(handle_, &release), "take a picture back");
+    MACULA_XR_TRY(runtime_->call().ReleaseSwapchainImage(handle_, &release), Text("take a picture back"));
     return {};
 }
 

@@ -20,7 +20,7 @@ struct RoomHost {
     RoomWords words = {};
     bool isCalibrated = true;             // the volume, as in Provenance: of no other a size is told
     std::filesystem::path pictures = {};  // where those that are taken go; empty: none can be taken
-    std::function<void(const std::string&)> note = {};
+    std::function<void(const std::string&)> note = {};  // in these words
     std::function<void(const RoomState&)> changed = {};
     // What was chosen elsewhere since the last time.
     std::function<std::optional<RoomState>()> wanted = {};

@@ -41,11 +41,6 @@ std::string RoomWords::ofTitle(std::string_view title) const {
     return text;
 }
 
-std::string RoomWords::ofError(const std::string& sentence) const {
-    const auto known = errors.find(sentence);
-    return known == errors.end() ? sentence : known->second;
-}
-
 std::string RoomWords::ofNumber(std::string number) const {
     std::ranges::replace(number, '.', decimalSign);
     return number;

@@ -1,10 +1,12 @@
 // What is written in the room: on the panel, and before the eyes. In English, unless a host has other words.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 
+#include "base/text.h"
 #include "xr/clip_tools.h"
 #include "xr/room_state.h"
 
@@ -44,13 +46,13 @@ struct RoomWords {
 
     std::string edited = "edited";              // of a preset that was changed, scene::ownCopy
     std::map<std::string, std::string> titles;  // of presets that are built in, by the English one
-    std::map<std::string, std::string> errors;  // sentences of other rooms, by the English one
     char decimalSign = '.';
+    // Errors and notes of any room. Called on whichever thread has one.
+    std::function<std::string(const Text&)> say = [](const Text& text) { return text.english(); };
 
     const std::string& of(RoomQuality chosen) const;
     const std::string& of(ClipTool tool) const;  // that a hand holds; the knife is none of these
     std::string ofTitle(std::string_view title) const;
-    std::string ofError(const std::string& sentence) const;
     std::string ofNumber(std::string number) const;  // with a point as the decimal sign
 };
 

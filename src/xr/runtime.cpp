@@ -21,7 +21,7 @@ Error noRuntime() {
         return {ErrorCode::deviceNotUsable,
                 Text("The OpenXR runtime that XR_RUNTIME_JSON names cannot be loaded."), chosen,
                 Text("Correct or unset XR_RUNTIME_JSON.")};
-    return xrError(XR_ERROR_RUNTIME_UNAVAILABLE, "answer");
+    return xrError(XR_ERROR_RUNTIME_UNAVAILABLE, Text("answer"));
 }
 
 Result<std::vector<std::string>> extensionsOf(const Loader& loader) {
@@ -30,10 +30,10 @@ Result<std::vector<std::string>> extensionsOf(const Loader& loader) {
     if (asked == XR_ERROR_RUNTIME_UNAVAILABLE || asked == XR_ERROR_FILE_ACCESS_ERROR ||
         asked == XR_ERROR_FILE_CONTENTS_INVALID || asked == XR_ERROR_INSTANCE_LOST)
         return noRuntime();
-    MACULA_XR_TRY(asked, "tell what it offers");
+    MACULA_XR_TRY(asked, Text("tell what it offers"));
     std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
     MACULA_XR_TRY(loader.enumerateExtensions(nullptr, count, &count, properties.data()),
-                  "tell what it offers");
+                  Text("tell what it offers"));
     std::vector<std::string> names;
     for (const XrExtensionProperties& property : properties) names.emplace_back(property.extensionName);
     return names;
@@ -77,7 +77,7 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
     info.enabledExtensionNames = extensions.data();
     const XrResult created = runtime->loader_.createInstance(&info, &runtime->instance_);
     if (created == XR_ERROR_RUNTIME_UNAVAILABLE) return noRuntime();
-    MACULA_XR_TRY(created, "be reached through its software");
+    MACULA_XR_TRY(created, Text("be reached through its software"));
     MACULA_TRY_VOID(runtime->loader_.find(runtime->instance_, runtime->call_));
     if (runtime->isOn(XR_KHR_VISIBILITY_MASK_EXTENSION_NAME))
         runtime->call_.GetVisibilityMaskKHR =
@@ -85,7 +85,7 @@ Result<std::shared_ptr<Runtime>> Runtime::connect(const char* loaderLibrary) {
 
     XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
     MACULA_XR_TRY(runtime->call_.GetInstanceProperties(runtime->instance_, &properties),
-                  "tell the name of its software");
+                  Text("tell the name of its software"));
     runtime->offer_.runtime =
         fmt::format("{} {}", properties.runtimeName, versionText(properties.runtimeVersion));
     return runtime;
@@ -98,12 +98,12 @@ Runtime::~Runtime() {
 Result<void> Runtime::findHeadset() {
     XrSystemGetInfo info{XR_TYPE_SYSTEM_GET_INFO};
     info.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
-    MACULA_XR_TRY(call_.GetSystem(instance_, &info, &system_), "be found");
+    MACULA_XR_TRY(call_.GetSystem(instance_, &info, &system_), Text("be found"));
     XrSystemEyeGazeInteractionPropertiesEXT gaze{XR_TYPE_SYSTEM_EYE_GAZE_INTERACTION_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
     const bool mayFollowEyes = isOn(XR_EXT_EYE_GAZE_INTERACTION_EXTENSION_NAME);
     if (mayFollowEyes) properties.next = &gaze;
-    MACULA_XR_TRY(call_.GetSystemProperties(instance_, system_, &properties), "tell its name");
+    MACULA_XR_TRY(call_.GetSystemProperties(instance_, system_, &properties), Text("tell its name"));
     offer_.headset = properties.systemName;
     offer_.hasGaze = mayFollowEyes && gaze.supportsEyeGazeInteraction == XR_TRUE;
     offer_.takesDepth = isOn(XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME);
@@ -124,17 +124,17 @@ XrViewConfigurationType Runtime::viewConfiguration() const {
 Result<void> Runtime::askForViews() {
     std::uint32_t count = 0;
     MACULA_XR_TRY(call_.EnumerateViewConfigurations(instance_, system_, 0, &count, nullptr),
-                  "show a picture to each eye");
+                  Text("show a picture to each eye"));
     std::vector<XrViewConfigurationType> types(count);
     MACULA_XR_TRY(call_.EnumerateViewConfigurations(instance_, system_, count, &count, types.data()),
-                  "show a picture to each eye");
+                  Text("show a picture to each eye"));
     offer_.hasInsets =
         isOn(XR_VARJO_QUAD_VIEWS_EXTENSION_NAME) &&
         std::find(types.begin(), types.end(), XR_VIEW_CONFIGURATION_TYPE_PRIMARY_QUAD_VARJO) != types.end();
     std::vector<XrViewConfigurationView> views(viewCount(), {XR_TYPE_VIEW_CONFIGURATION_VIEW});
     MACULA_XR_TRY(call_.EnumerateViewConfigurationViews(instance_, system_, viewConfiguration(), viewCount(),
                                                         &count, views.data()),
-                  "show a picture to each eye");
+                  Text("show a picture to each eye"));
     offer_.eyePx = offer_.insetPx = {0, 0};
     for (std::size_t i = 0; i < views.size(); ++i) {
         glm::ivec2& sizePx = i < 2 ? offer_.eyePx : offer_.insetPx;
@@ -152,11 +152,11 @@ Result<void> Runtime::askForBlendModes() {
     std::uint32_t count = 0;
     MACULA_XR_TRY(
         call_.EnumerateEnvironmentBlendModes(instance_, system_, viewConfiguration(), 0, &count, nullptr),
-        "tell how it shows pictures");
+        Text("tell how it shows pictures"));
     blendModes_.resize(count);
     MACULA_XR_TRY(call_.EnumerateEnvironmentBlendModes(instance_, system_, viewConfiguration(), count, &count,
                                                        blendModes_.data()),
-                  "tell how it shows pictures");
+                  Text("tell how it shows pictures"));
     const auto offers = [&](XrEnvironmentBlendMode mode) {
         return std::find(blendModes_.begin(), blendModes_.end(), mode) != blendModes_.end();
     };
@@ -168,7 +168,7 @@ Result<void> Runtime::askForBlendModes() {
 
 Result<XrPath> Runtime::path(const std::string& text) const {
     XrPath path = XR_NULL_PATH;
-    MACULA_XR_TRY(call_.StringToPath(instance_, text.c_str(), &path), "name its controls");
+    MACULA_XR_TRY(call_.StringToPath(instance_, text.c_str(), &path), Text("name its controls"));
     return path;
 }
 
@@ -194,7 +194,7 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
     const Functions& call = runtime.call();
     XrGraphicsRequirementsVulkan2KHR needs{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN2_KHR};
     MACULA_XR_TRY(call.GetVulkanGraphicsRequirements2KHR(runtime.instance(), runtime.system(), &needs),
-                  "tell which Vulkan it needs");
+                  Text("tell which Vulkan it needs"));
     // What a runtime was tested with at most is no limit: Vulkan 1.3 does all that 1.1 does.
     if (needs.minApiVersionSupported > XR_MAKE_VERSION(1, 3, 0xffff))
         return Error{ErrorCode::deviceNotUsable, Text("The headset needs another version of Vulkan."), "",
@@ -217,7 +217,7 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
              return asVulkan(call.CreateVulkanInstanceKHR(runtime.instance(), &wanted, made, &vulkan),
                              vulkan);
          }});
-    if (XR_FAILED(answer)) return xrError(answer, "start Vulkan");
+    if (XR_FAILED(answer)) return xrError(answer, Text("start Vulkan"));
     if (!instance) return instance.error();
 
     gpu::DeviceOptions options = live::deviceOptions({});
@@ -226,7 +226,7 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
     which.systemId = runtime.system();
     which.vulkanInstance = instance->handle();
     MACULA_XR_TRY(call.GetVulkanGraphicsDevice2KHR(runtime.instance(), &which, &options.physical),
-                  "tell which graphics device it is connected to");
+                  Text("tell which graphics device it is connected to"));
     options.createDevice = [&](VkPhysicalDevice physical, const VkDeviceCreateInfo& info, VkDevice* made) {
         XrVulkanDeviceCreateInfoKHR wanted{XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR};
         wanted.systemId = runtime.system();
@@ -237,7 +237,7 @@ Result<HeadsetDevice> openDevice(const Runtime& runtime, gpu::Validation validat
         return asVulkan(call.CreateVulkanDeviceKHR(runtime.instance(), &wanted, made, &vulkan), vulkan);
     };
     auto device = gpu::Device::create(*instance, options);
-    if (XR_FAILED(answer)) return xrError(answer, "open its graphics device");
+    if (XR_FAILED(answer)) return xrError(answer, Text("open its graphics device"));
     if (!device) return device.error();
     return HeadsetDevice{std::move(*instance), std::move(*device)};
 }

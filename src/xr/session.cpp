@@ -71,7 +71,8 @@ Result<void> Session::create() {
     binding.queueIndex = 0;
     XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, &binding};
     info.systemId = runtime_->system();
-    MACULA_XR_TRY(runtime_->call().CreateSession(runtime_->instance(), &info, &session_), "begin a session");
+    MACULA_XR_TRY(runtime_->call().CreateSession(runtime_->instance(), &info, &session_),
+                  Text("begin a session"));
     return {};
 }
 
@@ -93,15 +94,15 @@ void Session::chooseBlendMode(const SessionOptions& request) {
 Result<void> Session::makeStage() {
     std::uint32_t count = 0;
     MACULA_XR_TRY(runtime_->call().EnumerateReferenceSpaces(session_, 0, &count, nullptr),
-                  "tell which spaces it knows");
+                  Text("tell which spaces it knows"));
     std::vector<XrReferenceSpaceType> types(count);
     MACULA_XR_TRY(runtime_->call().EnumerateReferenceSpaces(session_, count, &count, types.data()),
-                  "tell which spaces it knows");
+                  Text("tell which spaces it knows"));
     const bool hasStage = std::find(types.begin(), types.end(), XR_REFERENCE_SPACE_TYPE_STAGE) != types.end();
     XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
     info.referenceSpaceType = hasStage ? XR_REFERENCE_SPACE_TYPE_STAGE : XR_REFERENCE_SPACE_TYPE_LOCAL;
     info.poseInReferenceSpace = kHere;
-    MACULA_XR_TRY(runtime_->call().CreateReferenceSpace(session_, &info, &stage_), "find its place");
+    MACULA_XR_TRY(runtime_->call().CreateReferenceSpace(session_, &info, &stage_), Text("find its place"));
     return {};
 }
 
@@ -110,7 +111,7 @@ Result<Session::Phase> Session::listen() {
         XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
         const XrResult polled = runtime_->call().PollEvent(runtime_->instance(), &event);
         if (polled == XR_EVENT_UNAVAILABLE) break;
-        MACULA_XR_TRY(polled, "tell what it does");
+        MACULA_XR_TRY(polled, Text("tell what it does"));
         MACULA_TRY_VOID(hear(event));
     }
     return phase_;
@@ -119,7 +120,7 @@ Result<Session::Phase> Session::listen() {
 Result<void> Session::hear(const XrEventDataBuffer& event) {
     switch (event.type) {
         case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
-            return xrError(XR_ERROR_INSTANCE_LOST, "go on");
+            return xrError(XR_ERROR_INSTANCE_LOST, Text("go on"));
         case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
             const auto pending = eventAs<XrEventDataReferenceSpaceChangePending>(event);
             if (pending.session == session_)
@@ -143,19 +144,19 @@ Result<void> Session::changeTo(XrSessionState state) {
         case XR_SESSION_STATE_READY: {
             XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO};
             info.primaryViewConfigurationType = runtime_->viewConfiguration();
-            MACULA_XR_TRY(runtime_->call().BeginSession(session_, &info), "begin to show pictures");
+            MACULA_XR_TRY(runtime_->call().BeginSession(session_, &info), Text("begin to show pictures"));
             phase_ = Phase::running;
             return {};
         }
         case XR_SESSION_STATE_STOPPING:
             phase_ = Phase::waiting;
-            MACULA_XR_TRY(runtime_->call().EndSession(session_), "stop showing pictures");
+            MACULA_XR_TRY(runtime_->call().EndSession(session_), Text("stop showing pictures"));
             return {};
         case XR_SESSION_STATE_EXITING:
             phase_ = Phase::ended;
             return {};
         case XR_SESSION_STATE_LOSS_PENDING:
-            return xrError(XR_ERROR_SESSION_LOST, "go on");
+            return xrError(XR_ERROR_SESSION_LOST, Text("go on"));
         default:  // whether frames are seen, shouldRender says
             return {};
     }
@@ -178,7 +179,7 @@ Result<VisibilityMask> Session::maskOf(std::uint32_t view) const {
                                                      XR_VISIBILITY_MASK_TYPE_HIDDEN_TRIANGLE_MESH_KHR, &mask);
     };
     XrVisibilityMaskKHR mask{XR_TYPE_VISIBILITY_MASK_KHR};
-    MACULA_XR_TRY(ask(mask), "tell what its lenses show");
+    MACULA_XR_TRY(ask(mask), Text("tell what its lenses show"));
     if (mask.vertexCountOutput == 0 || mask.indexCountOutput == 0) return VisibilityMask();
     std::vector<XrVector2f> corners(mask.vertexCountOutput);
     std::vector<std::uint32_t> indices(mask.indexCountOutput);
@@ -188,7 +189,7 @@ Result<VisibilityMask> Session::maskOf(std::uint32_t view) const {
     mask.indices = indices.data();
     const XrResult filled = ask(mask);
     if (filled == XR_ERROR_SIZE_INSUFFICIENT) return VisibilityMask();  // it changes just now, and tells so
-    MACULA_XR_TRY(filled, "tell what its lenses show");
+    MACULA_XR_TRY(filled, Text("tell what its lenses show"));
     corners.resize(std::min<std::size_t>(corners.size(), mask.vertexCountOutput));
     indices.resize(std::min<std::size_t>(indices.size(), mask.indexCountOutput));
     std::vector<glm::dvec2> places;
@@ -201,7 +202,7 @@ Result<void> Session::requestEnd() {
         phase_ = Phase::ended;
         return {};
     }
-    MACULA_XR_TRY(runtime_->call().RequestExitSession(session_), "end the session");
+    MACULA_XR_TRY(runtime_->call().RequestExitSession(session_), Text("end the session"));
     return {};
 }
 
@@ -209,9 +210,9 @@ Result<FrameTime> Session::beginFrame() {
     MACULA_CHECK(phase_ == Phase::running);
     const XrFrameWaitInfo wait{XR_TYPE_FRAME_WAIT_INFO};
     XrFrameState state{XR_TYPE_FRAME_STATE};
-    MACULA_XR_TRY(runtime_->call().WaitFrame(session_, &wait, &state), "tell when it shows a picture");
+    MACULA_XR_TRY(runtime_->call().WaitFrame(session_, &wait, &state), Text("tell when it shows a picture"));
     const XrFrameBeginInfo begin{XR_TYPE_FRAME_BEGIN_INFO};
-    MACULA_XR_TRY(runtime_->call().BeginFrame(session_, &begin), "begin a picture");
+    MACULA_XR_TRY(runtime_->call().BeginFrame(session_, &begin), Text("begin a picture"));
     ++framesBegun_;
     return FrameTime{state.predictedDisplayTime, double(state.predictedDisplayPeriod) * 1e-6,
                      state.shouldRender == XR_TRUE};
@@ -227,7 +228,7 @@ Result<std::vector<Eye>> Session::eyesAt(XrTime time, bool* isTracked) const {
     std::uint32_t count = 0;
     std::vector<XrView> views(wanted, {XR_TYPE_VIEW});
     MACULA_XR_TRY(runtime_->call().LocateViews(session_, &info, &state, wanted, &count, views.data()),
-                  "tell where the eyes are");
+                  Text("tell where the eyes are"));
     constexpr XrViewStateFlags kKnown =
         XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT;
     if (isTracked) *isTracked = (state.viewStateFlags & XR_VIEW_STATE_POSITION_TRACKED_BIT) != 0;
@@ -258,14 +259,14 @@ Result<void> Session::endFrame(const FrameTime& time, std::span<const XrComposit
     info.environmentBlendMode = blend_;
     info.layerCount = static_cast<std::uint32_t>(layers.size());
     info.layers = layers.data();
-    MACULA_XR_TRY(runtime_->call().EndFrame(session_, &info), "show a picture");
+    MACULA_XR_TRY(runtime_->call().EndFrame(session_, &info), Text("show a picture"));
     ++framesEnded_;
     return {};
 }
 
 Result<std::optional<Pose>> Session::locate(XrSpace space, XrTime time) const {
     XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-    MACULA_XR_TRY(runtime_->call().LocateSpace(space, stage_, time, &location), "tell where hands are");
+    MACULA_XR_TRY(runtime_->call().LocateSpace(space, stage_, time, &location), Text("tell where hands are"));
     constexpr XrSpaceLocationFlags kKnown =
         XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;
     if ((location.locationFlags & kKnown) != kKnown) return std::optional<Pose>();

@@ -40,7 +40,8 @@ Result<RoomScene> sceneOf(const HeadsetRequest& request, const Hears& note, Prog
     study::bringTo16Bits(study);
     MACULA_TRY_VOID(pictures::completeState(state, request.state, study));
     MACULA_TRY(scene::ShownClip shown, scene::shownClip(state, *study.volume, progress));
-    for (const auto* sentences : {&study.notes, &shown.notes}) std::ranges::for_each(*sentences, note);
+    for (const auto* sentences : {&study.notes, &shown.notes})
+        for (const Text& sentence : *sentences) note(sentence.english());
     RoomScene scene;
     scene.volume = study.volume;
     scene.drawing = scene::drawingOf(
@@ -136,10 +137,10 @@ Result<void> useOnce(std::shared_ptr<Runtime> runtime, const ShowOptions& reques
 
 }  // namespace
 
-std::string textOf(const HeadsetFigures& figures) {
+Text textOf(const HeadsetFigures& figures) {
     const double rate = figures.seconds > 0.0 ? double(figures.frames) / figures.seconds : 0.0;
-    return fmt::format("{}: {} frames in {:.1f} s, {:.1f} a second; {} without pictures.", figures.headset,
-                       figures.frames, figures.seconds, rate, figures.empty);
+    return Text("{}: {} frames in {:.1f} s, {:.1f} a second; {} without pictures.", figures.headset,
+                figures.frames, figures.seconds, rate, figures.empty);
 }
 
 std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const scene::Catalogue& catalogue,
@@ -155,11 +156,12 @@ namespace {
 Result<HeadsetFigures> showIn(std::shared_ptr<Runtime> runtime, RoomScene scene, RoomHost host,
                               Progress& progress, const ShowOptions& request) {
     const Hears note = host.note;
+    const auto say = host.words.say;
     Kept kept;
     kept.figures.headset = runtime->offer().headset;
     kept.figures.runtime = runtime->offer().runtime;
     if (request.showsRoom && !runtime->offer().showsRoom && note)
-        note("This headset cannot show the room behind the anatomy.");
+        note(say(Text("This headset cannot show the room behind the anatomy.")));
     RoomState first;
     first.transferFunction = scene.drawing.transferFunction;
     first.clip = scene.drawing.clip;
@@ -176,7 +178,7 @@ Result<HeadsetFigures> showIn(std::shared_ptr<Runtime> runtime, RoomScene scene,
         if (used) return kept.figures;
         if (used.error().code != ErrorCode::deviceLost || !losses.mayGoOn()) return used.error();
         if (progress.cancelled()) return kept.figures;
-        if (note) note(used.error().message + " It is begun again.");
+        if (note) note(say(Text("{} It is begun again.", used.error().message)));
         auto again = runtimeAgain(progress);
         if (!again && progress.cancelled()) return kept.figures;
         if (!again) return again.error();
@@ -203,8 +205,9 @@ Result<HeadsetFigures> showStudy(const HeadsetRequest& request, const Hears& not
     MACULA_TRY(const HeadsetFigures figures,
                showIn(std::move(runtime), std::move(scene), std::move(host), progress, request.show));
     if (progress.cancelled())
-        return Error{ErrorCode::cancelled, Text("Stopped."), "",
-                     request.pictures.empty() ? "Nothing was written." : "Pictures that were taken stay."};
+        return Error{
+            ErrorCode::cancelled, Text("Stopped."), "",
+            request.pictures.empty() ? Text("Nothing was written.") : Text("Pictures that were taken stay.")};
     return figures;
 }
 

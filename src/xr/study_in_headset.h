@@ -52,7 +52,7 @@ struct HeadsetFigures {
     std::uint64_t stepsUp = 0;
 };
 // A line for a person.
-std::string textOf(const HeadsetFigures& figures);
+Text textOf(const HeadsetFigures& figures);
 
 // Which of them can be shown on that volume.
 std::vector<std::shared_ptr<const TransferFunction>> presetsFor(const scene::Catalogue& catalogue,
@@ -65,7 +65,8 @@ Result<HeadsetFigures> showScene(RoomScene scene, RoomHost host, Progress& progr
                                  const ShowOptions& request = {});
 
 // Finds the headset first: nobody waits for a study that cannot be shown. As showScene; `note` hears of what
-// there is to say. `cancelled` as the progress says, after the session was ended as the headset wants it.
+// there is to say, in English. `cancelled` as the progress says, after the session was ended as the headset
+// wants it.
 using Hears = std::function<void(const std::string&)>;
 Result<HeadsetFigures> showStudy(const HeadsetRequest& request, const Hears& note, Progress& progress);
 

@@ -14,10 +14,10 @@ Result<bool> takesFormat(const Session& session, std::int64_t format) {
     const Functions& call = session.runtime().call();
     std::uint32_t count = 0;
     MACULA_XR_TRY(call.EnumerateSwapchainFormats(session.handle(), 0, &count, nullptr),
-                  "tell which pictures it takes");
+                  Text("tell which pictures it takes"));
     std::vector<std::int64_t> formats(count);
     MACULA_XR_TRY(call.EnumerateSwapchainFormats(session.handle(), count, &count, formats.data()),
-                  "tell which pictures it takes");
+                  Text("tell which pictures it takes"));
     return std::find(formats.begin(), formats.end(), format) != formats.end();
 }
 

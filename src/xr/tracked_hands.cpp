@@ -52,7 +52,7 @@ Result<std::optional<TrackedHands>> TrackedHands::create(const Session& session)
     XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
     MACULA_XR_TRY(runtime->call().GetSystemProperties(runtime->instance(), runtime->system(), &properties),
-                  "tell whether it sees hands");
+                  Text("tell whether it sees hands"));
     if (hands.supportsHandTracking != XR_TRUE) return std::optional<TrackedHands>();
 
     TrackedHands made(runtime);
@@ -67,7 +67,7 @@ Result<std::optional<TrackedHands>> TrackedHands::create(const Session& session)
         info.handJointSet = XR_HAND_JOINT_SET_DEFAULT_EXT;
         const XrResult asked = made.make_(session.handle(), &info, &made.trackers_[hand]);
         if (asked == XR_ERROR_SESSION_LOST || asked == XR_ERROR_INSTANCE_LOST)
-            return xrError(asked, "follow hands");
+            return xrError(asked, Text("follow hands"));
         if (XR_FAILED(asked)) return std::optional<TrackedHands>();  // controllers do without
     }
     return std::optional<TrackedHands>(std::move(made));
@@ -93,7 +93,7 @@ Result<Hand> TrackedHands::look(const Session& session, std::size_t hand, XrTime
     XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT};
     info.baseSpace = session.stage();
     info.time = time;
-    MACULA_XR_TRY(locate_(trackers_.at(hand), &info, &locations), "tell where hands are");
+    MACULA_XR_TRY(locate_(trackers_.at(hand), &info, &locations), Text("tell where hands are"));
     if (locations.isActive != XR_TRUE) return Hand{};
     constexpr XrSpaceLocationFlags kKnown =
         XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT;

@@ -1,10 +1,12 @@
 #include "xr/xr_error.h"
 
+#include <utility>
+
 #include "base/log.h"
 
 namespace macula::xr {
 
-Error xrError(XrResult result, std::string_view doing) {
+Error xrError(XrResult result, Text doing) {
     switch (result) {
         case XR_ERROR_SESSION_LOST:
             return {ErrorCode::deviceLost,
@@ -29,8 +31,8 @@ Error xrError(XrResult result, std::string_view doing) {
                     Text("Close other programs.")};
         default:
             // The number is for who reads the log; openxr.h has its name.
-            log::warning("OpenXR: {} on the way to {}", static_cast<int>(result), doing);
-            return {ErrorCode::deviceNotUsable, Text("The headset could not {}.", doing), "",
+            log::warning("OpenXR: {} on the way to {}", static_cast<int>(result), doing.english());
+            return {ErrorCode::deviceNotUsable, Text("The headset could not {}.", std::move(doing)), "",
                     Text("Restart the software of the headset.")};
     }
 }

@@ -1,8 +1,6 @@
 // What an XrResult means to a person.
 #pragma once
 
-#include <string_view>
-
 #include "base/result.h"
 #include "xr/openxr.h"
 
@@ -10,7 +8,7 @@ namespace macula::xr {
 
 // `doing` completes "The headset could not ...". A lost session or instance becomes deviceLost: another one
 // may be begun.
-Error xrError(XrResult result, std::string_view doing);
+Error xrError(XrResult result, Text doing);
 
 }  // namespace macula::xr
 

@@ -28,9 +28,9 @@ scene::StudyState viewWithBoth() {
     return state;
 }
 
-bool isTold(const std::vector<std::string>& notes, std::string_view words) {
-    for (const std::string& note : notes)
-        if (note.find(words) != std::string::npos) return true;
+bool isTold(const std::vector<Text>& notes, std::string_view words) {
+    for (const Text& note : notes)
+        if (note.english().find(words) != std::string::npos) return true;
     return false;
 }
 
@@ -45,7 +45,7 @@ TEST(AdditionRequest, IsCheckedBeforeTheStudyIsRead) {
     scene::StudyState state;
     const auto refusal = [&](const AdditionRequest& request, const char* study) {
         const auto choice = resolveAdditions(request, study, state);
-        return choice ? std::string() : choice.error().message;
+        return choice ? std::string() : choice.error().message.english();
     };
     EXPECT_EQ(refusal({}, "phantom:"), "");
     AdditionRequest request;
@@ -132,7 +132,7 @@ TEST(AdditionRequest, IsInTheDrawingAndSaidButOfAProjection) {
 
     const auto additions = std::make_shared<const Additions>(traced->additions);
     scene::Drawing drawing;
-    drawing.remarks = "clipped";
+    drawing.remarks = Text("clipped");
     scene::setAdditions(drawing, additions);
     EXPECT_EQ(drawing.additions, additions);
     EXPECT_EQ(drawing.remarks, "clipped, with CT");

@@ -344,7 +344,7 @@ TEST_F(DrawnPictureTest, TracesNoiseAwayAsFarAsItMay) {
     EXPECT_FALSE(noisy.statistics.converged);
     EXPECT_GE(noisy.statistics.meanSamplesPerPixel, 8.0);
     ASSERT_EQ(notesOf(noisy, asked).size(), 1u);
-    EXPECT_NE(notesOf(noisy, asked).front().sentence.find("noisier"), std::string::npos);
+    EXPECT_NE(notesOf(noisy, asked).front().sentence.english().find("noisier"), std::string::npos);
 }
 
 TEST_F(DrawnPictureTest, IsWrittenWithWhatIsKnownOfIt) {
@@ -352,7 +352,7 @@ TEST_F(DrawnPictureTest, IsWrittenWithWhatIsKnownOfIt) {
     const DrawnPicture picture = draw(asked);
     RenderRecord record;
     record.preset = "cinematic-bone";
-    record.notes = {"A note."};
+    record.notes = {Text("A note.")};
     record.add(asked, picture);
     const dicom::test::TemporaryFolder folder;
     ASSERT_TRUE(writePicture(folder / "a.png", picture, asked.sizePx, metadata(record)));

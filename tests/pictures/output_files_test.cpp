@@ -23,7 +23,7 @@ class OutputFilesTest : public testing::Test {
     static void expectRefused(const Result<void>& refused, ErrorCode code, const std::string& hint) {
         ASSERT_FALSE(refused);
         EXPECT_EQ(refused.error().code, code);
-        EXPECT_NE(refused.error().hint.find(hint), std::string::npos) << refused.error().hint;
+        EXPECT_NE(refused.error().hint.english().find(hint), std::string::npos) << refused.error().hint;
     }
 
     TemporaryFolder folder_;

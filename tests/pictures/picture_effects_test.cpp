@@ -72,7 +72,7 @@ TEST(PictureEffects, TheFocusIsWhereTheMiddleIs) {
     Camera camera{.positionMm = {0, -300, 0}, .targetMm = {0, 0, 0}, .verticalFovDeg = 90.0};
     const auto refused = focusOfMiddle(guides, size, camera);
     ASSERT_FALSE(refused.ok());
-    EXPECT_NE(refused.error().hint.find("--focus-mm"), std::string::npos);
+    EXPECT_NE(refused.error().hint.english().find("--focus-mm"), std::string::npos);
     for (int y = 0; y < 60; ++y)
         for (int x = 0; x < 80; ++x)
             if (std::abs(x - 40) < 6 && std::abs(y - 30) < 6)
@@ -199,7 +199,7 @@ TEST_F(EffectsOnDevice, ALensOnNothingSaysWhatToDo) {
     const auto refused = drawPicture(device(), asked, progress);
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::usage);
-    EXPECT_NE(refused.error().hint.find("--focus-mm"), std::string::npos);
+    EXPECT_NE(refused.error().hint.english().find("--focus-mm"), std::string::npos);
 }
 
 }  // namespace

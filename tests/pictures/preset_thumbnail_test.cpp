@@ -43,7 +43,7 @@ TransferFunction dense(double fromHu, const glm::dvec3& colour) {
 
 std::shared_ptr<const CoarseVolume> coarseOf(std::shared_ptr<const Volume> volume) {
     auto coarse = CoarseVolume::of(std::move(volume));
-    EXPECT_TRUE(coarse.ok()) << (coarse ? "" : coarse.error().message);
+    EXPECT_TRUE(coarse.ok()) << (coarse ? "" : coarse.error().message.english());
     return *coarse;
 }
 

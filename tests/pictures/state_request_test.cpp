@@ -53,7 +53,7 @@ class ARequest : public ::testing::Test {
     }
     scene::StudyState stateFor(const StateRequest& request) const {
         const auto state = stateOf(request);
-        EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message);
+        EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message.english());
         return state ? *state : scene::StudyState{};
     }
 
@@ -198,7 +198,7 @@ TEST_F(ARequest, ToFitIsOfThePresetOfTheView) {
     EXPECT_EQ(preset->function.fitToVolume, withFit(*view_.preset)->fitToVolume);
     EXPECT_EQ(preset->publicName, view_.preset->name);
     ASSERT_EQ(input.notes.size(), 1u);
-    EXPECT_TRUE(input.notes[0].starts_with("The preset was stretched")) << input.notes[0];
+    EXPECT_TRUE(input.notes[0].english().starts_with("The preset was stretched")) << input.notes[0];
 }
 
 TEST_F(ARequest, WithoutAPresetIsDrawnWithThatOfTheSeries) {
@@ -235,7 +235,7 @@ TEST_F(ARequest, OfOtherPlacesUnderTheSameUidIsRefused) {
     const auto refused = completeState(state, request, input);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code, ErrorCode::inputNotUsable);
-    EXPECT_NE(refused.error().message.find("in other places"), std::string::npos);
+    EXPECT_NE(refused.error().message.english().find("in other places"), std::string::npos);
     state.grid.reset();
     EXPECT_TRUE(completeState(state, request, input)) << "a view of before has none";
 }

@@ -35,7 +35,7 @@ class ViewPictureTest : public gpu::GpuTest {
         picture.camera = frameBox(picture.volume->worldBox(), ViewDirection::anterior, 30.0, 31.0 / 17.0);
         return picture;
     }
-    static Result<std::vector<std::string>> writeIt(const ViewPicture& picture) {
+    static Result<std::vector<Text>> writeIt(const ViewPicture& picture) {
         Progress progress;
         return writeViewPicture(picture, {}, progress);
     }
@@ -48,7 +48,7 @@ TEST_F(ViewPictureTest, EachKindOfFileIsWritten) {
                                            std::tuple("a.exr", std::string("\x76\x2f\x31\x01"), 0),
                                            std::tuple("a.DCM", std::string("DICM"), 128)}) {
         const auto done = writeIt(wanted(name));
-        ASSERT_TRUE(done.ok()) << name << ": " << (done ? "" : done.error().message);
+        ASSERT_TRUE(done.ok()) << name << ": " << (done ? "" : done.error().message.english());
         const std::string bytes = *readText(folder_.path() / name);
         EXPECT_EQ(bytes.substr(std::size_t(at), begins.size()), begins) << name;
     }
@@ -89,8 +89,8 @@ TEST_F(ViewPictureTest, OverlaysLieOverPicturesAndNotOverLight) {
         ASSERT_TRUE(done.ok()) << name;
         const bool isLight = std::string(name) == "a.exr";
         EXPECT_EQ(asked, isLight ? 0 : 1) << name;
-        const bool isTold = std::any_of(done->begin(), done->end(), [](const std::string& sentence) {
-            return sentence.find("no cube") != std::string::npos;
+        const bool isTold = std::any_of(done->begin(), done->end(), [](const Text& sentence) {
+            return sentence.english().find("no cube") != std::string::npos;
         });
         EXPECT_EQ(isTold, isLight) << name;
     }

@@ -100,7 +100,7 @@ TEST_F(HeadsetTest, ARuntimeThatLendsNoImageOfItsOwnIsToldOf) {
         if (const auto step = headset_->step(); !step) error = step.error();
     ASSERT_TRUE(error);
     EXPECT_EQ(error->code, ErrorCode::deviceNotUsable);
-    EXPECT_NE(error->message.find("lend a picture"), std::string::npos) << error->message;
+    EXPECT_NE(error->message.english().find("lend a picture"), std::string::npos) << error->message;
     EXPECT_EQ(xr_script::record().begun, xr_script::record().ended) << "its frame was ended";
 }
 

@@ -34,7 +34,7 @@ TEST_F(LossTest, ALostSessionIsBegunAgainWhereItWas) {
         }
         ASSERT_TRUE(error);
         EXPECT_EQ(error->code, ErrorCode::deviceLost);
-        EXPECT_NE(error->message.find("ended the session"), std::string::npos) << error->message;
+        EXPECT_NE(error->message.english().find("ended the session"), std::string::npos) << error->message;
         EXPECT_FALSE(error->hint.empty());
 
         const std::optional<glm::dmat4> then = headset_->placed();
@@ -67,7 +67,7 @@ TEST_F(LossTest, ALostRuntimeIsConnectedAgainWithWhatWasCut) {
     }
     ASSERT_TRUE(error);
     EXPECT_EQ(error->code, ErrorCode::deviceLost);
-    EXPECT_NE(error->message.find("has stopped"), std::string::npos) << error->message;
+    EXPECT_NE(error->message.english().find("has stopped"), std::string::npos) << error->message;
     headset_.reset();
     view_.reset();
     EXPECT_EQ(opened_->instance.validationMessageCount(), 0u);
@@ -90,7 +90,8 @@ TEST_F(LossTest, ARuntimeThatLacksAFunctionIsToldAndLeavesNothingBehind) {
     const auto refused = Runtime::connect();
     ASSERT_FALSE(refused.ok());
     EXPECT_EQ(refused.error().code, ErrorCode::deviceNotUsable);
-    EXPECT_NE(refused.error().message.find("OpenXR 1.0"), std::string::npos) << refused.error().message;
+    EXPECT_NE(refused.error().message.english().find("OpenXR 1.0"), std::string::npos)
+        << refused.error().message;
     EXPECT_EQ(xr_script::record().instances, 0);
     xr_script::follow({});
     EXPECT_TRUE(Runtime::connect().ok()) << "it was updated";
@@ -104,7 +105,7 @@ TEST_F(LossTest, AHeadsetThatIsGoneIsTold) {
     const Result<void> found = runtime_->findHeadset();
     ASSERT_FALSE(found.ok());
     EXPECT_EQ(found.error().code, ErrorCode::deviceNotUsable);
-    EXPECT_NE(found.error().message.find("No headset is connected"), std::string::npos);
+    EXPECT_NE(found.error().message.english().find("No headset is connected"), std::string::npos);
     xr_script::follow({});
     EXPECT_TRUE(runtime_->findHeadset().ok()) << "it is plugged in again";
 }

@@ -16,6 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::optional<std::string> waitFor(PictureWriter& writer) {
+    std::optional<std::string> told;
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(8);
+    while (!(told = writer.told()) && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+    return told;
+}
+
 TEST(PictureWriter, WithoutAThreadItIsToldAndTheNextOneIsWritten) {
     std::string folder = (fs::temp_directory_path() / "macula-eye-XXXXXX").string();
     ASSERT_NE(mkdtemp(folder.data()), nullptr);
@@ -31,12 +38,18 @@ TEST(PictureWriter, WithoutAThreadItIsToldAndTheNextOneIsWritten) {
     EXPECT_TRUE(fs::is_empty(folder));
 
     writer.start(view, folder, {});
-    std::optional<std::string> told;
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(8);
-    while (!(told = writer.told()) && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
-    EXPECT_EQ(told, "Picture macula-headset-1.png is written.");
+    EXPECT_EQ(waitFor(writer), "Picture macula-headset-1.png is written.");
     EXPECT_TRUE(fs::exists(fs::path(folder) / "macula-headset-1.png"));
     fs::remove_all(folder);
+}
+
+TEST(PictureWriter, ErrorsAreToldInTheLanguageOfTheHost) {
+    RoomWords words;
+    words.say = [](const Text& text) { return "Auf Deutsch: " + text.format(); };
+    PictureWriter writer;
+    writer.start({.sizePx = {64, 48}, .rgba = std::vector<std::uint8_t>(4 * 64 * 48, 255)},
+                 fs::temp_directory_path() / "macula has no such folder", words);
+    EXPECT_EQ(waitFor(writer), "Auf Deutsch: The folder for pictures is not there.");
 }
 
 }  // namespace

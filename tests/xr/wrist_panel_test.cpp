@@ -125,7 +125,7 @@ TEST(RoomWords, OfATitleAndItsCopies) {
          {"Mine", "Mine (edited by hand)", "Mine (edited 2", "Mine (edited )", "Mine (editedly)"})
         EXPECT_EQ(words.ofTitle(own), own) << "whoever made it named it so";
     EXPECT_EQ(words.ofTitle(""), "");
-    EXPECT_EQ(words.ofError("The disk is full."), "The disk is full.") << "not known, and told all the same";
+    EXPECT_EQ(words.say(Text("The disk is full.")), "The disk is full.");
     EXPECT_EQ(filled("no place", "x"), "no place");
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.h"
 #include "pipeline/trace/settings.h"
 #include "scene/camera/view_directions.h"
 #include "scene/choice/nearest_name.h"
@@ -18,7 +19,7 @@ CLI::Validator oneOf(std::map<std::string, int> numbersByName) {
     const auto toNumber = [numbers = std::move(numbersByName), names](std::string& text) -> std::string {
         const auto found = numbers.find(text);
         if (found == numbers.end())
-            return fmt::format("there is no {}. {}", text, scene::choiceAmong(text, names));
+            return Text("there is no {}. {}", text, scene::choiceAmong(text, names)).english();
         text = std::to_string(found->second);
         return {};
     };

@@ -77,14 +77,14 @@ Error usageError(const Program& program, const CLI::App& app, const CLI::ParseEr
     std::string message = error.what();
     if (!message.empty() && message.back() != '.') message += '.';
     const std::string verb = chosen.empty() ? "" : chosen.front()->get_name() + " ";
-    return {ErrorCode::usage, message, {}, Text("See {} {}--help.", program.name, verb)};
+    return {ErrorCode::usage, Text::verbatim(message), {}, Text("See {} {}--help.", program.name, verb)};
 }
 
 // Before anything is parsed: what follows a moved verb may be a verb here.
 Result<void> refuseMovedVerb(const Program& program, int argc, char** argv) {
     const std::string_view given = argc > 1 ? argv[1] : "";
     for (const MovedVerb& moved : program.movedVerbs)
-        if (given == moved.name) return unknownVerb(given, moved.hint);
+        if (given == moved.name) return unknownVerb(given, Text(moved.hint));
     return {};
 }
 

@@ -29,8 +29,8 @@ void nameProgram(const char* name) {
 }
 
 std::string describe(const Error& error) {
-    std::string line = error.message;
-    if (!error.hint.empty()) line += " " + error.hint;
+    std::string line = error.message.english();
+    if (!error.hint.empty()) line += " " + error.hint.english();
     if (!error.where.empty()) line += " (" + error.where + ")";
     return line;
 }
@@ -39,16 +39,24 @@ void printError(const Error& error) {
     printLine(fmt::format("{}: {}", programName, describe(error)));
 }
 
-void printNote(std::string_view sentence) {
+void PrintsNote::operator()(std::string_view sentence) const {
     printLine(fmt::format("{}: note: {}", programName, sentence));
 }
 
-void printWarning(std::string_view sentence) {
+void PrintsNote::operator()(const Text& sentence) const {
+    (*this)(sentence.english());
+}
+
+void PrintsWarning::operator()(std::string_view sentence) const {
     printLine(fmt::format("{}: warning: {}", programName, sentence));
 }
 
-void printNotes(std::span<const std::string> notes, std::span<const std::string> warnings) {
-    for (const std::string& note : notes) {
+void PrintsWarning::operator()(const Text& sentence) const {
+    (*this)(sentence.english());
+}
+
+void printNotes(std::span<const Text> notes, std::span<const Text> warnings) {
+    for (const Text& note : notes) {
         const bool isWarning = std::find(warnings.begin(), warnings.end(), note) != warnings.end();
         isWarning ? printWarning(note) : printNote(note);
     }

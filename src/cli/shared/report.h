@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/result.h"
+#include "base/text.h"
 
 namespace macula::cli {
 
@@ -20,9 +21,19 @@ std::string describe(const Error& error);
 // One line on stderr each, "macula: …", or as the program is named. `note` is for what the user should know
 // though all went well.
 void printError(const Error& error);
-void printNote(std::string_view sentence);
+
+// Objects, which can be given to whoever tells sentences, be they texts or not.
+struct PrintsNote {
+    void operator()(std::string_view sentence) const;
+    void operator()(const Text& sentence) const;
+};
+inline constexpr PrintsNote printNote{};
 // Of what changes what is seen, or takes its ground away: look before you rely on it.
-void printWarning(std::string_view sentence);
+struct PrintsWarning {
+    void operator()(std::string_view sentence) const;
+    void operator()(const Text& sentence) const;
+};
+inline constexpr PrintsWarning printWarning{};
 // Each as a warning if it is among `warnings`, else as a note.
 void printNotes(std::span<const Text> notes, std::span<const Text> warnings = {});
 

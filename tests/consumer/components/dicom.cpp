@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
     const auto scan = macula::dicom::scanFolder(folder, progress);
     if (!scan) return fail(scan.error());
     const macula::dicom::ChosenStack best = macula::dicom::bestVolume(*scan);
-    if (!best) return expect(false, best.why.c_str());
+    if (!best) return expect(false, best.why.english().c_str());
     const auto read = macula::dicom::loadVolume(*best.series, *best.stack, progress);
     if (!read) return fail(read.error());
     return expect((*read)->value(20, 30, 10) == volume.value(20, 30, 10), "a voxel comes back as it was");

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 inline int fail(const macula::Error& error) {
-    std::fprintf(stderr, "%s %s\n", error.message.c_str(), error.hint.c_str());
+    std::fprintf(stderr, "%s %s\n", error.message.english().c_str(), error.hint.english().c_str());
     return 1;
 }
 

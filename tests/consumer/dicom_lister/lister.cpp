@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
     macula::Progress progress;
     const auto scan = macula::dicom::scanFolder(argv[1], progress);
     if (!scan) {
-        std::fprintf(stderr, "lister: %s %s\n", scan.error().message.c_str(), scan.error().hint.c_str());
+        std::fprintf(stderr, "lister: %s %s\n", scan.error().message.english().c_str(),
+                     scan.error().hint.english().c_str());
         return 1;
     }
     std::size_t volumes = 0;
@@ -24,12 +25,12 @@ int main(int argc, char** argv) {
                         series.stacks.size(), series.canBeVolume() ? ", a volume" : "");
             volumes += series.canBeVolume() ? 1 : 0;
             for (const macula::Message& message : series.messages)
-                std::printf("  %s\n", message.sentence.c_str());
+                std::printf("  %s\n", message.sentence.english().c_str());
         }
     }
     for (const macula::dicom::SkippedFile& skipped : scan->skipped)
-        std::printf("left out: %s\n", skipped.message.sentence.c_str());
+        std::printf("left out: %s\n", skipped.message.sentence.english().c_str());
     const macula::dicom::ChosenStack best = macula::dicom::bestVolume(*scan);
-    std::printf("%s\n", best.why.c_str());
+    std::printf("%s\n", best.why.english().c_str());
     return volumes > 0 && best ? 0 : 1;
 }

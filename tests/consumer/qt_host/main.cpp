@@ -13,7 +13,7 @@ using namespace macula;
 int main(int argc, char** argv) {
     QApplication application(argc, argv);
     const auto fail = [](const Error& error) {
-        qWarning("%s %s", error.message.c_str(), error.hint.c_str());
+        qWarning("%s %s", error.message.english().c_str(), error.hint.english().c_str());
         QCoreApplication::exit(1);
         return 1;
     };
