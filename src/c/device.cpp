@@ -18,8 +18,9 @@ Result<macula_device*> deviceOf(live::DeviceWay way) {
     auto told = std::make_shared<std::vector<std::string>>();
     MACULA_TRY(gpu::Instance instance, gpu::Instance::create(way.instance));
     MACULA_TRY(gpu::LastingDevice lasting,
-               gpu::LastingDevice::open(std::move(instance), way.device,
-                                        [told](std::string_view sentence) { told->emplace_back(sentence); }));
+               gpu::LastingDevice::open(std::move(instance), way.device, [told](const Text& sentence) {
+                   told->push_back(sentence.english());
+               }));
     return opened(std::unique_ptr<macula_device>(
         new macula_device{std::move(way), std::move(lasting), std::move(told)}));
 }

@@ -62,8 +62,8 @@ Result<std::vector<Text>> writeViewPicture(const ViewPicture& picture, const std
     if (!isDicom(picture.output)) MACULA_TRY_VOID(checkPictureName(picture.output));
     MACULA_TRY(const PictureRequest request, requestOf(picture, isExr(picture.output)));
     std::vector<Text> sentences;
-    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](const auto& sentence) {
-                   sentences.push_back(Text("{}", sentence));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](const Text& sentence) {
+                   sentences.push_back(sentence);
                }));
     DrawnPicture drawn;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
@@ -88,7 +88,7 @@ Result<double> meteredExposureOf(const ViewPicture& picture, const std::string& 
                                  Progress& progress) {
     if (progress.cancelled()) return stopped();
     MACULA_TRY(const PictureRequest request, requestOf(picture, true));
-    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](const auto&) {}));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](const Text&) {}));
     double exposure = 1.0;
     MACULA_TRY_VOID(device.run([&](const std::shared_ptr<gpu::Device>& on) -> Result<void> {
         MACULA_TRY(PictureDrawer drawer, PictureDrawer::create(on, request, progress));
@@ -102,7 +102,7 @@ Result<std::vector<std::vector<std::uint8_t>>> drawViewPictures(const std::vecto
                                                                 const std::string& preferredDevice,
                                                                 Progress& progress) {
     if (progress.cancelled()) return stopped();  // a device takes long
-    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](const auto&) {}));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [](const Text&) {}));
     std::vector<std::vector<std::uint8_t>> drawn;
     for (const ViewPicture& picture : pictures) {
         if (progress.cancelled()) return stopped();

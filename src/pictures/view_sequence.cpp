@@ -126,8 +126,8 @@ Result<WrittenSequence> writeViewSequence(const ViewSequence& sequence, const st
     Files files(sequence.folder);
     MACULA_TRY_VOID(prepareFolder(sequence.folder));
     WrittenSequence result;
-    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](const auto& sentence) {
-                   result.sentences.push_back(Text("{}", sentence));
+    MACULA_TRY(gpu::LastingDevice device, live::openDevice(preferredDevice, [&](const Text& sentence) {
+                   result.sentences.push_back(sentence);
                }));
     progress.beginStage(Text("Drawing pictures"), std::size_t(sequence.frames));
     Course course{.sequence = sequence,

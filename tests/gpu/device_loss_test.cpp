@@ -160,7 +160,7 @@ class LastingDeviceTest : public DeviceLossTest {
   protected:
     LastingDevice opened() {
         return expectOk(LastingDevice::open(expectOk(Instance::create()), {},
-                                            [this](std::string_view told) { told_.emplace_back(told); }));
+                                            [this](const Text& told) { told_.push_back(told.english()); }));
     }
     // Counts to three on the device.
     Result<void> work(const std::shared_ptr<Device>& device) {

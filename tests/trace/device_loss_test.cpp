@@ -143,7 +143,7 @@ TEST_F(DeviceLossInTracing, ThePictureAfterwardsIsTheOneThatWouldHaveBeen) {
           std::pair(Part::tracing, VulkanCall::wait), std::pair(Part::guides, VulkanCall::submit),
           std::pair(Part::denoising, VulkanCall::submit), std::pair(Part::reading, VulkanCall::wait)}) {
         auto lasting = *gpu::LastingDevice::open(*gpu::Instance::create(), {.separateMemory = true},
-                                                 [&](std::string_view) { ++told; });
+                                                 [&](const Text&) { ++told; });
         bool armed = false;
         Drawn drawn;
         const auto done = lasting.run([&](const std::shared_ptr<gpu::Device>& device) -> Result<void> {

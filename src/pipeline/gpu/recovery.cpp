@@ -44,7 +44,7 @@ Result<void> LastingDevice::ensureDevice() {
 Result<void> LastingDevice::countLoss() {
     device_.reset();  // some drivers allow no new one before the old one is gone
     if (!losses_.mayGoOn()) return lostTooOften();
-    tell_("The graphics device stopped responding; the work begins anew on a new one.");
+    tell_(Text("The graphics device stopped responding; the work begins anew on a new one."));
     return {};
 }
 

@@ -6,7 +6,6 @@
 #include <deque>
 #include <functional>
 #include <memory>
-#include <string_view>
 
 #include "base/result.h"
 #include "pipeline/gpu/device.h"
@@ -35,7 +34,7 @@ Error lostTooOften();  // deviceLost
 class LastingDevice {
   public:
     using Use = std::function<Result<void>(const std::shared_ptr<Device>&)>;
-    using Tell = std::function<void(std::string_view sentence)>;
+    using Tell = std::function<void(const Text& sentence)>;
 
     // `tell` hears of each loss that is made good, in one sentence. Errors: those of Device::create, but for
     // losses, and lostTooOften.
