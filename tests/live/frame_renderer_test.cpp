@@ -84,7 +84,7 @@ class FrameRendererTest : public testing::Test {
                               if (std::holds_alternative<OutlineFound>(event)) ++outlines_;
                               if (const auto* taken = std::get_if<ModelSnapshot>(&event)) taken_ = *taken;
                               if (const auto* failure = std::get_if<RenderFailure>(&event))
-                                  failures_.push_back(failure->error.message);
+                                  failures_.push_back(failure->error.message.english());
                           });
         input_.place = std::make_shared<const DarkPlace>();
         input_.width = 48;
@@ -130,7 +130,7 @@ TEST_F(FrameRendererTest, WhatIsOpenedIsEstimatedFirst) {
     EXPECT_EQ(shown_->width, input_.width);
     EXPECT_EQ(news_.steps, 0u);
     EXPECT_EQ(fidelityOf(*shown_).because,
-              (std::vector<std::string>{"preview only", "estimated from the values"}));
+              (std::vector<Text>{Text("preview only"), Text("estimated from the values")}));
     ASSERT_TRUE(stepUntil([&] { return shown_->picture == OnScreen::traced; }));
 }
 
