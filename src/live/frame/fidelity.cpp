@@ -1,6 +1,5 @@
 #include "live/frame/fidelity.h"
 
-#include <fmt/format.h>
 
 namespace macula::live {
 

@@ -242,7 +242,7 @@ void FrameRenderer::handle(Error error) {
     try {
         const Result<void> cleared = screen_.isOpen() ? screen_.clear(input_.background) : Result<void>{};
         if (!cleared) {
-            log::warning("{}", cleared.error().message);
+            log::warning("{}", cleared.error().message.english());
             releaseScreen();
         }
     } catch (const std::exception&) {

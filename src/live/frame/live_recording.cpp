@@ -318,7 +318,8 @@ class Recording {
     }
 
     Result<void> rest(RecordingPhase phase, const Camera& camera) {
-        progress_.beginStage(phase == RecordingPhase::changed ? "Resting, drawn otherwise" : "Resting", 1);
+        progress_.beginStage(
+            phase == RecordingPhase::changed ? Text("Resting, drawn otherwise") : Text("Resting"), 1);
         publish(phase, camera);
         MACULA_TRY_VOID(waitSeconds(options_.restingS));
         MACULA_TRY_VOID(wait([&] { return tape_->hasFollowed(); }));

@@ -7,8 +7,6 @@
 // in diagonals. "seen" and "camera" may be missing, and so may "parallelHeight": then there is an eye.
 #include "live/store/own_preset.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>

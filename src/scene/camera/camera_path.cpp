@@ -1,7 +1,5 @@
 #include "scene/camera/camera_path.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

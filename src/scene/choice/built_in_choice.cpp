@@ -1,7 +1,5 @@
 #include "scene/choice/built_in_choice.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 

@@ -1,7 +1,5 @@
 #include "scene/clip/edited_clip.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>

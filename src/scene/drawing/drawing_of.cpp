@@ -1,7 +1,5 @@
 #include "scene/drawing/drawing_of.h"
 
-#include <fmt/ranges.h>
-
 #include <string>
 #include <utility>
 #include <vector>

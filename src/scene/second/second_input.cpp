@@ -1,7 +1,5 @@
 #include "scene/second/second_input.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <optional>
 #include <utility>

@@ -1,7 +1,5 @@
 #include "scene/second/second_study.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 

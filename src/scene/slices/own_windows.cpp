@@ -1,7 +1,5 @@
 #include "scene/slices/own_windows.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>

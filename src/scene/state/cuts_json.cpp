@@ -1,7 +1,5 @@
 #include "scene/state/cuts_json.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <utility>
 

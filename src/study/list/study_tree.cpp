@@ -1,7 +1,5 @@
 #include "study/list/study_tree.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <map>

@@ -1,7 +1,5 @@
 #include "study/open/found_volumes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 

@@ -1,7 +1,5 @@
 #include "study/open/opened_study.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <exception>
 #include <new>

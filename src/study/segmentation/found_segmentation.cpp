@@ -1,7 +1,5 @@
 #include "study/segmentation/found_segmentation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <set>

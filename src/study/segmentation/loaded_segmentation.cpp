@@ -1,7 +1,5 @@
 #include "study/segmentation/loaded_segmentation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
