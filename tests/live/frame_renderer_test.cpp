@@ -179,7 +179,10 @@ TEST_F(FrameRendererTest, AModelIsKeptWhenAPictureFails) {
     renderer_->accept(input_);
     ASSERT_TRUE(stepUntil([&] { return news_.stage == hybrid::ModelStage::learning; }));
     keeper_->kept_.clear();
-    renderer_->fail(ErrorCode::outOfMemory, "There is not enough memory.", "Close other programs.");
+    renderer_->fail([] {
+        return Error{
+            ErrorCode::outOfMemory, Text("There is not enough memory."), {}, Text("Close other programs.")};
+    });
     EXPECT_EQ(failures_, std::vector<std::string>{"There is not enough memory."});
     ASSERT_EQ(keeper_->lookedFor_.size(), 1u);
     ASSERT_EQ(keeper_->kept_.size(), 1u);

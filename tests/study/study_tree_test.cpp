@@ -286,7 +286,7 @@ dicom::OtherObject presentationOf(const std::string& label, const std::string& d
                                   std::vector<std::string> series, std::string_view sopClass) {
     dicom::OtherObject object{.file = "/doe/" + label,
                               .sopClassUid = std::string(sopClass),
-                              .kind = "Presentation state",
+                              .kind = Text("Presentation state"),
                               .referencedSeriesUids = std::move(series),
                               .label = label};
     object.presentation = dicom::PresentationHeading{
