@@ -34,7 +34,7 @@ TEST(OpenStudy, GivesUpWhereverItIsCancelled) {
         bool reached = false;
         Progress progress(
             [&](const ProgressUpdate& update) {
-                if (update.stage.find(stage) == std::string::npos) return;
+                if (update.stage.english().find(stage) == std::string::npos) return;
                 reached = true;
                 token.cancel();
             },

@@ -75,8 +75,7 @@ Result<void> checkTrainingIdentity(const std::string& saved, const std::string& 
             ? Text("macula train draws no second volume and no colours of segments: train anew without them.")
             : Text(
                   "Give the PATH, --series, --preset, --clip, --remove-table and --lights that it was made "
-                  "with, "
-                  "or train anew.");
+                  "with, or train anew.");
     return Error{ErrorCode::inputNotUsable,
                  Text("The saved training is of {}.", Text::joined(std::move(other), " and ")), file.string(),
                  std::move(hint)};

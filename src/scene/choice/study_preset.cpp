@@ -56,7 +56,7 @@ std::vector<Text> notesOf(const presets::ImportedPreset& preset, const Volume& v
 PresetNotes notesToDraw(const presets::ImportedPreset& preset, const Volume& volume) {
     PresetNotes told{.notes = notesOf(preset, volume), .warnings = {}};
     for (Text& note : told.notes) {
-        if (!(note == otherUnits())) continue;
+        if (note != otherUnits()) continue;
         const std::vector<std::string> names = namesFor(volume);
         if (preset.function.name == names.front()) continue;  // there is no better one
         note =

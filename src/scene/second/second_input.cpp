@@ -66,8 +66,7 @@ Result<void> place(const SecondVolumeRequest& request, const study::LoadedStudy&
                              found.rivalMm));
         if (found.isDoubtful())
             warn(drawn, Text("The registration of the second volume is doubtful: look at both on slices "
-                             "before you rely "
-                             "on the picture."));
+                             "before you rely on the picture."));
     } else if (!isPlaced) {
         placeByPositions(ofStudy, ofSecond, state, drawn);
     }
