@@ -84,7 +84,7 @@ class FrameRendererTest : public testing::Test {
                               if (std::holds_alternative<OutlineFound>(event)) ++outlines_;
                               if (const auto* taken = std::get_if<ModelSnapshot>(&event)) taken_ = *taken;
                               if (const auto* failure = std::get_if<RenderFailure>(&event))
-                                  failures_.push_back(failure->error.message);
+                                  failures_.push_back(failure->error.message.english());
                           });
         input_.place = std::make_shared<const DarkPlace>();
         input_.width = 48;
@@ -130,7 +130,7 @@ TEST_F(FrameRendererTest, WhatIsOpenedIsEstimatedFirst) {
     EXPECT_EQ(shown_->width, input_.width);
     EXPECT_EQ(news_.steps, 0u);
     EXPECT_EQ(fidelityOf(*shown_).because,
-              (std::vector<std::string>{"preview only", "estimated from the values"}));
+              (std::vector<Text>{Text("preview only"), Text("estimated from the values")}));
     ASSERT_TRUE(stepUntil([&] { return shown_->picture == OnScreen::traced; }));
 }
 
@@ -179,7 +179,10 @@ TEST_F(FrameRendererTest, AModelIsKeptWhenAPictureFails) {
     renderer_->accept(input_);
     ASSERT_TRUE(stepUntil([&] { return news_.stage == hybrid::ModelStage::learning; }));
     keeper_->kept_.clear();
-    renderer_->fail(ErrorCode::outOfMemory, "There is not enough memory.", "Close other programs.");
+    renderer_->fail([] {
+        return Error{
+            ErrorCode::outOfMemory, Text("There is not enough memory."), {}, Text("Close other programs.")};
+    });
     EXPECT_EQ(failures_, std::vector<std::string>{"There is not enough memory."});
     ASSERT_EQ(keeper_->lookedFor_.size(), 1u);
     ASSERT_EQ(keeper_->kept_.size(), 1u);

@@ -35,7 +35,8 @@ TEST(PresetNames, WhatCannotBeOneIsRefusedInWords) {
     const auto refused = [](std::string_view name) {
         const auto checked = checkedPresetName(name);
         EXPECT_FALSE(checked.ok()) << name;
-        return checked ? std::string() : checked.error().message + "|" + checked.error().hint;
+        return checked ? std::string()
+                       : checked.error().message.english() + "|" + checked.error().hint.english();
     };
     EXPECT_EQ(refused(""), "The preset needs a name.|Type one.");
     EXPECT_EQ(refused(" \t\u2003"), refused(""));
@@ -76,7 +77,7 @@ class OwnPresets : public testing::Test {
 
     session::Store open() {
         auto store = session::Store::open({.folder = folder_ / "sessions"});
-        EXPECT_TRUE(store.ok()) << (store ? "" : store.error().message);
+        EXPECT_TRUE(store.ok()) << (store ? Text() : store.error().message);
         return std::move(store).value();
     }
     PresetShelf shelf() const { return PresetShelf(catalogue_.presets); }
@@ -84,7 +85,7 @@ class OwnPresets : public testing::Test {
     StoredPresets stored() {
         session::Store store = open();
         auto read = readStoredPresets(store);
-        EXPECT_TRUE(read.ok()) << (read ? "" : read.error().message);
+        EXPECT_TRUE(read.ok()) << (read ? Text() : read.error().message);
         return std::move(read).value();
     }
     PresetShelf reopened() {
@@ -96,7 +97,7 @@ class OwnPresets : public testing::Test {
         session::Store store = open();
         for (const PresetDocument& document : from.takeChanges()) {
             const auto done = writePresetDocument(store, document);
-            EXPECT_TRUE(done.ok()) << (done ? "" : done.error().message);
+            EXPECT_TRUE(done.ok()) << (done ? Text() : done.error().message);
         }
     }
     const TransferFunction& bone() const { return **scene::findPreset(catalogue_, "ct-bone"); }
@@ -216,7 +217,8 @@ TEST_F(OwnPresets, CurvesThatNoFileHoldsAreRefusedAndNothingChanges) {
     wrong.opacity.back().value = 1e12;
     const auto far = all.add("Far", wrong);
     ASSERT_FALSE(far.ok());
-    EXPECT_TRUE(far.error().message.starts_with("The preset cannot be kept: ")) << far.error().message;
+    EXPECT_TRUE(far.error().message.english().starts_with("The preset cannot be kept: "))
+        << far.error().message;
     wrong = bone();
     wrong.opacity.assign(5000, {.value = 0.0, .opacity = 1.0});
     EXPECT_FALSE(all.add("Many points", wrong).ok());

@@ -149,7 +149,7 @@ TEST(SceneIds, DifferInWhateverAModelDependsOn) {
     b.settings.toneMap = trace::ToneMap::hue;
     b.settings.denoising = trace::Denoising::on;
     b.settings.errorThreshold = 0.1;
-    b.remarks = "clipped";
+    b.remarks = Text("clipped");
     EXPECT_EQ(names.of(8, b), names.of(8, a));
 }
 

@@ -41,8 +41,9 @@ class StudyKeeperTest : public testing::Test {
     void TearDown() override { fs::remove_all(folder_); }
 
     std::unique_ptr<StudyKeeper> keeper() {
-        return std::make_unique<StudyKeeper>(session::StoreOptions{.folder = folder_ / "sessions"},
-                                             [this](const Error& error) { told_.push_back(error.message); });
+        return std::make_unique<StudyKeeper>(
+            session::StoreOptions{.folder = folder_ / "sessions"},
+            [this](const Error& error) { told_.push_back(error.message.english()); });
     }
     // Told apart by the steps of training.
     static std::shared_ptr<const hybrid::PeripheralState> model(const std::string& name,
@@ -382,7 +383,7 @@ TEST_F(StudyKeeperTest, WhatWasNotOpenedForLongGoesWhereSomebodySaidHowLong) {
     nowMs += 10 * kDayMs;
     { const StudyKeeper keeper(options, {}); }
     EXPECT_EQ(studies().size(), 2u) << "nobody said how long";
-    const KeeperListener listener = [this](const Error& error) { told_.push_back(error.message); };
+    const KeeperListener listener = [this](const Error& error) { told_.push_back(error.message.english()); };
     { const StudyKeeper keeper(options, listener, std::chrono::days(35)); }
     EXPECT_EQ(studies().size(), 2u) << "not yet";
     { const StudyKeeper keeper(options, listener, std::chrono::days(30)); }
@@ -401,7 +402,7 @@ TEST_F(StudyKeeperTest, AClockThatJumpedDeletesNothingAndIsTold) {
     const session::StoreOptions options{.folder = folder_ / "sessions", .nowMs = [&nowMs] { return nowMs; }};
     ASSERT_TRUE(session::Store::open(options)->recordOpened({.volume = sha256Hex("a file")}).ok());
     nowMs += 5000 * kDayMs;
-    const KeeperListener listener = [this](const Error& error) { told_.push_back(error.message); };
+    const KeeperListener listener = [this](const Error& error) { told_.push_back(error.message.english()); };
     { const StudyKeeper keeper(options, listener, std::chrono::days(30)); }
     ASSERT_EQ(told_.size(), 1u);
     EXPECT_EQ(told_.front(), keptForClock(session::ClockDoubt::ahead).message);

@@ -18,7 +18,7 @@ class ModelKey : public testing::Test {
     // What a training of `before` says when it may not go on with what there is now.
     std::string refusal(const std::string& before) const {
         const auto checked = checkTrainingIdentity(before, key(), "model.macula");
-        return checked ? std::string() : checked.error().message;
+        return checked ? std::string() : checked.error().message.english();
     }
 
     Volume volume_ = phantom::make({.size = {24, 20, 16}});
@@ -61,7 +61,7 @@ TEST_F(ModelKey, IsOfWhatIsBesideTheVolumeToo) {
     EXPECT_EQ(refusal(mixed), "The saved training is of another second volume or other colours of segments.");
     const auto checked = checkTrainingIdentity(key(), mixed, "model.macula");
     ASSERT_FALSE(checked);
-    EXPECT_NE(checked.error().message.find("another second volume"), std::string::npos);
+    EXPECT_NE(checked.error().message.english().find("another second volume"), std::string::npos);
     added.second->secondFromVolumeMm[3].x = 1.0;
     EXPECT_NE(keyWith(), mixed);
     EXPECT_FALSE(checkTrainingIdentity(mixed, keyWith(), "model.macula"));

@@ -18,7 +18,7 @@ TEST(BackgroundColour, IsANameOrSixDigits) {
         const Result<BackgroundColour> colour = backgroundOf(wrong);
         ASSERT_FALSE(colour.ok()) << wrong;
         EXPECT_EQ(colour.error().code, ErrorCode::usage);
-        EXPECT_NE(colour.error().hint.find("#rrggbb"), std::string::npos);
+        EXPECT_NE(colour.error().hint.english().find("#rrggbb"), std::string::npos);
     }
 }
 

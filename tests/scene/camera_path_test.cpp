@@ -64,7 +64,7 @@ TEST_F(CameraPathTest, SaysWhichStopIsWrong) {
         const auto path = read(text);
         EXPECT_FALSE(path.ok());
         EXPECT_EQ(path.error().code, ErrorCode::inputNotUsable);
-        return path.error().message + " " + path.error().hint;
+        return path.error().message.english() + " " + path.error().hint.english();
     };
     EXPECT_NE(messageOf("[]"), "");
     EXPECT_NE(messageOf("[" + stop("1", "[0, -100, 0]") + "]").find("0 for the first"), std::string::npos);

@@ -25,7 +25,7 @@ void expectNoSuchName(const Result<T>& chosen, const std::string& typed, const s
     ASSERT_FALSE(chosen) << typed;
     EXPECT_EQ(chosen.error().code, ErrorCode::usage);
     EXPECT_EQ(chosen.error().where, typed);
-    EXPECT_TRUE(chosen.error().hint.starts_with("Did you mean " + meant + "? There are: "))
+    EXPECT_TRUE(chosen.error().hint.english().starts_with("Did you mean " + meant + "? There are: "))
         << chosen.error().hint;
 }
 

@@ -37,7 +37,8 @@ StudyState someState() {
 
 StudyState read(const std::string& text) {
     auto state = studyStateFromJson(text, "view.json");
-    EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message + " " + state.error().hint);
+    EXPECT_TRUE(state.ok()) << (state ? ""
+                                      : state.error().message.english() + " " + state.error().hint.english());
     return state ? *std::move(state) : StudyState{};
 }
 
@@ -65,7 +66,7 @@ TEST(CutsJson, SaysWhatIsWrong) {
         ASSERT_FALSE(state.ok()) << what;
         EXPECT_EQ(state.error().code, ErrorCode::inputNotUsable);
         EXPECT_EQ(state.error().where, "view.json");
-        const std::string told = state.error().message + " " + state.error().hint;
+        const std::string told = state.error().message.english() + " " + state.error().hint.english();
         EXPECT_NE(told.find(what), std::string::npos) << told;
     };
     tells("cuts.other is unknown", [](Json& j) { j["cuts"]["other"] = 1; });

@@ -54,7 +54,7 @@ class APresentation : public testing::Test {
     }
     dicom::PresentationState said(const Volume& volume, bool withOwnState, bool isDeidentified = false) {
         auto said = presentationOf(state_, volume, 1.5, isDeidentified);
-        EXPECT_TRUE(said.ok()) << (said ? "" : said.error().message);
+        EXPECT_TRUE(said.ok()) << (said ? Text() : said.error().message);
         if (!said) return {};
         leftOut_ = said->leftOut;
         said->presentation.series.seriesInstanceUid = kSeries;
@@ -63,10 +63,10 @@ class APresentation : public testing::Test {
     }
     PresentedState again(const dicom::PresentationState& read, const Volume& volume) {
         auto presented = stateOf(read, StudyState{}, "a.dcm");
-        EXPECT_TRUE(presented.ok()) << (presented ? "" : presented.error().message);
+        EXPECT_TRUE(presented.ok()) << (presented ? Text() : presented.error().message);
         if (!presented) return {};
         const auto done = completeFor(*presented, read, volume, sha256Hex(kSeries), {}, "a.dcm");
-        EXPECT_TRUE(done.ok()) << (done ? "" : done.error().message);
+        EXPECT_TRUE(done.ok()) << (done ? Text() : done.error().message);
         return *presented;
     }
 
@@ -75,7 +75,7 @@ class APresentation : public testing::Test {
     std::shared_ptr<const Volume> straight_;
     std::shared_ptr<const Volume> oblique_;
     StudyState state_;
-    std::vector<std::string> leftOut_;
+    std::vector<Text> leftOut_;
 };
 
 }  // namespace macula::scene

@@ -378,7 +378,7 @@ TEST_F(APresentation, OfAnotherSeriesIsRefused) {
     const auto done = completeFor(*presented, read, *straight_, sha256Hex("2.25.4712"), {}, "a.dcm");
     ASSERT_FALSE(done.ok());
     EXPECT_EQ(done.error().code, ErrorCode::inputNotUsable);
-    EXPECT_NE(done.error().message.find("another series"), std::string::npos);
+    EXPECT_NE(done.error().message.english().find("another series"), std::string::npos);
 }
 
 TEST_F(APresentation, WhatIsNoCameraIsRefused) {

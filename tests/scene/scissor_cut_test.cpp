@@ -91,7 +91,7 @@ bool isSeenWithin(const ScissorCut& cut, const glm::dvec3& mm) {
 MaskBits bitsOf(const std::vector<ScissorCut>& cuts, const Volume& volume, std::optional<Mask> before = {}) {
     Progress progress;
     auto mask = scissorMask(std::move(before), cuts, volume, progress);
-    EXPECT_TRUE(mask.ok()) << (mask ? "" : mask.error().message);
+    EXPECT_TRUE(mask.ok()) << (mask ? Text() : mask.error().message);
     if (!mask || !*mask) return {};
     return maskBits(**mask, volume);
 }
@@ -156,12 +156,12 @@ TEST(ScissorCut, WhatElseIsHiddenStaysHidden) {
     others.labels = std::make_shared<const LabelMap>(
         *LabelMap::create({17, 14, 11}, volume.worldFromVoxel(), {}, labels));
     others.numbers = {4};
-    others.remark = "liver hidden";
+    others.remark = Text("liver hidden");
     const ScissorCut cut{.camera = outside(), .outline = star({0, 0}, 0.2)};
     Progress progress;
     const auto alone = scissorMask({}, std::vector{cut}, volume, progress);
     ASSERT_TRUE(alone.ok() && *alone);
-    EXPECT_EQ((*alone)->remark, kCutWithScissors);
+    EXPECT_EQ((*alone)->remark, "cut with scissors");
     const auto both = combinedMask(std::vector{others, **alone}, volume, progress);
     ASSERT_TRUE(both.ok() && *both);
     EXPECT_EQ((*both)->remark, "liver hidden, cut with scissors");
@@ -272,7 +272,7 @@ TEST(ShownClip, OfAStateIsCutWithItsScissors) {
     ASSERT_TRUE(shown.ok());
     ASSERT_TRUE(shown->clip.mask);
     EXPECT_FALSE(shown->tableRemoved);
-    EXPECT_EQ(shown->clip.mask->remark, kCutWithScissors);
+    EXPECT_EQ(shown->clip.mask->remark, "cut with scissors");
     EXPECT_EQ(maskBits(*shown->clip.mask, volume).words, bitsOf(state.cuts.scissors, volume).words);
 }
 

@@ -192,8 +192,9 @@ TEST(SecondInput, WhereItLiesIsSaidByTheFramesOfReference) {
     EXPECT_EQ(study->frameOfReferenceUid, "2.25.1002");
     study::bringTo16Bits(*study);
     SecondVolumeRequest request;
-    const auto isTold = [](const std::vector<std::string>& all, std::string_view words) {
-        return std::ranges::any_of(all, [&](const std::string& one) { return one.find(words) != one.npos; });
+    const auto isTold = [](const std::vector<Text>& all, std::string_view words) {
+        return std::ranges::any_of(
+            all, [&](const Text& one) { return one.english().find(words) != std::string::npos; });
     };
 
     request.path = folder.path() / "same";
@@ -252,7 +253,7 @@ TEST(SecondInput, OfAnotherPatientIsNotDrawnAndOfNobodyKnowsWhomIsSaid) {
     ASSERT_FALSE(itself) << "the study's own volume";
     EXPECT_EQ(itself.error().code, ErrorCode::inputNotUsable);
     EXPECT_EQ(itself.error().message, "The second volume is the study itself.");
-    EXPECT_NE(itself.error().hint.find("--second-series"), std::string::npos);
+    EXPECT_NE(itself.error().hint.english().find("--second-series"), std::string::npos);
     request.series = "1";
     EXPECT_FALSE(secondToDraw(request, study, nullptr, progress)) << "also where it was named";
     request.series.clear();
@@ -314,8 +315,8 @@ TEST(SecondInput, APlaceIsOfTheVoxelsAndPositionsThatItWasFoundWith) {
     beside.opacity = 0.25;
     SecondVolumeRequest request;
     const auto isWarned = [](const DrawableSecond& drawn) {
-        return std::ranges::any_of(drawn.warnings, [](const std::string& warning) {
-            return warning.find("is not believed") != std::string::npos;
+        return std::ranges::any_of(drawn.warnings, [](const Text& warning) {
+            return warning.english().find("is not believed") != std::string::npos;
         });
     };
     request.path = folder.path() / "prior";

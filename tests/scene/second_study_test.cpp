@@ -23,7 +23,7 @@ study::Identity jane() {
             .sex = "F",
             .studyDate = "20240301",
             .studyDescription = "Chest",
-            .series = "CT, series 3: Miller"};
+            .series = Text("CT, series 3: Miller")};
 }
 
 study::OpenedStudy studyOf(study::Identity identity, const glm::dvec3& firstMm = glm::dvec3(0.0)) {
@@ -55,14 +55,15 @@ TEST(SecondStudy, IsOfTheSamePatientOnlyWhereAllAgrees) {
               study::SamePatient::yes);
     EXPECT_EQ(study::samePatient(jane(), janeBut([](auto& i) { i.studyDate = "20200101"; })),
               study::SamePatient::yes);
-    EXPECT_EQ(study::samePatient({.series = "File a.nii"}, {.series = "File b.nii"}),
+    EXPECT_EQ(study::samePatient({.series = Text("File a.nii")}, {.series = Text("File b.nii")}),
               study::SamePatient::unknown);
-    EXPECT_EQ(study::samePatient(jane(), {.series = "File a.nii"}), study::SamePatient::unknown);
+    EXPECT_EQ(study::samePatient(jane(), {.series = Text("File a.nii")}), study::SamePatient::unknown);
     EXPECT_EQ(study::samePatient(jane(), janeBut([](auto& i) { i.birthDate.clear(); })),
               study::SamePatient::unknown);
-    EXPECT_EQ(study::samePatient({.series = "a", .isOfNobody = true}, {.series = "a", .isOfNobody = true}),
+    EXPECT_EQ(study::samePatient({.series = Text("a"), .isOfNobody = true},
+                                 {.series = Text("a"), .isOfNobody = true}),
               study::SamePatient::yes);
-    EXPECT_NE(study::samePatient(jane(), {.series = "a", .isOfNobody = true}), study::SamePatient::yes);
+    EXPECT_NE(study::samePatient(jane(), {.series = Text("a"), .isOfNobody = true}), study::SamePatient::yes);
 }
 
 // Two studies that were made anonymous by the same program are not for that of one patient.
@@ -126,7 +127,7 @@ TEST(SecondStudy, IsPriorOrLaterByTheDateOfTheStudy) {
 TEST(SecondStudy, ItsTagHoldsNoWordThatAPersonTyped) {
     EXPECT_EQ(plainTag(studyOf(jane())), "CT, 2024-03-01");
     EXPECT_EQ(plainTag(studyOf(janeBut([](auto& i) { i.studyDate = "for Miller"; }))), "CT, no study date");
-    EXPECT_EQ(plainTag(studyOf({.series = "Phantom of Miller", .isOfNobody = true})), "phantom");
+    EXPECT_EQ(plainTag(studyOf({.series = Text("Phantom of Miller"), .isOfNobody = true})), "phantom");
     study::OpenedStudy found = studyOf(jane());
     found.found = study::test::twoPatients();
     found.volumeIndex = found.found->volumes().size() - 1;

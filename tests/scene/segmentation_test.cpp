@@ -117,7 +117,7 @@ TEST_F(SegmentationOfAFolder, OfAnotherCoordinateSystemSaysSo) {
     open();
     const auto found = find();
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NE(found[0].whyNot.find("frame of reference"), std::string::npos);
+    EXPECT_NE(found[0].whyNot.english().find("frame of reference"), std::string::npos);
 }
 
 TEST_F(SegmentationOfAFolder, OfAnotherPatientIsNeverShown) {
@@ -125,7 +125,7 @@ TEST_F(SegmentationOfAFolder, OfAnotherPatientIsNeverShown) {
     open();
     const auto found = find();
     ASSERT_EQ(found.size(), 1u);
-    EXPECT_NE(found[0].whyNot.find("another patient"), std::string::npos);
+    EXPECT_NE(found[0].whyNot.english().find("another patient"), std::string::npos);
 }
 
 TEST_F(SegmentationOfAFolder, WithoutAFrameOfReferenceTheSeriesThatItNamesCounts) {
@@ -147,7 +147,7 @@ TEST_F(SegmentationOfAFolder, DrawnOnOtherVoxelsItIsResampledAndSaysSo) {
     const auto loaded = load(found[0]);
     ASSERT_TRUE(loaded);
     ASSERT_EQ(loaded->notes.size(), 2u);
-    EXPECT_NE(loaded->notes[1].find("nearest"), std::string::npos);
+    EXPECT_NE(loaded->notes[1].english().find("nearest"), std::string::npos);
     EXPECT_TRUE(loaded->isResampled);
     EXPECT_FALSE(loaded->hasFractions);
     EXPECT_TRUE(loaded->segment(1)->isInVolume());
@@ -159,7 +159,7 @@ TEST_F(SegmentationOfAFolder, FractionsAreToldOf) {
     const auto loaded = load(find().at(0));
     ASSERT_TRUE(loaded);
     ASSERT_EQ(loaded->notes.size(), 1u);
-    EXPECT_NE(loaded->notes[0].find("half"), std::string::npos);
+    EXPECT_NE(loaded->notes[0].english().find("half"), std::string::npos);
     EXPECT_TRUE(loaded->hasFractions);
     EXPECT_FALSE(loaded->isResampled);
 }
@@ -213,7 +213,7 @@ TEST_F(SegmentationOfAFolder, AloneAndHiddenLeaveWhatTheySay) {
     ASSERT_TRUE(map);
     Mask half;
     half.labels = std::make_shared<const LabelMap>(*std::move(map));
-    half.remark = "half left out";
+    half.remark = Text("half left out");
     Progress progress;
     const auto both =
         combinedMask(std::vector{half, *maskOf(In3d::alone, In3d::asIs)}, *study_.volume, progress);
@@ -310,7 +310,7 @@ TEST_F(SegmentationOfAFolder, InColourAPictureSaysSoButAProjection) {
         Progress progress;
         const auto made = pictures::makeAdditions(*choice, study, look, clip, progress);
         EXPECT_TRUE(made && made->additions.tints && made->notes.size() == 1);
-        return made && made->notes.size() == 1 ? made->notes.front() : std::string();
+        return made && made->notes.size() == 1 ? made->notes.front().english() : std::string();
     };
     EXPECT_EQ(noteIn(trace::Look::cinematic),
               "Segments are coloured: in them colours are no values of the preset.");

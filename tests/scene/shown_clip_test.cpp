@@ -52,7 +52,7 @@ TEST(ShownClip, LeavesASureTableOutWhereNobodyAsked) {
     EXPECT_TRUE(shown->tableRemoved);
     ASSERT_TRUE(shown->clip.mask);
     ASSERT_FALSE(shown->notes.empty());
-    EXPECT_NE(shown->notes.back().find("--keep-table"), std::string::npos);
+    EXPECT_NE(shown->notes.back().english().find("--keep-table"), std::string::npos);
     const auto asked = shownClip(StudyState{.leavesTableOut = true}, lying.volume, progress);
     ASSERT_TRUE(asked.ok());
     EXPECT_TRUE(std::ranges::equal(shown->clip.mask->labels->labels(), asked->clip.mask->labels->labels()))
@@ -71,7 +71,7 @@ TEST(ShownClip, KeepsWhatIsNotSureAndSaysHowItGoes) {
     EXPECT_FALSE(shown->tableRemoved);
     EXPECT_FALSE(shown->clip.mask);
     ASSERT_EQ(shown->notes.size(), 1u);
-    EXPECT_NE(shown->notes.front().find("--remove-table"), std::string::npos);
+    EXPECT_NE(shown->notes.front().english().find("--remove-table"), std::string::npos);
 }
 
 TEST(ShownClip, IsQuietWhereThereIsNoTableAndOfWhatIsNoCt) {

@@ -49,7 +49,7 @@ class SoftcopyOnSlicesTest : public testing::Test {
     }
     SoftcopyOnSlices shown(const SliceState& usual = {}) {
         const auto state = opened(usual);
-        EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message);
+        EXPECT_TRUE(state.ok()) << (state ? Text() : state.error().message);
         return state ? *state : SoftcopyOnSlices{};
     }
     // Of the first image that is named.
@@ -60,7 +60,7 @@ class SoftcopyOnSlicesTest : public testing::Test {
     }
     static bool tells(const SoftcopyOnSlices& shown, std::string_view words) {
         return std::ranges::any_of(
-            shown.notes, [&](const std::string& note) { return note.find(words) != std::string::npos; });
+            shown.notes, [&](const Text& note) { return note.english().find(words) != std::string::npos; });
     }
 
     const dicom::test::TemporaryFolder folder_;
@@ -106,7 +106,7 @@ TEST_F(SoftcopyOnSlicesTest, OfAFileOfManyFramesTheFirstThatItNamesIsShown) {
     said_.frames = std::to_string(slices_.size() + 1);
     const auto beyond = opened();
     ASSERT_FALSE(beyond.ok());
-    EXPECT_NE(beyond.error().message.find("other images"), std::string::npos);
+    EXPECT_NE(beyond.error().message.english().find("other images"), std::string::npos);
 }
 
 TEST_F(SoftcopyOnSlicesTest, ASizeOnTheScreenThatIsNotShownIsTold) {
@@ -194,7 +194,7 @@ TEST_F(SoftcopyOnSlicesTest, OfOtherImagesItIsAnError) {
     const auto state = opened();
     ASSERT_FALSE(state.ok());
     EXPECT_EQ(state.error().code, ErrorCode::inputNotUsable);
-    EXPECT_NE(state.error().message.find("other images"), std::string::npos);
+    EXPECT_NE(state.error().message.english().find("other images"), std::string::npos);
     const auto ofNothing = openSoftcopy(path_, {}, {});
     ASSERT_FALSE(ofNothing.ok());
     EXPECT_EQ(ofNothing.error().code, ErrorCode::usage);

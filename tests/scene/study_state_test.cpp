@@ -106,7 +106,8 @@ StudyState everything() {
 
 StudyState read(const std::string& text) {
     auto state = studyStateFromJson(text, "view.json");
-    EXPECT_TRUE(state.ok()) << (state ? "" : state.error().message + " " + state.error().hint);
+    EXPECT_TRUE(state.ok()) << (state ? ""
+                                      : state.error().message.english() + " " + state.error().hint.english());
     return state ? *std::move(state) : StudyState{};
 }
 
@@ -115,7 +116,7 @@ std::string whyNot(const std::string& text) {
     if (state) return {};
     EXPECT_EQ(state.error().code, ErrorCode::inputNotUsable);
     EXPECT_EQ(state.error().where, "view.json");
-    return state.error().message + " " + state.error().hint;
+    return state.error().message.english() + " " + state.error().hint.english();
 }
 
 TEST(StudyState, ComesBackFromItsTextAsItWas) {
@@ -527,7 +528,7 @@ TEST(DrawingOf, SaysWhatOfTheMatterSomebodyHasChanged) {
     state.preset = std::make_shared<const TransferFunction>(copy);
     EXPECT_EQ(remarks(), "roughness 0.25, anisotropy -0.5");
     state.settings.look = trace::Look::mip;
-    EXPECT_EQ(remarks().find("roughness"), std::string::npos) << "a projection has no surfaces";
+    EXPECT_EQ(remarks().english().find("roughness"), std::string::npos) << "a projection has no surfaces";
 }
 
 }  // namespace

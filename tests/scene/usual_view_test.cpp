@@ -150,7 +150,7 @@ TEST(UsualView, IsOfWhoeverFitsACamera) {
     for (const ViewReason why :
          {ViewReason::headByCode, ViewReason::headByShape, ViewReason::shortScan, ViewReason::body}) {
         EXPECT_FALSE(nameOf(why).empty());
-        EXPECT_TRUE(sentenceOf({.why = why}).ends_with('.'));
+        EXPECT_TRUE(sentenceOf({.why = why}).english().ends_with('.'));
     }
 }
 

@@ -86,8 +86,10 @@ inline std::shared_ptr<const FoundVolumes> twoPatients() {
     dicom::Stack odd = volumeOf(20);
     odd.messages.push_back(dicom::message(dicom::key::kLossySource));
     dicom::Series report = seriesOf(9, "Report of Jane", {}, "SR");
-    report.objects.push_back(
-        {.file = "/doe/report", .sopClassUid = "", .kind = "Structured report", .referencedSeriesUids = {}});
+    report.objects.push_back({.file = "/doe/report",
+                              .sopClassUid = "",
+                              .kind = Text("Structured report"),
+                              .referencedSeriesUids = {}});
     report.messages.push_back(
         dicom::message(dicom::key::kUnsupportedSopClass, {{"kind", std::string("Structured report")}}));
     dicom::Series unreadable = seriesOf(10, "Broken", {});

@@ -7,6 +7,12 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
+Lines englishLines(const Identity& identity) {
+    Lines lines;
+    for (const Text& line : linesOf(identity)) lines.push_back(line.english());
+    return lines;
+}
+
 TEST(Identity, NamesPatientStudyAndSeries) {
     const Identity identity{.patientName = "DOE^JOHN^Q^DR^MD",
                             .patientId = "4711 ",
@@ -14,20 +20,21 @@ TEST(Identity, NamesPatientStudyAndSeries) {
                             .sex = "M",
                             .studyDate = "20200304",
                             .studyDescription = "Chest",
-                            .series = "CT, series 3: Lung"};
-    EXPECT_EQ(linesOf(identity), (Lines{"DOE, JOHN Q, DR, MD", "ID 4711, born 1950-01-02, M",
-                                        "2020-03-04, Chest", "CT, series 3: Lung"}));
+                            .series = Text("CT, series 3: Lung")};
+    EXPECT_EQ(englishLines(identity), (Lines{"DOE, JOHN Q, DR, MD", "ID 4711, born 1950-01-02, M",
+                                             "2020-03-04, Chest", "CT, series 3: Lung"}));
     EXPECT_EQ(titleOf(identity),
               "DOE, JOHN Q, DR, MD \u00b7 4711 \u00b7 2020-03-04, Chest \u00b7 "
               "CT, series 3: Lung");
 }
 
 TEST(Identity, SaysWhatIsMissing) {
-    EXPECT_EQ(linesOf({.patientName = " ^ ", .series = "MR, series 1"}),
+    EXPECT_EQ(englishLines({.patientName = " ^ ", .series = Text("MR, series 1")}),
               (Lines{"No patient name", "No patient ID", "no study date", "MR, series 1"}));
-    EXPECT_EQ(titleOf({.series = "MR, series 1"}),
+    EXPECT_EQ(titleOf({.series = Text("MR, series 1")}),
               "No patient name \u00b7 no patient ID \u00b7 no study date \u00b7 MR, series 1");
-    EXPECT_EQ(linesOf({.series = "Built-in phantom", .isOfNobody = true}), Lines{"Built-in phantom"});
+    EXPECT_EQ(englishLines({.series = Text("Built-in phantom"), .isOfNobody = true}),
+              Lines{"Built-in phantom"});
 }
 
 TEST(Identity, NamesAndDatesAreForPeople) {

@@ -57,8 +57,8 @@ TEST_F(LoadedStudyTest, OneFileThatIsLeftOutIsNotToldAsSeveral) {
         Progress progress;
         const auto input = loadStudy(folder_.path(), "1", progress);
         EXPECT_TRUE(input);
-        for (const std::string& note : input ? input->notes : std::vector<std::string>())
-            if (note.find("left out; macula info") != std::string::npos) return note;
+        for (const Text& note : input ? input->notes : std::vector<Text>())
+            if (note.english().find("left out; macula info") != std::string::npos) return note.english();
         return std::string();
     };
     const auto writeDamaged = [&](const char* name) {
@@ -74,8 +74,8 @@ TEST_F(LoadedStudyTest, OneFileThatIsLeftOutIsNotToldAsSeveral) {
 
 // That of several patients, or nothing.
 std::string warningOf(const LoadedStudy& input) {
-    for (const std::string& warning : input.warnings)
-        if (warning.find("patients") != std::string::npos) return warning;
+    for (const Text& warning : input.warnings)
+        if (warning.english().find("patients") != std::string::npos) return warning.english();
     return {};
 }
 

@@ -37,7 +37,7 @@ class QuartersTest : public testing::Test {
     }
     Thumbnail thumbnail() const {
         const auto made = thumbnailOf(stack_);
-        EXPECT_TRUE(made.ok()) << (made.ok() ? "" : made.error().message);
+        EXPECT_TRUE(made.ok()) << (made.ok() ? Text() : made.error().message);
         return made.ok() ? *made : Thumbnail{};
     }
     // In the middle of the quarters: first row left and right, last row left and right.
@@ -117,7 +117,7 @@ TEST_F(QuartersTest, OnlyTheMiddleFileIsRead) {
     const auto made = thumbnailOf(stack_);
     ASSERT_FALSE(made.ok());
     EXPECT_EQ(made.error().code, ErrorCode::inputNotUsable);
-    EXPECT_EQ((made.error().message + made.error().hint).find("DOE"), std::string::npos);
+    EXPECT_EQ((made.error().message.english() + made.error().hint.english()).find("DOE"), std::string::npos);
 }
 
 TEST_F(QuartersTest, ImagesThatAreNoVolumeHaveOneToo) {

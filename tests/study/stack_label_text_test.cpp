@@ -6,7 +6,7 @@ namespace macula::study {
 namespace {
 
 std::string said(const char* attribute, const char* value) {
-    return textOf({.attribute = attribute, .value = value});
+    return textOf({.attribute = attribute, .value = value}).english();
 }
 
 TEST(StackLabelText, ATimeIsThatOfAClock) {

@@ -7,6 +7,7 @@
 
 #include "dicom/read/sop_class.h"
 #include "dicom/write/uid.h"
+#include "study/export/english.h"
 #include "study/found_by_hand.h"
 #include "study/open/presented_volume.h"
 
@@ -27,7 +28,7 @@ std::size_t rowTitled(const StudyTree& tree, std::string_view title) {
 
 std::vector<std::string> titlesOf(const StudyTree& tree, const std::vector<std::size_t>& rows) {
     std::vector<std::string> titles;
-    for (const std::size_t row : rows) titles.push_back(tree.rows[row].title);
+    for (const std::size_t row : rows) titles.push_back(tree.rows[row].title.english());
     return titles;
 }
 
@@ -35,7 +36,7 @@ std::vector<std::string> shownFor(const StudyTree& tree, std::string_view typed)
     const std::vector<bool> shown = rowsThatMatch(tree, typed);
     std::vector<std::string> titles;
     for (std::size_t row = 0; row < shown.size(); ++row) {
-        if (shown[row]) titles.push_back(tree.rows[row].title);
+        if (shown[row]) titles.push_back(tree.rows[row].title.english());
     }
     return titles;
 }
@@ -47,10 +48,10 @@ TEST(StudyTree, PatientsHaveTheirStudiesTheNewestFirst) {
     const StudyTree tree = studyTree(*found);
     EXPECT_EQ(titlesOf(tree, tree.top), (Texts{"Müller, Jörg", "DOE, JANE", "4 files left out"}));
     const StudyRow& patient = tree.rows[tree.top[0]];
-    EXPECT_EQ(patient.details, Texts{"ID ID0, born 1970-01-02, F"});
+    EXPECT_EQ(inEnglish(patient.details), Texts{"ID ID0, born 1970-01-02, F"});
     EXPECT_EQ(titlesOf(tree, patient.children), (Texts{"2020-03-04, Head", "2019-02-03, Abdomen of Jörg"}));
     const StudyRow& older = tree.rows[patient.children[1]];
-    EXPECT_EQ(older.details, Texts{"CT · 2 series"});
+    EXPECT_EQ(inEnglish(older.details), Texts{"CT · 2 series"});
     EXPECT_EQ(titlesOf(tree, older.children), (Texts{"Series 1: Scout", "Series 2: Portal venous"}));
 }
 
@@ -89,9 +90,10 @@ TEST(StudyTree, EachVolumeIsOpenedByARow) {
 TEST(StudyTree, ASeriesTellsImagesSizeAndVoxels) {
     const auto found = test::twoPatients();
     const StudyTree tree = studyTree(*found);
-    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 2: Portal venous")].details,
+    EXPECT_EQ(inEnglish(tree.rows[rowTitled(tree, "Series 2: Portal venous")].details),
               (Texts{"CT · 100 images", "512 × 256 × 100", "0.7 × 0.5 × 1.25 mm"}));
-    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 1: Scout")].details, (Texts{"CT · 1 image", "512 × 256"}));
+    EXPECT_EQ(inEnglish(tree.rows[rowTitled(tree, "Series 1: Scout")].details),
+              (Texts{"CT · 1 image", "512 × 256"}));
 }
 
 TEST(StudyTree, VoxelsThatAreNotCalibratedAreToldSo) {
@@ -104,7 +106,7 @@ TEST(StudyTree, VoxelsThatAreNotCalibratedAreToldSo) {
     scan.patients = 1;
     const FoundVolumes found(std::move(scan));
     const StudyTree tree = studyTree(found);
-    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 1: One")].details,
+    EXPECT_EQ(inEnglish(tree.rows[rowTitled(tree, "Series 1: One")].details),
               (Texts{"CT · 20 images", "512 × 256 × 20", "0.7 × 0.5 × 1.25 mm · not calibrated"}));
     const StudyRow& several = tree.rows[rowTitled(tree, "Series 2: Two")];
     ASSERT_EQ(several.children.size(), 2u);
@@ -116,7 +118,7 @@ TEST(StudyTree, SeveralVolumesOfASeriesAreRowsOfTheirOwn) {
     const StudyTree tree = studyTree(*found);
     const StudyRow& series = tree.rows[rowTitled(tree, "Series 3: T2 two echoes")];
     EXPECT_FALSE(series.volume) << "which of them?";
-    EXPECT_EQ(series.details, Texts{"MR · 60 images · 2 volumes"});
+    EXPECT_EQ(inEnglish(series.details), Texts{"MR · 60 images · 2 volumes"});
     EXPECT_EQ(titlesOf(tree, series.children), (Texts{"TE 4.6 ms", "TE 9.2 ms, phase 2 of 2"}));
     EXPECT_EQ(tree.rows[series.children[0]].volume, 1u);
     EXPECT_EQ(tree.rows[series.children[1]].volume, 2u);
@@ -139,7 +141,7 @@ TEST(StudyTree, WhatCannotBeOpenedSaysWhy) {
               "This is no image, and is not shown by itself: Structured report.");
     EXPECT_EQ(why("Series 10: Broken"), "No file of this series can be read; it has 4.");
     EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].picture, nullptr);
-    EXPECT_EQ(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].details,
+    EXPECT_EQ(inEnglish(tree.rows[rowTitled(tree, "Series 9: Report of Jane")].details),
               Texts{"SR · no images · 1 object"});
     for (const StudyRow& row : tree.rows) {
         if (row.kind != Kind::stack) continue;
@@ -153,11 +155,11 @@ TEST(StudyTree, FilesLeftOutAreGroupedByTheirReason) {
     const StudyRow& leftOut = tree.rows[tree.top.back()];
     EXPECT_EQ(leftOut.kind, Kind::leftOut);
     EXPECT_EQ(titlesOf(tree, leftOut.children),
-              (Texts{"3 × " + dicom::message(dicom::key::kDamagedFile).sentence,
-                     dicom::message(dicom::key::kUnreadableFile).sentence}));
+              (Texts{"3 × " + dicom::message(dicom::key::kDamagedFile).sentence.english(),
+                     dicom::message(dicom::key::kUnreadableFile).sentence.english()}));
     for (const StudyRow& row : tree.rows) {
         if (row.kind != Kind::leftOut) continue;
-        for (const std::string& text : row.messages) EXPECT_EQ(text.find("/doe"), std::string::npos);
+        for (const Text& text : row.messages) EXPECT_EQ(text.english().find("/doe"), std::string::npos);
     }
 }
 
@@ -204,9 +206,9 @@ TEST(StudyTree, WithoutNamesNobodyIsNamed) {
         const StudyRow& row = tree.rows[n];
         EXPECT_EQ(row.volume, shown.rows[n].volume);
         EXPECT_EQ(row.whyNot, shown.rows[n].whyNot);
-        std::string all = row.title + row.searched + row.whyNot;
-        for (const std::string& text : row.details) all += text;
-        for (const std::string& text : row.messages) all += text;
+        std::string all = row.title.english() + row.searched + row.whyNot.english();
+        for (const Text& text : row.details) all += text.english();
+        for (const Text& text : row.messages) all += text.english();
         for (const char* name : {"Müller",  "muller", "Jörg", "jorg", "DOE",   "doe",    "Jane",
                                  "JANE",    "jane",   "ID0",  "id0",  "id1",   "1970",   "Abdomen",
                                  "abdomen", "Head",   "head", "Lung", "Scout", "Portal", "EchoTime"})
@@ -274,7 +276,7 @@ TEST(StudyTree, OfAGlimpseNothingCanBeOpenedAndNothingIsRefused) {
     EXPECT_TRUE(found.volumes().empty());
     const StudyTree tree = studyTree(found);
     const StudyRow& row = tree.rows[rowTitled(tree, "Series 2: Thorax")];
-    EXPECT_EQ(row.details, Texts{"CT · 17 images so far"});
+    EXPECT_EQ(inEnglish(row.details), Texts{"CT · 17 images so far"});
     EXPECT_EQ(row.whyNot, "");
     EXPECT_EQ(row.picture, nullptr);
     EXPECT_FALSE(row.volume);
@@ -284,7 +286,7 @@ dicom::OtherObject presentationOf(const std::string& label, const std::string& d
                                   std::vector<std::string> series, std::string_view sopClass) {
     dicom::OtherObject object{.file = "/doe/" + label,
                               .sopClassUid = std::string(sopClass),
-                              .kind = "Presentation state",
+                              .kind = Text("Presentation state"),
                               .referencedSeriesUids = std::move(series),
                               .label = label};
     object.presentation = dicom::PresentationHeading{
@@ -320,8 +322,8 @@ TEST(PresentationRows, StandBelowTheirSeriesTheNewestFirst) {
     EXPECT_EQ(titlesOf(tree, series.children), (Texts{"View of slices: NEW", "3D view: OLD"}));
     const StudyRow& newest = tree.rows[series.children[0]];
     EXPECT_EQ(newest.kind, Kind::presentation);
-    EXPECT_EQ(newest.details, Texts{"Of Jane, NEW \u00b7 2024-02-29 \u00b7 READER, NIGHT"});
-    EXPECT_EQ(newest.detailOfFile, 0u);
+    EXPECT_EQ(inEnglish(newest.details), Texts{"Of Jane, NEW \u00b7 2024-02-29 \u00b7 READER, NIGHT"});
+    EXPECT_EQ(newest.details.at(0).format(), "{} \u00b7 {} \u00b7 {}") << "nothing to be translated";
     ASSERT_TRUE(newest.presentation);
     EXPECT_TRUE(newest.presentation->isOfSlices);
     EXPECT_EQ(newest.presentation->file, "/doe/NEW");
@@ -342,10 +344,10 @@ TEST(PresentationRows, SayWhyTheyCannotBeShown) {
     const StudyRow& series = tree.rows[rowTitled(tree, "Series 9: Views")];
     ASSERT_EQ(series.children.size(), 4u);
     const auto whyNot = [&](std::size_t child) { return tree.rows[series.children[child]].whyNot; };
-    EXPECT_NE(whyNot(0).find("another patient"), std::string::npos) << whyNot(0);
-    EXPECT_NE(whyNot(1).find("not in this folder"), std::string::npos) << whyNot(1);
-    EXPECT_NE(whyNot(2).find("not in this folder"), std::string::npos) << whyNot(2);
-    EXPECT_NE(whyNot(3).find("of this kind"), std::string::npos) << whyNot(3);
+    EXPECT_NE(whyNot(0).english().find("another patient"), std::string::npos) << whyNot(0);
+    EXPECT_NE(whyNot(1).english().find("not in this folder"), std::string::npos) << whyNot(1);
+    EXPECT_NE(whyNot(2).english().find("not in this folder"), std::string::npos) << whyNot(2);
+    EXPECT_NE(whyNot(3).english().find("of this kind"), std::string::npos) << whyNot(3);
     for (const std::size_t child : series.children) EXPECT_FALSE(tree.rows[child].presentation);
 }
 
@@ -400,7 +402,7 @@ TEST(PresentationRows, WithoutNamesNothingOfTheFileIsLeftButTheDate) {
         if (row.kind != Kind::presentation) continue;
         ++seen;
         EXPECT_EQ(row.title, "3D view");
-        EXPECT_TRUE(row.details.empty() || row.details == Texts{"2024-02-29"});
+        EXPECT_TRUE(row.details.empty() || inEnglish(row.details) == Texts{"2024-02-29"});
         EXPECT_EQ(row.searched.find("jane"), std::string::npos);
     }
     EXPECT_EQ(seen, 2u);

@@ -56,7 +56,7 @@ Result<bool> AppliedScene::apply(const FrameInput& input, TracedPictures& traced
 }
 
 Result<void> AppliedScene::setVolume(const FrameInput& input, TracedPictures& traced) {
-    reports_.tell(Preparing{"Preparing the volume"});
+    reports_.tell(Preparing{Text("Preparing the volume")});
     traced.sceneChanged();
     outlineOf_.reset();
     parts_.volume = nullptr;
@@ -120,7 +120,7 @@ Result<void> AppliedScene::reportOutline(const FrameInput& input, TracedPictures
 
 // Until the part is there, what is on screen is what was wanted before.
 void AppliedScene::reportPreparing() const {
-    if (parts_.transferFunction) reports_.tell(Preparing{"Preparing what is shown"});
+    if (parts_.transferFunction) reports_.tell(Preparing{Text("Preparing what is shown")});
 }
 
 }  // namespace macula::live

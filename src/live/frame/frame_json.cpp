@@ -40,7 +40,8 @@ nlohmann::ordered_json toJson(const FrameShown& frame) {
                      {"why", describe(frame.model.origin)}, {"splats", frame.model.splats},
                      {"steps", frame.model.steps},          {"views", frame.model.views}};
     json["fidelity"] = fidelity.isFinal ? "final" : "preliminary";
-    json["because"] = fidelity.because;
+    json["because"] = nlohmann::ordered_json::array();
+    for (const Text& reason : fidelity.because) json["because"].push_back(reason.english());
     return json;
 }
 

@@ -24,7 +24,21 @@ glm::dvec2 usableGaze(const glm::dvec2& gaze) {
     return isFinite ? glm::clamp(gaze, -1.0, 1.0) : glm::dvec2(0.0);
 }
 
+Error notMade() {
+    return {ErrorCode::deviceNotUsable,
+            Text("The picture could not be made."),
+            {},
+            Text("Open the study again, or start the program with another --device.")};
+}
+
 }  // namespace
+
+Error noMemoryToShow() {
+    return {ErrorCode::outOfMemory,
+            Text("There is not enough memory to show this study."),
+            {},
+            Text("Close other programs, or open a smaller series.")};
+}
 
 FrameRenderer::FrameRenderer(gpu::Instance instance, gpu::DeviceOptions device,
                              std::shared_ptr<SceneKeeper> keeper, RenderListener listener)
@@ -138,21 +152,19 @@ void FrameRenderer::step(const Interrupts& interrupts) {
         if (const Result<void> done = tryStep(interrupts); !done) handle(done.error());
         reports_.tellOfTime(timeline_);
     } catch (const std::bad_alloc&) {
-        fail(ErrorCode::outOfMemory, "There is not enough memory to show this study.",
-             "Close other programs, or open a smaller series.");
+        fail(noMemoryToShow);
     } catch (const std::exception&) {
-        fail(ErrorCode::deviceNotUsable, "The picture could not be made.",
-             "Open the study again, or start the program with another --device.");
+        fail(notMade);
     }
 }
 
-void FrameRenderer::fail(ErrorCode code, const char* message, const char* hint) {
+void FrameRenderer::fail(Error (*error)()) {
     duty_.halt();  // first: it also holds when the rest fails
     scene_.distrust();
     models_.failed();
     if (TracedPictures* traced = device_.traced()) traced->sceneChanged();
     try {
-        handle({code, message, {}, hint});
+        handle(error());
     } catch (const std::exception&) {
         log::error("An error could not be reported.");
     }
@@ -193,7 +205,7 @@ Result<void> FrameRenderer::tryStep(const Interrupts& interrupts) {
 Result<void> FrameRenderer::ensureDevice() {
     if (device_.isReady()) return {};
     const TimelineStage stage("start device");
-    reports_.tell(Preparing{"Starting the graphics device"});
+    reports_.tell(Preparing{Text("Starting the graphics device")});
     MACULA_TRY_VOID(device_.open(*input_.place));
     scene_.forget();
     screen_.forgetWindow();
@@ -230,7 +242,7 @@ void FrameRenderer::handle(Error error) {
     try {
         const Result<void> cleared = screen_.isOpen() ? screen_.clear(input_.background) : Result<void>{};
         if (!cleared) {
-            log::warning("{}", cleared.error().message);
+            log::warning("{}", cleared.error().message.english());
             releaseScreen();
         }
     } catch (const std::exception&) {

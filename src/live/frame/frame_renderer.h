@@ -23,6 +23,8 @@
 
 namespace macula::live {
 
+Error noMemoryToShow();  // for FrameRenderer::fail
+
 // Owns the device and everything on it. After a device loss it opens a new device, reports DeviceRestarting
 // and renders the input anew; after too many losses it reports RenderFailure and stops.
 //
@@ -43,8 +45,9 @@ class FrameRenderer {
     bool hasWork() const;
     // Does at most one step of the course. Throws nothing.
     void step(const Interrupts& interrupts);
-    // Reports an error from outside step(), then rests until the input changes. Throws nothing.
-    void fail(ErrorCode code, const char* message, const char* hint);
+    // Reports an error from outside step(), then rests until the input changes. Throws nothing, whatever
+    // `error` throws.
+    void fail(Error (*error)());
 
     // Closes the screen: afterwards nothing refers to the place of the last input.
     void releaseScreen() { screen_.release(); }

@@ -75,7 +75,7 @@ class Tape {
         const std::lock_guard lock(mutex_);
         device_ = name;
     }
-    void note(std::string what) {
+    void note(Text what) {
         const std::lock_guard lock(mutex_);
         notices_.push_back({secondsSinceStart(), std::move(what)});
     }
@@ -218,8 +218,8 @@ RenderListener listenerOf(const std::shared_ptr<Tape>& tape) {
         if (const auto* ready = std::get_if<DeviceReady>(&event)) tape->setDevice(ready->name);
         if (const auto* outline = std::get_if<OutlineFound>(&event)) tape->setOutline(outline->pointsMm);
         if (const auto* preparing = std::get_if<Preparing>(&event)) tape->note(preparing->what);
-        if (std::holds_alternative<PictureRemoved>(event)) tape->note("The picture was removed");
-        if (std::holds_alternative<DeviceRestarting>(event)) tape->note("The device is started again");
+        if (std::holds_alternative<PictureRemoved>(event)) tape->note(Text("The picture was removed"));
+        if (std::holds_alternative<DeviceRestarting>(event)) tape->note(Text("The device is started again"));
         if (const auto* failure = std::get_if<RenderFailure>(&event)) tape->fail(failure->error);
     };
 }
@@ -318,7 +318,8 @@ class Recording {
     }
 
     Result<void> rest(RecordingPhase phase, const Camera& camera) {
-        progress_.beginStage(phase == RecordingPhase::changed ? "Resting, drawn otherwise" : "Resting", 1);
+        progress_.beginStage(
+            phase == RecordingPhase::changed ? Text("Resting, drawn otherwise") : Text("Resting"), 1);
         publish(phase, camera);
         MACULA_TRY_VOID(waitSeconds(options_.restingS));
         MACULA_TRY_VOID(wait([&] { return tape_->hasFollowed(); }));

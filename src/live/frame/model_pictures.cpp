@@ -64,7 +64,7 @@ bool ModelPictures::isLoss(const Error& error) const {
 
 Result<void> ModelPictures::withoutModel(const FrameInput& input, const Error& error) {
     if (isLoss(error)) return error;
-    log::warning("There is no peripheral model of this: {}", error.message);
+    log::warning("There is no peripheral model of this: {}", error.message.english());
     model_.giveUp(error.code == ErrorCode::outOfMemory ? hybrid::ModelStage::noRoom
                                                        : hybrid::ModelStage::failed);
     frame_.drop();
@@ -74,7 +74,7 @@ Result<void> ModelPictures::withoutModel(const FrameInput& input, const Error& e
 
 Result<void> ModelPictures::withoutEstimate(const Error& error) {
     if (isLoss(error)) return error;
-    log::warning("There is no estimate of this: {}", error.message);
+    log::warning("There is no estimate of this: {}", error.message.english());
     estimate_->forget();
     estimateHasRoom_ = false;
     return {};

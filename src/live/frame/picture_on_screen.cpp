@@ -52,7 +52,7 @@ Result<void> PictureOnScreen::ensure(const FrameInput& input) {
 }
 
 void PictureOnScreen::release() {
-    if (const Result<void> closed = close(); !closed) log::warning("{}", closed.error().message);
+    if (const Result<void> closed = close(); !closed) log::warning("{}", closed.error().message.english());
 }
 
 Result<void> PictureOnScreen::close() {

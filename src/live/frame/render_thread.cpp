@@ -73,8 +73,7 @@ void RenderThread::run(const std::stop_token& stop, gpu::Instance instance, std:
                 released_.publish(*std::exchange(owed, std::nullopt));
             }
         } catch (const std::exception&) {
-            renderer.fail(ErrorCode::outOfMemory, "There is not enough memory to show this study.",
-                          "Close other programs, or open a smaller series.");
+            renderer.fail(noMemoryToShow);
         }
         renderer.step(interrupts);
     }

@@ -32,8 +32,8 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-Error stopped(const char* sentence) {
-    return {ErrorCode::cancelled, sentence, {}, {}};
+Error stopped(Text sentence) {
+    return {ErrorCode::cancelled, std::move(sentence), {}, {}};
 }
 
 // Whether nothing more will come of the model.
@@ -149,7 +149,7 @@ void HostedLoop::hear(RenderEvent event) {
     if (auto* taken = std::get_if<ModelSnapshot>(&event)) taken_ = std::move(*taken);
     if (auto* failure = std::get_if<RenderFailure>(&event)) failure_ = failure->error;
     if (std::holds_alternative<DeviceRestarting>(event))
-        notes_.emplace_back(Text("The graphics device stopped responding and was started again."));
+        notes_.push_back(Text("The graphics device stopped responding and was started again."));
     if (auto* preparing = std::get_if<Preparing>(&event); preparing && progress_)
         progress_->beginStage(preparing->what, 1);
 }
@@ -178,17 +178,17 @@ Result<void> HostedLoop::goOn(const std::function<bool()>& isDone, const std::fu
     const Interrupts interrupts{.newInput = isTimeUp, .stopping = [&] { return progress.cancelled(); }};
     while (true) {
         if (failure_) return *failure_;
-        if (progress.cancelled()) return stopped("Stopped.");
+        if (progress.cancelled()) return stopped(Text("Stopped."));
         if (isDone() || !renderer_->hasWork()) return {};
         renderer_->step(interrupts);
     }
 }
 
-Result<void> HostedLoop::waitForStore(Progress& progress, const char* stage) {
+Result<void> HostedLoop::waitForStore(Progress& progress, Text stage) {
     if (!keeper_) return {};
-    progress.beginStage(stage, 1);
+    progress.beginStage(std::move(stage), 1);
     while (!keeper_->isIdle()) {
-        if (progress.cancelled()) return stopped("Stopped while stored sessions were waited for.");
+        if (progress.cancelled()) return stopped(Text("Stopped while stored sessions were waited for."));
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
     progress.advance();
@@ -199,7 +199,7 @@ Result<void> HostedLoop::show(HostedScene scene, Progress& progress) {
     MACULA_CHECK(scene.volume && scene.drawing.transferFunction && scene.drawing.lights);
     HostedScene before{.volume = input_.volume, .drawing = input_.drawing};
     change(std::move(scene));
-    Result<void> waited = waitForStore(progress, "Looking for a stored model");
+    Result<void> waited = waitForStore(progress, Text("Looking for a stored model"));
     if (!waited && before.volume) change(std::move(before));
     return waited;
 }
@@ -340,7 +340,7 @@ Result<void> HostedLoop::save(Progress& progress) {
     for (const Error& error : troubles_->take()) note(error);  // of before
     const std::int64_t begunMs = nowMs();
     keeper_->keep(taken.state);
-    MACULA_TRY_VOID(waitForStore(progress, "Saving the model"));
+    MACULA_TRY_VOID(waitForStore(progress, Text("Saving the model")));
     MACULA_TRY_VOID(checkIsStored(begunMs));
     return {};
 }
@@ -393,15 +393,15 @@ Result<void> HostedLoop::writeModel(const std::filesystem::path& path, Progress&
 }
 
 void HostedLoop::note(const Error& error) {
-    notes_.push_back(error.hint.empty() ? error.message : error.message + " " + error.hint);
+    notes_.push_back(Text::joined({error.message, error.hint}, " "));
 }
 
-std::vector<std::string> HostedLoop::notes() {
+std::vector<Text> HostedLoop::notes() {
     for (const Error& error : troubles_->take()) note(error);
-    std::vector<std::string> notes = std::exchange(notes_, {});
+    std::vector<Text> notes = std::exchange(notes_, {});
     if (!shown_) return notes;
     for (const Message& message : shown_->messages)
-        notes.push_back(message.action.empty() ? message.sentence : message.sentence + " " + message.action);
+        notes.push_back(Text::joined({message.sentence, message.action}, " "));
     return notes;
 }
 

@@ -112,7 +112,7 @@ class HostedLoop {
     Result<void> goOn(const std::function<bool()>& isDone, const std::function<bool()>& isTimeUp,
                       Progress& progress);
     Result<Camera> fittingCamera(FrameInput input, std::optional<ViewDirection> asked, Progress& progress);
-    Result<void> waitForStore(Progress& progress, const char* stage);
+    Result<void> waitForStore(Progress& progress, Text stage);
     Result<ModelSnapshot> snapshotModel(bool withTraining);
     Result<void> checkIsStored(std::int64_t sinceMs);
     void note(const Error& error);
@@ -131,7 +131,7 @@ class HostedLoop {
     std::optional<FrameShown> shown_;
     std::optional<Error> failure_;  // of the input
     std::optional<ModelSnapshot> taken_;
-    std::vector<std::string> notes_;
+    std::vector<Text> notes_;
 };
 
 }  // namespace macula::live

@@ -11,14 +11,14 @@ namespace macula::live {
 Result<void> checkModelName(const std::filesystem::path& path) {
     if (splat::modelFormatOf(path) != nullptr) return {};
     return Error{ErrorCode::usage, Text("The model's name says no format."), path.string(),
-                 "End it with " + splat::modelExtensions(true) + "."};
+                 Text("End it with {}.", splat::modelExtensions(true))};
 }
 
 Result<void> checkSplatsName(const std::filesystem::path& path) {
     const splat::ModelFormat* format = splat::modelFormatOf(path);
     if (format != nullptr && !format->keepsTraining()) return {};
     return Error{ErrorCode::usage, Text("The name says no format that splats alone are written in."),
-                 path.string(), "End it with " + splat::modelExtensions(false) + "."};
+                 path.string(), Text("End it with {}.", splat::modelExtensions(false))};
 }
 
 bool holdsTraining(const std::filesystem::path& path) {

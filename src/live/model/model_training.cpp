@@ -1,7 +1,5 @@
 #include "live/model/model_training.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 

@@ -1,6 +1,6 @@
 #include "live/model/training_identity.h"
 
-#include <fmt/ranges.h>
+#include <fmt/format.h>
 
 #include <sstream>
 #include <utility>
@@ -32,6 +32,15 @@ std::string takeAdditions(std::vector<std::string>& lines) {
     return taken;
 }
 
+// What a line of it begins with.
+Text otherThan(const std::string& word) {
+    if (word == "study") return Text("another study");
+    if (word == "preset") return Text("another preset");
+    if (word == "clip") return Text("another clip");
+    if (word == "lights") return Text("other lights");
+    return Text("another {}", word);
+}
+
 }  // namespace
 
 std::string trainingIdentity(const Volume& volume, const TransferFunction& function, const Clip& clip,
@@ -54,21 +63,22 @@ Result<void> checkTrainingIdentity(const std::string& saved, const std::string& 
         return Error{ErrorCode::inputNotUsable,
                      Text("The saved training does not say what its pictures show."), file.string(),
                      Text("It is of another program, or of an older one: train anew.")};
-    std::vector<std::string> other;
+    std::vector<Text> other;
     for (std::size_t i = 1; i < after.size(); ++i) {
         if (before[i] == after[i]) continue;
-        const std::string word = after[i].substr(0, after[i].find(' '));
-        other.push_back((word == "lights" ? "other " : "another ") + word);
+        other.push_back(otherThan(after[i].substr(0, after[i].find(' '))));
     }
-    if (hasOtherAdditions) other.emplace_back("another second volume or other colours of segments");
+    if (hasOtherAdditions) other.push_back(Text("another second volume or other colours of segments"));
     // There are no options that would bring them.
-    const char* hint =
+    Text hint =
         hasOtherAdditions
-            ? "macula train draws no second volume and no colours of segments: train anew without them."
-            : "Give the PATH, --series, --preset, --clip, --remove-table and --lights that it was made with, "
-              "or train anew.";
-    return Error{ErrorCode::inputNotUsable, Text("The saved training is of {}.", fmt::join(other, " and ")),
-                 file.string(), hint};
+            ? Text("macula train draws no second volume and no colours of segments: train anew without them.")
+            : Text(
+                  "Give the PATH, --series, --preset, --clip, --remove-table and --lights that it was made "
+                  "with, or train anew.");
+    return Error{ErrorCode::inputNotUsable,
+                 Text("The saved training is of {}.", Text::joined(std::move(other), " and ")), file.string(),
+                 std::move(hint)};
 }
 
 }  // namespace macula::live

@@ -131,7 +131,7 @@ Result<Calibration> calibrationOf(const std::string& preferredDevice,
     MACULA_TRY(Calibration calibration, measureCalibration(device, progress));
     if (!folder) return calibration;
     if (const auto kept = keepMachineDocument(*folder, documentId(), kVersion, toJson(calibration)); !kept)
-        log::warning("The measurement of this machine is not kept: {}", kept.error().message);
+        log::warning("The measurement of this machine is not kept: {}", kept.error().message.english());
     return calibration;
 }
 

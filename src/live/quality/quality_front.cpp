@@ -18,7 +18,7 @@ constexpr double kEnoughTime = 1e12;  // for any fovea as it is wanted, by budge
 
 double whole(const JsonNode& node, double low, double high) {
     const double number = node.number({low, high});
-    if (number != std::floor(number)) node.fail("a whole number");
+    if (number != std::floor(number)) node.fail(Text("a whole number"));
     return number;
 }
 
@@ -76,7 +76,8 @@ Result<QualityFront> qualityFrontFromJson(std::string_view text, const std::stri
     const JsonNode root = document.root();
     root.allowOnly({"version", "name", "title", "source", "sizePx", "verticalFovDeg", "bounces",
                     "calibrationMs", "drawing", "points"});
-    if (root["version"].number() != 1.0) root["version"].fail("version 1; newer ones need a newer Macula");
+    if (root["version"].number() != 1.0)
+        root["version"].fail(Text("version 1; newer ones need a newer Macula"));
     QualityFront front;
     front.title = root["title"].text();
     front.source = root["source"].text();
@@ -90,13 +91,13 @@ Result<QualityFront> qualityFrontFromJson(std::string_view text, const std::stri
         const QualityFront::Drawn drawn{.pixels = whole(node["pixels"], 1, 1e9),
                                         .ms = node["ms"].number({1e-3, kLongestMs})};
         if (!front.drawing.empty() && !(drawn.pixels > front.drawing.back().pixels))
-            node["pixels"].fail("more pixels than those before");
+            node["pixels"].fail(Text("more pixels than those before"));
         front.drawing.push_back(drawn);
     }
     for (const JsonNode& node : root["points"].items(2, 1000)) front.points.push_back(pointFrom(node));
     MACULA_TRY_VOID(document.status());
     front.stops = stopsOf(front.points);
-    if (front.stops.size() < 2) root["points"].fail("a slower point with less error");
+    if (front.stops.size() < 2) root["points"].fail(Text("a slower point with less error"));
     MACULA_TRY_VOID(document.status());
     return front;
 }

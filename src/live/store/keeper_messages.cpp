@@ -7,14 +7,15 @@
 namespace macula::live {
 
 void KeeperMessages::tell(const Error& error) {
-    if (!told_.insert(error.message).second) return;
-    log::warning("Stored sessions: {}", error.message);
+    const std::string sentence = error.message.english();
+    if (!told_.insert(sentence).second) return;
+    log::warning("Stored sessions: {}", sentence);
     if (listener_) listener_(error);
 }
 
-void KeeperMessages::tellOfNoMemory(const char* sentence) noexcept {
+void KeeperMessages::tellOfNoMemory(Text (*sentence)()) noexcept {
     try {
-        tell({ErrorCode::outOfMemory, sentence, {}, Text("Close other programs.")});
+        tell({ErrorCode::outOfMemory, sentence(), {}, Text("Close other programs.")});
     } catch (const std::exception&) {
         // There is none to say so either.
     }
@@ -26,7 +27,7 @@ void KeeperMessages::tellOfFault(const CheckFailure& failure) noexcept {
         tell({ErrorCode::inputNotUsable,
               Text("Stored sessions were not changed, because Macula found a mistake of its own."),
               {},
-              "Please report this: " + failure.text()});
+              Text("Please report this: {}", failure.text())});
     } catch (const std::exception&) {
         // There is no memory to say so.
     }

@@ -20,12 +20,12 @@ class KeeperMessages {
     explicit KeeperMessages(KeeperListener listener) : listener_(std::move(listener)) {}
 
     void tell(const Error& error);
-    void tellOfNoMemory(const char* sentence) noexcept;
+    void tellOfNoMemory(Text (*sentence)()) noexcept;
     void tellOfFault(const CheckFailure& failure) noexcept;
 
   private:
     const KeeperListener listener_;
-    std::set<std::string> told_;  // sentences the listener has heard
+    std::set<std::string> told_;  // sentences the listener has heard, in English
 };
 
 }  // namespace macula::live

@@ -7,8 +7,6 @@
 // in diagonals. "seen" and "camera" may be missing, and so may "parallelHeight": then there is an eye.
 #include "live/store/own_preset.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -111,7 +109,7 @@ RelativeCamera cameraFrom(const JsonNode& node) {
                              .targetMm = vectorFrom(node["target"]),
                              .up = vectorFrom(node["up"]),
                              .verticalFovDeg = node["verticalFovDeg"].number({0.1, 170.0})}};
-    if (!basis(relative.camera)) node.fail("an eye, a target and an upright that make a camera");
+    if (!basis(relative.camera)) node.fail(Text("an eye, a target and an upright that make a camera"));
     if (const auto height = node.find("parallelHeight"))
         relative.camera.parallelHeightMm = height->number(kHeightInDiagonals);
     return relative;
@@ -223,7 +221,7 @@ Result<OwnPreset> ownPresetFromJson(const std::string& id, std::string_view text
     MACULA_TRY_VOID(document.status());
     const JsonNode root = document.root();
     if (root["version"].number() != kVersion)
-        root["version"].fail("version 1; newer ones need a newer Macula");
+        root["version"].fail(Text("version 1; newer ones need a newer Macula"));
     const std::string title = root["title"].text();
     std::optional<RelativeCamera> camera;
     if (const auto node = root.find("camera")) camera = cameraFrom(*node);

@@ -31,9 +31,9 @@ Result<TransferFunction> asFilesHoldIt(const TransferFunction& function) {
             : transferFunctionFromJson(text, {});
     if (read) return read;
     return Error{ErrorCode::inputNotUsable,
-                 "The preset cannot be kept: " + read.error().message,
+                 Text("The preset cannot be kept: {}", read.error().message),
                  {},
-                 read.error().hint.empty() ? "Choose another preset." : read.error().hint};
+                 read.error().hint.empty() ? Text("Choose another preset.") : read.error().hint};
 }
 
 }  // namespace
@@ -147,7 +147,7 @@ Result<PresetRef> PresetShelf::add(std::string_view title, const TransferFunctio
     const auto read = ownPresetFromJson(preset.id, toJson(preset));
     if (!read)
         return Error{ErrorCode::inputNotUsable,
-                     "What is seen cannot be kept: " + read.error().message,
+                     Text("What is seen cannot be kept: {}", read.error().message),
                      {},
                      read.error().hint};
     // All of the camera, or the same preset would show another picture the next day.

@@ -41,15 +41,17 @@ Result<std::size_t> withThoseOfVolumes(session::Store& store, std::size_t docume
 Error keptForClock(session::ClockDoubt doubt) {
     const bool isBehind = doubt == session::ClockDoubt::behind;
     return {ErrorCode::inputNotUsable,
-            isBehind ? "The clock of this machine shows an earlier time than an opening of a study that is "
-                       "stored, so nothing was deleted for its age."
-                     : "The clock of this machine is so far ahead of the last opening that every stored "
-                       "study would be deleted for its age; those that were not old then were kept.",
+            isBehind
+                ? Text("The clock of this machine shows an earlier time than an opening of a study that is "
+                       "stored, so nothing was deleted for its age.")
+                : Text("The clock of this machine is so far ahead of the last opening that every stored "
+                       "study would be deleted for its age; those that were not old then were kept."),
             {},
-            isBehind ? "Set the clock. Where it is right, run `macula sessions purge --unused-days N "
-                       "--trust-clock`."
-                     : "Where the clock is right there is nothing to do: from tomorrow on it is believed. To "
-                       "delete now, run `macula sessions purge --unused-days N --trust-clock`."};
+            isBehind
+                ? Text("Set the clock. Where it is right, run `macula sessions purge --unused-days N "
+                       "--trust-clock`.")
+                : Text("Where the clock is right there is nothing to do: from tomorrow on it is believed. To "
+                       "delete now, run `macula sessions purge --unused-days N --trust-clock`.")};
 }
 
 Result<PurgePlan> planPurge(session::Store& store, const PurgeRequest& request, std::int64_t nowMs) {

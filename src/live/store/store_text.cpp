@@ -70,9 +70,9 @@ std::string_view uncounted(const PurgePlan& plan) {
     return plan.request.unusedDays ? ", and models of files without a study that were not opened either" : "";
 }
 
-std::string sentencesOf(session::ClockDoubt doubt) {
+Text sentencesOf(session::ClockDoubt doubt) {
     const Error error = keptForClock(doubt);
-    return error.message + " " + error.hint;
+    return Text::joined({error.message, error.hint}, " ");
 }
 
 }  // namespace
@@ -176,7 +176,7 @@ std::string textOf(const PurgePlan& plan) {
     for (const session::StudyEntry& study : plan.studies)
         text += fmt::format("  {}  {}{}\n", shortOf(study.identity), localTime(study.lastOpenedMs),
                             readable(study.readable));
-    if (plan.clock != session::ClockDoubt::none) text += sentencesOf(plan.clock) + "\n";
+    if (plan.clock != session::ClockDoubt::none) text += sentencesOf(plan.clock).english() + "\n";
     return text;
 }
 
@@ -192,18 +192,18 @@ std::string textOf(const session::PurgeReport& purged) {
                        states(purged.documents));
 }
 
-std::vector<std::string> warningsOf(const session::PurgeReport& purged) {
-    std::vector<std::string> warnings;
+std::vector<Text> warningsOf(const session::PurgeReport& purged) {
+    std::vector<Text> warnings;
     if (purged.skippedOpen > 0)
-        warnings.push_back(
-            Text("{} left, because models of theirs are open. Close other windows of "
-                 "Macula and purge once more.",
-                 counted(purged.skippedOpen, "study was", "studies were")));
+        warnings.push_back(Text(
+            "{} left, because models of theirs are open. Close other windows of "
+            "Macula and purge once more.",
+            purged.skippedOpen == 1 ? Text("1 study was") : Text("{} studies were", purged.skippedOpen)));
     if (purged.damagedFolders > 0)
         warnings.push_back(
             Text("{} of damaged files may hold parts of what was deleted; "
                  "--damaged-too deletes them as well.",
-                 counted(purged.damagedFolders, "folder", "folders")));
+                 purged.damagedFolders == 1 ? Text("1 folder") : Text("{} folders", purged.damagedFolders)));
     if (purged.clock != session::ClockDoubt::none) warnings.push_back(sentencesOf(purged.clock));
     return warnings;
 }
@@ -217,19 +217,22 @@ std::string textOf(const session::Listing<session::AuditEntry>& trail) {
     return text + unreadable(trail.damaged);
 }
 
-std::vector<std::string> warningsOf(const session::OpeningNotes& notes) {
-    std::vector<std::string> warnings;
-    if (notes.setAside)
+std::vector<Text> warningsOf(const session::OpeningNotes& notes) {
+    std::vector<Text> warnings;
+    if (const auto& aside = notes.setAside)
         warnings.push_back(Text(
             "The file of stored sessions was damaged. {}, among them {} and {}, were rescued; the damaged "
             "file is kept in {}.",
-            counted(notes.setAside->rowsRescued, "row", "rows"), models(notes.setAside->modelsRescued),
-            states(notes.setAside->documentsRescued), printable(notes.setAside->folder.string())));
+            aside->rowsRescued == 1 ? Text("1 row") : Text("{} rows", aside->rowsRescued),
+            aside->modelsRescued == 1 ? Text("1 model") : Text("{} models", aside->modelsRescued),
+            aside->documentsRescued == 1 ? Text("1 stored state")
+                                         : Text("{} stored states", aside->documentsRescued),
+            printable(aside->folder.string())));
     if (notes.versionBefore > 0)
-        warnings.emplace_back(Text(
+        warnings.push_back(Text(
             "Stored sessions were brought to the format of this version; older ones cannot read them now."));
     if (notes.othersMayRead)
-        warnings.emplace_back(Text("Other users of this computer may be able to read stored sessions."));
+        warnings.push_back(Text("Other users of this computer may be able to read stored sessions."));
     return warnings;
 }
 

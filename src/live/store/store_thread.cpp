@@ -51,7 +51,8 @@ void StoreThread::doFirst(std::deque<Job>& jobs, std::unique_lock<std::mutex>& l
     try {
         if (store_) job(*store_);
     } catch (const std::exception&) {
-        messages_.tellOfNoMemory("There is not enough memory to keep this study's model.");
+        messages_.tellOfNoMemory(
+            [] { return Text("There is not enough memory to keep this study's model."); });
     } catch (const CheckFailure& failure) {
         messages_.tellOfFault(failure);
     }
@@ -97,12 +98,11 @@ void StoreThread::openStore() {
         if (store_->notes().setAside)
             messages_.tell({ErrorCode::inputNotUsable,
                             Text("The file of stored sessions was damaged. It was set aside, and what could "
-                                 "be read of it "
-                                 "was rescued."),
+                                 "be read of it was rescued."),
                             store_->notes().setAside->folder.string(),
                             Text("`macula sessions verify` says what is there.")});
     } catch (const std::exception&) {
-        messages_.tellOfNoMemory("Stored sessions could not be opened.");
+        messages_.tellOfNoMemory([] { return Text("Stored sessions could not be opened."); });
     } catch (const CheckFailure& failure) {
         store_.reset();
         messages_.tellOfFault(failure);
@@ -119,7 +119,7 @@ void StoreThread::forgetUnused() {
                       purged->studies, purged->volumes, retention_->count());
         if (purged->clock != session::ClockDoubt::none) messages_.tell(keptForClock(purged->clock));
     } catch (const std::exception&) {
-        messages_.tellOfNoMemory("What was not opened for long could not be deleted.");
+        messages_.tellOfNoMemory([] { return Text("What was not opened for long could not be deleted."); });
     } catch (const CheckFailure& failure) {
         messages_.tellOfFault(failure);
     }

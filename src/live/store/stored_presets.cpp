@@ -32,7 +32,7 @@ std::span<const std::string_view> keysOf(const PresetDocument& document) {
 
 void checkVersion(const JsonNode& root) {
     if (root["version"].number() != double(kVersion))
-        root["version"].fail("version 1; newer ones need a newer Macula");
+        root["version"].fail(Text("version 1; newer ones need a newer Macula"));
 }
 
 Result<PresetRef> favouriteFrom(std::string_view text) {

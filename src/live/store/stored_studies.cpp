@@ -44,7 +44,7 @@ Error ambiguous(std::string_view digits, const std::vector<const session::StudyE
     return {ErrorCode::usage,
             Text("{} studies begin with {}.", found.size(), digits),
             {},
-            Text("Give more digits: {}.", fmt::join(names, ", "))};
+            Text("Give more digits: {}.", fmt::format("{}", fmt::join(names, ", ")))};
 }
 
 }  // namespace
@@ -70,7 +70,7 @@ Result<session::StudyEntry> studyOfPrefix(const session::Listing<session::StudyE
     std::string digits(typed);
     std::ranges::transform(digits, digits.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const std::string hint = "macula sessions list shows those there are.";
+    const Text hint = Text("macula sessions list shows those there are.");
     if (digits.size() < kFewestDigits || !isOfDigits(digits))
         return Error{
             ErrorCode::usage,

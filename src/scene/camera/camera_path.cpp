@@ -1,7 +1,5 @@
 #include "scene/camera/camera_path.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -132,9 +130,9 @@ Result<CameraPath> readCameraPath(const std::filesystem::path& path) {
         node.allowOnly({"atS", "camera"});
         const JsonNode at = node["atS"];
         CameraPath::Stop stop{.atS = at.number({0.0, kLongestS}), .camera = cameraFrom(node["camera"])};
-        if (read.stops.empty() && stop.atS != 0.0) at.fail("0 for the first camera");
+        if (read.stops.empty() && stop.atS != 0.0) at.fail(Text("0 for the first camera"));
         if (!read.stops.empty() && !(stop.atS > read.stops.back().atS))
-            at.fail("a later time than that of the camera before");
+            at.fail(Text("a later time than that of the camera before"));
         read.stops.push_back(stop);
     }
     MACULA_TRY_VOID(document.status());

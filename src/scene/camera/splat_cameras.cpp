@@ -114,7 +114,7 @@ Result<std::vector<SplatCamera>> readSplatCameras(const std::filesystem::path& p
         if (const auto usable = splat::validate(view); !usable) {
             Error error = usable.error();
             error.code = ErrorCode::inputNotUsable;  // it came from a file, not from the command line
-            error.message = fmt::format("Camera [{}]: {}", i, error.message);
+            error.message = Text("Camera [{}]: {}", i, error.message);
             error.where = path.string();
             return error;
         }

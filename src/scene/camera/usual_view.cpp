@@ -155,16 +155,17 @@ ViewDirection firstDirection(std::optional<ViewDirection> asked, const Volume& v
     return asked ? *asked : usualView(volume).from;
 }
 
-std::string sentenceOf(const UsualView& view) {
+Text sentenceOf(const UsualView& view) {
     switch (view.why) {
         case ViewReason::headByCode:
-            return "The head is seen from the front and above, as the images say that it is one.";
+            return Text("The head is seen from the front and above, as the images say that it is one.");
         case ViewReason::headByShape:
-            return "It is seen from the front and above, as a head is: what was scanned is as large as one.";
+            return Text(
+                "It is seen from the front and above, as a head is: what was scanned is as large as one.");
         case ViewReason::shortScan:
-            return "The scan is seen obliquely from above: it is less than half as high as it is wide.";
+            return Text("The scan is seen obliquely from above: it is less than half as high as it is wide.");
         case ViewReason::body:
-            return "The patient is seen from the front, slightly turned.";
+            return Text("The patient is seen from the front, slightly turned.");
     }
     return {};
 }

@@ -1,7 +1,5 @@
 #include "scene/choice/built_in_choice.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 
@@ -23,15 +21,14 @@ std::vector<std::string> namesOf(std::span<const presets::EmbeddedFile> files) {
     return names;
 }
 
-Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, std::string_view kind,
+Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, const Text& noSuch,
                               const std::string& nameOrFile) {
     if (const presets::EmbeddedFile* file = findBuiltIn(files, nameOrFile))
         return ChosenText{std::string(file->text), std::string(file->name)};
     const std::filesystem::path path = nameOrFile;
     std::error_code error;
     if (path.extension() != ".json" && !std::filesystem::exists(path, error))
-        return noSuchName(Text("There is no such {}.", kind), nameOrFile, namesOf(files),
-                          "Or give the path of a JSON file.");
+        return noSuchName(noSuch, nameOrFile, namesOf(files), Text("Or give the path of a JSON file."));
     MACULA_TRY(std::string text, readText(path));
     return ChosenText{std::move(text), path.string()};
 }

@@ -21,8 +21,8 @@ struct ChosenText {
 };
 
 // One of `files` by name, or a JSON file by its path. Fails with usage when it is neither; the hint lists the
-// names, and the message says `kind`, such as "clip".
-Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, std::string_view kind,
+// names, and the message is `noSuch`.
+Result<ChosenText> chooseText(std::span<const presets::EmbeddedFile> files, const Text& noSuch,
                               const std::string& nameOrFile);
 
 // The name to show in a picture or a report: a built-in name, else "custom", because the name of a user's

@@ -23,11 +23,11 @@ std::shared_ptr<const Item> byName(const std::vector<std::shared_ptr<const Item>
 
 template <class Item>
 Result<std::shared_ptr<const Item>> findOrExplain(const std::vector<std::shared_ptr<const Item>>& items,
-                                                  std::string_view name, std::string_view sentence) {
+                                                  std::string_view name, Text sentence) {
     if (auto found = byName(items, name)) return found;
     std::vector<std::string> names;
     for (const auto& item : items) names.push_back(item->name);
-    return noSuchName(sentence, std::string(name), names);
+    return noSuchName(std::move(sentence), std::string(name), names);
 }
 
 }  // namespace
@@ -55,11 +55,11 @@ Result<std::shared_ptr<const TransferFunction>> findPreset(const Catalogue& cata
     for (const auto& preset : catalogue.presets) {
         if (presets::isMeant(*preset, name)) return preset;
     }
-    return findOrExplain(catalogue.presets, name, "There is no such preset.");
+    return findOrExplain(catalogue.presets, name, Text("There is no such preset."));
 }
 
 Result<std::shared_ptr<const trace::LightRig>> findLights(const Catalogue& catalogue, std::string_view name) {
-    return findOrExplain(catalogue.lights, name, "There are no such lights.");
+    return findOrExplain(catalogue.lights, name, Text("There are no such lights."));
 }
 
 std::shared_ptr<const TransferFunction> presetFor(const Catalogue& catalogue, const Volume& volume) {

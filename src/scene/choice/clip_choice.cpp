@@ -12,7 +12,8 @@ Result<std::vector<ClipPreset>> builtInClips() {
 
 Result<ClipPreset> chooseClip(const std::string& nameOrFile) {
     if (nameOrFile.empty()) return ClipPreset{};
-    MACULA_TRY(const ChosenText chosen, chooseText(presets::clipFiles(), "clip", nameOrFile));
+    MACULA_TRY(const ChosenText chosen,
+               chooseText(presets::clipFiles(), Text("There is no such clip."), nameOrFile));
     return clipPresetFromJson(chosen.text, chosen.where);
 }
 

@@ -63,7 +63,7 @@ Result<std::optional<trace::LightRig>> rigNamed(const std::string& nameOrFile) {
     std::error_code error;
     if (!path.has_extension() && !fs::exists(path, error))
         return noSuchName(Text("There are no such lights."), nameOrFile, namesOf(presets::lightFiles()),
-                          "Or give the path of a JSON, HDR or EXR file.");
+                          Text("Or give the path of a JSON, HDR or EXR file."));
     if (path.extension() != ".json") return std::optional<trace::LightRig>();
     MACULA_TRY(const std::string text, readText(path));
     MACULA_TRY(trace::LightRig rig, trace::lightRigFromJson(text, path.string()));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace macula::scene {
 
@@ -40,16 +41,17 @@ std::string nearestName(std::string_view typed, const std::vector<std::string>& 
     return nearest;
 }
 
-std::string choiceAmong(std::string_view typed, const std::vector<std::string>& names) {
+Text choiceAmong(std::string_view typed, const std::vector<std::string>& names) {
     const std::string nearest = nearestName(typed, names);
-    return fmt::format("{}There are: {}.", nearest.empty() ? "" : "Did you mean " + nearest + "? ",
-                       fmt::join(names, ", "));
+    return Text::joined({nearest.empty() ? Text() : Text("Did you mean {}?", nearest),
+                         Text("There are: {}.", fmt::format("{}", fmt::join(names, ", ")))},
+                        " ");
 }
 
 Error noSuchName(Text sentence, const std::string& typed, const std::vector<std::string>& names,
-                 std::string_view orElse) {
-    return {ErrorCode::usage, std::string(sentence), typed,
-            Text("{}{}{}", choiceAmong(typed, names), orElse.empty() ? "" : " ", orElse)};
+                 const Text& orElse) {
+    return {ErrorCode::usage, std::move(sentence), typed,
+            Text::joined({choiceAmong(typed, names), orElse}, " ")};
 }
 
 }  // namespace macula::scene

@@ -13,11 +13,11 @@ namespace macula::scene {
 std::string nearestName(std::string_view typed, const std::vector<std::string>& names);
 
 // "Did you mean ct-bone? There are: ct-aaa, ct-bone."
-std::string choiceAmong(std::string_view typed, const std::vector<std::string>& names);
+Text choiceAmong(std::string_view typed, const std::vector<std::string>& names);
 
 // A usage error. `sentence` says that there is no such thing; the hint is choiceAmong, then `orElse`, a
 // sentence on what else is accepted, which may be empty.
 Error noSuchName(Text sentence, const std::string& typed, const std::vector<std::string>& names,
-                 std::string_view orElse = {});
+                 const Text& orElse = {});
 
 }  // namespace macula::scene

@@ -40,7 +40,7 @@ Result<presets::ImportedPreset> choosePreset(const std::string& typed) {
     if (!path.has_extension() && !std::filesystem::exists(typed, error) &&
         !std::filesystem::exists(path, error)) {
         return noSuchName(Text("There is no such preset."), typed, builtInNames(),
-                          "Or give a number from macula presets, or the path of a preset file.");
+                          Text("Or give a number from macula presets, or the path of a preset file."));
     }
     return presets::readPresetFrom(typed);
 }

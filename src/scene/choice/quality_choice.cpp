@@ -14,7 +14,8 @@ Result<std::vector<trace::Quality>> builtInQualities() {
 }
 
 Result<trace::Quality> chooseQuality(const std::string& nameOrFile) {
-    MACULA_TRY(const ChosenText chosen, chooseText(presets::qualityFiles(), "quality", nameOrFile));
+    MACULA_TRY(const ChosenText chosen,
+               chooseText(presets::qualityFiles(), Text("There is no such quality."), nameOrFile));
     return trace::qualityFromJson(chosen.text, chosen.where);
 }
 

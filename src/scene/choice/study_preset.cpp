@@ -16,7 +16,9 @@ namespace macula::scene {
 
 namespace {
 
-constexpr const char* kOtherUnits = "The preset is made for other units than those of the series.";
+Text otherUnits() {
+    return Text("The preset is made for other units than those of the series.");
+}
 
 // What the volume is shown with when nobody chose, and some of the others that are made for it.
 std::vector<std::string> namesFor(const Volume& volume) {
@@ -43,21 +45,22 @@ Result<presets::ImportedPreset> presetToDraw(const std::string& typed, bool fit)
     return preset;
 }
 
-std::vector<std::string> notesOf(const presets::ImportedPreset& preset, const Volume& volume) {
-    std::vector<std::string> notes = preset.notes;
+std::vector<Text> notesOf(const presets::ImportedPreset& preset, const Volume& volume) {
+    std::vector<Text> notes = preset.notes;
     if (const std::optional<VolumeFit> fit = fitOf(preset.function, volume))
         notes.push_back(fitMessage(*fit).sentence);
-    if (!suits(preset.function, volume.unit())) notes.emplace_back(kOtherUnits);
+    if (!suits(preset.function, volume.unit())) notes.push_back(otherUnits());
     return notes;
 }
 
 PresetNotes notesToDraw(const presets::ImportedPreset& preset, const Volume& volume) {
     PresetNotes told{.notes = notesOf(preset, volume), .warnings = {}};
-    for (std::string& note : told.notes) {
-        if (note != kOtherUnits) continue;
+    for (Text& note : told.notes) {
+        if (note != otherUnits()) continue;
         const std::vector<std::string> names = namesFor(volume);
         if (preset.function.name == names.front()) continue;  // there is no better one
-        note += fmt::format(" Presets for it: {}.", fmt::join(names, ", "));
+        note =
+            Text::joined({note, Text("Presets for it: {}.", fmt::format("{}", fmt::join(names, ", ")))}, " ");
         told.warnings.push_back(note);
     }
     return told;

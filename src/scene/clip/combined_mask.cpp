@@ -14,19 +14,18 @@ Result<std::optional<Mask>> combinedMask(std::span<const Mask> masks, const Volu
     if (masks.size() == 1) return std::optional<Mask>(masks.front());
     progress.beginStage(Text("Hiding voxels"), masks.size());
     MaskBits shown = maskBits(masks.front(), volume);
-    std::string remark = masks.front().remark;
+    std::vector<Text> remarks{masks.front().remark};
     for (const Mask& mask : masks.subspan(1)) {
         progress.advance();
         if (progress.cancelled())
             return Error{ErrorCode::cancelled, Text("Hiding voxels was cancelled."), {}, {}};
         const MaskBits other = maskBits(mask, volume);
         for (std::size_t n = 0; n < shown.words.size(); ++n) shown.words[n] &= other.words[n];
-        if (!remark.empty() && !mask.remark.empty()) remark += ", ";
-        remark += mask.remark;
+        remarks.push_back(mask.remark);
     }
     Mask all;
     all.bits = std::make_shared<const MaskBits>(std::move(shown));
-    all.remark = std::move(remark);
+    all.remark = Text::joined(std::move(remarks), ", ");
     return std::optional<Mask>(std::move(all));
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory,

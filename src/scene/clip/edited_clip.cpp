@@ -1,7 +1,5 @@
 #include "scene/clip/edited_clip.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -33,6 +31,24 @@ Error notANumber() {
 Error nothingLeft() {
     return error(Text("Nothing of the volume would be left."),
                  Text("Choose another place, or begin without a clip."));
+}
+
+Text textOf(Face side) {
+    switch (side) {
+        case Face::right:
+            return Text("right");
+        case Face::left:
+            return Text("left");
+        case Face::anterior:
+            return Text("anterior");
+        case Face::posterior:
+            return Text("posterior");
+        case Face::inferior:
+            return Text("inferior");
+        case Face::superior:
+            return Text("superior");
+    }
+    return {};
 }
 
 bool isWithin(const Box& box, const glm::dvec3& point) {
@@ -149,7 +165,7 @@ Result<OptionalClip> withSideRemoved(const OptionalClip& clip, Face side, const 
     const double voxelMm = voxelExtentMm(volume)[axis];
     const double removedMm = isHigh(side) ? kept.high[axis] - atMm : atMm - kept.low[axis];
     if (removedMm < kSamePlace * voxelMm)
-        return error(Text("Nothing is left to remove on the {} side.", nameOf(side)),
+        return error(Text("Nothing is left to remove on the {} side.", textOf(side)),
                      Text("Move the cross-hair into what is shown."));
     const double leftMm = isHigh(side) ? atMm - kept.low[axis] : kept.high[axis] - atMm;
     if (leftMm < voxelMm) return nothingLeft();

@@ -13,8 +13,8 @@ namespace {
 constexpr double kLeastExtent = 1e-6;  // half heights: an outline that is thinner is a line
 constexpr std::size_t kRows = 256;
 
-Error notUsable(const char* what) {
-    return {ErrorCode::usage, what, {}, Text("Draw around what is to be removed, in one go.")};
+Error notUsable(Text what) {
+    return {ErrorCode::usage, std::move(what), {}, Text("Draw around what is to be removed, in one go.")};
 }
 
 double distanceToLine(const glm::dvec2& point, const glm::dvec2& a, const glm::dvec2& b) {
@@ -62,10 +62,10 @@ PictureRays raysOf(const Camera& camera) {
 
 Result<void> validate(const ScissorCut& cut) {
     MACULA_TRY_VOID(basis(cut.camera));
-    if (cut.outline.size() < 3) return notUsable("The outline has fewer than three points.");
-    if (cut.outline.size() > kMostOutlinePoints) return notUsable("The outline has too many points.");
+    if (cut.outline.size() < 3) return notUsable(Text("The outline has fewer than three points."));
+    if (cut.outline.size() > kMostOutlinePoints) return notUsable(Text("The outline has too many points."));
     if (!std::ranges::all_of(cut.outline, [](const glm::dvec2& p) { return isFinite(p); }))
-        return notUsable("A point of the outline is no number.");
+        return notUsable(Text("A point of the outline is no number."));
     glm::dvec2 low = cut.outline.front();
     glm::dvec2 high = low;
     for (const glm::dvec2& p : cut.outline) {
@@ -73,7 +73,7 @@ Result<void> validate(const ScissorCut& cut) {
         high = glm::max(high, p);
     }
     if (!(high.x - low.x > kLeastExtent) || !(high.y - low.y > kLeastExtent))
-        return notUsable("The outline encloses nothing.");
+        return notUsable(Text("The outline encloses nothing."));
     return {};
 }
 

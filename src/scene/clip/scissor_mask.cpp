@@ -103,7 +103,7 @@ Result<std::optional<Mask>> scissorMask(std::optional<Mask> before, std::span<co
                          Text("Draw the outline around less, or keep the inside with Shift.")};
         Mask left;
         left.bits = std::make_shared<const MaskBits>(std::move(bits));
-        left.remark = kCutWithScissors;
+        left.remark = Text("cut with scissors");
         return std::optional<Mask>(std::move(left));
     } catch (const std::bad_alloc&) {
         return Error{ErrorCode::outOfMemory,

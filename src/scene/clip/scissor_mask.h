@@ -13,8 +13,6 @@
 
 namespace macula::scene {
 
-inline constexpr std::string_view kCutWithScissors = "cut with scissors";  // Mask::remark
-
 // Hides the voxels whose centres the cuts remove. `before` is the result of this function for earlier cuts,
 // or nothing: cuts can be applied together or one after the other. Without cuts the result is `before`.
 // combinedMask adds what else is hidden. On all cores.

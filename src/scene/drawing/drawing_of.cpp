@@ -1,7 +1,5 @@
 #include "scene/drawing/drawing_of.h"
 
-#include <fmt/ranges.h>
-
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,14 +12,15 @@ namespace macula::scene {
 namespace {
 
 template <class Of>
-std::string numberText(const ParameterOf<Of>& p, const Of& of) {
-    return fmt::format("{} {:g}{}{}", p.label, p.get(of), p.unit.empty() ? "" : " ", p.unit);
+Text numberText(const ParameterOf<Of>& p, const Of& of) {
+    const Text label = Text::of(p.label, {});
+    return p.unit.empty() ? Text("{} {:g}", label, p.get(of))
+                          : Text("{} {:g} {}", label, p.get(of), Text::of(p.unit, {}));
 }
 
 // What an edited preset's matter is like that it is not in the preset which it was copied from. Of one that
 // somebody brings along nothing is to be said: its numbers are its own.
-void addMatter(std::vector<std::string>& remarks, const TransferFunction& preset,
-               const Catalogue& catalogue) {
+void addMatter(std::vector<Text>& remarks, const TransferFunction& preset, const Catalogue& catalogue) {
     const std::string from = copiedFrom(preset);
     if (from.empty()) return;
     const Result<std::shared_ptr<const TransferFunction>> original = findPreset(catalogue, from);
@@ -55,33 +54,32 @@ Drawing drawingOf(const StudyState& state, const Catalogue& catalogue, const Ser
                     .clip = std::move(clip),
                     .settings = settingsOf(state, seriesWindows, volume.get()),
                     .background = state.background};
-    std::vector<std::string> remarks;
-    if (drawing.settings.shading == trace::Shading::headlight) remarks.emplace_back(Text("shaded"));
+    std::vector<Text> remarks;
+    if (drawing.settings.shading == trace::Shading::headlight) remarks.push_back(Text("shaded"));
     if (trace::isProjection(look) && volume)
-        remarks.push_back(windowText(*drawing.settings.window, volume->unitName()));
+        remarks.push_back(Text::verbatim(windowText(*drawing.settings.window, volume->unitName())));
     for (const Parameter& p : parameters()) {
         if (p.get(state.settings) != p.fallback()) remarks.push_back(numberText(p, state.settings));
     }
     if (state.settings.toneMap == trace::ToneMap::hue && !trace::isProjection(look))
-        remarks.emplace_back(Text("hues kept"));
+        remarks.push_back(Text("hues kept"));
     if (state.preset && trace::isPathTraced(look)) addMatter(remarks, *state.preset, catalogue);
     if (drawing.clip && drawing.clip->mask)
-        remarks.push_back(drawing.clip->mask->remark.empty() ? "masked" : drawing.clip->mask->remark);
-    if (drawing.clip && drawing.clip->hasShape()) remarks.emplace_back(Text("clipped"));
-    drawing.remarks = fmt::format("{}", fmt::join(remarks, ", "));
+        remarks.push_back(drawing.clip->mask->remark.empty() ? Text("masked") : drawing.clip->mask->remark);
+    if (drawing.clip && drawing.clip->hasShape()) remarks.push_back(Text("clipped"));
+    drawing.remarks = Text::joined(std::move(remarks), ", ");
     return drawing;
 }
 
-std::string remarkOf(const Additions& additions, trace::Look look) {
-    return trace::isProjection(look) ? std::string() : additions.remark;
+Text remarkOf(const Additions& additions, trace::Look look) {
+    return trace::isProjection(look) ? Text() : additions.remark;
 }
 
 void setAdditions(Drawing& drawing, std::shared_ptr<const Additions> additions) {
     drawing.additions = std::move(additions);
     if (!drawing.additions) return;
-    const std::string remark = remarkOf(*drawing.additions, drawing.settings.look);
-    if (!remark.empty() && !drawing.remarks.empty()) drawing.remarks += ", ";
-    drawing.remarks += remark;
+    drawing.remarks =
+        Text::joined({std::move(drawing.remarks), remarkOf(*drawing.additions, drawing.settings.look)}, ", ");
 }
 
 std::shared_ptr<const Clip> clipOf(const StudyState& state, const Volume& volume, std::optional<Mask> mask) {

@@ -15,20 +15,22 @@ namespace macula::scene {
 namespace {
 
 // "Nothing is visible in the picture. The series has values from …": of a volume that has some.
-std::string nothingOf(const Volume& volume, const ValueRange& range) {
+Text nothingOf(const Volume& volume, const ValueRange& range) {
     const std::string unit = volume.unitName().empty() ? "" : " " + volume.unitName();
-    return fmt::format("Nothing is visible in the picture. The series has values from {:g} to {:g}{}.",
-                       range.low, range.high, unit);
+    return Text("Nothing is visible in the picture. The series has values from {:g} to {:g}{}.", range.low,
+                range.high, unit);
 }
 
-constexpr const char* kAllIsPadding = "Nothing is visible: every voxel of the series is padding.";
+Text allIsPadding() {
+    return Text("Nothing is visible: every voxel of the series is padding.");
+}
 
 }  // namespace
 
-std::string whyNothingIsVisible(const Volume& volume) {
+Text whyNothingIsVisible(const Volume& volume) {
     const auto& range = volume.valueRange();
-    if (!range) return kAllIsPadding;
-    std::string sentence = nothingOf(volume, *range);
+    if (!range) return allIsPadding();
+    Text sentence = nothingOf(volume, *range);
     const auto presets = presets::builtInPresets();
     if (!presets) return sentence;
     const presets::SeenValues values(volume);
@@ -38,18 +40,23 @@ std::string whyNothingIsVisible(const Volume& volume) {
     }
     constexpr std::size_t kMostNames = 6;
     if (names.size() > kMostNames) names.resize(kMostNames);
-    if (names.empty()) return sentence + " No built-in preset would show any of them.";
-    return sentence + fmt::format(" Presets that show some of them: {}.", fmt::join(names, ", ")) +
-           " Check the camera and the clip too.";
+    if (names.empty())
+        return Text::joined({std::move(sentence), Text("No built-in preset would show any of them.")}, " ");
+    return Text::joined(
+        {std::move(sentence),
+         Text("Presets that show some of them: {}.", fmt::format("{}", fmt::join(names, ", "))),
+         Text("Check the camera and the clip too.")},
+        " ");
 }
 
-std::string whyNothingIsVisible(const Volume& volume, const DisplayWindow& window) {
+Text whyNothingIsVisible(const Volume& volume, const DisplayWindow& window) {
     const auto& range = volume.valueRange();
-    if (!range) return kAllIsPadding;
-    return nothingOf(volume, *range) +
-           fmt::format(
-               " It is seen through the window {}: choose another one. Check the camera and the clip too.",
-               windowText(window, volume.unitName()));
+    if (!range) return allIsPadding();
+    return Text::joined(
+        {nothingOf(volume, *range),
+         Text("It is seen through the window {}: choose another one.", windowText(window, volume.unitName())),
+         Text("Check the camera and the clip too.")},
+        " ");
 }
 
 }  // namespace macula::scene

@@ -13,7 +13,7 @@ std::optional<Mask> maskOf(const std::shared_ptr<const segment::PatientMask>& fo
     if (!(found->removedMl > 0.0)) return std::nullopt;
     return Mask{.labels = std::shared_ptr<const LabelMap>(found, &found->map),
                 .numbers = {segment::PatientMask::kPatient},
-                .remark = std::string(kTableLeftOut)};
+                .remark = Text("table left out")};
 }
 
 namespace {
@@ -25,18 +25,18 @@ Result<ShownClip> withoutSureTable(const ClipPreset& preset, const Volume& volum
     Result<segment::PatientMask> found = segment::findPatient(volume, progress);
     if (!found) {
         if (found.error().code == ErrorCode::cancelled) return found.error();
-        shown.notes.push_back("A table was not looked for: " + found.error().message);
+        shown.notes.push_back(Text("A table was not looked for: {}", found.error().message));
         return shown;
     }
     if (!(found->removedMl > 0.0)) return shown;
     if (found->confidence != segment::Confidence::high) {
-        shown.notes.emplace_back(
+        shown.notes.push_back(
             Text("What may be a table is shown, as Macula cannot tell it from the patient for sure; "
                  "--remove-table leaves it out."));
         return shown;
     }
     for (const Message& message : found->messages) shown.notes.push_back(message.sentence);
-    shown.notes.emplace_back(Text("--keep-table shows what was left out."));
+    shown.notes.push_back(Text("--keep-table shows what was left out."));
     shown.clip.mask = maskOf(std::make_shared<const segment::PatientMask>(*std::move(found)));
     shown.tableRemoved = true;
     return shown;
@@ -68,11 +68,11 @@ Result<ShownClip> shownClip(const StudyState& state, const Volume& volume, Progr
     shown.clip = clipFor(state.clip, state.cuts, volume);
     MACULA_TRY(shown.clip.mask, combinedMask(masks, volume, progress));
     if (!in3dOf(state.segmentations).empty())
-        shown.notes.emplace_back(Text("The view keeps or hides segments; here they change nothing."));
+        shown.notes.push_back(Text("The view keeps or hides segments; here they change nothing."));
     if (!colouredIn3dOf(state.segmentations).empty())
-        shown.notes.emplace_back(Text("The view has segments in colour; here they have none."));
+        shown.notes.push_back(Text("The view has segments in colour; here they have none."));
     if (state.secondVolume && isSecondIn3d(*state.secondVolume))
-        shown.notes.emplace_back(Text("The view has a second volume in the picture; here it is left out."));
+        shown.notes.push_back(Text("The view has a second volume in the picture; here it is left out."));
     return shown;
 }
 

@@ -16,7 +16,7 @@
 
 namespace macula::scene {
 
-inline constexpr std::string_view kTableLeftOut = "table left out";  // Mask::remark
+inline constexpr std::string_view kTableLeftOut = "table left out";  // Mask::remark in English
 
 // Hides the table and what else lies beside the patient; nothing if none of that was found. Shares ownership
 // of `found`, as its map may be as large as the volume.

@@ -41,14 +41,14 @@ class Cutting {
     void cut(const dicom::CroppingPlane& plane) { add(plane.outward, plane.outward * plane.offsetMm); }
 
     Result<std::optional<ClipPreset>> clip(const std::string& where) const {
-        const auto refuse = [&](const char* message) {
-            return Error{ErrorCode::inputNotUsable, message, where,
+        const auto refuse = [&](Text message) {
+            return Error{ErrorCode::inputNotUsable, std::move(message), where,
                          Text("Choose another presentation state.")};
         };
         if (isEmpty_ || !glm::all(glm::lessThan(left_.low, left_.high)))
-            return refuse("The clip of the presentation state leaves nothing of this series.");
+            return refuse(Text("The clip of the presentation state leaves nothing of this series."));
         if (planes_.size() > Clip::kMostPlanes)
-            return refuse("The clip of the presentation state is of more planes than six.");
+            return refuse(Text("The clip of the presentation state is of more planes than six."));
         const Box all = volume_.worldBox();
         const glm::dvec3 size = all.high - all.low;
         const auto fraction = [&](const glm::dvec3& mm) { return (mm - all.low) / size; };

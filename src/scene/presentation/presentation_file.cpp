@@ -48,8 +48,8 @@ Result<PresentedImages> presentedImages(const dicom::Series& series, const dicom
     return images;
 }
 
-Result<std::vector<std::string>> writePresentation(const std::filesystem::path& path,
-                                                   const PresentationRequest& request) {
+Result<std::vector<Text>> writePresentation(const std::filesystem::path& path,
+                                            const PresentationRequest& request) {
     const std::shared_ptr<const Volume> volume = in16Bits(request.volume);
     MACULA_TRY(SaidState said,
                presentationOf(request.state, *volume, request.aspectWidthOverHeight, request.isDeidentified));

@@ -36,7 +36,7 @@ struct PresentationRequest {
 
 // Returns sentences on what other programs will show differently. Errors: those of presentationOf and
 // dicom::writePresentationState; nothing is written then.
-Result<std::vector<std::string>> writePresentation(const std::filesystem::path& path,
-                                                   const PresentationRequest& request);
+Result<std::vector<Text>> writePresentation(const std::filesystem::path& path,
+                                            const PresentationRequest& request);
 
 }  // namespace macula::scene

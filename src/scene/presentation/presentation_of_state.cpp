@@ -91,24 +91,25 @@ Result<void> say(SaidState& said, const StudyState& state, const Volume& volume,
                                                      : dicom::RenderingMethod::minimum;
         p.palette.values = valuesSeen(*settings.window);
         if (settings.window->function == "SIGMOID")
-            said.leftOut.emplace_back("The window is a curve; others get a straight one.");
+            said.leftOut.push_back(Text("The window is a curve; others get a straight one."));
         return {};
     }
     const TransferFunction function = fitted(*state.preset, volume);
     p.palette = paletteOf(function);
     p.samplingStepMm = layerMmOf(function);
     if (settings.look == trace::Look::average)
-        said.leftOut.emplace_back("Others cannot show an average, and show the preset instead.");
+        said.leftOut.push_back(Text("Others cannot show an average, and show the preset instead."));
     if (usesGradientOpacity(function))
-        said.leftOut.emplace_back("Opacities that depend on edges (gradients) are for Macula alone.");
+        said.leftOut.push_back(Text("Opacities that depend on edges (gradients) are for Macula alone."));
     if (usesSteepCurves(function))
-        said.leftOut.emplace_back(
-            "Others know no steep matter: they show what is halfway between flat and steep.");
+        said.leftOut.push_back(
+            Text("Others know no steep matter: they show what is halfway between flat and steep."));
     if (trace::isPathTraced(settings.look)) {
         MACULA_TRY(const trace::LightRig lights, lightsOf(state));
         p.shading = shadingOf(lights, settings.lightRotationDeg, axes);
-        said.leftOut.emplace_back(
-            "Others have no path tracing: of the lights they get the strongest, and how bright the rest is.");
+        said.leftOut.push_back(
+            Text("Others have no path tracing: of the lights they get the strongest, and how bright the rest "
+                 "is."));
     } else if (settings.shading == trace::Shading::headlight) {
         const auto part = [](double value) { return std::clamp(value, 0.0, 1.0); };
         p.shading = {.ambient = part(function.lighting.ambient),
@@ -125,15 +126,15 @@ dicom::CroppingPlane croppingOf(const HalfSpace& kept) {
 
 void sayClip(SaidState& said, const StudyState& state, const Volume& volume) {
     dicom::Cropping& cropping = said.presentation.cropping;
-    if (state.leavesTableOut) said.leftOut.emplace_back("Others show the table, which is left out here.");
+    if (state.leavesTableOut) said.leftOut.push_back(Text("Others show the table, which is left out here."));
     if (!in3dOf(state.segmentations).empty())
-        said.leftOut.emplace_back("Others show segments that are hidden here.");
+        said.leftOut.push_back(Text("Others show segments that are hidden here."));
     if (!colouredIn3dOf(state.segmentations).empty())
-        said.leftOut.emplace_back("Others show no colours of segments.");
+        said.leftOut.push_back(Text("Others show no colours of segments."));
     if (state.secondVolume && isSecondIn3d(*state.secondVolume))
-        said.leftOut.emplace_back("Others show the study without the second volume.");
+        said.leftOut.push_back(Text("Others show the study without the second volume."));
     if (!state.cuts.scissors.empty())
-        said.leftOut.emplace_back("Others show what is cut off with scissors here.");
+        said.leftOut.push_back(Text("Others show what is cut off with scissors here."));
     const Clip clip = clipFor(state.clip, state.cuts, volume);
     if (clip.box && clip.ofBox == Keep::inside) {
         if (clip.box->axes == glm::dmat3(1.0) && isAlongPatient(volume)) {
@@ -145,9 +146,9 @@ void sayClip(SaidState& said, const StudyState& state, const Volume& volume) {
     }
     for (const HalfSpace& plane : clip.planes) cropping.planes.push_back(croppingOf(plane));
     if ((clip.box && clip.ofBox == Keep::outside) || clip.cut || clip.ball)
-        said.leftOut.emplace_back("Others show boxes, corners and balls that are cut out here.");
+        said.leftOut.push_back(Text("Others show boxes, corners and balls that are cut out here."));
     if (clip.removedCastsShadow || clip.greyFaces)
-        said.leftOut.emplace_back("Grey faces and shadows of what is cut off are for Macula alone.");
+        said.leftOut.push_back(Text("Grey faces and shadows of what is cut off are for Macula alone."));
 }
 
 constexpr const char* kNobodys = "nobody's";  // in place of the digest of a series
@@ -214,12 +215,12 @@ Result<SaidState> presentationOf(const StudyState& state, const Volume& volume, 
     sayClip(said, state, volume);
     said.presentation.ownState = ownStateOf(state, isDeidentified);
     if (isDeidentified && (state.secondVolume || !state.segmentations.empty()))
-        said.leftOut.emplace_back(
-            "Without patient and study, the second volume and segmentations are not found again.");
+        said.leftOut.push_back(
+            Text("Without patient and study, the second volume and segmentations are not found again."));
     if (said.presentation.ownState.size() > kLongestOwnState) {
         said.presentation.ownState.clear();
-        said.leftOut.emplace_back(
-            "The view is too large to be kept as a whole: Macula too shows only what others show.");
+        said.leftOut.push_back(
+            Text("The view is too large to be kept as a whole: Macula too shows only what others show."));
     }
     return said;
 }

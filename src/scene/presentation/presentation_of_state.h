@@ -13,7 +13,7 @@ namespace macula::scene {
 
 struct SaidState {
     dicom::VolumePresentation presentation;  // the caller fills in its `series`
-    std::vector<std::string> leftOut;        // sentences: what other programs will show differently
+    std::vector<Text> leftOut;               // sentences: what other programs will show differently
 };
 
 // Needs a preset and a camera; the volume in 16 bits. VolumePresentation::ownState holds the whole state (up

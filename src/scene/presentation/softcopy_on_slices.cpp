@@ -42,11 +42,11 @@ class Showing {
         if (images_.empty())
             return Error{ErrorCode::inputNotUsable, Text("The presentation state is of other images."), where,
                          Text("Open the series of these images, or choose another presentation state.")};
-        for (const std::string& what : said_.leftOut)
+        for (const auto& what : said_.leftOut)
             shown_.notes.push_back(
                 dicom::message(dicom::key::kPresentationLeftOut, {{"what", what}}).sentence);
         if (images_.size() < stack_.frames.size())
-            note("It is of some of the images alone; the others are shown in the same way.");
+            note(Text("It is of some of the images alone; the others are shown in the same way."));
         showWindow();
         // The object's own greys take the place of those of the images (PS3.3 C.11.6); slices begin with
         // these.
@@ -56,7 +56,7 @@ class Showing {
     }
 
   private:
-    void note(const char* sentence) { shown_.notes.emplace_back(sentence); }
+    void note(Text sentence) { shown_.notes.push_back(std::move(sentence)); }
     const dicom::Frame& first() const { return *images_.front(); }
 
     // Where an image, and in it a frame, stands among those that the object names; of all frames of an image,
@@ -103,22 +103,24 @@ class Showing {
         const auto meant = std::ranges::find_if(
             said_.windows, [&](const dicom::SoftcopyWindow& window) { return isOf(window.images, first()); });
         if (meant == said_.windows.end()) {
-            if (!said_.windows.empty()) note("It has no window for its first image here.");
+            if (!said_.windows.empty()) note(Text("It has no window for its first image here."));
             return;
         }
-        if (!meant->window) return note("Its window is a table of values (VOI LUT), which is not shown.");
+        if (!meant->window)
+            return note(Text("Its window is a table of values (VOI LUT), which is not shown."));
         if (!hasValuesOfVolume())
-            return note("Its window is of other values than those of the volume, and is not shown.");
+            return note(Text("Its window is of other values than those of the volume, and is not shown."));
         shown_.slices.window = meant->window;
         if (std::ranges::any_of(said_.windows, [&](const dicom::SoftcopyWindow& other) {
                 return other.window != meant->window;
             }))
-            note("It has several windows; that of its first image is shown.");
+            note(Text("It has several windows; that of its first image is shown."));
     }
 
     void showPlace() {
         const dicom::Frame& image = first();
-        if (!image.plane) return note("Where its images lie is not known: the slices stay where they are.");
+        if (!image.plane)
+            return note(Text("Where its images lie is not known: the slices stay where they are."));
         shown_.slices.asAcquired = true;
         const dicom::ImagePlane& plane = *image.plane;
         const auto placeMm = [&](const glm::dvec2& pixel) {
@@ -129,23 +131,23 @@ class Showing {
         shown_.slices.crosshairMm = placeMm(0.5 * (size - 1.0));
         // A whole turn is none.
         if (said_.isFlipped || said_.rotationDeg % 360 != 0)
-            return note(
+            return note(Text(
                 "It turns or mirrors its images, which slices here never do: its part of the image is not "
-                "shown.");
+                "shown."));
         const auto meant = std::ranges::find_if(
             said_.areas, [&](const dicom::DisplayedArea& area) { return isOf(area.images, first()); });
         if (meant == said_.areas.end()) return;
         if (meant->size == dicom::DisplayedSize::trueSize)
-            note("It asks for the true size on the screen, which is not shown: slices fit their pane.");
+            note(Text("It asks for the true size on the screen, which is not shown: slices fit their pane."));
         if (meant->size == dicom::DisplayedSize::magnified)
-            note("It asks for a fixed magnification, which is not shown: slices fit their pane.");
+            note(Text("It asks for a fixed magnification, which is not shown: slices fit their pane."));
         const glm::dvec2 low(meant->topLeft);
         const glm::dvec2 high(meant->bottomRight);
         if (low.x <= 1.0 && low.y <= 1.0 && high.x >= size.x && high.y >= size.y) return;
         const glm::dvec3 centre = placeMm(0.5 * (low + high) - 1.0);
         const Box box = volume_.worldBox();
         if (glm::any(glm::lessThan(centre, box.low)) || glm::any(glm::greaterThan(centre, box.high)))
-            return note("Its part of the image lies beside the volume, and is not shown.");
+            return note(Text("Its part of the image lies beside the volume, and is not shown."));
         shown_.slices.crosshairMm = centre;
         shown_.area = areaOf(plane, centre, high - low + 1.0);
     }

@@ -36,7 +36,7 @@ class Telling {
     }
 
   private:
-    void note(const char* sentence) { presented_.notes.emplace_back(sentence); }
+    void note(Text sentence) { presented_.notes.push_back(std::move(sentence)); }
 
     void tellColours() {
         StudyState& state = presented_.state;
@@ -49,13 +49,14 @@ class Telling {
                               .width = values.high - values.low,
                               .explanation = {},
                               .function = "LINEAR_EXACT"};
-            if (!said_.palette.red.empty()) note("The colours of this projection are shown as greys.");
+            if (!said_.palette.red.empty()) note(Text("The colours of this projection are shown as greys."));
             return;
         }
         state.settings.look = trace::Look::dvr;
         TransferFunction function = transferOf(said_.palette, said_.samplingStepMm.value_or(1.0));
         if (!said_.samplingStepMm)
-            note("The presentation state does not say of which thickness its opacities are; 1 mm is taken.");
+            note(Text(
+                "The presentation state does not say of which thickness its opacities are; 1 mm is taken."));
         function.name = "presentation-state";
         function.title = "Presentation state";
         tellShading(function);
@@ -71,13 +72,13 @@ class Telling {
         function.lighting.diffuse = shading.diffuse;
         function.lighting.specular = shading.specular;
         if (shading.shininess) function.lighting.specularPower = kMostSpecularPower * *shading.shininess;
-        if (shading.specular > 0.0) note("Highlights are not drawn.");
-        if (!shading.isDoubleSided) note("Surfaces are shaded from both sides.");
+        if (shading.specular > 0.0) note(Text("Highlights are not drawn."));
+        if (!shading.isDoubleSided) note(Text("Surfaces are shaded from both sides."));
         const glm::dvec3 forward = said_.view.lookAtMm - said_.view.positionMm;
         const double along = glm::dot(forward, shading.lightDirection);
         if (shading.diffuse > 0.0 &&
             along < 0.9998 * glm::length(forward) * glm::length(shading.lightDirection))
-            note("Light comes from the viewer, and not from where the presentation state has it.");
+            note(Text("Light comes from the viewer, and not from where the presentation state has it."));
     }
 
     std::optional<Camera> cameraOf() {
@@ -93,9 +94,9 @@ class Telling {
             presented_.widthOverHeight = std::max(field.rightMm, -field.leftMm) / half;
             if (std::abs(field.topMm + field.bottomMm) > kOff * half ||
                 std::abs(field.leftMm + field.rightMm) > kOff * half)
-                note(
+                note(Text(
                     "The picture is larger than that of the presentation state, whose middle is not where it "
-                    "looks at.");
+                    "looks at."));
         } else {
             camera.parallelHeightMm = field.topMm - field.bottomMm;
             presented_.widthOverHeight = (field.rightMm - field.leftMm) / camera.parallelHeightMm;
@@ -177,7 +178,7 @@ Result<PresentedState> stateOf(const dicom::PresentationState& read, StudyState 
             presented.isOwn = true;
             return presented;
         }
-        presented.notes.emplace_back(
+        presented.notes.push_back(
             Text("What a newer Macula has written cannot be read; the picture is as others show it."));
     }
     presented.state = std::move(usual);
@@ -204,7 +205,7 @@ Result<void> completeFor(PresentedState& presented, const dicom::PresentationSta
                      Text("The presentation state is of other images of this series, such as another phase."),
                      where, Text("Choose the volume of these images, or another presentation state.")};
     if (shown == ImagesShown::some)
-        presented.notes.emplace_back(Text(
+        presented.notes.push_back(Text(
             "The presentation state is of other images of this series, too, or of a part of these alone."));
     StudyState& state = presented.state;
     state.seriesDigest = std::string(seriesDigest);
@@ -222,7 +223,7 @@ Result<void> completeFor(PresentedState& presented, const dicom::PresentationSta
     }
     MACULA_TRY(state.clip, clipOf(said.cropping, volume, where));
     if (cutsByDepth(said.view, volume))
-        presented.notes.emplace_back(Text("What lies before or behind the depth of its view is shown, too."));
+        presented.notes.push_back(Text("What lies before or behind the depth of its view is shown, too."));
     return {};
 }
 

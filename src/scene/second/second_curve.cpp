@@ -70,15 +70,16 @@ DrawnSecondVolume secondIn3d(const SecondVolumeState& state, std::shared_ptr<con
     return made;
 }
 
-std::string secondRemark(const Volume& second, const SecondVolumeState& state, study::SamePatient patient) {
+Text secondRemark(const Volume& second, const SecondVolumeState& state, study::SamePatient patient) {
     const std::string& modality = second.modality();
     const bool isCode = !modality.empty() && modality.size() <= 16 &&
                         std::ranges::all_of(modality, [](unsigned char c) { return std::isalnum(c) != 0; });
-    std::string remark = "with " + (isCode ? modality : std::string("a second volume"));
-    if (state.link == SecondVolumeLink::registered && state.isDoubtful) remark += ", registration doubtful";
-    if (patient == study::SamePatient::no) remark += ", of ANOTHER PATIENT";
-    if (patient == study::SamePatient::unknown) remark += ", perhaps of another patient";
-    return remark;
+    std::vector<Text> remarks{isCode ? Text("with {}", modality) : Text("with a second volume")};
+    if (state.link == SecondVolumeLink::registered && state.isDoubtful)
+        remarks.push_back(Text("registration doubtful"));
+    if (patient == study::SamePatient::no) remarks.push_back(Text("of ANOTHER PATIENT"));
+    if (patient == study::SamePatient::unknown) remarks.push_back(Text("perhaps of another patient"));
+    return Text::joined(std::move(remarks), ", ");
 }
 
 }  // namespace macula::scene

@@ -1,7 +1,5 @@
 #include "scene/second/second_input.h"
 
-#include <fmt/format.h>
-
 #include <memory>
 #include <optional>
 #include <utility>
@@ -16,9 +14,14 @@ namespace macula::scene {
 
 namespace {
 
-void warn(DrawableSecond& drawn, std::string sentence) {
+void warn(DrawableSecond& drawn, Text sentence) {
     drawn.notes.push_back(sentence);
     drawn.warnings.push_back(std::move(sentence));
+}
+
+void addNotes(const std::vector<Text>& notes, const std::vector<Text>& warnings, DrawableSecond& drawn) {
+    for (const Text& note : notes) drawn.notes.push_back(Text("Second volume: {}", note));
+    for (const Text& warning : warnings) drawn.warnings.push_back(Text("Second volume: {}", warning));
 }
 
 // By the positions alone, which are comparable in one frame of reference (PS3.3 C.7.4.1).
@@ -26,16 +29,19 @@ void placeByPositions(const study::LoadedStudy& study, const study::LoadedStudy&
                       SecondVolumeState& state, DrawableSecond& drawn) {
     const std::string& frame = study.frameOfReferenceUid;
     if (frame.empty() || second.frameOfReferenceUid.empty()) {
-        warn(drawn,
-             "Nothing says that the positions of the second volume are the study's: not both have a frame "
-             "of reference. Register both by --registration search.");
+        warn(
+            drawn,
+            Text(
+                "Nothing says that the positions of the second volume are the study's: not both have a frame "
+                "of reference. Register both by --registration search."));
     } else if (frame != second.frameOfReferenceUid) {
-        warn(drawn,
-             "The second volume has another frame of reference than the study: its positions are not the "
-             "study's. Register both by --registration search.");
+        warn(
+            drawn,
+            Text("The second volume has another frame of reference than the study: its positions are not the "
+                 "study's. Register both by --registration search."));
     } else {
         state.link = SecondVolumeLink::sameFrame;
-        drawn.notes.emplace_back(
+        drawn.notes.push_back(
             Text("Second volume: Same frame of reference, not registered: the patient may have moved."));
     }
 }
@@ -55,14 +61,12 @@ Result<void> place(const SecondVolumeRequest& request, const study::LoadedStudy&
         if (found.hasRival()) state.rivalMm = found.rivalMm;
         drawn.notes.push_back(Text("The second volume was registered, to {:.1f} mm.", found.boundMm));
         if (found.hasRival())
-            warn(drawn,
-                 fmt::format("The second volume fits the study nearly as well {:.0f} mm from where it was "
+            warn(drawn, Text("The second volume fits the study nearly as well {:.0f} mm from where it was "
                              "registered, as a spine does one vertebra off.",
                              found.rivalMm));
         if (found.isDoubtful())
-            warn(drawn,
-                 "The registration of the second volume is doubtful: look at both on slices before you rely "
-                 "on the picture.");
+            warn(drawn, Text("The registration of the second volume is doubtful: look at both on slices "
+                             "before you rely on the picture."));
     } else if (!isPlaced) {
         placeByPositions(ofStudy, ofSecond, state, drawn);
     }
@@ -92,7 +96,7 @@ Known known(const SecondVolumeState* beside, const study::LoadedStudy& study,
     if (beside == nullptr) return {};
     if (!namesSecond(*beside, second)) {
         if (isSecondIn3d(*beside))
-            drawn.notes.emplace_back(Text(
+            drawn.notes.push_back(Text(
                 "The view was saved with another second volume: its place and look are not those of this "
                 "one."));
         return {};
@@ -100,8 +104,8 @@ Known known(const SecondVolumeState* beside, const study::LoadedStudy& study,
     if (beside->pair == pairDigest(fingerprint(*study.volume), fingerprint(*second.volume)))
         return {.state = *beside, .isPlaced = true};
     warn(drawn,
-         "The view was saved when the images of the study or of the second volume had other values or "
-         "positions, or by an older Macula: where it lies there is not believed.");
+         Text("The view was saved when the images of the study or of the second volume had other values or "
+              "positions, or by an older Macula: where it lies there is not believed."));
     return {.state = withLookOf({}, *beside)};
 }
 
@@ -122,7 +126,7 @@ Result<study::SamePatient> patientOf(const study::LoadedStudy& study, const stud
                      {},
                      Text("Choose a series of the same patient by --second and --second-series.")};
     if (same == study::SamePatient::unknown)
-        drawn.notes.emplace_back(Text("The images do not tell whether both volumes are of one patient."));
+        drawn.notes.push_back(Text("The images do not tell whether both volumes are of one patient."));
     return same;
 }
 
@@ -153,23 +157,20 @@ Result<DrawableSecond> secondToDraw(const SecondVolumeRequest& request, const st
     MACULA_TRY(const study::SamePatient patient, patientOf(study, input, drawn));
     study::bringTo16Bits(input);
     if (isTheStudy(study, input)) return secondIsTheStudy();
-    for (const std::string& note : input.notes) drawn.notes.push_back("Second volume: " + note);
-    for (const std::string& warning : input.warnings) drawn.warnings.push_back("Second volume: " + warning);
+    addNotes(input.notes, input.warnings, drawn);
     const Known view = known(beside, study, input, drawn);
     SecondVolumeState state = view.state.value_or(SecondVolumeState());
     MACULA_TRY_VOID(place(request, study, input, view.isPlaced, state, drawn, progress));
     if (!request.preset.empty()) {
         MACULA_TRY(presets::ImportedPreset preset, presetToDraw(request.preset, false));
         const PresetNotes told = notesToDraw(preset, *input.volume);
-        for (const std::string& note : told.notes) drawn.notes.push_back("Second volume: " + note);
-        for (const std::string& warning : told.warnings)
-            drawn.warnings.push_back("Second volume: " + warning);
+        addNotes(told.notes, told.warnings, drawn);
         state.preset = std::make_shared<const TransferFunction>(std::move(preset.function));
     }
     if (state.preset && usesGradientOpacity(*state.preset))
-        drawn.notes.emplace_back(Text("The gradient opacity of the second volume's preset is not drawn."));
+        drawn.notes.push_back(Text("The gradient opacity of the second volume's preset is not drawn."));
     if (state.preset && usesSteepCurves(*state.preset))
-        drawn.notes.emplace_back(
+        drawn.notes.push_back(
             Text("The second volume's preset is drawn without its curves of steep matter."));
     drawn.remark = secondRemark(*input.volume, state, patient);
     drawn.second = secondIn3d(state, input.volume);

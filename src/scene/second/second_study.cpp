@@ -1,7 +1,5 @@
 #include "scene/second/second_study.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 
@@ -33,17 +31,19 @@ PlaceInSeries placeInSeries(const study::OpenedStudy& study) {
     return at;
 }
 
-std::string plainTag(const study::OpenedStudy& study) {
-    if (study.identity.isOfNobody) return "phantom";
-    std::string tag = study.volume->modality().empty() ? "images" : study.volume->modality();
+Text plainTag(const study::OpenedStudy& study) {
+    if (study.identity.isOfNobody) return Text("phantom");
+    const std::string& modality = study.volume->modality();
     const std::string day = study::studyDay(study.identity);
-    tag += ", " + (day.empty() ? std::string("no study date") : study::dateForPeople(day));
-    if (!study.found || study.volumeIndex >= study.found->volumes().size()) return tag;
-    if (const auto& number = study.found->volumes()[study.volumeIndex].series->number)
-        tag += fmt::format(", series {}", *number);
-    if (const PlaceInSeries at = placeInSeries(study); at.count > 1)
-        tag += fmt::format(", volume {} of {}", at.place + 1, at.count);
-    return tag;
+    std::vector<Text> facts{modality.empty() ? Text("images") : Text::verbatim(modality),
+                            day.empty() ? Text("no study date") : Text::verbatim(study::dateForPeople(day))};
+    if (study.found && study.volumeIndex < study.found->volumes().size()) {
+        if (const auto& number = study.found->volumes()[study.volumeIndex].series->number)
+            facts.push_back(Text("series {}", *number));
+        if (const PlaceInSeries at = placeInSeries(study); at.count > 1)
+            facts.push_back(Text("volume {} of {}", at.place + 1, at.count));
+    }
+    return Text::joined(std::move(facts), ", ");
 }
 
 SecondVolumeState firstLink(const study::OpenedStudy& study, const study::OpenedStudy& second,

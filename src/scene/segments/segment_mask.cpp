@@ -66,13 +66,13 @@ Result<std::optional<Mask>> segmentMask(std::span<const SegmentationSettings> ch
         return Error{ErrorCode::cancelled, Text("Hiding segments was cancelled."), {}, {}};
     Mask mask;
     mask.bits = std::make_shared<const MaskBits>(std::move(bits));
-    const auto remark = [](std::size_t count, const char* one, const char* many) {
-        return count == 0 ? std::string() : count == 1 ? one : many;
+    const auto remark = [](std::size_t count, const Text& one, const Text& many) {
+        return count == 0 ? Text() : count == 1 ? one : many;
     };
-    mask.remark = remark(wanted.alone.size(), "one segment alone", "some segments alone");
-    const std::string hidden = remark(wanted.hidden.size(), "a segment left out", "some segments left out");
-    if (!mask.remark.empty() && !hidden.empty()) mask.remark += ", ";
-    mask.remark += hidden;
+    mask.remark = Text::joined(
+        {remark(wanted.alone.size(), Text("one segment alone"), Text("some segments alone")),
+         remark(wanted.hidden.size(), Text("a segment left out"), Text("some segments left out"))},
+        ", ");
     return std::optional<Mask>(std::move(mask));
 } catch (const std::bad_alloc&) {
     return Error{ErrorCode::outOfMemory,

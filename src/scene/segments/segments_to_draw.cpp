@@ -79,20 +79,20 @@ Result<SegmentsToDraw> segmentsToDraw(const study::FoundVolumes& found, const st
     for (const study::FoundSegmentation& each : all) {
         if (!each.canBeShown() || !isWanted(each.digest)) continue;
         MACULA_TRY(auto segments, study::loadSegments(each, voxels, *volume.stack, progress));
-        for (const std::string& note : segments->notes) drawn.notes.push_back("Segmentation: " + note);
+        for (const Text& note : segments->notes) drawn.notes.push_back(Text("Segmentation: {}", note));
         loaded.push_back(std::move(segments));
     }
     const bool isMissing = std::ranges::any_of(wanted, [&](const std::string& digest) {
         return std::ranges::none_of(loaded, [&](const auto& l) { return l->digest == digest; });
     });
     if (isMissing)
-        drawn.notes.emplace_back(
+        drawn.notes.push_back(
             Text("A segmentation of the view is not in the folder, and nothing of it is kept, hidden or "
                  "coloured."));
     MACULA_TRY(drawn.mask, segmentMask(choices, loaded, voxels, progress));
     MACULA_TRY(drawn.tints, segmentTints(choices, loaded, voxels, progress));
     if (!hidden.empty() && !drawn.mask)
-        drawn.notes.emplace_back(Text("No voxel of these segments lies in the volume; all of it is shown."));
+        drawn.notes.push_back(Text("No voxel of these segments lies in the volume; all of it is shown."));
     return drawn;
 }
 

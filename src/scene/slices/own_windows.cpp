@@ -1,7 +1,5 @@
 #include "scene/slices/own_windows.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,7 +40,7 @@ std::string trimmed(std::string_view text) {
 
 std::string shortText(const JsonNode& node, std::size_t most) {
     std::string text = node.text();
-    if (text.size() > most) node.fail(fmt::format("at most {} bytes", most));
+    if (text.size() > most) node.fail(Text("at most {} bytes", most));
     return text;
 }
 
@@ -54,10 +52,11 @@ OwnWindow windowFrom(const JsonNode& node) {
                              .explanation = {},
                              .function = {}},
                   .unit = shortText(node["unit"], kLongestUnit)};
-    if (own.name.empty()) node["name"].fail("a name");
+    if (own.name.empty()) node["name"].fail(Text("a name"));
     if (const auto function = node.find("function")) {
         own.window.function = function->text();
-        if (!isFunction(own.window.function)) function->fail("\"LINEAR\", \"LINEAR_EXACT\" or \"SIGMOID\"");
+        if (!isFunction(own.window.function))
+            function->fail(Text("\"LINEAR\", \"LINEAR_EXACT\" or \"SIGMOID\""));
     }
     return own;
 }

@@ -1,7 +1,5 @@
 #include "scene/state/cuts_json.h"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <utility>
 
@@ -29,7 +27,7 @@ EyeCut eyeFrom(const JsonNode& node) {
     if (length > 1e-6) {
         cut.plane.normal = std::abs(length - 1.0) < kRounding ? normal : normal / length;
     } else {
-        node["normal"].fail("a direction, not all zeros");
+        node["normal"].fail(Text("a direction, not all zeros"));
     }
     cut.plane.offsetMm = node["offsetMm"].number(kAnyMm);
     if (const auto depth = node.find("fromMiddleMm")) cut.fromMiddleMm = depth->number(kAnyMm);
@@ -44,17 +42,17 @@ ScissorCut scissorFrom(const JsonNode& node) {
     cut.camera = cameraFrom(node["camera"]);
     const JsonNode outline = node["outline"];
     const std::vector<JsonNode> numbers = outline.items(6, 2 * kMostOutlinePoints);
-    if (numbers.size() % 2 != 0) outline.fail("pairs of numbers");
+    if (numbers.size() % 2 != 0) outline.fail(Text("pairs of numbers"));
     std::vector<glm::dvec2> points;
     for (std::size_t i = 1; i < numbers.size(); i += 2)
         points.emplace_back(numbers[i - 1].number(kHalfHeights), numbers[i].number(kHalfHeights));
     cut.outline = std::move(points);
     if (const auto removes = node.find("removes")) {
         const std::string text = removes->text();
-        if (text != "inside" && text != "outside") removes->fail("\"inside\" or \"outside\"");
+        if (text != "inside" && text != "outside") removes->fail(Text("\"inside\" or \"outside\""));
         cut.removesOutside = text == "outside";
     }
-    if (!validate(cut)) node.fail("a camera, and an outline that encloses something");
+    if (!validate(cut)) node.fail(Text("a camera, and an outline that encloses something"));
     return cut;
 }
 
@@ -97,7 +95,7 @@ Result<NamedClip> namedClipFrom(const Json& json, const std::string& where) {
     root.allowOnly({"name", "clip", "cuts"});
     NamedClip named{.name = root["name"].text()};
     if (named.name.empty() || named.name.size() > kLongestClipNameBytes)
-        root["name"].fail(fmt::format("1 to {} bytes", kLongestClipNameBytes));
+        root["name"].fail(Text("1 to {} bytes", kLongestClipNameBytes));
     if (const auto cuts = root.find("cuts")) named.cuts = cutsFrom(*cuts);
     MACULA_TRY_VOID(document.status());
     if (json.contains("clip")) {

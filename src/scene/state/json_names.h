@@ -20,7 +20,7 @@ void readName(const JsonNode& object, const char* key, const Values& values, T& 
         }
         names += (names.empty() ? "\"" : ", \"") + std::string(nameOf(each)) + "\"";
     }
-    node->fail("one of " + names);
+    node->fail(Text("one of {}", names));
 }
 
 }  // namespace macula::scene

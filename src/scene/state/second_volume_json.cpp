@@ -27,7 +27,7 @@ glm::dmat4 transformFrom(const JsonNode& node) {
         for (int column = 0; column < 4; ++column)
             transform[column][row] = rows[4 * std::size_t(row) + std::size_t(column)];
     if (registration::isRigid(transform)) return transform;
-    node.fail("a rotation and a shift, row by row");
+    node.fail(Text("a rotation and a shift, row by row"));
     return glm::dmat4(1.0);
 }
 
@@ -66,19 +66,19 @@ SecondVolumeState secondVolumeStateFrom(const JsonNode& node) {
                     "rivalMm", "view", "window", "linksWindow", "opacity", "colours", "in3d", "preset"});
     SecondVolumeState state;
     state.seriesDigest = node["series"].text();
-    if (state.seriesDigest.empty()) node["series"].fail("the digest of a series");
+    if (state.seriesDigest.empty()) node["series"].fail(Text("the digest of a series"));
     if (const auto volume = node.find("volume")) {
         const double place = volume->number(kPlaces);
-        if (place != std::floor(place)) volume->fail("a whole number");
+        if (place != std::floor(place)) volume->fail(Text("a whole number"));
         state.volume = std::size_t(place) - 1;
     }
     if (const auto key = node.find("volumeKey")) {
         state.volumeKey = key->text();
-        if (state.volumeKey.size() > kLongestVolumeKey) key->fail("the digest of a volume");
+        if (state.volumeKey.size() > kLongestVolumeKey) key->fail(Text("the digest of a volume"));
     }
     if (const auto pair = node.find("pair")) {
         state.pair = pair->text();
-        if (state.pair.size() > kLongestVolumeKey) pair->fail("the digest of two volumes");
+        if (state.pair.size() > kLongestVolumeKey) pair->fail(Text("the digest of two volumes"));
     }
     readName(node, "link", kSecondVolumeLinks, state.link);
     if (const auto transform = node.find("secondFromStudy"))

@@ -21,7 +21,7 @@ bool isDigest(std::string_view text) {
 
 double wholeNumber(const JsonNode& node, JsonRange range) {
     const double number = node.number(range);
-    if (number != std::floor(number)) node.fail("a whole number");
+    if (number != std::floor(number)) node.fail(Text("a whole number"));
     return std::floor(number);
 }
 
@@ -83,7 +83,7 @@ std::vector<SegmentationSettings> segmentationsFrom(const JsonNode& node) {
         item.allowOnly({"object", "shown", "segments"});
         SegmentationSettings choice;
         choice.digest = item["object"].text();
-        if (!isDigest(choice.digest)) item["object"].fail("64 hexadecimal digits");
+        if (!isDigest(choice.digest)) item["object"].fail(Text("64 hexadecimal digits"));
         if (const auto shown = item.find("shown")) choice.isShown = shown->boolean();
         if (const auto segments = item.find("segments")) {
             for (const JsonNode& segment : segments->items(0, kMostSegments))

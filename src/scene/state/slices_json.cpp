@@ -44,7 +44,7 @@ glm::dvec3 direction(const JsonNode& node) {
     const glm::dvec3 v = vector(node);
     const double length = glm::length(v);
     if (!(length > 1e-6)) {
-        node.fail("a direction, not all zeros");
+        node.fail(Text("a direction, not all zeros"));
         return {0.0, 0.0, 1.0};
     }
     return std::abs(length - 1.0) < kRounding ? v : v / length;
@@ -76,7 +76,8 @@ Ellipse ellipseFrom(const JsonNode& node) {
     right = direction(node["right"]);
     down = direction(node["down"]);
     const double cosine = glm::dot(right, down);
-    if (!(std::abs(cosine) <= kPerpendicular)) node["down"].fail("a direction perpendicular to \"right\"");
+    if (!(std::abs(cosine) <= kPerpendicular))
+        node["down"].fail(Text("a direction perpendicular to \"right\""));
     if (std::abs(cosine) > kRounding) down = glm::normalize(down - cosine * right);
     const std::vector<double> radii = node["radiiMm"].numbers(2, kRadiusMm);
     ellipse.radiiMm = {radii[0], radii[1]};
@@ -88,7 +89,7 @@ Measurement measurementFrom(const JsonNode& node) {
     if (const auto label = node.find("label")) {
         measurement.label = label->text();
         if (measurement.label.size() > kLongestLabelBytes)
-            label->fail(fmt::format("at most {} bytes", kLongestLabelBytes));
+            label->fail(Text("at most {} bytes", kLongestLabelBytes));
     }
     measurement.normal = direction(node["normal"]);
     const JsonNode kind = node["kind"];
@@ -103,7 +104,7 @@ Measurement measurementFrom(const JsonNode& node) {
         node.allowOnly({"kind", "label", "centreMm", "right", "down", "radiiMm", "normal"});
         measurement.shape = ellipseFrom(node);
     } else {
-        kind.fail("\"distance\", \"angle\" or \"ellipse\"");
+        kind.fail(Text("\"distance\", \"angle\" or \"ellipse\""));
     }
     return measurement;
 }
@@ -138,7 +139,8 @@ DisplayWindow windowFrom(const JsonNode& node) {
                          .function = {}};
     if (const auto function = node.find("function")) {
         window.function = function->text();
-        if (!isWindowFunction(window.function)) function->fail("\"LINEAR\", \"LINEAR_EXACT\" or \"SIGMOID\"");
+        if (!isWindowFunction(window.function))
+            function->fail(Text("\"LINEAR\", \"LINEAR_EXACT\" or \"SIGMOID\""));
     }
     return window;
 }

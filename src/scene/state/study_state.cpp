@@ -100,8 +100,7 @@ Result<void> checkSeries(const StudyState& state, std::string_view seriesDigest,
                           "the series."),
                      where,
                      Text("Make it anew; or choose the volume that it is of. Without \"grid\" in the file it "
-                          "is taken as "
-                          "it is.")};
+                          "is taken as it is.")};
     return {};
 }
 

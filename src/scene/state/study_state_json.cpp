@@ -45,7 +45,7 @@ void readParameters(const JsonNode& root, trace::Settings& settings) {
         const auto node = root.find(p.id);
         if (!node) continue;
         const double value = node->number({p.low, p.high});
-        if (p.isWhole && value != std::floor(value)) node->fail("a whole number");
+        if (p.isWhole && value != std::floor(value)) node->fail(Text("a whole number"));
         p.set(settings, value);
     }
 }
@@ -150,7 +150,7 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     const JsonNode root = document.root();
     StudyState state;
     if (root["version"].number() != kVersion)
-        root["version"].fail("version 1; newer ones need a newer Macula");
+        root["version"].fail(Text("version 1; newer ones need a newer Macula"));
     if (const auto node = root.find("series")) state.seriesDigest = node->text();
     if (const auto node = root.find("grid")) state.grid = savedGridFrom(*node);
     std::array<trace::Look, trace::kLooks.size()> looks{};
@@ -166,12 +166,12 @@ Result<StudyState> studyStateFromJson(std::string_view text, const std::string& 
     readWindows(root, state);
     if (const auto node = root.find("camera")) {
         state.camera = cameraFrom(*node);
-        if (!basis(*state.camera)) node->fail("an eye, a target and an upright that make a camera");
+        if (!basis(*state.camera)) node->fail(Text("an eye, a target and an upright that make a camera"));
     }
     if (const auto node = root.find("cubeAndScale")) state.showsMarks = node->boolean();
     if (const auto node = root.find("background")) {
         state.background = colourOfHex(node->text());
-        if (!state.background) node->fail("a colour as #rrggbb");
+        if (!state.background) node->fail(Text("a colour as #rrggbb"));
     }
     readName(root, "layout", kLayouts, state.layout);
     if (const auto node = root.find("slices")) state.slices = sliceStateFrom(*node);

@@ -1,7 +1,5 @@
 #include "study/export/segmentation_on_grid.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <vector>
 

@@ -7,13 +7,14 @@
 
 #include "base/elapsed.h"
 #include "base/sha256.h"
+#include "study/export/english.h"
 #include "study/export/grid_json.h"
 
 namespace macula::study {
 
 void noteWhatOthersMisread(LoadedStudy& study) {
     if (!isSheared(study.volume->worldFromVoxel())) return;
-    study.notes.emplace_back(Text(
+    study.notes.push_back(Text(
         "The slices are tilted against their axis, and the file says so; some programs do not understand "
         "that, and show the patient askew."));
     study.warnings.push_back(study.notes.back());
@@ -45,17 +46,18 @@ nlohmann::ordered_json toJson(const ExportedVolume& exported, double loadSeconds
     if (const auto& range = exported.valueRange) json["valueRange"] = {range->low, range->high};
     json["loadSeconds"] = loadSeconds;
     json["writeSeconds"] = exported.writeSeconds;
-    json["notes"] = exported.notes;
+    json["notes"] = inEnglish(exported.notes);
     return json;
 }
 
-std::vector<std::string> notesOf(const SegmentationOnGrid& input) {
-    std::vector<std::string> notes;
+std::vector<Text> notesOf(const SegmentationOnGrid& input) {
+    std::vector<Text> notes;
     if (!input.onItsSeries) {
-        notes.emplace_back(
-            input.hasImages ? "It does not lie on the voxels of the images it was drawn on: it is on a grid "
-                              "of its own."
-                            : "The images it was drawn on are not there: it is on a grid of its own.");
+        notes.push_back(
+            input.hasImages
+                ? Text("It does not lie on the voxels of the images it was drawn on: it is on a grid of its "
+                       "own.")
+                : Text("The images it was drawn on are not there: it is on a grid of its own."));
     }
     for (const Message& message : input.map.messages()) notes.push_back(message.sentence);
     return notes;
@@ -86,7 +88,7 @@ nlohmann::ordered_json toJson(const ExportedSegmentation& exported) {
     nlohmann::ordered_json json = {
         {"version", MACULA_VERSION}, {"series", exported.seriesDigest}, {"segments", std::move(segments)}};
     json.update(gridToJson(exported.size, exported.worldFromVoxel));
-    json["notes"] = exported.notes;
+    json["notes"] = inEnglish(exported.notes);
     return json;
 }
 

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "study/export/english.h"
 #include "study/export/grid_json.h"
 
 namespace macula::study {
@@ -15,7 +16,7 @@ nlohmann::ordered_json toJson(const formats::VolumeFileInfo& info, const Volume*
         json["unit"] = volume->unitName();
         if (const auto& range = volume->valueRange()) json["valueRange"] = {range->low, range->high};
     }
-    json["assumptions"] = info.assumptions;
+    json["assumptions"] = inEnglish(info.assumptions);
     return json;
 }
 

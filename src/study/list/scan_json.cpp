@@ -6,6 +6,7 @@
 
 #include "dicom/read/sop_class.h"
 #include "dicom/segmentation/segmentation.h"
+#include "study/export/english.h"
 
 namespace macula::study {
 
@@ -81,7 +82,7 @@ Json toJson(const dicom::Stack& stack, const std::string& place, bool isBest, Pa
     if (stack.suvFactor) json["suvFactor"] = *stack.suvFactor;
     if (Json windows = windowsOf(stack); !windows.empty()) json["windows"] = windows;
     json["messages"] = toJson(stack.messages);
-    json["assumptions"] = stack.assumptions;
+    json["assumptions"] = inEnglish(stack.assumptions);
     return json;
 }
 
@@ -133,13 +134,22 @@ std::string shownValue(const dicom::StackLabel& label) {
 Json toJson(const Message& message) {
     Json arguments = Json::object();
     for (const TextArgument& argument : message.arguments) {
-        std::visit([&](const auto& value) { arguments[argument.name] = value; }, argument.value);
+        Json& said = arguments[argument.name];
+        if (const auto* text = std::get_if<Text>(&argument.value)) {
+            said = text->english();
+        } else if (const auto* words = std::get_if<std::string>(&argument.value)) {
+            said = *words;
+        } else if (const auto* number = std::get_if<double>(&argument.value)) {
+            said = *number;
+        } else {
+            said = std::get<std::int64_t>(argument.value);
+        }
     }
     return {{"key", message.key},
             {"severity", dicom::nameOf(message.severity)},
             {"arguments", arguments},
-            {"sentence", message.sentence},
-            {"action", message.action}};
+            {"sentence", message.sentence.english()},
+            {"action", message.action.english()}};
 }
 
 Json toJson(const dicom::Scan& scan, const dicom::ChosenStack& best, PatientData patientData) {
@@ -152,7 +162,7 @@ Json toJson(const dicom::Scan& scan, const dicom::ChosenStack& best, PatientData
                  {"best", nullptr},
                  {"studies", Json::array()},
                  {"skipped", Json::array()}};
-    json["best"] = {{"why", best.why}};
+    json["best"] = {{"why", best.why.english()}};
     std::size_t place = 0;
     for (const dicom::Study& study : scan.studies) {
         Json entry = {{"patient", study.patient + 1}};

@@ -1,7 +1,5 @@
 #include "study/list/study_tree.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <map>
@@ -17,43 +15,36 @@ namespace macula::study {
 
 namespace {
 
-constexpr const char* kBetween = " \u00b7 ";
-constexpr const char* kTimes = " \u00d7 ";
-
-std::string counted(std::size_t count, std::string_view one, std::string_view many) {
-    return fmt::format("{} {}", count, count == 1 ? one : many);
+Text imagesText(std::size_t count) {
+    return count == 1 ? Text("1 image") : Text("{} images", count);
 }
 
-std::string joined(const std::vector<std::string>& parts, std::string_view separator) {
-    std::string text;
-    for (const std::string& part : parts) {
-        if (part.empty()) continue;
-        if (!text.empty()) text += separator;
-        text += part;
-    }
-    return text;
+Text withBetween(std::vector<Text> facts) {
+    return Text::joined(std::move(facts), " · ");
 }
 
-std::string toldWithAction(const Message& message) {
-    return message.action.empty() ? message.sentence : message.sentence + " " + message.action;
+Text toldWithAction(const Message& message) {
+    return Text::joined({message.sentence, message.action}, " ");
 }
 
 void addMessages(const std::vector<Message>& messages, StudyRow& row) {
     for (const Message& message : messages) {
-        std::string text = toldWithAction(message);
-        if (std::find(row.messages.begin(), row.messages.end(), text) == row.messages.end())
-            row.messages.push_back(std::move(text));
+        Text text = toldWithAction(message);
+        const std::string said = text.english();  // arguments that no sentence has a place for may differ
+        const bool isKnown =
+            std::ranges::any_of(row.messages, [&](const Text& known) { return known == said; });
+        if (!isKnown) row.messages.push_back(std::move(text));
     }
 }
 
-std::string whyNoVolume(const dicom::Stack& stack) {
+Text whyNoVolume(const dicom::Stack& stack) {
     if (stack.canBeVolume()) return {};
     const Message* reason = stack.whyNoVolume();
-    return reason != nullptr ? reason->sentence : "The images are no volume.";
+    return reason != nullptr ? reason->sentence : Text("The images are no volume.");
 }
 
 // Of a series without one.
-std::string whyNoVolume(const dicom::Series& series) {
+Text whyNoVolume(const dicom::Series& series) {
     for (const Message& message : series.messages) {
         if (message.severity >= Severity::blocksVolume) return message.sentence;
     }
@@ -65,21 +56,19 @@ std::string whyNoVolume(const dicom::Series& series) {
         if (message.key == dicom::key::kUnsupportedSopClass || message.key == dicom::key::kPresentationState)
             return message.sentence;
     }
-    return "There are no images in this series.";
+    return Text("There are no images in this series.");
 }
 
-std::string sizeText(const dicom::Stack& stack) {
-    std::string text = fmt::format("{}{}{}", stack.columns, kTimes, stack.rows);
-    if (stack.canBeVolume()) text += fmt::format("{}{}", kTimes, stack.slices.size());
-    return text;
+Text sizeText(const dicom::Stack& stack) {
+    if (!stack.canBeVolume()) return Text("{} × {}", stack.columns, stack.rows);
+    return Text("{} × {} × {}", stack.columns, stack.rows, stack.slices.size());
 }
 
-std::string voxelText(const dicom::Stack& stack) {
+Text voxelText(const dicom::Stack& stack) {
     if (!stack.canBeVolume() || !stack.spacingMm) return {};
-    std::string text = fmt::format("{:.3g}{}{:.3g}{}{:.3g} mm", stack.spacingMm->x, kTimes,
-                                   stack.spacingMm->y, kTimes, stack.spacingMm->z);
-    if (!stack.isCalibrated) text += fmt::format("{}not calibrated", kBetween);
-    return text;
+    const glm::dvec3& mm = *stack.spacingMm;
+    return withBetween({Text("{:.3g} × {:.3g} × {:.3g} mm", mm.x, mm.y, mm.z),
+                        stack.isCalibrated ? Text() : Text("not calibrated")});
 }
 
 // What stands for a series: the volume with most images, else the stack with most.
@@ -125,7 +114,9 @@ class Builder {
     // `searched` is what the row is found by besides its title.
     std::size_t add(StudyRow row, const std::vector<std::string>& searched) {
         const std::size_t index = tree_.rows.size();
-        row.searched = foldedForSearch(row.title + "\n" + joined(searched, "\n"));
+        std::string words = row.title.english();
+        for (const std::string& each : searched) words += "\n" + each;
+        row.searched = foldedForSearch(words);
         if (row.parent == kNoRow) {
             tree_.top.push_back(index);
         } else {
@@ -140,15 +131,13 @@ class Builder {
         StudyRow row{.kind = StudyRow::Kind::patient};
         std::vector<std::string> searched;
         if (hides_) {
-            row.title = fmt::format("Patient {}", patient + 1);
+            row.title = Text("Patient {}", patient + 1);
         } else {
             const Identity identity = identityOf(*studies.front());
-            const std::vector<std::string> lines = linesOf(identity);
+            const std::vector<Text> lines = linesOf(identity);
             row.title = lines[0];
-            if (!trimmed(identity.patientName).empty()) row.titleOfFile = row.title;
             row.details = {lines[1]};
-            if (!trimmed(identity.patientId).empty()) row.detailOfFile = 0;
-            searched = {lines[1], identity.birthDate};
+            searched = {lines[1].english(), identity.birthDate};
         }
         const std::size_t index = add(std::move(row), searched);
         for (const dicom::Study* study : studies) addStudy(*study, index);
@@ -160,13 +149,6 @@ class Builder {
         if (hides_ && !isDate(trimmed(identity.studyDate))) identity.studyDate.clear();
         StudyRow row{.kind = StudyRow::Kind::study, .parent = parent};
         row.title = linesOf(identity)[2];
-        if (trimmed(identity.studyDate).empty()) {
-            Identity undescribed = identity;
-            undescribed.studyDescription.clear();
-            row.titleOfFile = row.title.substr(linesOf(undescribed)[2].size());
-        } else {
-            row.titleOfFile = row.title;
-        }
         std::vector<std::string> modalities;
         std::size_t listed = 0;
         for (const dicom::Series& series : study.series) {
@@ -175,7 +157,10 @@ class Builder {
             if (std::find(modalities.begin(), modalities.end(), series.modality) == modalities.end())
                 modalities.push_back(series.modality);
         }
-        row.details = {joined({joined(modalities, ", "), counted(listed, "series", "series")}, kBetween)};
+        std::vector<Text> words;
+        for (const std::string& modality : modalities) words.push_back(Text::verbatim(modality));
+        row.details = {withBetween({Text::joined(std::move(words), ", "),
+                                    listed == 1 ? Text("1 series") : Text("{} series", listed)})};
         // Not the modalities: all series of the study would be found by that of one.
         const std::size_t index = add(std::move(row), {identity.studyDate});
         for (const dicom::Series& series : study.series) {
@@ -185,11 +170,7 @@ class Builder {
 
     void addSeries(const dicom::Series& series, int patient, std::size_t parent) {
         StudyRow row{.kind = StudyRow::Kind::series, .parent = parent};
-        row.title =
-            series.number ? fmt::format("Series {}", *series.number) : std::string("Series without a number");
-        if (!hides_ && !trimmed(series.description).empty())
-            row.titleOfFile = ": " + std::string(trimmed(series.description));
-        row.title += row.titleOfFile;
+        row.title = titleOf(series);
         std::vector<const dicom::Stack*> volumes;
         std::size_t images = 0;
         for (const dicom::Stack& stack : series.stacks) {
@@ -197,19 +178,14 @@ class Builder {
             if (stack.canBeVolume()) volumes.push_back(&stack);
         }
         if (!found_.isWhole()) images = series.instances;
-        std::vector<std::string> facts{series.modality, "no images"};
-        if (images > 0) facts.back() = counted(images, "image", "images");
-        if (!found_.isWhole()) facts.back() += " so far";
-        if (!series.objects.empty()) facts.push_back(counted(series.objects.size(), "object", "objects"));
-        if (series.stacks.size() > 1) facts.push_back(counted(volumes.size(), "volume", "volumes"));
-        row.details = {joined(facts, kBetween)};
+        row.details = {factsOf(series, images, volumes.size())};
         const bool isOne = series.stacks.size() == 1;
         if (volumes.size() == 1) row.volume = volumes_.at(volumes.front());
         if (isOne || volumes.size() == 1) {
             const dicom::Stack& stack = isOne ? series.stacks.front() : *volumes.front();
             // Each in a line: the list is narrow, and the distance of slices comes last.
             row.details.push_back(sizeText(stack));
-            if (std::string voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
+            if (Text voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
         }
         const std::vector<const dicom::OtherObject*> presentations = presentationsOf(series);
         // Where presentation states are all that there is, they are what is opened.
@@ -222,6 +198,25 @@ class Builder {
         for (const dicom::OtherObject* object : presentations) addPresentation(*object, patient, index);
         if (isOne) return;
         for (std::size_t i = 0; i < series.stacks.size(); ++i) addStack(series.stacks[i], i, index);
+    }
+
+    Text titleOf(const dicom::Series& series) const {
+        const std::string description(hides_ ? std::string_view() : trimmed(series.description));
+        if (description.empty())
+            return series.number ? Text("Series {}", *series.number) : Text("Series without a number");
+        return series.number ? Text("Series {}: {}", *series.number, description)
+                             : Text("Series without a number: {}", description);
+    }
+
+    Text factsOf(const dicom::Series& series, std::size_t images, std::size_t volumes) const {
+        const std::size_t objects = series.objects.size();
+        std::vector<Text> facts{Text::verbatim(series.modality),
+                                images > 0 ? imagesText(images) : Text("no images")};
+        if (!found_.isWhole()) facts.back() = Text("{} so far", std::move(facts.back()));
+        if (objects > 0) facts.push_back(objects == 1 ? Text("1 object") : Text("{} objects", objects));
+        if (series.stacks.size() > 1)
+            facts.push_back(volumes == 1 ? Text("1 volume") : Text("{} volumes", volumes));
+        return withBetween(std::move(facts));
     }
 
     // The newest first.
@@ -241,24 +236,20 @@ class Builder {
         const bool isOfSlices = object.sopClassUid == dicom::sop_class::kSoftcopyPresentationState;
         const bool isOf3d = object.sopClassUid == dicom::sop_class::kVolumePresentationState;
         StudyRow row{.kind = StudyRow::Kind::presentation, .parent = parent};
-        row.title = isOf3d ? "3D view" : isOfSlices ? "View of slices" : object.kind;
+        row.title = isOf3d ? Text("3D view") : isOfSlices ? Text("View of slices") : object.kind;
         const std::string date(trimmed(heading.date));
         std::vector<std::string> words;
         if (!hides_) {
-            if (const auto label = trimmed(heading.label); !label.empty())
-                row.titleOfFile = ": " + std::string(label);
+            if (const std::string label(trimmed(heading.label)); !label.empty())
+                row.title = Text("{}: {}", std::move(row.title), label);
             words = {std::string(trimmed(heading.description)), dateForPeople(date),
                      nameForPeople(heading.creator)};
-            row.detailOfFile = 0;
         } else if (isDate(date)) {
             words = {dateForPeople(date)};
         }
-        row.title += row.titleOfFile;
-        if (std::string line = joined(words, kBetween); !line.empty()) {
-            row.details = {std::move(line)};
-        } else {
-            row.detailOfFile = kNoRow;
-        }
+        std::vector<Text> facts;
+        for (const std::string& each : words) facts.push_back(Text::verbatim(each));
+        if (Text line = withBetween(std::move(facts)); !line.empty()) row.details = {std::move(line)};
         PresentedVolume shown = presentedVolume(object, patient, found_);
         if (shown.index) {
             row.presentation = StudyRow::Presentation{object.file, *shown.index, isOfSlices};
@@ -270,18 +261,17 @@ class Builder {
 
     void addStack(const dicom::Stack& stack, std::size_t place, std::size_t parent) {
         StudyRow row{.kind = StudyRow::Kind::stack, .parent = parent};
-        std::vector<std::string> labels;
+        std::vector<Text> labels;
         if (hides_) {
-            labels.push_back(fmt::format("Stack {}", place + 1));
+            labels.push_back(Text("Stack {}", place + 1));
         } else {
             for (const dicom::StackLabel& label : stack.splitBy) labels.push_back(textOf(label));
         }
-        if (stack.phases > 1) labels.push_back(fmt::format("phase {} of {}", stack.phase + 1, stack.phases));
-        if (labels.empty()) labels.push_back(fmt::format("Stack {}", place + 1));
-        row.title = joined(labels, ", ");
-        if (!hides_ && !stack.splitBy.empty()) row.titleOfFile = row.title;
-        row.details = {joined({counted(stack.frames.size(), "image", "images"), sizeText(stack)}, kBetween)};
-        if (std::string voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
+        if (stack.phases > 1) labels.push_back(Text("phase {} of {}", stack.phase + 1, stack.phases));
+        if (labels.empty()) labels.push_back(Text("Stack {}", place + 1));
+        row.title = Text::joined(std::move(labels), ", ");
+        row.details = {withBetween({imagesText(stack.frames.size()), sizeText(stack)})};
+        if (Text voxel = voxelText(stack); !voxel.empty()) row.details.push_back(std::move(voxel));
         row.whyNot = whyNoVolume(stack);
         addMessages(stack.messages, row);
         if (stack.canBeVolume()) row.volume = volumes_.at(&stack);
@@ -303,6 +293,7 @@ class Builder {
     void addLeftOut() {
         const std::vector<dicom::SkippedFile>& skipped = found_.scan().skipped;
         std::vector<std::pair<Message, std::size_t>> reasons;  // in the order of the scan
+        std::map<std::string, std::size_t> placeOf;            // in `reasons`, by sentence
         std::vector<Message> otherFolders;                     // that permissions do not open
         std::size_t folders = 0;
         for (const dicom::SkippedFile& file : skipped) {
@@ -312,18 +303,13 @@ class Builder {
                 ++folders;
                 continue;
             }
-            const auto same = std::find_if(reasons.begin(), reasons.end(), [&](const auto& reason) {
-                return reason.first.sentence == file.message.sentence;
-            });
-            if (same != reasons.end()) {
-                ++same->second;
-            } else {
-                reasons.emplace_back(file.message, 1);
-            }
+            const auto [place, isNew] = placeOf.try_emplace(file.message.sentence.english(), reasons.size());
+            if (isNew) reasons.emplace_back(file.message, 0);
+            ++reasons[place->second].second;
         }
         if (const std::size_t files = skipped.size() - folders; files > 0) {
             StudyRow row{.kind = StudyRow::Kind::leftOut};
-            row.title = counted(files, "file", "files") + " left out";
+            row.title = files == 1 ? Text("1 file left out") : Text("{} files left out", files);
             const std::size_t parent = add(std::move(row), {});
             for (const auto& [reason, count] : reasons) addReason(reason, count, parent);
         }
@@ -337,7 +323,7 @@ class Builder {
 
     void addReason(const Message& reason, std::size_t count, std::size_t parent) {
         StudyRow row{.kind = StudyRow::Kind::leftOut, .parent = parent};
-        row.title = count == 1 ? reason.sentence : fmt::format("{}{}{}", count, kTimes, reason.sentence);
+        row.title = count == 1 ? reason.sentence : Text("{} × {}", count, reason.sentence);
         if (!reason.action.empty()) row.details = {reason.action};
         row.messages = {toldWithAction(reason)};
         add(std::move(row), {});

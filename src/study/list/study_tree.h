@@ -38,10 +38,8 @@ struct StudyRow {
     std::size_t parent = kNoRow;
     std::vector<std::size_t> children = {};  // in the order shown
 
-    std::string title = {};
-    std::string titleOfFile = {};       // the end of `title` that is text of a file, not to be translated
-    std::vector<Text> details = {};     // lines; lengths have their unit
-    std::size_t detailOfFile = kNoRow;  // the index in `details` of a line that is such text
+    Text title = {};
+    std::vector<Text> details = {};  // lines; lengths have their unit
     // A sentence where a series or stack has no volume, or a presentation state cannot be shown; else empty.
     Text whyNot = {};
     std::vector<Text> messages = {};  // sentences, each with the advised action

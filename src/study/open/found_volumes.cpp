@@ -1,7 +1,5 @@
 #include "study/open/found_volumes.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -26,14 +24,19 @@ bool sameFile(const std::filesystem::path& a, const std::filesystem::path& b) {
 }
 
 // "CT, series 3: Thorax, kernel B30f, phase 2 of 20"
-std::string seriesLine(const dicom::Series& series, const dicom::Stack& stack) {
+Text seriesLine(const dicom::Series& series, const dicom::Stack& stack) {
     const std::string& modality = stack.modality.empty() ? series.modality : stack.modality;
-    std::string line = modality.empty() ? "Modality unknown" : modality;
-    line += series.number ? fmt::format(", series {}", *series.number) : ", series without a number";
-    line += series.description.empty() ? ", no description" : ": " + series.description;
-    for (const dicom::StackLabel& label : stack.splitBy) line += ", " + textOf(label);
-    if (stack.phases > 1) line += fmt::format(", phase {} of {}", stack.phase + 1, stack.phases);
-    return line;
+    std::vector<Text> facts{modality.empty() ? Text("Modality unknown") : Text::verbatim(modality)};
+    if (series.description.empty()) {
+        facts.push_back(series.number ? Text("series {}", *series.number) : Text("series without a number"));
+        facts.push_back(Text("no description"));
+    } else {
+        facts.push_back(series.number ? Text("series {}: {}", *series.number, series.description)
+                                      : Text("series without a number: {}", series.description));
+    }
+    for (const dicom::StackLabel& label : stack.splitBy) facts.push_back(textOf(label));
+    if (stack.phases > 1) facts.push_back(Text("phase {} of {}", stack.phase + 1, stack.phases));
+    return Text::joined(std::move(facts), ", ");
 }
 
 }  // namespace
@@ -53,22 +56,22 @@ std::vector<FoundVolume> volumesOf(const dicom::Scan& scan) {
     return volumes;
 }
 
-std::vector<std::string> FoundVolumes::titles() const {
-    std::vector<std::string> titles;
+std::vector<Text> FoundVolumes::titles() const {
+    std::vector<Text> titles;
     for (const FoundVolume& volume : volumes_) {
         const Identity identity = identityOf(volume);
-        std::string title;
+        std::vector<Text> facts;
         if (scan_.patients > 1) {
-            const std::vector<std::string> lines = linesOf(identity);
-            title += lines[0] + ", " + lines[1] + ", ";
+            const std::vector<Text> lines = linesOf(identity);
+            facts = {lines[0], lines[1]};
         }
-        if (scan_.studies.size() > 1) {
-            title += identity.studyDate.empty() ? "no study date" : dateForPeople(identity.studyDate);
-            title += ", ";
-        }
-        titles.push_back(title + fmt::format("{}, {} \u00d7 {} \u00d7 {}", identity.series,
-                                             volume.stack->columns, volume.stack->rows,
-                                             volume.stack->slices.size()));
+        if (scan_.studies.size() > 1)
+            facts.push_back(identity.studyDate.empty() ? Text("no study date")
+                                                       : Text::verbatim(dateForPeople(identity.studyDate)));
+        facts.push_back(identity.series);
+        facts.push_back(
+            Text("{} × {} × {}", volume.stack->columns, volume.stack->rows, volume.stack->slices.size()));
+        titles.push_back(Text::joined(std::move(facts), ", "));
     }
     return titles;
 }
@@ -105,8 +108,8 @@ Result<FoundVolumes::ChosenVolume> FoundVolumes::ofSeries(const std::string& wan
                                                   : nullptr;
     if (series == nullptr)
         return Error{ErrorCode::inputNotUsable,
-                     all.empty() ? "The series that was asked for is not in this folder."
-                                 : "Several studies of this folder have the series that was asked for.",
+                     all.empty() ? Text("The series that was asked for is not in this folder.")
+                                 : Text("Several studies of this folder have the series that was asked for."),
                      folder.string(),
                      Text("Check its Series Instance UID or number, or choose another folder.")};
     const dicom::ChosenStack choice = dicom::bestVolume(*series);
@@ -124,12 +127,14 @@ Result<FoundVolumes::ChosenVolume> FoundVolumes::holding(const std::filesystem::
                                 [&](const dicom::Frame& f) { return sameFile(f.instance->file, file); });
                 if (!holds) continue;
                 const auto index = indexOf(&stack);
-                if (index) return ChosenVolume{*index, "The images of the file that was opened."};
+                if (index) return ChosenVolume{*index, Text("The images of the file that was opened.")};
                 const Message* reason = stack.whyNoVolume();
-                return notUsable(reason != nullptr ? reason->sentence : "The images are no volume.", file);
+                return notUsable(reason != nullptr ? reason->sentence : Text("The images are no volume."),
+                                 file);
             }
             for (const dicom::OtherObject& object : series.objects) {
-                if (sameFile(object.file, file)) return notUsable(object.kind + ": this is no image.", file);
+                if (sameFile(object.file, file))
+                    return notUsable(Text("{}: this is no image.", object.kind), file);
             }
         }
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <sstream>
+#include <utility>
 
 #include "base/parsing.h"
 
@@ -26,9 +27,9 @@ std::string joined(const std::vector<std::string>& parts, const char* separator)
     return text;
 }
 
-std::string or_(const std::string& text, const char* instead) {
-    const std::string shown(trimmed(text));
-    return shown.empty() ? std::string(instead) : shown;
+Text or_(const std::string& text, Text instead) {
+    const std::string_view shown = trimmed(text);
+    return shown.empty() ? std::move(instead) : Text::verbatim(shown);
 }
 
 // Family, given, middle, prefix, suffix: "Doe, John Quincy, Dr., MD".
@@ -42,14 +43,14 @@ std::string representationForPeople(const std::string& representation) {
     return joined(shown, ", ");
 }
 
-std::string studyLine(const Identity& identity) {
-    return joined({or_(dateForPeople(std::string(trimmed(identity.studyDate))), "no study date"),
-                   std::string(trimmed(identity.studyDescription))},
-                  ", ");
+Text studyLine(const Identity& identity) {
+    return Text::joined({or_(dateForPeople(std::string(trimmed(identity.studyDate))), Text("no study date")),
+                         Text::verbatim(trimmed(identity.studyDescription))},
+                        ", ");
 }
 
-std::string nameLine(const Identity& identity) {
-    return or_(nameForPeople(identity.patientName), "No patient name");
+Text nameLine(const Identity& identity) {
+    return or_(nameForPeople(identity.patientName), Text("No patient name"));
 }
 
 }  // namespace
@@ -69,22 +70,23 @@ std::string dateForPeople(const std::string& date) {
     return isDate ? date.substr(0, 4) + "-" + date.substr(4, 2) + "-" + date.substr(6) : date;
 }
 
-std::vector<std::string> linesOf(const Identity& identity) {
+std::vector<Text> linesOf(const Identity& identity) {
     if (identity.isOfNobody) return {identity.series};
     const std::string birth(trimmed(identity.birthDate));
     const std::string id(trimmed(identity.patientId));
     return {nameLine(identity),
-            joined({id.empty() ? "No patient ID" : "ID " + id,
-                    birth.empty() ? "" : "born " + dateForPeople(birth), std::string(trimmed(identity.sex))},
-                   ", "),
+            Text::joined({id.empty() ? Text("No patient ID") : Text("ID {}", id),
+                          birth.empty() ? Text() : Text("born {}", dateForPeople(birth)),
+                          Text::verbatim(trimmed(identity.sex))},
+                         ", "),
             studyLine(identity), identity.series};
 }
 
-std::string titleOf(const Identity& identity) {
+Text titleOf(const Identity& identity) {
     if (identity.isOfNobody) return identity.series;
-    return joined(
-        {nameLine(identity), or_(identity.patientId, "no patient ID"), studyLine(identity), identity.series},
-        " \u00b7 ");
+    return Text::joined({nameLine(identity), or_(identity.patientId, Text("no patient ID")),
+                         studyLine(identity), identity.series},
+                        " · ");
 }
 
 }  // namespace macula::study

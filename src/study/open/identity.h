@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
+
 namespace macula::study {
 
 // For the screen only: every field may name a patient, and none goes to a log, a file or an error. UTF-8; a
@@ -15,7 +17,7 @@ struct Identity {
     std::string sex;
     std::string studyDate;
     std::string studyDescription;
-    std::string series;                 // "CT, series 3: Thorax", "File brain.nii"
+    Text series;                        // "CT, series 3: Thorax", "File brain.nii"
     bool isOfNobody = false;            // made up by a program, of no patient
     std::string studyInstanceUid = {};  // of a study of one patient; never shown
 
@@ -24,10 +26,10 @@ struct Identity {
 
 // One line each: the name; the ID with birth date and sex; the study; the series. A line says so where name,
 // ID or study date is missing. For images of nobody, only the series.
-std::vector<std::string> linesOf(const Identity& identity);
+std::vector<Text> linesOf(const Identity& identity);
 
 // The same in one line, without birth date and sex: for the title of a window.
-std::string titleOf(const Identity& identity);
+Text titleOf(const Identity& identity);
 
 // "DOE^JOHN^^^=…" as "DOE, JOHN". Representations follow in their order, repeats left out.
 std::string nameForPeople(const std::string& personName);

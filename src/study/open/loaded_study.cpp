@@ -30,7 +30,7 @@ Result<dicom::ChosenStack> chooseStack(const dicom::Series& series, std::optiona
     if (!place) {
         dicom::ChosenStack choice = dicom::bestVolume(series);
         if (choice) {
-            if (series.stacks.size() == 1) choice.why.clear();
+            if (series.stacks.size() == 1) choice.why = {};
             return choice;
         }
         for (const Message& message : series.messages) {
@@ -46,8 +46,8 @@ Result<dicom::ChosenStack> chooseStack(const dicom::Series& series, std::optiona
     if (*place < 1 || *place > series.stacks.size()) {
         return Error{ErrorCode::usage,
                      series.stacks.size() == 1
-                         ? "The series has 1 stack of images."
-                         : fmt::format("The series has {} stacks of images.", series.stacks.size()),
+                         ? Text("The series has 1 stack of images.")
+                         : Text("The series has {} stacks of images.", series.stacks.size()),
                      {},
                      Text("See macula info for the list.")};
     }
@@ -117,8 +117,7 @@ Result<LoadedStudy> loadStudy(const std::filesystem::path& path, const std::stri
                          {},
                          Text("Leave --series out.")};
         }
-        if (path.empty())
-            input.notes.emplace_back(Text("No folder was given: this is the built-in phantom."));
+        if (path.empty()) input.notes.push_back(Text("No folder was given: this is the built-in phantom."));
         input.volume = std::make_shared<const Volume>(phantom::make());
         input.seriesDigest = "phantom";
         input.identity.isOfNobody = true;
@@ -140,25 +139,23 @@ Result<LoadedStudy> loadStudy(const dicom::Scan& scan, const std::filesystem::pa
         return error;
     }
     if (series.empty() && scan.patients > 1) {  // who is shown was nobody's choice
-        const std::string why = chosen->why.empty()
-                                    ? fmt::format("This folder is of {}.", dicom::patientsText(scan))
-                                    : chosen->why;
-        input.notes.push_back(why +
-                              " Check that it is of the patient you mean; macula info lists all series.");
+        const Text why =
+            chosen->why.empty() ? Text("This folder is of {}.", dicom::patientsText(scan)) : chosen->why;
+        input.notes.push_back(Text::joined(
+            {why, Text("Check that it is of the patient you mean; macula info lists all series.")}, " "));
         input.warnings.push_back(input.notes.back());
     } else if (!chosen->why.empty() && chosen->why != "The only volume.") {
         input.notes.push_back(chosen->why);
     }
     if (!scan.skipped.empty()) {
-        input.notes.push_back(
-            scan.skipped.size() == 1
-                ? "1 file was left out; macula info says why."
-                : fmt::format("{} files were left out; macula info says why.", scan.skipped.size()));
+        input.notes.push_back(scan.skipped.size() == 1 ? Text("1 file was left out; macula info says why.")
+                                                       : Text("{} files were left out; macula info says why.",
+                                                              scan.skipped.size()));
     }
     const auto note = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {
             if (message.severity != Severity::warning) continue;
-            input.notes.push_back(message.sentence + (message.action.empty() ? "" : " " + message.action));
+            input.notes.push_back(Text::joined({message.sentence, message.action}, " "));
             input.warnings.push_back(input.notes.back());
         }
     };
@@ -168,10 +165,11 @@ Result<LoadedStudy> loadStudy(const dicom::Scan& scan, const std::filesystem::pa
     MACULA_TRY(input.volume, dicom::loadVolume(*chosen->series, *chosen->stack, progress,
                                                {.onCoarse = {}, .inSuv = petUnit == PetUnit::suv}));
     note(input.volume->provenance().messages);
-    for (const std::string& assumption : input.volume->provenance().assumptions) {
+    for (const Text& assumption : input.volume->provenance().assumptions) {
         // Most assumptions repeat the sentence of a warning that is a note already, with what to do.
-        const bool known = std::any_of(input.notes.begin(), input.notes.end(),
-                                       [&](const std::string& n) { return n.starts_with(assumption); });
+        const std::string said = assumption.english();
+        const bool known =
+            std::ranges::any_of(input.notes, [&](const Text& n) { return n.english().starts_with(said); });
         if (!known) input.notes.push_back(assumption);
     }
     input.images = imagesOf(*chosen->stack);
@@ -188,7 +186,7 @@ Result<LoadedStudy> loadStudy(const dicom::Scan& scan, const std::filesystem::pa
 void bringTo16Bits(LoadedStudy& study) {
     const std::size_t known = study.volume->provenance().assumptions.size();
     study.volume = in16Bits(std::move(study.volume));
-    const std::vector<std::string>& assumptions = study.volume->provenance().assumptions;
+    const std::vector<Text>& assumptions = study.volume->provenance().assumptions;
     study.notes.insert(study.notes.end(), assumptions.begin() + static_cast<std::ptrdiff_t>(known),
                        assumptions.end());
 }

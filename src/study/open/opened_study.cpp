@@ -1,7 +1,5 @@
 #include "study/open/opened_study.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <exception>
 #include <new>
@@ -35,8 +33,8 @@ Result<OpenedStudy> openPhantom(Progress& progress) {
     progress.advance();
     return OpenedStudy{.volume = std::move(volume),
                        .seriesDigest = "phantom",
-                       .identity = {.series = "Built-in phantom", .isOfNobody = true},
-                       .description = "Built-in phantom"};
+                       .identity = {.series = Text("Built-in phantom"), .isOfNobody = true},
+                       .description = Text("Built-in phantom")};
 }
 
 // Opens NIfTI and its kin, which hold one volume and no name.
@@ -48,8 +46,8 @@ Result<OpenedStudy> openVolumeFile(const std::filesystem::path& path, Progress& 
     return OpenedStudy{.volume = std::move(drawn.volume),
                        .inFloats = drawn.isExact ? nullptr : std::move(volume),
                        .seriesDigest = std::move(digest),
-                       .identity = {.series = "File " + name},
-                       .description = name};
+                       .identity = {.series = Text("File {}", name)},
+                       .description = Text::verbatim(name)};
 }
 
 bool isMediaDirectory(const std::filesystem::path& file) {
@@ -58,10 +56,10 @@ bool isMediaDirectory(const std::filesystem::path& file) {
 
 // Returns the question whether images are one series (dicom::key::kUidPerSlice), when the folder holds no
 // volume without an answer; else nothing.
-std::string joinQuestionOf(const FoundVolumes& found) {
+Text joinQuestionOf(const FoundVolumes& found) {
     const auto& messages = found.scan().messages;
     const auto asked = std::ranges::find(messages, dicom::key::kUidPerSlice, &Message::key);
-    return found.volumes().empty() && asked != messages.end() ? asked->sentence : std::string();
+    return found.volumes().empty() && asked != messages.end() ? asked->sentence : Text();
 }
 
 Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::size_t index,
@@ -74,8 +72,8 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
                       .inFloats = drawn.isExact ? nullptr : std::move(volume),
                       .seriesDigest = sha256Hex(chosen.series->seriesInstanceUid),
                       .identity = identityOf(chosen),
-                      .description = chosen.series->description,
-                      .whyThisSeries = "The volume that was chosen.",
+                      .description = Text::verbatim(chosen.series->description),
+                      .whyThisSeries = Text("The volume that was chosen."),
                       .volumeTitles = found->titles(),
                       .volumeIndex = index};
     study.isLowBright =
@@ -87,9 +85,11 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     // Nothing twice: what is said of a series may be said of its volume too.
     const auto tell = [&](const std::vector<Message>& messages) {
         for (const Message& message : messages) {
-            if (message.severity != Severity::info &&
-                std::ranges::find(study.messages, message.sentence) == study.messages.end())
-                study.messages.push_back(message.sentence);
+            if (message.severity == Severity::info) continue;
+            const std::string said = message.sentence.english();
+            const bool isKnown =
+                std::ranges::any_of(study.messages, [&](const Text& known) { return known == said; });
+            if (!isKnown) study.messages.push_back(message.sentence);
         }
     };
     const dicom::Scan& scan = found->scan();
@@ -98,20 +98,22 @@ Result<OpenedStudy> loadFound(std::shared_ptr<const FoundVolumes> found, std::si
     tell(chosen.stack->messages);
     tell(study.volume->provenance().messages);
     if (!scan.skipped.empty()) {
-        study.messages.push_back(std::to_string(scan.skipped.size()) +
-                                 (scan.skipped.size() == 1 ? " file was" : " files were") +
-                                 " left out; the list of studies and `macula info` on the folder say why.");
+        study.messages.push_back(
+            scan.skipped.size() == 1
+                ? Text("1 file was left out; the list of studies and `macula info` on the folder say why.")
+                : Text("{} files were left out; the list of studies and `macula info` on the folder say why.",
+                       scan.skipped.size()));
     }
     study.found = std::move(found);
     return study;
 }
 
 // Names nobody: descriptions of series may.
-std::string notOpened(const FoundVolume& volume, const std::string& why) {
+Text notOpened(const FoundVolume& volume, const Text& why) {
     const std::size_t images = volume.stack->frames.size();
     if (const auto number = volume.series->number)
-        return fmt::format("Series {} ({} images) could not be opened: {}", *number, images, why);
-    return fmt::format("A series without a number ({} images) could not be opened: {}", images, why);
+        return Text("Series {} ({} images) could not be opened: {}", *number, images, why);
+    return Text("A series without a number ({} images) could not be opened: {}", images, why);
 }
 
 // The best volume that can be decoded. What comes before it, and cannot, is told; where nothing can, the
@@ -122,16 +124,16 @@ Result<OpenedStudy> loadBest(const std::shared_ptr<const FoundVolumes>& found,
     if (first) first->whyThisSeries = best.why;
     if (first || first.error().code == ErrorCode::cancelled) return first;
     std::vector<std::size_t> failed{best.index};
-    std::vector<std::string> told{notOpened(found->volumes().at(best.index), first.error().message)};
+    std::vector<Text> told{notOpened(found->volumes().at(best.index), first.error().message)};
     while (const auto index = found->bestWithout(failed)) {
         Result<OpenedStudy> study = loadFound(found, *index, progress);
         if (!study && study.error().code == ErrorCode::cancelled) return study;
         if (study) {
-            study->whyThisSeries = "The best volume that can be opened.";
-            told.emplace_back(
+            study->whyThisSeries = Text("The best volume that can be opened.");
+            told.push_back(
                 found->areOfOnePatient(*index, best.index)
-                    ? "The best of the other volumes is shown instead."
-                    : "The best of the other volumes is shown instead, which is of another patient.");
+                    ? Text("The best of the other volumes is shown instead.")
+                    : Text("The best of the other volumes is shown instead, which is of another patient."));
             study->messages.insert(study->messages.begin(), told.begin(), told.end());
             return study;
         }
@@ -188,7 +190,7 @@ Result<OpenedStudy> withoutExceptions(const StudySource& source, Load load) {
     try {
         return load();
     } catch (const std::exception& thrown) {
-        return errorOf(thrown, "open this study", source ? source->string() : std::string());
+        return errorOf(thrown, Text("open this study"), source ? source->string() : std::string());
     }
 }
 

@@ -29,7 +29,7 @@ struct OpenedStudy {
     std::vector<Text> messages = {};  // warnings about the series and about files left out
     // All volumes of the folder, and which of them this is; null for the phantom and files of one volume.
     std::shared_ptr<const FoundVolumes> found = {};
-    std::vector<std::string> volumeTitles = {};
+    std::vector<Text> volumeTitles = {};
     std::size_t volumeIndex = 0;
     std::vector<int> imageNumbers = {};    // of its slices: see imageNumbersOf()
     bool isLowBright = false;              // low values are drawn white: MONOCHROME1, and PET by custom

@@ -1,8 +1,5 @@
 #include "study/open/patient_choice.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cctype>
 #include <map>
@@ -17,25 +14,25 @@ constexpr std::size_t kMostOfPatient = 6;  // series that are listed; macula inf
 constexpr std::size_t kMostPatients = 8;
 
 // "3 (CT, 120 images)". No text of the file that a person may have typed.
-std::string describe(std::size_t place, const dicom::Series& series) {
+Text describe(std::size_t place, const dicom::Series& series) {
     const std::string& modality = series.modality;
     const bool isCode = !modality.empty() && modality.size() <= 16 &&
                         std::ranges::all_of(modality, [](unsigned char c) { return std::isalnum(c) != 0; });
-    return fmt::format("{} ({}{} {})", place, isCode ? modality + ", " : "", series.instances,
-                       series.instances == 1 ? "image" : "images");
+    const Text images = series.instances == 1 ? Text("1 image") : Text("{} images", series.instances);
+    return isCode ? Text("{} ({}, {})", place, modality, images) : Text("{} ({})", place, images);
 }
 
-std::string listOf(std::vector<std::string> parts, std::size_t most, std::string_view separator) {
+Text listOf(std::vector<Text> parts, std::size_t most, std::string_view separator) {
     const std::size_t more = parts.size() - std::min(parts.size(), most);
     parts.resize(parts.size() - more);
-    if (more > 0) parts.push_back(fmt::format("{} more", more));
-    return fmt::format("{}", fmt::join(parts, separator));
+    if (more > 0) parts.push_back(Text("{} more", more));
+    return Text::joined(std::move(parts), separator);
 }
 
 }  // namespace
 
 std::optional<Error> whichPatient(const FoundVolumes& found, const std::filesystem::path& folder) {
-    std::map<int, std::vector<std::string>> series;  // with volumes, by patient
+    std::map<int, std::vector<Text>> series;  // with volumes, by patient
     std::size_t place = 0;
     for (const dicom::Study& study : found.scan().studies) {
         for (const dicom::Series& each : study.series) {
@@ -46,10 +43,10 @@ std::optional<Error> whichPatient(const FoundVolumes& found, const std::filesyst
         }
     }
     if (series.size() < 2) return std::nullopt;
-    std::vector<std::string> patients;
+    std::vector<Text> patients;
     for (const auto& [patient, ofPatient] : series)
         patients.push_back(
-            fmt::format("patient {} has series {}", patient + 1, listOf(ofPatient, kMostOfPatient, ", ")));
+            Text("patient {} has series {}", patient + 1, listOf(ofPatient, kMostOfPatient, ", ")));
     return Error{
         ErrorCode::inputNotUsable,
         Text("This folder is of {}, and nothing says which is meant: {}.", dicom::patientsText(found.scan()),

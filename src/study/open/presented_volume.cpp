@@ -61,8 +61,8 @@ std::size_t imagesIn(const dicom::OtherObject& object, const dicom::Stack& stack
 }
 
 // Where there is no volume: whether the series is there at all, and whose it is.
-std::string whyNone(const dicom::OtherObject& object, int patient, const FoundVolumes& found,
-                    const dicom::StandInUids& standIns) {
+Text whyNone(const dicom::OtherObject& object, int patient, const FoundVolumes& found,
+             const dicom::StandInUids& standIns) {
     bool isOfAnother = false;
     for (const dicom::Study& study : found.scan().studies) {
         for (const dicom::Series& series : study.series) {
@@ -70,12 +70,12 @@ std::string whyNone(const dicom::OtherObject& object, int patient, const FoundVo
             if (referred == Referred::no) continue;
             if (referred == Referred::byStandIn ||
                 dicom::mayBeOnePatient(found.scan(), study.patient, patient))
-                return "The images that it is of are no volume.";
+                return Text("The images that it is of are no volume.");
             isOfAnother = true;
         }
     }
-    return isOfAnother ? "The series that it is of belongs to another patient."
-                       : "The series that it is of is not in this folder.";
+    return isOfAnother ? Text("The series that it is of belongs to another patient.")
+                       : Text("The series that it is of is not in this folder.");
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ PresentedVolume presentedVolume(const dicom::OtherObject& object, int patient, c
     const bool isKnown = object.sopClassUid == dicom::sop_class::kVolumePresentationState ||
                          object.sopClassUid == dicom::sop_class::kSoftcopyPresentationState;
     if (!object.presentation || !isKnown)
-        return {.whyNot = "Macula does not show presentation states of this kind."};
+        return {.whyNot = Text("Macula does not show presentation states of this kind.")};
     const dicom::StandInUids standIns;
     std::vector<std::pair<std::size_t, Referred>> candidates;
     for (std::size_t i = 0; i < found.volumes().size(); ++i) {

@@ -91,8 +91,7 @@ std::optional<std::string> clockText(std::string_view value) {
 }
 
 // Of the plane across the normal that is nearest; "oblique" from a degree on.
-std::optional<std::string> planeText(std::string_view value) {
-    constexpr std::array<std::string_view, 3> kNames{"sagittal", "coronal", "axial"};
+std::optional<Text> planeText(std::string_view value) {
     constexpr double kStraight = 0.99985;  // the cosine of a degree
     const auto numbers = numbersOf(value);
     if (!numbers || numbers->size() != 6) return std::nullopt;
@@ -104,13 +103,14 @@ std::optional<std::string> planeText(std::string_view value) {
     for (const int other : {1, 2})
         if (std::abs(normal[other]) > std::abs(normal[axis])) axis = other;
     const bool isStraight = std::abs(normal[axis]) / length >= kStraight;
-    return fmt::format("{}{}", isStraight ? "" : "oblique ", kNames.at(std::size_t(axis)));
+    if (isStraight) return axis == 0 ? Text("sagittal") : axis == 1 ? Text("coronal") : Text("axial");
+    return axis == 0 ? Text("oblique sagittal") : axis == 1 ? Text("oblique coronal") : Text("oblique axial");
 }
 
-std::optional<std::string> spacingText(std::string_view value) {
+std::optional<Text> spacingText(std::string_view value) {
     const auto numbers = numbersOf(value);
     if (!numbers || numbers->size() != 2) return std::nullopt;
-    return fmt::format("pixels {:.4g} × {:.4g} mm", numbers->at(0), numbers->at(1));
+    return Text("pixels {:.4g} × {:.4g} mm", numbers->at(0), numbers->at(1));
 }
 
 // "ContrastBolusAgent": "contrast bolus agent".
@@ -139,29 +139,28 @@ std::string endOfUid(const std::string& uid) {
     return uid.size() <= kMost ? uid : "…" + uid.substr(uid.size() - kMost);
 }
 
-std::optional<std::string> ownTextOf(const dicom::StackLabel& label) {
+std::optional<Text> ownTextOf(const dicom::StackLabel& label) {
     if (label.attribute == "AcquisitionTime" || label.attribute == "ContentTime") {
         const auto clock = clockText(label.value);
-        return clock ? std::optional("at " + *clock) : std::nullopt;
+        return clock ? std::optional(Text("at {}", *clock)) : std::nullopt;
     }
     if (label.attribute == "ImageOrientationPatient") return planeText(label.value);
     if (label.attribute == "PixelSpacing") return spacingText(label.value);
-    if (label.attribute == "Localizer") return label.value.empty() ? "no localizer" : "localizer";
+    if (label.attribute == "Localizer") return label.value.empty() ? Text("no localizer") : Text("localizer");
     if (label.attribute.ends_with("UID") && !label.value.empty())
-        return takenApart(label.attribute) + " " + endOfUid(label.value);
+        return Text("{} {}", takenApart(label.attribute), endOfUid(label.value));
     return std::nullopt;
 }
 
 }  // namespace
 
-std::string textOf(const dicom::StackLabel& label) {
+Text textOf(const dicom::StackLabel& label) {
     if (auto own = ownTextOf(label)) return *std::move(own);
     const std::string value = fmt::format("{}", fmt::join(valuesOf(label.value), ", "));
-    if (value.empty()) return "no " + takenApart(label.attribute);
+    if (value.empty()) return Text("no {}", takenApart(label.attribute));
     const auto words = std::ranges::find(kWords, label.attribute, &Words::attribute);
-    if (words == kWords.end()) return takenApart(label.attribute) + " " + value;
-    std::string text(words->text);
-    return text.replace(text.find("{}"), 2, value);
+    if (words == kWords.end()) return Text("{} {}", takenApart(label.attribute), value);
+    return Text::of(words->text, {{{}, value}});
 }
 
 }  // namespace macula::study

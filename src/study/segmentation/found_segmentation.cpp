@@ -1,7 +1,5 @@
 #include "study/segmentation/found_segmentation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <functional>
 #include <set>
@@ -46,18 +44,18 @@ bool isDrawnOn(const dicom::Segmentation& header, const dicom::Series& series) {
 }
 
 // Empty: it can be.
-std::string whyNotOn(const dicom::Segmentation& header, const dicom::Scan& scan, const dicom::Study& study,
-                     const FoundVolume& volume) {
+Text whyNotOn(const dicom::Segmentation& header, const dicom::Scan& scan, const dicom::Study& study,
+              const FoundVolume& volume) {
     if (!dicom::mayBeOnePatient(scan, study.patient, volume.study->patient))
-        return "It is of another patient.";
-    if (header.frames.empty()) return "It has no frames.";
+        return Text("It is of another patient.");
+    if (header.frames.empty()) return Text("It has no frames.");
     const std::string frameOfReference = frameOfReferenceOf(*volume.stack);
     if (!frameOfReference.empty() && !header.frameOfReferenceUid.empty()) {
         if (frameOfReference == header.frameOfReferenceUid) return {};
-        return "It lies in another coordinate system (frame of reference) than this volume.";
+        return Text("It lies in another coordinate system (frame of reference) than this volume.");
     }
     if (isDrawnOn(header, *volume.series)) return {};
-    return "Nothing says that it lies in the coordinate system of this volume.";
+    return Text("Nothing says that it lies in the coordinate system of this volume.");
 }
 
 FoundSegmentation read(const dicom::Scan& scan, const Candidate& candidate, const FoundVolume& volume) {
@@ -66,7 +64,7 @@ FoundSegmentation read(const dicom::Scan& scan, const Candidate& candidate, cons
     auto header = dicom::readSegmentation(candidate.object->file);
     if (!header) {
         found.digest = sha256Hex(candidate.object->file.string());
-        found.whyNot = header.error().message + " " + header.error().hint;
+        found.whyNot = Text::joined({header.error().message, header.error().hint}, " ");
     } else {
         found.header = *std::move(header);
         const std::string& uid = found.header.sopInstanceUid;
@@ -76,7 +74,7 @@ FoundSegmentation read(const dicom::Scan& scan, const Candidate& candidate, cons
             found.title += found.title.empty() ? label : " (" + label + ")";
         found.whyNot = whyNotOn(found.header, scan, *candidate.study, volume);
         if (found.canBeShown() && !isDrawnOn(found.header, *volume.series))
-            found.note = "It was drawn on another series of this coordinate system.";
+            found.note = Text("It was drawn on another series of this coordinate system.");
     }
     if (found.title.empty()) found.title = "Segmentation";
     return found;
@@ -101,7 +99,7 @@ Result<std::vector<FoundSegmentation>> findSegmentations(const FoundVolumes& fou
     std::stable_partition(all.begin(), all.end(), std::mem_fn(&FoundSegmentation::canBeShown));
     return all;
 } catch (const std::exception& thrown) {
-    return errorOf(thrown, "read the segmentations");
+    return errorOf(thrown, Text("read the segmentations"));
 }
 
 }  // namespace macula::study

@@ -1,7 +1,5 @@
 #include "study/segmentation/loaded_segmentation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -24,14 +22,14 @@ constexpr std::array<std::array<std::uint8_t, 3>, 7> kColours{{{230, 159, 0},
                                                                {213, 94, 0},
                                                                {204, 121, 167}}};
 
-std::vector<std::string> notesOf(const FoundSegmentation& found, const dicom::SegmentVoxelSets& sets) {
-    std::vector<std::string> notes;
+std::vector<Text> notesOf(const FoundSegmentation& found, const dicom::SegmentVoxelSets& sets) {
+    std::vector<Text> notes;
     if (!found.note.empty()) notes.push_back(found.note);
     if (sets.isResampled)
-        notes.emplace_back(
+        notes.push_back(
             Text("It was drawn on other voxels than those of this volume; the nearest voxel is shown."));
     if (found.header.type == dicom::SegmentationType::fractional)
-        notes.emplace_back(Text("It has fractions; what is half or more is shown as the segment."));
+        notes.push_back(Text("It has fractions; what is half or more is shown as the segment."));
     for (const std::uint16_t number : found.header.paddedSegments)
         notes.push_back(
             dicom::message(dicom::key::kSegmentIsPadding, {{"number", std::int64_t(number)}}).sentence);
@@ -40,7 +38,7 @@ std::vector<std::string> notesOf(const FoundSegmentation& found, const dicom::Se
             Text("{} of its voxels lie outside of this volume, and are not counted.", sets.outside));
     const bool isSeen = std::ranges::any_of(
         sets.segments, [](const dicom::SegmentVoxels& each) { return !each.voxels.isEmpty(); });
-    if (!isSeen) notes.emplace_back(Text("No voxel of it lies in this volume."));
+    if (!isSeen) notes.push_back(Text("No voxel of it lies in this volume."));
     return notes;
 }
 
