@@ -42,7 +42,7 @@ std::string timeLeft(double seconds) {
 class Estimate {
   public:
     double secondsLeft(const ProgressUpdate& update) {
-        if (update.stage != stage_ || update.fraction < fraction_) {
+        if (!(update.stage == stage_) || update.fraction < fraction_) {
             stage_ = update.stage;
             start_ = Clock::now();
             first_ = update.fraction;
@@ -55,7 +55,7 @@ class Estimate {
     }
 
   private:
-    std::string stage_;
+    Text stage_;
     double fraction_ = 0.0;
     double first_ = 0.0;
     Clock::time_point start_;
@@ -67,7 +67,7 @@ std::string progressLine(const ProgressUpdate& update, double secondsLeft, int c
     const double fraction = std::clamp(update.fraction, 0.0, 1.0);
     const std::string end = fmt::format(" {:3.0f} %{}", 100.0 * fraction, timeLeft(secondsLeft));
     const int room = std::max(columns - static_cast<int>(end.size()), 1);
-    std::string line = update.stage.substr(0, static_cast<std::size_t>(room));  // stages are ASCII
+    std::string line = update.stage.english().substr(0, static_cast<std::size_t>(room));  // stages are ASCII
     const int cells = std::min(room - static_cast<int>(line.size()) - 3, kMostCells);
     if (cells >= kFewestCells) {
         const int filled = static_cast<int>(fraction * cells);
@@ -92,7 +92,7 @@ Progress::Listener terminalProgressBar() {
         if (Clock::now() - last < kLineInterval) return;
         last = Clock::now();
         const std::string line =
-            fmt::format("{}: {:.0f} %{}\n", update.stage, 100.0 * update.fraction, timeLeft(left));
+            fmt::format("{}: {:.0f} %{}\n", update.stage.english(), 100.0 * update.fraction, timeLeft(left));
         std::fputs(line.c_str(), stderr);
         std::fflush(stderr);
     };

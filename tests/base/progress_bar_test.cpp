@@ -7,8 +7,8 @@ namespace macula {
 namespace {
 
 TEST(ProgressBar, FitsAndSaysHowLongItTakes) {
-    const ProgressUpdate update{"Tracing until the noise is gone", 0.5};
-    EXPECT_EQ(progressLine({"Tracing", 0.5}, -1.0, 79),
+    const ProgressUpdate update{Text("Tracing until the noise is gone"), 0.5};
+    EXPECT_EQ(progressLine({Text("Tracing"), 0.5}, -1.0, 79),
               "Tracing [" + std::string(15, '=') + std::string(15, ' ') + "]  50 %");
     EXPECT_NE(progressLine(update, 12.3, 79).find("] 50 %, 13 s left") == std::string::npos, false);
     for (const double left : {-1.0, 9.0, 5000.0, 100000.0}) {

@@ -87,7 +87,7 @@ Json toJson(const dicom::Stack& stack, const std::string& place, bool isBest, Pa
 }
 
 Json toJson(const dicom::OtherObject& object, PatientData patientData) {
-    Json json = {{"kind", object.kind}, {"sopClassUid", object.sopClassUid}};
+    Json json = {{"kind", object.kind.english()}, {"sopClassUid", object.sopClassUid}};
     if (!object.referencedSeriesUids.empty()) json["referencedSeriesUids"] = object.referencedSeriesUids;
     if (patientData == PatientData::include) json["file"] = object.file.string();
     if (!dicom::isSegmentation(object.sopClassUid)) return json;
