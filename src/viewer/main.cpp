@@ -32,7 +32,7 @@
 #include "viewer/driven/orbit_script.h"
 #include "viewer/driven/stations_script.h"
 #include "viewer/driven/workday_script.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/language/language.h"
 #include "viewer/quit_signals.h"
 #include "viewer/settings/settings.h"

@@ -18,7 +18,7 @@
 #include "study/found_by_hand.h"
 #include "viewer/browser/recent_menu.h"
 #include "viewer/browser/study_tree_model.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/offscreen.h"
 
 namespace macula::viewer {

@@ -22,7 +22,7 @@
 #include "scene/choice/catalogue.h"
 #include "scene/choice/quality_choice.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/language/language.h"
 #include "viewer/offscreen.h"
 

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/language/harmless_text.h"
 
 namespace macula::viewer {

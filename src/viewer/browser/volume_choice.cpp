@@ -3,7 +3,7 @@
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

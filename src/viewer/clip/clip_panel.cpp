@@ -12,7 +12,7 @@
 #include <cmath>
 #include <utility>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/status/say.h"
 #include "viewer/status/status_texts.h"
 

@@ -13,7 +13,7 @@
 
 #include "viewer/jobs/newest_posted.h"
 #include "viewer/jobs/post.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <string>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

@@ -5,7 +5,7 @@
 
 #include "base/check.h"
 #include "viewer/keys/slice_tool_keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/settings/key_book.h"
 
 namespace macula::viewer {

@@ -6,7 +6,7 @@
 
 #include "slices/interpolated.h"
 #include "study/open/image_numbers.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/language/harmless_text.h"
 
 namespace macula::viewer {

@@ -10,7 +10,7 @@
 #include "viewer/browser/browser_controller.h"
 #include "viewer/browser/study_browser.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/second/patient_question.h"
 #include "viewer/second/second_volume_bar.h"
 #include "viewer/second/second_volume_loader.h"

@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "viewer/clip/wheel_guard.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/language/harmless_text.h"
 #include "viewer/overlay/slice_texts.h"
 

@@ -10,7 +10,7 @@
 #include "pipeline/volume/window.h"
 #include "scene/drawing/projection_windows.h"
 #include "scene/second/second_study.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/language/harmless_text.h"
 
 namespace macula::viewer {

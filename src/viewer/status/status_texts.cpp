@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "pipeline/trace/look.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <algorithm>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/theme/theme.h"
 
 namespace macula::viewer {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

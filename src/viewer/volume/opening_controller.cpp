@@ -8,7 +8,7 @@
 
 #include "viewer/editor/study_editor.h"
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/settings/file_dialogs.h"
 #include "viewer/status/notifications.h"
 #include "viewer/status/status_widgets.h"

@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "viewer/keys/keys.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 
 namespace macula::viewer {
 

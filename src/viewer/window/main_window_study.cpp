@@ -11,7 +11,7 @@
 #include "viewer/clip/clips_controller.h"
 #include "viewer/clip/voxel_cutting.h"
 #include "viewer/keys/shortcuts.h"
-#include "viewer/language/core_words.h"
+#include "viewer/language/window_language.h"
 #include "viewer/look/view3d_controller.h"
 #include "viewer/pick/pick_controller.h"
 #include "viewer/quality/quality_controller.h"
