@@ -56,7 +56,7 @@ using Checked = std::conditional_t<std::is_same_v<Kept<T>, Text>, std::string, K
 class Text {
   public:
     Text() = default;
-    Text(const char* words);  // a literal
+    explicit Text(const char* words);  // a literal
     template <class First, class... Rest>
     explicit Text(fmt::format_string<detail::Checked<First>, detail::Checked<Rest>...> format, First&& first,
                   Rest&&... rest);
@@ -99,8 +99,7 @@ Text::Text(fmt::format_string<detail::Checked<First>, detail::Checked<Rest>...> 
 }
 
 // Puts what `say` makes of each argument into the places of a format. `spec` is what stands behind the colon
-// there, as in
-// "{:.1f}". A place without an argument is left as it stands, since a translation may be wrong.
+// there, as in "{:.1f}". A place without an argument is left as it stands, since a translation may be wrong.
 using SayArgument = std::function<std::string(const TextArgument&, std::string_view spec)>;
 std::string filled(std::string_view format, std::span<const TextArgument> arguments, const SayArgument& say);
 

@@ -1,8 +1,5 @@
 #include "segment/messages.h"
 
-#include <fmt/args.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -42,16 +39,11 @@ Message message(std::string_view key, std::vector<TextArgument> arguments) {
     const auto* const entry = std::find_if(kCatalogue.begin(), kCatalogue.end(),
                                            [&](const CatalogueEntry& e) { return e.key == key; });
     MACULA_CHECK(entry != kCatalogue.end());
-    fmt::dynamic_format_arg_store<fmt::format_context> store;
-    for (const TextArgument& argument : arguments) {
-        std::visit([&](const auto& value) { store.push_back(fmt::arg(argument.name.c_str(), value)); },
-                   argument.value);
-    }
     return {.severity = entry->severity,
             .key = std::string(key),
-            .arguments = std::move(arguments),
-            .sentence = fmt::vformat(entry->sentence, store),
-            .action = std::string(entry->action)};
+            .arguments = arguments,
+            .sentence = Text::of(entry->sentence, std::move(arguments)),
+            .action = Text::of(entry->action, {})};
 }
 
 }  // namespace macula::segment

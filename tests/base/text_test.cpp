@@ -30,10 +30,10 @@ TEST(Text, FindsArgumentsByName) {
 TEST(Text, WordsOfOthersStayAsTheyAre) {
     EXPECT_EQ(Text::verbatim("{} of {0} 50 %").english(), "{} of {0} 50 %");
     EXPECT_TRUE(Text::verbatim("").empty());
-    const Text list = Text::joined({"one", {}, Text::verbatim("{two}")}, ", ");
+    const Text list = Text::joined({Text("one"), {}, Text::verbatim("{two}")}, ", ");
     EXPECT_EQ(list.english(), "one, {two}");
     EXPECT_TRUE(Text::joined({}, ", ").empty());
-    EXPECT_EQ(Text::joined({"alone"}, ", "), Text("alone"));
+    EXPECT_EQ(Text::joined({Text("alone")}, ", "), Text("alone"));
 }
 
 // Formats of a translation are not checked by the compiler.

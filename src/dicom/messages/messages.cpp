@@ -1,8 +1,5 @@
 #include "dicom/messages/messages.h"
 
-#include <fmt/args.h>
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 
@@ -430,16 +427,11 @@ Message message(std::string_view key, Severity severity, std::vector<TextArgumen
     const auto entry = std::find_if(kCatalogue.begin(), kCatalogue.end(),
                                     [&](const CatalogueEntry& e) { return e.key == key; });
     MACULA_CHECK(entry != kCatalogue.end());
-    fmt::dynamic_format_arg_store<fmt::format_context> store;
-    for (const TextArgument& argument : arguments) {
-        std::visit([&](const auto& value) { store.push_back(fmt::arg(argument.name.c_str(), value)); },
-                   argument.value);
-    }
     return {.severity = severity,
             .key = std::string(key),
-            .arguments = std::move(arguments),
-            .sentence = fmt::vformat(entry->sentence, store),
-            .action = std::string(entry->action)};
+            .arguments = arguments,
+            .sentence = Text::of(entry->sentence, std::move(arguments)),
+            .action = Text::of(entry->action, {})};
 }
 
 Message message(std::string_view key, std::vector<TextArgument> arguments) {
